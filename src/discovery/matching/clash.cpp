@@ -63,8 +63,9 @@ std::vector<const StoredSubscription*> Matcher::State::review(Id32 number, bool 
 void Matcher::State::tell_clash(Id32 number, std::span<const Identity* const> concepts) {
   std::string names;
   for (const Identity* one : concepts) names += (names.empty() ? "" : " and ") + canonical_form(*one);
-  const std::string text = "the number " + std::to_string(number) + " is that of two different services, " + names +
-                           ": nobody is connected by it, ask for and offer the concept";
+  const std::string text =
+      "the number " + std::to_string(number) + " is that of two different services, " + names +
+      ": it connects none of those with whoever states the number, who is to ask for and offer the concept";
   const auto tell_all = [&](const auto& table) {
     for (const auto entries : table.with_number(number)) {
       for (const auto& one : entries) {

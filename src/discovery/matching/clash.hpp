@@ -1,4 +1,5 @@
-// Two different concepts with the same 32-bit identity: nobody is connected by their number.
+// Two different concepts with the same 32-bit identity: their number connects neither with whoever states it. Two that
+// state the number are connected all the same.
 #ifndef GEMINGA_DISCOVERY_MATCHING_CLASH_HPP
 #define GEMINGA_DISCOVERY_MATCHING_CLASH_HPP
 

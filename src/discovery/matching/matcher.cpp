@@ -174,7 +174,8 @@ std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry
                                                const registry::PublicationEntry& offer, const AskChain& chains) const {
   ++state_->judged_;
   if (state_->is_kept_apart(offer.publication.identity, request.subscription.identity)) {
-    return std::unexpected("identity: the number is that of two different services, and nobody is connected by it");
+    return std::unexpected(
+        "identity: the number is that of two different services, and connects neither with whoever states the number");
   }
   const Imagined imagined(offer, vocabulary());
   Request prepared = state_->prepare(request);
@@ -223,6 +224,6 @@ bool Matcher::is_served(const registry::SubscriptionEntry& subscription) const {
 }
 
 bool Matcher::is_used(const registry::PublicationEntry& publication) const { return state_->is_used(publication); }
-
 std::set<std::string> Matcher::converters_in_use() const { return state_->converters_in_use(); }
+
 }  // namespace geminga::matching
