@@ -22,6 +22,7 @@ shell::Table table_of_requests(const std::vector<Record>& records) {
                       {"SERVED"},
                       {"PROVIDERS", false, 10, 4},
                       {"WHERE", false, 10, 2},
+                      {"ALSO", false, 10, 2},
                       {"LIMIT", true, 0, 6},
                       {"AGE", true, 0, 7},
                       {"WHY", false, 20},
@@ -31,7 +32,7 @@ shell::Table table_of_requests(const std::vector<Record>& records) {
     shown.add({shell::who(record["consumer"], record["name"], record["participant_name"]),
                shell::identity_words(record), std::string(record["match"]), std::string(record["mode"]),
                record["served"] == "1" ? "yes" : "no", std::string(record["provider"]), std::string(record["where"]),
-               limit, shell::duration_words(record["age"]), std::string(record["because"]),
+               request_words(record), limit, shell::duration_words(record["age"]), std::string(record["because"]),
                std::string(record["subscription"])});
   }
   return shown;

@@ -33,6 +33,17 @@ shell::Table table_of_services(const std::vector<Record>& records) {
 
 }  // namespace
 
+std::string request_words(const Record& record) {
+  std::string words;
+  for (const char* key : {"convert", "protocol", "scope", "favour", "prefer", "rank"}) {
+    if (record[key].empty()) continue;
+    const bool is_of_several = record[key].contains(' ');
+    words += std::string(words.empty() ? "" : " ") + key + '=' + (is_of_several ? "\"" : "") +
+             std::string(record[key]) + (is_of_several ? "\"" : "");
+  }
+  return words;
+}
+
 std::string service_line(const Record& record) {
   const bool is_service = !record["service"].empty();
   std::string line =
@@ -43,7 +54,10 @@ std::string service_line(const Record& record) {
   const std::string where = shell::place(record["address"], record["port"]);
   if (!where.empty()) line += "  " + where;
   if (!record.attributes.empty()) line += "  " + shell::attribute_words(record.attributes);
-  return line + "  " + std::string(record[is_service ? "service" : "subscription"]);
+  if (!is_service && !record["where"].empty()) line += "  where=\"" + std::string(record["where"]) + '"';
+  if (const std::string words = request_words(record); !is_service && !words.empty()) line += "  " + words;
+  line += "  " + std::string(record[is_service ? "service" : "subscription"]);
+  return record["because"].empty() ? line : line + "  " + std::string(record["because"]);
 }
 
 Listing services_listing(const std::vector<std::string>& words, bool unused) {

@@ -9,6 +9,9 @@ namespace geminga::query {
 /// The publications that the FILTER words leave, with `unused` those of them that nobody asks for.
 [[nodiscard]] Listing services_listing(const std::vector<std::string>& words, bool unused);
 
+/// What a subscription says beside its identity, mode, providers and condition: `convert=yes scope=team`.
+[[nodiscard]] std::string request_words(const Record& record);
+
 /// Who, what and where of a publication or subscription, for --watch.
 [[nodiscard]] std::string service_line(const Record& record);
 

@@ -12,9 +12,11 @@
 namespace geminga::tools {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
@@ -57,6 +59,8 @@ TEST(QueryConversion, FindsAConverterThatIsOfferedFromAShell) {
   const auto told = peer.line_with({"6 pub add "});
   ASSERT_TRUE(told);
   EXPECT_THAT(*told, HasSubstr(" convert=soccer:PixelCameraFrame>soccer:CartesianFieldFrame cost=3 via=udp://"));
+  EXPECT_THAT(bench.query({"requests"}).out, AllOf(HasSubstr("ALSO"), HasSubstr("convert=3")));
+  EXPECT_THAT(bench.query({"services", "--unused"}).out, Not(HasSubstr("frames"))) << "a chain goes through it";
 }
 
 TEST(QueryConversion, SaysWhichServiceConverts) {
