@@ -72,6 +72,34 @@ Reason of_nobody(const Core& core, const PublicationEntry& offer) {
   return reason;
 }
 
+/// Where something is offered that is unknown here: that may be what is asked for.
+std::optional<Reason> of_unknown_offers(const Core& core, const Asked& asked, const Nearest& nearest) {
+  const auto* offer = nearest.unknown ? core.matcher.find_publication(*nearest.unknown) : nullptr;
+  if (offer == nullptr) return std::nullopt;
+  const auto& offered = std::get<SemanticIdentity>(offer->publication.identity);
+  const std::string count = nearest.unknown_count == 1
+                                ? "one service has a concept that is"
+                                : std::to_string(nearest.unknown_count) + " services have concepts that are";
+  Reason reason{Obstacle::unknown_offer,
+                "nobody offers " + words(core, asked.entry.subscription.identity) +
+                    ", nor anything that is known to be below or above it, but " + count +
+                    " unknown to the ontology here: " + to_string(offer->key) + " offers " +
+                    shown(core, offered.concept_iri),
+                "load the same ontologies on every host: geminga-query ontology says who has others"};
+  if (const auto provider = other_ontology(core, offer->key.participant)) {
+    reason.text += "; " + digests(core, *provider);
+  }
+  return reason;
+}
+
+/// Whether somebody on the air has another ontology, by which concepts may be offered that are unknown here.
+bool has_other_ontologies(const Core& core) {
+  bool has_others = false;
+  core.neighbours.for_each(
+      [&](const membership::Neighbour& one) { has_others = has_others || one.ontology_digest != core.digest(); });
+  return has_others;
+}
+
 std::string told_representations(const Core& core, const Nearest& nearest) {
   std::vector<std::string> names;
   for (const std::string& iri : nearest.representations) names.push_back(shown(core, iri));
@@ -82,6 +110,7 @@ std::string told_representations(const Core& core, const Nearest& nearest) {
 
 void Nearest::consider(const ServiceKey& key, const Identity& identity, const matching::Finding& finding) {
   if (finding.meets()) return;  // it is about to be gone
+  if (finding.identity == Obstacle::unknown_offer && unknown_count++ == 0) unknown = key;
   Misfit one{key, finding};
   if (!misfit || one < *misfit) misfit = one;
   const auto* semantic = std::get_if<SemanticIdentity>(&identity);
@@ -161,6 +190,8 @@ Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& 
   const auto* offer = is_near ? core.matcher.find_publication(nearest.misfit->key) : nullptr;
   if (offer == nullptr) {
     auto reason = of_request(core, piece, asked);
+    const bool is_general = !reason || reason->obstacle == Obstacle::incomplete;
+    if (auto unknown = is_general ? of_unknown_offers(core, asked, nearest) : std::nullopt) return std::move(*unknown);
     return reason ? std::move(*reason) : of_nobody(core, asked);
   }
   const Check check = misfit_of(core, asked, *offer, nearest.misfit->finding.first());
@@ -186,7 +217,10 @@ Reason Reasons::likely(Core& core, Piece& piece, const registry::SubscriptionEnt
   for (const ServiceKey& key : core.matcher.some_candidates(wider, *asked.request, max_examined_offers)) {
     if (const auto* offer = core.matcher.find_publication(key)) consider(*offer);
   }
-  if (!nearest.misfit && std::holds_alternative<TextIdentity>(request.subscription.identity)) {
+  const bool is_text = std::holds_alternative<TextIdentity>(request.subscription.identity);
+  const bool may_be_unknown = std::holds_alternative<SemanticIdentity>(request.subscription.identity) &&
+                              core.vocabulary().is_loaded() && has_other_ontologies(core);
+  if (!nearest.misfit && (is_text || may_be_unknown)) {
     std::size_t left = max_compared_offers;
     core.matcher.walk_publications(std::nullopt, [&](const PublicationEntry& offer) {
       core.worked += cost_of_entry;

@@ -16,7 +16,8 @@ namespace geminga::participant {
 /// Of the offers whose concept is above or below what a request asks for, so many are looked at for its reason in
 /// `requests unmatched=1`; they are enough to say what is wrong, and each request there costs so much at most.
 inline constexpr std::size_t max_examined_offers = 64;
-/// And so many texts that are offered are compared with one that nobody offers.
+/// And so many that are offered are compared with a text that nobody offers, or looked at for concepts that are unknown
+/// here where somebody has another ontology.
 inline constexpr std::size_t max_compared_offers = 256;
 /// The same in `services unused=1`: requests whose concept is above or below what is offered, and texts.
 inline constexpr std::size_t max_examined_requests = 64;
@@ -43,6 +44,9 @@ struct Misfit {
 struct Nearest {
   std::optional<Misfit> misfit;
   std::vector<std::string> representations;  ///< IRIs of those there with a concept that fits, each once
+  // Those whose concept the ontology here does not know: how many, and the first.
+  std::size_t unknown_count = 0;
+  std::optional<ServiceKey> unknown;
   /// Takes another one into account, with its identity, that does not fit.
   void consider(const ServiceKey& key, const Identity& identity, const matching::Finding& finding);
 };
