@@ -143,6 +143,15 @@ std::string conversion_of(const Core& core, const vocabulary::Chain* chain, cons
          (chain == nullptr || chain->via.empty() ? "" : ", via " + chain->via);
 }
 
+/// What inputs and outputs make of it, where the request states any and they suit.
+std::string with_signature(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+  if (!asked.request->signature) return "";
+  const auto finding = core.matcher.examine(asked.entry, *asked.request, offer);
+  if (!finding.match || !finding.is_signature_met) return "";
+  return "; with inputs and outputs " + std::string(to_string(finding.match->degree)) + ", distance " +
+         std::to_string(finding.match->distance);
+}
+
 Check check_identity(const Core& core, const Asked& asked, const PublicationEntry& offer, Depth depth) {
   const Identity& offered = offer.publication.identity;
   const Identity& requested = asked.entry.subscription.identity;
@@ -155,7 +164,7 @@ Check check_identity(const Core& core, const Asked& asked, const PublicationEntr
   if (match) {
     return {"identity", Obstacle::none,
             pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance) +
-                conversion_of(core, chain.get(), *match),
+                conversion_of(core, chain.get(), *match) + with_signature(core, asked, offer),
             "", depth == Depth::search ? proof_of(core, offered, requested) : ""};
   }
   const auto finding = core.matcher.examine(one, *asked.request, offer);
