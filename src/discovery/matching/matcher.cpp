@@ -166,6 +166,8 @@ std::size_t Matcher::examine_near(const registry::PublicationEntry& offer, std::
   return state_->examine_near(offer, most, visit);
 }
 
+std::size_t Matcher::waiting_converters() const { return state_->waiting_converters(); }
+
 std::optional<std::vector<ServiceKey>> Matcher::known_choice(const registry::SubscriptionEntry& subscription) const {
   return state_->known_choice(subscription);
 }

@@ -168,6 +168,8 @@ class Matcher {
   /// The same where its place is known already, so that nobody is ranked. Nothing where one of them is not known.
   [[nodiscard]] std::optional<Standing> standing(const ServiceKey& subscription, const ServiceKey& publication,
                                                  const Place& place);
+  /// How many converters take no part in chains, because their hosts have as many as may.
+  [[nodiscard]] std::size_t waiting_converters() const;
   /// The limit of a subscription that is known, as standing() counts it; 0 is none.
   [[nodiscard]] static std::size_t counted_limit(const registry::SubscriptionEntry& subscription);
   /// Those behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were visited.

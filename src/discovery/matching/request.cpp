@@ -68,7 +68,9 @@ std::string conversion_misfit(const Classes& offered, const Request& request, st
       return "; what converts it is none that the request takes part with by protocol, provider and scope: " +
              other->via + ", cost " + std::to_string(other->cost);
     }
-    return convert == 0 ? "" : "; no conversion leads from one to the other";
+    return convert == 0 ? ""
+                        : "; no conversion of at most " + std::to_string(vocabulary::max_chain_conversions) +
+                              " steps leads from one to the other";
   }
   if (convert == 0)
     return "; it can be converted, cost " + std::to_string(chain->cost) + ": accept that by convert=yes";

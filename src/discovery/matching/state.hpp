@@ -91,6 +91,7 @@ class Matcher::State {
                         const VisitFinding& visit) const;
   std::size_t examine_near(const registry::PublicationEntry& offered, std::size_t most,
                            const VisitFinding& visit) const;
+  [[nodiscard]] std::size_t waiting_converters() const { return in_force_.converters->waiting_count(); }
   [[nodiscard]] std::optional<std::vector<ServiceKey>> known_choice(
       const registry::SubscriptionEntry& subscription) const;
   [[nodiscard]] std::vector<ServiceKey> chosen(const ServiceKey& subscription) const;

@@ -2,6 +2,7 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/parameters.hpp"
+#include "discovery/matching/consumer.hpp"
 #include "discovery/matching/representation.hpp"
 #include "discovery/participant/naming.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
@@ -54,7 +55,13 @@ std::string mend_of_representation(const Core& core, const Asked& asked, const S
                              ? asked.request->chains_of_all(*offered, *requested)
                              : nullptr;
   if (of_others == nullptr) {
-    return as_it_is + ": nothing converts " + other + " to " + asked_name(core, request.representation_iri);
+    const std::size_t waiting = core.matcher.waiting_converters();
+    return as_it_is + ": nothing converts " + other + " to " + asked_name(core, request.representation_iri) +
+           " in at most " + std::to_string(vocabulary::max_chain_conversions) + " steps" +
+           (waiting == 0 ? ""
+                         : "; or withdraw what converts and is not needed: of one participant at most " +
+                               std::to_string(matching::max_converters_of_participant) + " converters take part, and " +
+                               std::to_string(waiting) + (waiting == 1 ? " waits for a place" : " wait for a place"));
   }
   const bool is_dearer = of_others->cost > asked.entry.subscription.convert;
   return "widen " + narrowed_by(asked.entry.subscription) + " so that the request takes part with what converts it, " +
