@@ -1,32 +1,15 @@
 // `query services`: every known publication, or those that nobody asks for.
 #include <optional>
-#include <set>
-#include <string>
 #include <utility>
 
 #include "discovery/gcnp/event.hpp"
-#include "discovery/matching/converter.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/reasons.hpp"
+#include "discovery/participant/queries/use.hpp"
 
 namespace geminga::participant {
 namespace {
-
-/// Which services somebody uses, for the time of one answer.
-class Use {
- public:
-  /// Whether somebody asks for it, or a chain for somebody goes through it.
-  [[nodiscard]] bool is_of(const Core& core, const registry::PublicationEntry& entry) {
-    if (core.matcher.is_used(entry)) return true;
-    if (!matching::is_converter(entry.publication.attributes)) return false;
-    if (!converters_) converters_ = core.matcher.converters_in_use();
-    return converters_->contains(matching::place_of(entry));
-  }
-
- private:
-  std::optional<std::set<std::string>> converters_;  ///< when the first was asked for
-};
 
 /// `reason` says why nobody asks for it, where that was asked for.
 Line line_of(const Core& core, const registry::PublicationEntry& entry, bool is_used, const Reason* reason) {

@@ -7,6 +7,7 @@
 #include "discovery/participant/queries/demand.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/mending.hpp"
+#include "discovery/participant/queries/use.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -94,7 +95,8 @@ class OfferAnswer {
 
   [[nodiscard]] Line end(Core& core, Piece& piece) const {
     Line line;
-    append_flag(line, "used", demand_.matching() > 0);
+    const bool is_in_chain = Use().is_in_chain(core, demand_.offer().entry);
+    append_flag(line, "used", demand_.matching() > 0 || is_in_chain);
     append(line, "requests", demand_.seen());
     append(line, "matching", demand_.matching());
     append(line, "taken", demand_.taken());
@@ -104,6 +106,10 @@ class OfferAnswer {
       append(line, "code", std::string(to_string(outranked_->obstacle)));
       append(line, "text", to_string(demand_.others().front()) + ": " + outranked_->text);
       append_stated(line, "mend", outranked_->mend);
+      return line;
+    }
+    if (is_in_chain) {
+      append(line, "text", "nobody asks for it, and what somebody else is given is converted by it");
       return line;
     }
     const Reason reason = Reasons().of(core, piece, demand_.offer().entry, demand_.nearest());
