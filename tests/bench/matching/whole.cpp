@@ -1,11 +1,10 @@
-// Memory is what the allocator has given out; allocations are counted by a counting operator new.
+// Memory is what the allocator has given out.
 #include "bench/matching/whole.hpp"
 
 #include <malloc.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <new>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,25 +12,7 @@
 #include "bench/matching/teams.hpp"
 #include "bench/table.hpp"
 #include "bench/times.hpp"
-
-namespace {
-
-std::uint64_t allocations = 0;
-
-void* allocate(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/allocations.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -82,9 +63,9 @@ void measure_unchanged(Matcher& matcher, std::uint32_t size) {
   std::uint64_t most = 0;
   for (std::uint32_t number = 0; number < size; ++number) {
     auto entry = some_service(number, random);
-    const std::uint64_t before = allocations;
+    const std::uint64_t before = tests::allocations();
     matcher.put(std::move(entry));
-    most = std::max(most, allocations - before);
+    most = std::max(most, tests::allocations() - before);
   }
   // A limit of 0 is none: half an allocation is none, too.
   bench::row("allocations of an unchanged publication", std::to_string(size), static_cast<double>(most), "at most",

@@ -1,33 +1,11 @@
 // What an unchanged presence costs who hears it: no memory is asked for.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <new>
 
 #include "discovery/announcement/codec.hpp"
 #include "sim/robots.hpp"
-
-namespace {
-
-/// Counted in this thread, in all tests of this program.
-thread_local std::uint64_t allocations = 0;
-
-void* allocate(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return ++allocations, std::malloc(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return ++allocations, std::malloc(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/allocations.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -52,9 +30,9 @@ class Listener {
     std::uint64_t taken = 0;
     const std::string& source = sender.ports().front().address;
     host_.event([&](Participant& participant) {
-      const auto before = allocations;
+      const auto before = tests::allocations();
       participant.on_datagram(eth0, source, octets);
-      taken = allocations - before;
+      taken = tests::allocations() - before;
     });
     if (host_.datagrams_sent() != sent) return;  // something else was due
     ++heard_;
@@ -67,6 +45,9 @@ class Listener {
 };
 
 TEST(Presence, CostsNoMemoryWhereNothingHasChanged) {
+  const std::uint64_t before = tests::allocations();
+  ::operator delete(::operator new(1));
+  ASSERT_EQ(tests::allocations(), before + 1) << "they are counted";
   sim::Robots robots(sim::World::seed_or(41), 10, {});
   robots.start();
   robots.team.settle(std::chrono::seconds(5));
