@@ -14,7 +14,7 @@
 namespace geminga::system {
 
 /// How long a test waits for something that must happen before it fails. Far beyond what anything takes.
-inline constexpr std::chrono::seconds patience{30};
+inline constexpr std::chrono::seconds patience{120};
 
 /// One child process; its standard output and error are kept. The kernel kills it when the test dies.
 class Process {
