@@ -1,4 +1,4 @@
-// The MultiIndex containers behind Table; everything else of the registry is plain C++.
+// The MultiIndex container behind Table; names and classes have indexes of their own beside it.
 #include "discovery/registry/table.hpp"
 
 #include <algorithm>

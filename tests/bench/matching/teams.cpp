@@ -33,28 +33,27 @@ registry::SubscriptionEntry wish(std::uint32_t number, Identity identity) {
   return entry;
 }
 
-Strangers::Strangers(std::uint32_t size) : matcher(tree(large_tree)) {
+Strangers::Strangers(std::uint32_t size) : matcher(tree()) {
   base::Random random(size);
-  for (std::uint32_t number = 0; number < size; ++number)
-    matcher.put(wish(number, identity(common_class(large_tree, random))));
+  for (std::uint32_t number = 0; number < size; ++number) matcher.put(wish(number, identity(common_class(random))));
 }
 
-Consumers::Consumers(std::uint32_t size) : matcher(tree(large_tree)) {
+Consumers::Consumers(std::uint32_t size) : matcher(tree()) {
   base::Random random(size);
   for (std::uint32_t number = 0; number < size - answers; ++number)
-    matcher.put(wish(number, identity(common_class(large_tree, random))));
-  std::uint32_t wider = rare_class(large_tree);
+    matcher.put(wish(number, identity(common_class(random))));
+  std::uint32_t wider = rare_class();
   for (std::uint32_t i = 0; i < answers; ++i, wider = class_above(wider)) {
-    if (wider == 0) wider = rare_class(large_tree);
+    if (wider == 0) wider = rare_class();
     matcher.put(wish(size - answers + i, identity(wider)));
   }
 }
 
-Providers::Providers(std::uint32_t size) : matcher(tree(classes)) {
+Providers::Providers(std::uint32_t size) : matcher(tree()) {
   base::Random random(size);
   const auto identity_of = [&](std::uint32_t number) {
-    if (number < answers) return identity(rare_class(classes));
-    return number < 2 * answers ? rare_text() : identity(common_class(classes, random));
+    if (number < answers) return identity(rare_class());
+    return number < 2 * answers ? rare_text() : identity(common_class(random));
   };
   for (std::uint32_t number = 0; number < size; ++number) {
     entries.push_back(service(number, identity_of(number)));

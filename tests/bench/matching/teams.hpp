@@ -22,7 +22,7 @@ inline constexpr std::uint32_t answers = 10;
 /// Of a peer of our own.
 [[nodiscard]] registry::SubscriptionEntry wish(std::uint32_t number, Identity identity);
 
-/// Standing requests of local peers, of which a few want the rare class of the large tree, by whatever name above it.
+/// Standing requests of local peers, of which a few want the rare class, by whatever name above it.
 struct Consumers {
   explicit Consumers(std::uint32_t size);
   Matcher matcher;
@@ -36,7 +36,6 @@ struct Strangers {
 
 /// Services of a team, of which a few are of the rare class, and a few have the rare text.
 struct Providers {
-  static constexpr std::uint32_t classes = large_tree;
   explicit Providers(std::uint32_t size);
   Matcher matcher;
   std::vector<registry::PublicationEntry> entries;

@@ -1,9 +1,9 @@
 // Builds the tree as an ontology and classifies it.
 #include "bench/matching/tree.hpp"
 
-#include <map>
 #include <utility>
 
+#include "bench/rows.hpp"
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
@@ -28,15 +28,23 @@ vocabulary::Vocabulary classified(std::uint32_t class_count) {
 
 std::string class_iri(std::uint32_t number) { return "http://example.org/team#Concept" + std::to_string(number); }
 
-const vocabulary::Vocabulary& tree(std::uint32_t class_count) {
-  static std::map<std::uint32_t, vocabulary::Vocabulary> trees;
-  const auto known = trees.find(class_count);
-  return known != trees.end() ? known->second : trees.emplace(class_count, classified(class_count)).first->second;
+std::uint32_t tree_size() {
+  constexpr std::uint32_t of_a_team = 1365;
+  constexpr std::uint32_t large = 349'525;
+  constexpr long many_services = 100'000;
+  return bench::sizes().back() < many_services ? of_a_team : large;
 }
 
-std::uint32_t common_class(std::uint32_t class_count, base::Random& random) {
-  const std::uint32_t first_at_the_bottom = class_above(class_count - 1) + 1;
-  return first_at_the_bottom + static_cast<std::uint32_t>(random.below(class_count - first_at_the_bottom - branching));
+const vocabulary::Vocabulary& tree() {
+  static const vocabulary::Vocabulary whole = classified(tree_size());
+  return whole;
+}
+
+std::uint32_t rare_class() { return tree_size() - 1; }
+
+std::uint32_t common_class(base::Random& random) {
+  const std::uint32_t first_at_the_bottom = class_above(rare_class()) + 1;
+  return first_at_the_bottom + static_cast<std::uint32_t>(random.below(tree_size() - first_at_the_bottom - branching));
 }
 
 }  // namespace geminga::matching
