@@ -1,9 +1,12 @@
-// What one of several threads throws reaches the caller, and none is waited for in vain.
+// A crew passes an exception of any of its threads to the caller, and ends all of them.
 #include "base/parallel/crew.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -22,7 +25,20 @@ TEST(Crew, CallsEachNumberOnce) {
   }
 }
 
-TEST(Crew, EndsWithoutWork) { const Crew crew(3); }
+TEST(Crew, EndsItsWaitingThreadsWithoutWork) {
+  // In a child process: a thread that is not woken would hang it until the alarm, one that is not joined would abort
+  // it.
+  const auto make_and_end = [] {
+    alarm(60);
+    unsigned size = 0;
+    {
+      const Crew crew(3);
+      size = crew.size();
+    }
+    std::exit(size == 3 ? 0 : 1);
+  };
+  EXPECT_EXIT(make_and_end(), testing::ExitedWithCode(0), "");
+}
 
 TEST(Crew, WhatAnyThreadThrowsReachesTheCallerWhenAllHaveEnded) {
   for (const unsigned thrower : {0U, 1U, 3U}) {
