@@ -7,7 +7,7 @@
 
 namespace geminga::parallel {
 
-/// Gives the entry back where it was not made: nobody is to wait for a thread whose memory ran out.
+/// Releases the claimed entry at the end of the scope, so that no thread waits for one that failed to make it.
 class Claim {
  public:
   Claim(std::atomic<std::uint32_t>& entry, std::uint32_t unclaimed) : entry_(entry), value_(unclaimed) {}
@@ -15,7 +15,7 @@ class Claim {
   Claim& operator=(const Claim&) = delete;
   ~Claim() { entry_.store(value_, std::memory_order_release); }
 
-  /// What the entry is to hold from the end of the scope on.
+  /// Sets the value that the entry holds from the end of the scope on.
   void settle(std::uint32_t value) { value_ = value; }
 
  private:

@@ -1,4 +1,4 @@
-// Messages to something that one thread at a time has in hand, and which of them that is.
+// A mailbox without a lock for an object that one thread at a time works on.
 #ifndef GEMINGA_BASE_PARALLEL_MAILBOX_HPP
 #define GEMINGA_BASE_PARALLEL_MAILBOX_HPP
 
@@ -6,9 +6,9 @@
 
 namespace geminga::parallel {
 
-/// A stack without a lock. It is empty while its thing is at rest; while a thread has the thing in hand, works on it or
-/// has it on a queue, messages lie on a mark that says so. Message has a pointer `next`; whoever reads messages owns
-/// them.
+/// A stack of messages to one object. The stack is empty while the object is at rest. While a thread owns the object
+/// (works on it or has it on a queue) the messages lie on a mark. Message has a pointer `next`; the reader owns the
+/// messages that it takes.
 template <typename Message>
 class Mailbox {
  public:
