@@ -1,15 +1,17 @@
-// Which classes a saturation says everything of, though some axioms are not used in full.
+// The model check: finds the classes whose subsumers are all known although the rules do not use every axiom.
 //
-// The contexts that have instances are a model of what the rules use: each is an element, in what subsumes it, with its
-// links; a tree grows from each, whose branches end in the individuals. Where that is a model of the other axioms, too,
-// what was not derived does not follow. So each context is tested for what the other axioms ask of its element, and of
-// what leads to one that fails nothing is known. The test is on the safe side: it takes for failing what it does not
-// look at. What inverses tell successors of what leads to them is looked at in copies of their own (copies.hpp), and
-// what they tell back is derived.
+// The contexts that have instances form a model of the axioms that the rules use. Each context is an element: it
+// belongs to its subsumers and has its links; a tree grows from each, whose branches end in the individuals. If this
+// model satisfies the other axioms as well, what was not derived does not follow. The check looks at what the other
+// axioms demand of each element. A class whose context leads to one that fails is not settled. The check is on the safe
+// side: what it does not look at counts as failing. Copies of successors (copies.hpp) show what inverses say to
+// successors; what inverses say back is derived.
 //
-// What is in a union of which it is in no part can be any of the parts that are in all that it is in. If it is the
-// successor of something, one part suffices that shows that something nothing new; of a class, what is not above all
-// of these parts is not above the class.
+// If x is in A or B but known in neither, the model may put x in either part that lies below all other subsumers of x.
+// For a successor, one part suffices that tells its source nothing new. For a class, an atom that is not above all such
+// parts is not above the class.
+//
+// README.md says on which ontologies the check pays.
 #ifndef GEMINGA_REASONING_EL_SETTLEMENT_HPP
 #define GEMINGA_REASONING_EL_SETTLEMENT_HPP
 
@@ -30,19 +32,18 @@ namespace geminga::el {
 
 class Settlement {
  public:
-  /// Requires a saturation that has ended within its limits and without contradiction, and that the rest of the axioms
-  /// is all in `open`.
-  /// Only what is missing of `classes`, representatives, counts.
+  /// Requires a saturation that has ended within its limits and without contradiction, and that `open` holds all axioms
+  /// that it does not use. Completeness is tested for `classes` (representatives) only.
   Settlement(const IndexedOntology& index, const Saturation& saturation, const OpenParts& open,
              std::span<const ExprId> classes, const CopyLimits& limits = {});
 
-  /// Whether nothing is missing above an atom, if the ontology is consistent.
+  /// True if all subsumers of the atom are known, provided that the ontology is consistent.
   [[nodiscard]] bool is_settled(ExprId atom);
-  /// What follows from inverses besides what the saturation derived; while there is something, nothing is settled.
+  /// Conclusions from inverses that the saturation lacks; while there are any, nothing is settled.
   [[nodiscard]] Copies::Derived derived() const { return copies_ ? copies_->derived() : Copies::Derived{}; }
-  /// Whether the budget was spent before all was looked at. Then nothing is settled.
+  /// True if the budget ended the check; then nothing is settled.
   [[nodiscard]] bool is_cut_off() const { return copies_ && copies_->is_cut_off(); }
-  /// Whether everything that must have an instance is settled: then the ontology is consistent.
+  /// True if everything that must have an instance is settled; then the ontology is consistent.
   [[nodiscard]] bool is_world_settled() const { return is_world_settled_; }
 
  private:
@@ -55,7 +56,7 @@ class Settlement {
   void make_copies();
   void spread_to_copies();
   [[nodiscard]] bool is_link_satisfied(std::uint32_t from, RoleId role, std::uint32_t to, bool is_backward);
-  /// Of what has rules, or is watched.
+  /// Defined for atoms that have rules or are watched.
   [[nodiscard]] bool is_in(std::uint32_t context, ExprId atom) const;
   [[nodiscard]] bool has(std::uint32_t context, ExprId atom, bool is_only_successor);
   [[nodiscard]] bool has_what_is_told(std::uint32_t context, ExprId named, bool is_only_successor);
