@@ -62,7 +62,8 @@ Welcome welcome_of(const gcnp::Statement& hello) {
 }
 
 Engine::Engine(DaemonLink::Options options)
-    : room_(largest_datagram),
+    : reactor_([this](std::string text) { tell(Problem{0, std::move(text)}); }),
+      room_(largest_datagram),
       link_(reactor_, std::move(options), told()),
       requests_([this](const gcnp::Statement& statement) { link_.say(statement); }),
       settle_(reactor_,
@@ -257,6 +258,9 @@ void Engine::tell(ChannelEvent event) {
 
 std::optional<ChannelEvent> Engine::next_event() {
   has_looked(events_only);
+  if (const auto lost = std::exchange(lost_events_, 0); lost > 0) {
+    return Problem{0, std::to_string(lost) + " events were thrown away, the eldest first"};
+  }
   if (events_.empty()) return std::nullopt;
   std::optional<ChannelEvent> event(std::move(events_.front()));
   events_.pop_front();

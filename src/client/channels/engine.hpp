@@ -59,10 +59,9 @@ class Engine final : public ChannelHost {
   /// Whether the daemon is not there, as far as is known.
   [[nodiscard]] bool is_without_daemon() const { return !link_.is_up() && link_.has_failed(); }
 
-  /// The next event that nobody has taken.
+  /// The next event that nobody has taken. Where events were thrown away, the first one is a Problem of channel 0 with
+  /// their number.
   [[nodiscard]] std::optional<ChannelEvent> next_event();
-  /// Events that are gone because nobody took them.
-  [[nodiscard]] std::uint64_t lost_events() const { return lost_events_; }
   /// From now on events go there, and messages of a subscriber there, at the end of process().
   void on_events(OnEvent on_event) { on_event_ = std::move(on_event); }
   void on_messages(ChannelNumber number, OnMessage on_message);
@@ -111,7 +110,7 @@ class Engine final : public ChannelHost {
   Reactor::Timer settle_;                 ///< a daemon that is back has told of everybody
   std::string last_refusal_;              ///< of a daemon, told once
   std::deque<ChannelEvent> events_;
-  std::uint64_t lost_events_ = 0;
+  std::uint64_t lost_events_ = 0;  ///< thrown away since the program was last told of such
   OnEvent on_event_;
   std::map<ChannelNumber, OnMessage> on_message_;
   bool has_event_come_ = false;

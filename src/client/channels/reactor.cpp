@@ -22,8 +22,10 @@ constexpr std::uint64_t clock_token = 0;
 
 }  // namespace
 
-Reactor::Reactor()
-    : poll_(::epoll_create1(EPOLL_CLOEXEC)), clock_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)) {
+Reactor::Reactor(OnFailure on_failure)
+    : on_failure_(std::move(on_failure)),
+      poll_(::epoll_create1(EPOLL_CLOEXEC)),
+      clock_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)) {
   epoll_event event{};
   event.events = EPOLLIN;
   event.data.u64 = clock_token;
@@ -51,7 +53,7 @@ void Reactor::Watch::want(bool reads, bool writes) {
   epoll_event event{};
   event.events = events;
   event.data.u64 = token_;
-  ::epoll_ctl(reactor_->poll_.get(), EPOLL_CTL_MOD, socket_, &event);
+  if (::epoll_ctl(reactor_->poll_.get(), EPOLL_CTL_MOD, socket_, &event) != 0) reactor_->fail();
 }
 
 void Reactor::Watch::stop() {
@@ -77,11 +79,16 @@ Reactor::Watch Reactor::watch(const Socket& socket, OnReady on_ready) {
   epoll_event event{};
   event.events = watch.events_;
   event.data.u64 = watch.token_;
-  if (::epoll_ctl(poll_.get(), EPOLL_CTL_ADD, watch.socket_, &event) != 0) return watch;
+  if (::epoll_ctl(poll_.get(), EPOLL_CTL_ADD, watch.socket_, &event) != 0) {
+    fail();
+    return watch;
+  }
   watch.reactor_ = this;
   watched_.emplace(watch.token_, std::move(on_ready));
   return watch;
 }
+
+void Reactor::fail() { on_failure_("a socket cannot be watched: " + std::generic_category().message(errno)); }
 
 base::Instant Reactor::now() const {
   return base::Instant(std::chrono::duration_cast<base::Duration>(std::chrono::steady_clock::now().time_since_epoch()));

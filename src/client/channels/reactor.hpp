@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -63,9 +64,12 @@ class Reactor {
     base::Instant at_ = base::never;
   };
 
-  Reactor();
+  /// Called with the system's reason when a socket cannot be watched: nothing arrives there then.
+  using OnFailure = std::function<void(std::string)>;
 
-  /// Watches a socket for reading.
+  explicit Reactor(OnFailure on_failure);
+
+  /// Watches a socket for reading. A failure goes to `on_failure`, and the result watches nothing.
   [[nodiscard]] Watch watch(const Socket& socket, OnReady on_ready);
   /// Readable when process() has something to do.
   [[nodiscard]] int descriptor() const { return poll_.get(); }
@@ -77,7 +81,10 @@ class Reactor {
  private:
   void run_timers();
   void arm();
+  /// Reports the failure that errno names.
+  void fail();
 
+  OnFailure on_failure_;
   Socket poll_;
   Socket clock_;
   std::unordered_map<std::uint64_t, OnReady> watched_;

@@ -80,7 +80,7 @@ class Host final : public ChannelHost {
   std::vector<ChannelEvent> told;
 
  private:
-  Reactor reactor_;
+  Reactor reactor_{[](const std::string& text) { ADD_FAILURE() << text; }};
   std::vector<std::byte> room_ = std::vector<std::byte>(65'536);
 };
 

@@ -94,10 +94,19 @@ TEST_F(TcpLimits, WhoSaysSomethingElseIsClosed) {
   EXPECT_TRUE(is_closed(other));
 }
 
-TEST_F(TcpLimits, OnlyTheLastEventsWait) {
+TEST_F(TcpLimits, OnlyTheLastEventsWaitAndTheProgramIsToldOfTheOthers) {
   for (std::size_t i = 0; i < max_waiting_events + 1; ++i) engine_.tell(Problem{static_cast<ChannelNumber>(i), ""});
-  EXPECT_EQ(engine_.lost_events(), 1U);
+  const auto lost = std::get<Problem>(*engine_.next_event());
+  EXPECT_EQ(lost.channel, 0U);
+  EXPECT_EQ(lost.text, "1 events were thrown away, the eldest first");
   EXPECT_EQ(std::get<Problem>(*engine_.next_event()).channel, 1U);
+}
+
+TEST_F(TcpLimits, ASocketThatCannotBeWatchedIsToldOf) {
+  const auto watch = engine_.reactor().watch(Socket(), [](Reactor::Ready) {});
+  const auto event = engine_.next_event();
+  ASSERT_TRUE(event);
+  EXPECT_EQ(std::get<Problem>(*event).text, "a socket cannot be watched: Bad file descriptor");
 }
 
 TEST(Inbox, IsFullAtEitherLimit) {
