@@ -54,7 +54,7 @@ PublicationEntry service(std::uint32_t number, base::Instant updated) {
   return entry;
 }
 
-/// As many services as asked for, each of its own identity and of some class, in the registry and in plain hash maps.
+/// A number of services, each with its own identity and class, in the registry and in plain hash maps.
 struct Team {
   explicit Team(std::size_t size) : random(size) {
     table.set_class_count(class_count);
@@ -64,7 +64,7 @@ struct Team {
       by_number.emplace(stored.identity, &stored.entry);
       by_name.emplace(canonical_form(stored.entry.publication.identity), &stored.entry);
     }
-    // Look-ups go through requests of their own, in an order that has nothing to do with the order of arrival.
+    // Look-ups use separate requests, in an order unrelated to the order of arrival.
     for (std::uint32_t i = 0; i < 65'536; ++i) {
       const auto number = static_cast<std::uint32_t>(random.below(size));
       keys.push_back(service(number, base::Instant()).key);
@@ -84,7 +84,7 @@ struct Team {
   std::vector<ClassIndex> classes;
 };
 
-/// The team of this size, built when it is first asked for.
+/// Returns the team of this size; builds it at the first call.
 Team& team(std::int64_t size) {
   static std::map<std::int64_t, std::unique_ptr<Team>> teams;
   auto& one = teams[size];
@@ -92,8 +92,8 @@ Team& team(std::int64_t size) {
   return *one;
 }
 
-/// A request that has just been read: its name is in the cache, and only its digits differ from the one before it. All
-/// look-ups pay for writing them, the baseline too.
+/// A request that has just been read: its name is in the cache, and only its digits differ from the previous one. All
+/// look-ups, the baseline too, pay for writing these digits.
 struct Request {
   Identity identity = registry::identity(0);
   std::string canonical = canonical_form(identity);
@@ -177,7 +177,7 @@ void insert_and_erase(benchmark::State& state) {
   }
 }
 
-/// Removes a whole participant of a hundred services, as when it has expired, and brings it back.
+/// Removes a participant with a hundred services, as its deadline does, and adds it again.
 void remove_a_hundred(benchmark::State& state) {
   Team& services = team(state.range(0));
   const auto size = static_cast<std::uint32_t>(state.range(0));

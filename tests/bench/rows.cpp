@@ -13,7 +13,7 @@ namespace {
 std::vector<long> run_sizes{1'000, 100'000, 1'000'000};
 constexpr long smoke_sizes[] = {100, 1'000};
 
-/// Keeps what was measured; of repeated runs the median.
+/// Keeps the results; of repeated runs it keeps the median.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   struct Row {
@@ -39,7 +39,7 @@ class Collector : public benchmark::BenchmarkReporter {
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
-  /// As they were registered, which random interleaving does not keep.
+  /// In the order of registration; random interleaving does not keep it.
   [[nodiscard]] std::vector<Row> in_order() const {
     std::vector<Row> ordered = rows_;
     std::ranges::sort(ordered, {}, &Row::family);
@@ -97,7 +97,7 @@ const std::vector<long>& sizes() { return run_sizes; }
 
 int run(int argc, char** argv, const Targets& targets, void (*register_all)()) {
   std::vector<char*> arguments;
-  // Taking turns and medians keep what else the machine does out of the ratios.
+  // Random interleaving and medians keep other load of the machine out of the ratios.
   std::vector<std::string> usual{"--benchmark_repetitions=7", "--benchmark_enable_random_interleaving=true",
                                  "--benchmark_min_time=0.1"};
   for (int i = 0; i < argc; ++i) {

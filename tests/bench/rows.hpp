@@ -8,7 +8,7 @@
 
 namespace geminga::bench {
 
-/// What a figure is compared with: another benchmark of the same run, and how many times its time is allowed.
+/// The target of a figure: a multiple of another benchmark's time in the same run.
 struct Target {
   std::string baseline{};  ///< the name of the other benchmark, without its size; empty: there is none
   double at_most = 0;      ///< 0: the ratio is shown and judged by nobody

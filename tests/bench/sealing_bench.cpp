@@ -1,4 +1,4 @@
-// What a datagram costs that is sealed, opened, or not heard: each by how far it gets, by its size.
+// The cost of a datagram that is sealed, opened, or rejected, by the step that rejects it and by size.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr env::InterfaceIndex interface{1};
 constexpr base::Instant now{std::chrono::hours(1)};
 constexpr Arrival arrival{.interface = interface, .interface_name = "eth0", .source = "10.0.0.66", .now = now};
-/// As long as nobody is called or asked any more.
+/// A time after which no challenge is open.
 constexpr base::Instant later = now + std::chrono::hours(1);
 
 using Octets = std::vector<std::byte>;
@@ -29,7 +29,7 @@ Policy policy_of(int secret) {
   return policy;
 }
 
-/// Nothing of it can be said in fewer octets.
+/// A text that compression cannot shorten.
 Octets noise(std::size_t size) {
   base::Random random(size);
   Octets text(size);
@@ -37,7 +37,7 @@ Octets noise(std::size_t size) {
   return text;
 }
 
-/// A text as states are: names that begin alike, and numbers.
+/// A text like a state: names with equal beginnings, and numbers.
 Octets names(std::size_t size) {
   base::Random random(size);
   Octets text;
@@ -62,7 +62,7 @@ struct Member {
   Seal seal;
 };
 
-/// A team of thirty, as one of them hears it.
+/// A team of thirty participants, seen from one of them.
 struct Team {
   Team() {
     for (std::uint64_t i = 2; i <= 30; ++i) others.push_back(std::make_unique<Member>(i, 1));
@@ -82,7 +82,7 @@ void hear(benchmark::State& state, const Octets& datagram) {
 
 std::size_t text_size(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
 
-/// Somebody says a datagram anew with another tag: the dearest forgery, since all of it has to be looked at.
+/// Opens a datagram with a wrong tag: the most expensive forgery, since the whole datagram is authenticated.
 void forged(benchmark::State& state) {
   Octets datagram = Member(99, 1).say(text_size(state), later);
   datagram.back() ^= std::byte{1};
@@ -100,7 +100,7 @@ void replayed(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(team.one.seal.open(datagram, arrival).has_value());
 }
 
-/// A recording of yesterday, which one cannot tell from a newcomer.
+/// Opens an old recording, which looks like a newcomer.
 void unproved(benchmark::State& state) { hear(state, Member(99, 1).say(text_size(state), later)); }
 
 void seal_and_open(benchmark::State& state, const Octets& text) {

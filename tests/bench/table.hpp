@@ -7,7 +7,7 @@
 
 namespace geminga::bench {
 
-/// What a figure is held against.
+/// The bounds of a figure.
 struct Goal {
   double baseline = 0;  ///< of the same run; 0: there is none, and no ratio is shown or judged
   double ratio = 0;     ///< at most as many times the baseline; 0: judged by nobody
@@ -17,7 +17,7 @@ struct Goal {
 /// Prints a row at once.
 void row(const std::string& name, const std::string& size, double figure, const std::string& unit,
          const Goal& goal = {});
-/// A row that has no figure, and why.
+/// Prints a row without a figure, and the reason.
 void row_without(const std::string& name, const std::string& size, const std::string& why);
 
 }  // namespace geminga::bench

@@ -18,7 +18,7 @@ using system::Lab;
 using system::Process;
 using system::Talk;
 
-/// Between two services, in milliseconds: by then the copies of the last change are out and the sender may burst again.
+/// The pause between two services, in milliseconds: the copies of the last change are out, so the sender may burst.
 constexpr int pause_between = 700;
 
 std::vector<std::string> with_soccer() {
@@ -26,7 +26,7 @@ std::vector<std::string> with_soccer() {
   return {"--ontology", folder + "core.ttl", "--ontology", folder + "robot-soccer.ttl"};
 }
 
-/// Something did not happen that must.
+/// Ends the benchmark: something that must happen did not.
 void complain(const std::string& what) { row_without(what, "-", "failed"); }
 
 void measure_start(int runs) {

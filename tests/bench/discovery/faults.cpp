@@ -1,4 +1,4 @@
-// What daemons that are killed and networks that part do to a team, and how soon all is right again.
+// The effect of killed daemons and parted networks on a team, and the time until all views are right again.
 #include <algorithm>
 #include <csignal>
 
@@ -8,7 +8,7 @@
 namespace geminga::bench {
 namespace {
 
-/// When all is to be right again after a daemon was started in the place of one that was killed, whatever the loss.
+/// The target for a restart at any loss: the time from the start of the new daemon until all views are right.
 constexpr double restart_ms = 200;
 
 }  // namespace

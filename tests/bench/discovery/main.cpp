@@ -12,7 +12,7 @@
 namespace geminga::bench {
 namespace {
 
-/// What is asked of ten robots, and of thirty, in the order of Targets.
+/// The targets for ten robots and for thirty, in the order of the members of Targets.
 constexpr std::array<Targets, 4> of_ten = {{
     {0.0, 150, 1200, 3, 4500, 170, 36, 150, 0.1},
     {0.1, 200, 1200, 10, 4500, 230, 36, 0, 0.1},

@@ -1,4 +1,4 @@
-// What is measured of a team of whole daemons on bad air, each with its rows.
+// The measurements of a team of whole daemons under loss; each prints its rows.
 #ifndef GEMINGA_TESTS_BENCH_DISCOVERY_MEASURES_HPP
 #define GEMINGA_TESTS_BENCH_DISCOVERY_MEASURES_HPP
 
@@ -10,7 +10,7 @@
 
 namespace geminga::bench {
 
-/// What is asked of a team at one loss. 0: nothing is asked.
+/// The targets of a team at one loss; 0 means no target.
 struct Targets {
   double loss = 0;
   double start_ms = 0;      ///< all started together know each other
@@ -23,7 +23,7 @@ struct Targets {
   double processor_ms = 0;   ///< a second and daemon
 };
 
-/// How long it is looked.
+/// The durations of the measurements.
 struct Effort {
   int changes = 0;
   int settling_seconds = 0;  ///< after a start, until nobody repeats anything
@@ -46,11 +46,11 @@ class Measures {
  private:
   void row(const std::string& name, double figure, const std::string& unit, double target) const;
   void complain(const std::string& what) const;
-  /// How many hosts, and the loss.
+  /// The size column of a row: the number of hosts and the loss.
   [[nodiscard]] std::string size() const;
   /// Waits until all is right, or says what is not.
   void expect_right();
-  /// For how long each other host waited for a line with this text, from when `change` was made on this one.
+  /// The time from `change` on this host until each other host prints a line with this text.
   template <typename Change>
   [[nodiscard]] std::vector<double> times_until_told(std::size_t host, const std::string& text, Change change);
 
@@ -60,7 +60,7 @@ class Measures {
   double steady_octets_ = 0;  ///< of the whole team in a millisecond, without headers
 };
 
-/// Lets time pass.
+/// Waits.
 void rest(int time_ms);
 
 }  // namespace geminga::bench

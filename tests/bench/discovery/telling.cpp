@@ -1,4 +1,4 @@
-// How soon the others are told of services that come and go, and what that costs the whole team.
+// The delay until other hosts are told of a new or withdrawn service, and its cost for the whole team.
 #include <thread>
 
 #include "bench/discovery/measures.hpp"
@@ -7,14 +7,13 @@
 namespace geminga::bench {
 namespace {
 
-/// Stands for a host that was not told before patience ended.
+/// The delay of a host that was not told in time.
 constexpr double never_ms = 1e6;
 
-/// Between two changes, in milliseconds: by then the copies of the last one are out, and nobody is slowed down for
-/// changing without end.
+/// The pause between two changes, in milliseconds: the copies of the last change are out, and no sender is throttled.
 constexpr int pause_between = 1000;
 
-/// When the slowest is to be told, whatever the loss.
+/// The target for the slowest host at any loss.
 constexpr double slowest_ms = 1000;
 
 }  // namespace
