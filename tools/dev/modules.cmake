@@ -32,11 +32,11 @@ if(GEMINGA_BUILD_FUZZERS)
   target_link_options(geminga_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# geminga_united(TARGET): several files of the product are compiled as one, since most of the time of each is reading the same headers.
-# The preset dev compiles each by itself, so that a missing #include is found there, and tools/dev/lint uses it.
-function(geminga_united target)
+# geminga_united(TARGET COUNT): COUNT files are compiled as one, since most of the time of each is reading the same headers. The preset
+# dev and tools/dev/compile-alone compile each by itself, so that a missing #include is found there.
+function(geminga_united target count)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
     # It asks whether a type of an unnamed namespace stands in a header, which is what a united file looks like to it.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
@@ -53,7 +53,7 @@ function(geminga_module name)
                                               $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:geminga_flags>)
-  geminga_united(${target})
+  geminga_united(${target} 16)
   target_link_libraries(${target} PUBLIC ${arg_LINK})
   foreach(module IN LISTS arg_DEPENDS)
     string(REPLACE "/" "_" module ${module})
@@ -150,16 +150,20 @@ function(geminga_test_library name)
   endforeach()
 endfunction()
 
-# geminga_test(NAME [SIMULATES] SOURCES file... [DEPENDS module...] [LINK external-target...])
+# geminga_test(NAME [SIMULATES] [APART] SOURCES file... [DEPENDS module...] [LINK external-target...])
 # The tests of one module: tests/NAME mirrors src/NAME. Every TEST is known to ctest under its own name. SIMULATES: the tests
-# themselves run for long, and are compiled as the product is where no sanitizer asks for -O1 anyway.
+# themselves run for long, and are compiled as the product is where no sanitizer asks for -O1 anyway. Six files are compiled as one, but
+# in the preset dev; APART: each by itself, since they give different things one name.
 function(geminga_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES" "" "SOURCES;DEPENDS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES;APART" "" "SOURCES;DEPENDS;LINK")
   string(REPLACE "/" "_" target "geminga_${name}_tests")
   add_executable(${target} ${arg_SOURCES})
   geminga_test_body(${target})
   if(arg_SIMULATES AND NOT GEMINGA_SANITIZE)
     set_target_properties(${target} PROPERTIES COMPILE_OPTIONS "" DISABLE_PRECOMPILE_HEADERS ON) # that one is made with -O0
+  endif()
+  if(NOT arg_APART)
+    geminga_united(${target} 6)
   endif()
   target_link_libraries(${target} PRIVATE GTest::gtest_main ${arg_LINK})
   foreach(module IN LISTS arg_DEPENDS)
