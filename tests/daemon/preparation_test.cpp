@@ -8,6 +8,7 @@
 #include <string>
 
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/el/classify.hpp"
 
 namespace geminga::daemon {

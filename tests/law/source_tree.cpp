@@ -82,7 +82,7 @@ std::vector<std::string> violations(const Law& law, const SourceFile& file) {
   static const std::map<std::string, std::string> owners = {{"boost/multi_index", "discovery/registry"},
                                                             {"librdf", "reasoning/syntax/graph"},
                                                             {"rasqal", "reasoning/syntax/graph"},
-                                                            {"raptor", "reasoning/syntax/rdf"},
+                                                            {"raptor", "reasoning/syntax/rdf/triples"},
                                                             {"google/protobuf", "discovery/announcement"},
                                                             {"sodium", "discovery/sealing"},
                                                             {"zstd", "discovery/sealing"}};

@@ -9,6 +9,7 @@
 
 #include "base/assert.hpp"
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
 

@@ -1,5 +1,6 @@
 // The whole specification of the paper's team on ten hosts: who is told of whom is what it means, no pair more and no
 // pair less. GEMINGA_SEED chooses another seed.
+#include "reasoning/compiled/ontology.hpp"
 #include "sim/specification.hpp"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/sorted.hpp"
+#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::placement {
 namespace {

@@ -7,7 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/taxonomy/class_number.hpp"
+
+namespace geminga::compiled {
+class Ontology;
+}
 
 namespace geminga::placement {
 

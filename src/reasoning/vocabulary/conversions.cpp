@@ -1,6 +1,8 @@
 // The graph of what is declared, and the answers that it gave.
 #include "reasoning/vocabulary/conversions.hpp"
 
+#include "reasoning/compiled/ontology.hpp"
+
 namespace geminga::vocabulary {
 
 using taxonomy::ClassNumber;

@@ -9,7 +9,6 @@
 #include <mutex>
 #include <utility>
 
-#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/vocabulary/step_graph.hpp"
 

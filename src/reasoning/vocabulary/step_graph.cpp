@@ -6,6 +6,7 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
+#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::vocabulary {
 
@@ -31,6 +32,10 @@ struct StepGraph::Best {
 
 std::uint64_t StepGraph::weight_of(const Step& step) {
   return (std::uint64_t{step.cost} << service_bits) + (step.is_service ? 1 : 0);
+}
+
+std::uint32_t StepGraph::climb(ClassNumber from, ClassNumber to) const {
+  return ontology_->distance(from, to).value_or(0);
 }
 
 void StepGraph::put(std::uint32_t place, const Step& step, std::uint64_t turn) {

@@ -11,9 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/owl/conversion.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
+
+namespace geminga::compiled {
+class Ontology;
+}
 
 namespace geminga::vocabulary {
 
@@ -85,9 +88,7 @@ class StepGraph {
   struct Best;
   using Round = std::vector<Best>;
   [[nodiscard]] static std::uint64_t weight_of(const Step& step);
-  [[nodiscard]] std::uint32_t climb(taxonomy::ClassNumber from, taxonomy::ClassNumber to) const {
-    return ontology_->distance(from, to).value_or(0);
-  }
+  [[nodiscard]] std::uint32_t climb(taxonomy::ClassNumber from, taxonomy::ClassNumber to) const;
   /// What one step more than `reached` leads to, where that is below `least`; false: nothing.
   [[nodiscard]] bool go_on(const Round& reached, std::uint64_t least, const Usable& usable, Round& further) const;
 

@@ -3,14 +3,24 @@
 #include <algorithm>
 
 #include "base/edit_distance.hpp"
+#include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::vocabulary {
+
+static_assert(unit_base_count == owl::unit_base_count);
+
+struct Units::Declared {
+  std::shared_ptr<const compiled::Ontology> ontology;
+  compiled::UnitsView view;
+};
 
 Units::Units(std::shared_ptr<const compiled::Ontology> ontology) {
   if (ontology == nullptr || ontology->units().size() == 0) return;
   const compiled::UnitsView view = ontology->units();
   declared_ = std::make_shared<const Declared>(std::move(ontology), view);
 }
+
+std::size_t Units::size() const { return is_empty() ? 0 : declared_->view.size(); }
 
 FoundUnit Units::at(std::uint32_t number) const {
   const compiled::UnitsView& view = declared_->view;

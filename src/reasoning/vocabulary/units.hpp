@@ -10,17 +10,20 @@
 #include <string_view>
 #include <utility>
 
-#include "reasoning/compiled/ontology.hpp"
+namespace geminga::compiled {
+class Ontology;
+}
 
 namespace geminga::vocabulary {
 
-inline constexpr std::size_t unit_base_count = owl::unit_base_count;
+/// The number of base units: owl::unit_base_count.
+inline constexpr std::size_t unit_base_count = 11;
 
 /// A unit as it is declared. The symbol lives as long as the ontology.
 struct FoundUnit {
   double factor = 1;
   double offset = 0;
-  std::span<const std::int8_t> dimension;  ///< owl::unit_base_count exponents
+  std::span<const std::int8_t> dimension;  ///< unit_base_count exponents
   std::uint32_t alone = 0;                 ///< not 0: only what has this number, too, can be compared with it
   std::string_view symbol;                 ///< that it is usually written by; empty: none
 };
@@ -34,7 +37,7 @@ class Units {
   explicit Units(std::shared_ptr<const compiled::Ontology> ontology);
 
   [[nodiscard]] bool is_empty() const { return declared_ == nullptr; }
-  [[nodiscard]] std::size_t size() const { return is_empty() ? 0 : declared_->view.size(); }
+  [[nodiscard]] std::size_t size() const;
   /// Whether both are copies of the same, or have no unit.
   friend bool operator==(const Units& a, const Units& b) { return a.declared_ == b.declared_; }
 
@@ -48,10 +51,7 @@ class Units {
   [[nodiscard]] std::string_view similar_symbol(std::string_view text) const;
 
  private:
-  struct Declared {
-    std::shared_ptr<const compiled::Ontology> ontology;
-    compiled::UnitsView view;
-  };
+  struct Declared;
   [[nodiscard]] FoundUnit at(std::uint32_t number) const;
 
   std::shared_ptr<const Declared> declared_;  ///< null where there are no units

@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/syntax/manchester/parse.hpp"
 #include "reasoning/taxonomy/classified_view.hpp"
+#include "reasoning/vocabulary/conversions.hpp"
 
 namespace geminga::vocabulary {
 
@@ -26,6 +28,10 @@ std::expected<ClassNumber, std::string> Vocabulary::find(std::string_view name) 
   return std::unexpected(found.error().text + compiled::did_you_mean(compiled::find_similar(*ontology_, name, limits)));
 }
 
+std::optional<ClassNumber> Vocabulary::find_iri(std::string_view iri) const {
+  return is_loaded() ? ontology_->find_iri(iri) : std::nullopt;
+}
+
 std::optional<ClassNumber> Vocabulary::find_term(std::string_view name) const {
   if (!is_loaded()) return std::nullopt;
   if (name.starts_with('<')) return name.ends_with('>') ? find_iri(name.substr(1, name.size() - 2)) : std::nullopt;
@@ -41,11 +47,13 @@ std::optional<ClassNumber> Vocabulary::find_term(std::string_view name) const {
   return find_iri(name);
 }
 
-ClassNumber Vocabulary::thing() const { return ClassNumber{ontology_->view().thing}; }
-
 bool Vocabulary::is_expression(std::string_view name) const {
   return is_loaded() && manchester::is_compound(name) && !ontology_->find(name);
 }
+
+std::string_view Vocabulary::iri(ClassNumber number) const { return ontology_->iri(number); }
+
+std::string Vocabulary::short_name(ClassNumber number) const { return ontology_->short_name(number); }
 
 std::string Vocabulary::short_name(std::string_view iri) const {
   return is_loaded() ? ontology_->short_name(iri) : "<" + std::string(iri) + ">";
@@ -71,6 +79,48 @@ std::string Vocabulary::short_expression(std::string_view canonical) const {
   }
   return text;
 }
+
+std::uint32_t Vocabulary::class_count() const { return is_loaded() ? ontology_->class_count() : 0; }
+
+ClassNumber Vocabulary::thing() const { return ClassNumber{ontology_->view().thing}; }
+
+bool Vocabulary::is_satisfiable(ClassNumber number) const { return ontology_->is_satisfiable(number); }
+
+bool Vocabulary::is_subsumed(ClassNumber sub, ClassNumber super) const { return ontology_->is_subsumed(sub, super); }
+
+std::optional<std::uint32_t> Vocabulary::distance(ClassNumber sub, ClassNumber super) const {
+  return ontology_->distance(sub, super);
+}
+
+std::vector<ClassNumber> Vocabulary::subsumers(ClassNumber number) const { return ontology_->subsumers(number); }
+
+std::vector<ClassNumber> Vocabulary::subsumers(const Place& place) const {
+  return placement::subsumers(place, *ontology_);
+}
+
+std::vector<ClassNumber> Vocabulary::children(ClassNumber number) const { return ontology_->children(number); }
+
+bool Vocabulary::is_above(const Place& place, ClassNumber sub) const {
+  return placement::is_above(place, sub, *ontology_);
+}
+
+std::optional<std::uint32_t> Vocabulary::distance_up(const Place& place, ClassNumber super) const {
+  return placement::distance_up(place, super, *ontology_);
+}
+
+std::optional<std::uint32_t> Vocabulary::distance_down(const Place& place, ClassNumber sub) const {
+  return placement::distance_down(place, sub, *ontology_);
+}
+
+std::shared_ptr<const Chain> Vocabulary::conversion(ClassNumber offered, ClassNumber requested) const {
+  return conversions_->cheapest(offered, requested);
+}
+
+const StepGraph& Vocabulary::conversions() const { return conversions_->graph(); }
+
+std::uint64_t Vocabulary::digest() const { return is_loaded() ? ontology_->digest() : 0; }
+
+bool Vocabulary::is_consistent() const { return !is_loaded() || ontology_->is_consistent(); }
 
 std::vector<owl::LoadedFile> Vocabulary::files() const {
   return is_loaded() ? ontology_->files() : std::vector<owl::LoadedFile>();

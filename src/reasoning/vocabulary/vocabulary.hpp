@@ -13,12 +13,19 @@
 #include <vector>
 
 #include "geminga/error.hpp"
-#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
-#include "reasoning/vocabulary/conversions.hpp"
 #include "reasoning/vocabulary/overlap.hpp"
+#include "reasoning/vocabulary/step_graph.hpp"
 #include "reasoning/vocabulary/units.hpp"
+
+namespace geminga::compiled {
+class Ontology;
+}
+namespace geminga::owl {
+struct LeftOut;
+struct LoadedFile;
+}  // namespace geminga::owl
 
 namespace geminga::vocabulary {
 
@@ -26,9 +33,10 @@ using taxonomy::ClassNumber;
 /// Where a class expression stands among the classes of one vocabulary.
 using Place = placement::ExpressionPlace;
 
+class Conversions;
 class Expression;
-struct Explanation;
 class ExpressionReader;
+struct Explanation;
 
 /// The team's ontology with its prefixes. Once it is prepared, it also has what class expressions are placed with. It
 /// is one value, replaced as a whole and never changed. Copies are cheap and share their content, which lives as long
@@ -54,18 +62,16 @@ class Vocabulary {
   /// The class of `prefix:Name`, `<IRI>`, a bare IRI or a label. The error is one line that says what is wrong and
   /// which classes may have been meant. Requires an ontology.
   [[nodiscard]] std::expected<ClassNumber, std::string> find(std::string_view name) const;
-  [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const {
-    return is_loaded() ? ontology_->find_iri(iri) : std::nullopt;
-  }
+  [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const;
   /// The class of `prefix:Name`, `<IRI>` or a bare IRI, or nothing. Looks for no label and no likely meaning, so that
   /// it may be asked often.
   [[nodiscard]] std::optional<ClassNumber> find_term(std::string_view name) const;
   /// Whether a text is meant as a class expression: it is not the name of a class, and more than one word. It may be
   /// wrong all the same.
   [[nodiscard]] bool is_expression(std::string_view name) const;
-  [[nodiscard]] std::string_view iri(ClassNumber number) const { return ontology_->iri(number); }
+  [[nodiscard]] std::string_view iri(ClassNumber number) const;
   /// `prefix:Name` if a prefix fits, else `<IRI>`, for any IRI, whether it is that of a class or not.
-  [[nodiscard]] std::string short_name(ClassNumber number) const { return ontology_->short_name(number); }
+  [[nodiscard]] std::string short_name(ClassNumber number) const;
   [[nodiscard]] std::string short_name(std::string_view iri) const;
   /// A canonical expression with short names.
   [[nodiscard]] std::string short_expression(std::string_view canonical) const;
@@ -73,45 +79,31 @@ class Vocabulary {
   // How classes relate. These are the questions of the hot path: none is virtual, and only those that return a vector
   // allocate.
 
-  [[nodiscard]] std::uint32_t class_count() const { return is_loaded() ? ontology_->class_count() : 0; }
+  [[nodiscard]] std::uint32_t class_count() const;
   /// owl:Thing, which is above every class. Requires an ontology.
   [[nodiscard]] ClassNumber thing() const;
   /// False if the class can have no instance.
-  [[nodiscard]] bool is_satisfiable(ClassNumber number) const { return ontology_->is_satisfiable(number); }
+  [[nodiscard]] bool is_satisfiable(ClassNumber number) const;
   /// Whether every instance of `sub` is one of `super`. Reflexive. O(1) to O(log n).
-  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const {
-    return ontology_->is_subsumed(sub, super);
-  }
+  [[nodiscard]] bool is_subsumed(ClassNumber sub, ClassNumber super) const;
   /// The number of edges of the shortest path up from `sub` to `super`: 0 for equivalent classes, nothing if `sub` is
   /// not subsumed.
-  [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const {
-    return ontology_->distance(sub, super);
-  }
+  [[nodiscard]] std::optional<std::uint32_t> distance(ClassNumber sub, ClassNumber super) const;
   /// Every class that subsumes this one, including itself, ascending.
-  [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const { return ontology_->subsumers(number); }
+  [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const;
   /// The same for an expression by its place (placement/expression.hpp).
-  [[nodiscard]] std::vector<ClassNumber> subsumers(const Place& place) const {
-    return placement::subsumers(place, *ontology_);
-  }
+  [[nodiscard]] std::vector<ClassNumber> subsumers(const Place& place) const;
   /// The direct subclasses: one of each set of equivalent ones, ascending.
-  [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const { return ontology_->children(number); }
-  [[nodiscard]] bool is_above(const Place& place, ClassNumber sub) const {
-    return placement::is_above(place, sub, *ontology_);
-  }
-  [[nodiscard]] std::optional<std::uint32_t> distance_up(const Place& place, ClassNumber super) const {
-    return placement::distance_up(place, super, *ontology_);
-  }
-  [[nodiscard]] std::optional<std::uint32_t> distance_down(const Place& place, ClassNumber sub) const {
-    return placement::distance_down(place, sub, *ontology_);
-  }
+  [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
+  [[nodiscard]] bool is_above(const Place& place, ClassNumber sub) const;
+  [[nodiscard]] std::optional<std::uint32_t> distance_up(const Place& place, ClassNumber super) const;
+  [[nodiscard]] std::optional<std::uint32_t> distance_down(const Place& place, ClassNumber sub) const;
 
   /// How what is in the representation `offered` can be turned into `requested`, at the least cost; null where that is
   /// not possible. Both must be satisfiable. An answer is remembered.
-  [[nodiscard]] std::shared_ptr<const Chain> conversion(ClassNumber offered, ClassNumber requested) const {
-    return conversions_->cheapest(offered, requested);
-  }
+  [[nodiscard]] std::shared_ptr<const Chain> conversion(ClassNumber offered, ClassNumber requested) const;
   /// All that is declared, at the places from 0 to its size. Requires an ontology.
-  [[nodiscard]] const StepGraph& conversions() const { return conversions_->graph(); }
+  [[nodiscard]] const StepGraph& conversions() const;
 
   /// What is declared of units of measurement; none without an ontology.
   [[nodiscard]] const Units& units() const { return units_; }
@@ -149,9 +141,9 @@ class Vocabulary {
   // The ontology itself. Without one the answers are empty, and the digest is 0.
 
   /// Equal on every host that loaded the same ontologies.
-  [[nodiscard]] std::uint64_t digest() const { return is_loaded() ? ontology_->digest() : 0; }
+  [[nodiscard]] std::uint64_t digest() const;
   /// False: it contradicts itself, and every class is empty. True also where that is not decided.
-  [[nodiscard]] bool is_consistent() const { return !is_loaded() || ontology_->is_consistent(); }
+  [[nodiscard]] bool is_consistent() const;
   [[nodiscard]] std::vector<owl::LoadedFile> files() const;
   [[nodiscard]] std::vector<owl::LeftOut> left_out() const;
   /// Why something may be missing although its axioms were used, one line each.

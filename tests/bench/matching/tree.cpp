@@ -5,6 +5,7 @@
 
 #include "bench/rows.hpp"
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
 

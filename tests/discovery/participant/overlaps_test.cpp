@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
 

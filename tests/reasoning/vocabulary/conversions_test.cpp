@@ -1,4 +1,5 @@
 // The cheapest chain of conversions: small cases, and random ones against all chains that there are.
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/vocabulary/conversions.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // What a vocabulary knows, with an ontology and without one, prepared for expressions and not.
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 #include <gmock/gmock.h>

@@ -2,6 +2,7 @@
 #include "base/text.hpp"
 #include "discovery/participant/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "reasoning/vocabulary/sources.hpp"
 
 namespace geminga::participant {
 namespace {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/text.hpp"
-
 namespace geminga::frames {
 
 using manchester::ParseError;
@@ -19,13 +17,9 @@ Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, 
       declared_(declared),
       frame_limits_(limits),
       bytes_(bytes),
-      annotations_(annotations) {
-  // Section 2.1 of the note: every document knows these.
-  prefixes_.emplace("owl", "http://www.w3.org/2002/07/owl#");
-  prefixes_.emplace("rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#");
-  prefixes_.emplace("rdfs", "http://www.w3.org/2000/01/rdf-schema#");
-  prefixes_.emplace("xsd", "http://www.w3.org/2001/XMLSchema#");
-}
+      annotations_(annotations),
+      head_(limits.prefixes, limits.imports),
+      names_(source, file) {}
 
 std::uint32_t Parser::line_of(std::size_t octet) {
   const auto begin = bytes_.begin();
@@ -75,20 +69,8 @@ void Parser::prefix_declaration() {
   }
   const std::string full = iri("an IRI in angle brackets");
   if (failed()) return;
-  const auto [known, is_new] = prefixes_.try_emplace(prefix, full);
-  if (known->second != full) {
-    fail(ParseError::Kind::malformed, name.begin,
-         "the prefix " + base::printable(prefix, 60) + ": already stands for <" + base::printable(known->second, 60) +
-             '>');
-    return;
-  }
-  const auto is_same = [&](const owl::DeclaredPrefix& declared) { return declared.prefix == prefix; };
-  if (!is_new && std::ranges::any_of(document_.prefixes, is_same)) return;
-  if (document_.prefixes.size() >= frame_limits_.prefixes) {
-    fail(ParseError::Kind::too_large, name.begin, "more than " + std::to_string(frame_limits_.prefixes) + " prefixes");
-    return;
-  }
-  document_.prefixes.push_back({prefix, full});
+  if (auto refusal = head_.declare(prefix, full, document_))
+    fail(ParseError::Kind::malformed, name.begin, std::move(*refusal));
 }
 
 // ontology = "Ontology:" [ iri [ iri ] ] *( import / annotations ) *frame
@@ -109,13 +91,9 @@ void Parser::ontology() {
 void Parser::import() {
   const std::uint32_t line = this->line();
   const std::size_t octet = take().begin;
-  std::string name = iri("the IRI of an ontology");
-  if (failed() || !imported_.insert(name).second) return;
-  if (document_.imports.size() >= frame_limits_.imports) {
-    fail(ParseError::Kind::too_large, octet, "more than " + std::to_string(frame_limits_.imports) + " imports");
-    return;
-  }
-  document_.imports.push_back({std::move(name), line});
+  const std::string name = iri("the IRI of an ontology");
+  if (failed()) return;
+  if (auto refusal = head_.import(name, line, document_)) fail(ParseError::Kind::too_large, octet, std::move(*refusal));
 }
 
 void Parser::frame() {

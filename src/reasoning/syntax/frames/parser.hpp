@@ -8,14 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
-#include <functional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/document/head.hpp"
+#include "reasoning/syntax/document/name_annotations.hpp"
 #include "reasoning/syntax/frames/limits.hpp"
 #include "reasoning/syntax/frames/read.hpp"
 #include "reasoning/syntax/frames/sections.hpp"
@@ -94,26 +94,19 @@ class Parser final : private manchester::Parser {
   Term individual() override;
   [[nodiscard]] bool is_value_of_data(manchester::Tokenizer behind) const;
 
-  struct TextHash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
-  };
-
   const owl::FileId file_;
   const Declared& declared_;
   const Limits& frame_limits_;
   const std::string_view bytes_;
   owl::AnnotationStack annotations_;
   Document document_;
-  std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
-  std::unordered_set<std::string> imported_;
+  document::Head head_;
+  document::NameAnnotations names_;
   std::unordered_set<Term> declarations_;
   std::string blank_prefix_;  ///< the same for the same file on every host: made of its content
   std::size_t counted_ = 0;   ///< lines were counted up to here
   std::uint32_t line_ = 1;    ///< of counted_
   std::size_t annotation_depth_ = 0;
-  std::string cost_;  ///< of a conversion, as its own annotation says
-  std::uint32_t cost_line_ = 0;
   std::string last_text_;      ///< of the literal that was read last
   std::string last_language_;  ///< of that literal, in lower case
   std::string last_datatype_;  ///< of that literal

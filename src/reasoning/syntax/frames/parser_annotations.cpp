@@ -4,12 +4,8 @@
 #include "reasoning/syntax/frames/parser.hpp"
 
 namespace geminga::frames {
-namespace {
 
-constexpr std::string_view rdfs_label = "http://www.w3.org/2000/01/rdf-schema#label";
-constexpr std::string_view skos_pref_label = "http://www.w3.org/2004/02/skos/core#prefLabel";
-
-}  // namespace
+using Form = document::AnnotationValue::Form;
 
 // annotations = "Annotations:" list, before what is annotated
 void Parser::annotations() {
@@ -38,7 +34,7 @@ void Parser::annotation_list(std::string_view subject) {
   ++annotation_depth_;
   do {
     parts_ = 0;
-    if (annotation_depth_ == 1) cost_.clear();
+    if (annotation_depth_ == 1) names_.forget_cost();
     if (is_section("Annotations:")) annotations();
     annotation(subject);
   } while (!failed() && take_comma());
@@ -68,37 +64,24 @@ void Parser::annotation(std::string_view subject) {
       last_datatype_ = source_.name_of(written.arguments[0]);
       last_language_.clear();
     }
-    const bool is_label = property == rdfs_label || property == skos_pref_label;
-    const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
-    if (is_label && is_text && is_of_name) source_.add_label(subject, last_text_, last_language_);
-    if (property == owl::conversion_cost) {
-      cost_ = last_text_;
-      cost_line_ = line;
-      if (!read.subject.empty()) source_.leave_out(owl::cost_of_nothing, file_, line);
-    } else if (property == owl::converts_to) {
-      source_.leave_out(owl::conversion_to_literal, file_, line);
-    }
-    if (is_of_name) source_.add_unit_statement(subject, owl::unit_word(property), last_text_, file_, line);
+    const bool is_cost = property == owl::conversion_cost;
+    if (is_cost) names_.set_cost(last_text_, line);
+    // The cost of a conversion annotates that annotation and no name.
+    if (!is_cost || !read.subject.empty())
+      names_.add(property, read.subject, {is_text ? Form::text : Form::number, last_text_, last_language_}, line);
     if (!annotations_.is_wanted()) return;
     read.is_literal = true;
     read.value = last_text_;
     read.datatype = last_datatype_;
     read.language = last_language_;
   } else if (is_name() && tokens_.token().text.starts_with("_:")) {
-    if (property == owl::converts_to) source_.leave_out(owl::conversion_without_name, file_, line());
+    if (property == owl::converts_to) names_.add(property, read.subject, {.form = Form::blank}, line());
     read.value = source_.name_of(individual());
   } else {
     const std::uint32_t line = this->line();
     read.value = iri("an IRI, a blank node or a literal");
-    const bool is_of_name = !read.subject.empty() && !subject.starts_with("_:");
-    if (!failed() && property == owl::converts_to && is_of_name) {
-      source_.add_conversion(subject, read.value, cost_, file_, line, cost_line_);
-    } else if (property == owl::converts_to) {
-      source_.leave_out(owl::conversion_without_name, file_, line);
-    }
-    if (!failed() && is_of_name) {
-      source_.add_unit_statement(subject, owl::unit_word(property), read.value, file_, line);
-    }
+    if (!failed() && property != owl::conversion_cost)
+      names_.add(property, read.subject, {.form = Form::iri, .text = read.value}, line);
   }
   if (!failed()) annotations_.add(std::move(read), annotation_depth_);
 }

@@ -58,15 +58,15 @@ std::expected<std::string, std::string> Parser::expand(const Token& token) const
   const std::size_t colon = word.find(':');
   const std::string_view prefix = colon == std::string_view::npos ? std::string_view() : word.substr(0, colon);
   const std::string_view local = colon == std::string_view::npos ? word : word.substr(colon + 1);
-  const auto found = prefixes_.find(prefix);
-  if (found == prefixes_.end()) {
+  const std::string* known = head_.iri_of(prefix);
+  if (known == nullptr) {
     return std::unexpected(colon == std::string_view::npos
                                ? "'" + base::printable(word, 60) + "' has no prefix, and no default one is declared"
-                               : "the prefix " + base::printable(prefix, 60) + ": is not declared");
+                               : document::Head::undeclared(prefix));
   }
   if (local.find_first_of(not_in_iris) != std::string_view::npos || base::has_control_character(local))
     return std::unexpected("'" + base::printable(word, 60) + "' has a character that no IRI may have");
-  std::string full = found->second + std::string(local);
+  std::string full = *known + std::string(local);
   if (full.size() > frame_limits_.iri_bytes)
     return std::unexpected("an IRI of more than " + std::to_string(frame_limits_.iri_bytes) + " bytes");
   return full;

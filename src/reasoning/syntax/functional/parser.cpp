@@ -41,13 +41,14 @@ std::string describe(const Token& token) {
 
 Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
                std::vector<owl::Annotation>* annotations)
-    : source_(source), file_(file), limits_(limits), bytes_(bytes), annotations_(annotations), tokens_(bytes, limits) {
-  // OWL 2, table 2: every document knows these.
-  prefixes_.emplace("owl", Prefix{"http://www.w3.org/2002/07/owl#", false});
-  prefixes_.emplace("rdf", Prefix{"http://www.w3.org/1999/02/22-rdf-syntax-ns#", false});
-  prefixes_.emplace("rdfs", Prefix{"http://www.w3.org/2000/01/rdf-schema#", false});
-  prefixes_.emplace("xsd", Prefix{"http://www.w3.org/2001/XMLSchema#", false});
-}
+    : source_(source),
+      file_(file),
+      limits_(limits),
+      bytes_(bytes),
+      annotations_(annotations),
+      tokens_(bytes, limits),
+      head_(limits.prefixes, limits.imports),
+      names_(source, file) {}
 
 std::expected<Document, Problem> Parser::run() {
   while (tokens_.is(TokenKind::word) && tokens_.token().text == "Prefix") {
@@ -81,21 +82,9 @@ bool Parser::prefix_declaration() {
   if (!expect(TokenKind::equals, "'=' behind the prefix")) return false;
   if (!tokens_.is(TokenKind::full_iri)) return expected("an IRI in angle brackets");
   const std::string_view iri = tokens_.token().text;
-
-  const auto known = prefixes_.try_emplace(std::string(prefix), Prefix{std::string(iri), false}).first;
-  Prefix& declared = known->second;
-  if (declared.iri != iri) {
-    tokens_.fail("the prefix " + base::printable(prefix, shown_bytes) + ": already stands for <" +
-                 base::printable(declared.iri, shown_bytes) + '>');
+  if (auto refusal = head_.declare(prefix, iri, document_)) {
+    tokens_.fail(std::move(*refusal));
     return false;
-  }
-  if (!declared.is_declared) {
-    if (document_.prefixes.size() >= limits_.prefixes) {
-      tokens_.fail("more than " + std::to_string(limits_.prefixes) + " prefixes");
-      return false;
-    }
-    declared.is_declared = true;
-    document_.prefixes.push_back({std::string(prefix), std::string(iri)});
   }
   tokens_.advance();
   return expect(TokenKind::close, "')' behind the prefix");
@@ -132,12 +121,10 @@ bool Parser::import() {
   const std::uint32_t line = tokens_.line();
   tokens_.advance();
   if (!expect(TokenKind::open, "'(' behind Import") || !iri("the IRI of an ontology")) return false;
-  if (!imported_.emplace(iri_).second) return expect(TokenKind::close, "')' behind the imported IRI");
-  if (document_.imports.size() >= limits_.imports) {
-    tokens_.fail("more than " + std::to_string(limits_.imports) + " imports");
+  if (auto refusal = head_.import(iri_, line, document_)) {
+    tokens_.fail(std::move(*refusal));
     return false;
   }
-  document_.imports.push_back({std::string(iri_), line});
   return expect(TokenKind::close, "')' behind the imported IRI");
 }
 

@@ -11,11 +11,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/document/head.hpp"
+#include "reasoning/syntax/document/name_annotations.hpp"
 #include "reasoning/syntax/functional/grammar.hpp"
 #include "reasoning/syntax/functional/limits.hpp"
 #include "reasoning/syntax/functional/read.hpp"
@@ -92,16 +92,6 @@ class Parser {
   bool literal();
   void take_language(std::string_view tag);
 
-  struct TextHash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
-  };
-
-  struct Prefix {
-    std::string iri;
-    bool is_declared = false;  ///< in this file
-  };
-
   owl::Ontology& source_;
   const owl::FileId file_;
   const Limits& limits_;
@@ -110,18 +100,16 @@ class Parser {
   Tokenizer tokens_;
   Document document_;
 
-  std::unordered_map<std::string, Prefix, TextHash, std::equal_to<>> prefixes_;
+  document::Head head_;
   std::string last_prefix_;                       ///< whose IRI is last_prefix_iri_
-  const std::string* last_prefix_iri_ = nullptr;  ///< into prefixes_, whose nodes do not move
-  std::unordered_set<std::string> imported_;
+  const std::string* last_prefix_iri_ = nullptr;  ///< in head_
+  document::NameAnnotations names_;
   std::string blank_prefix_;  ///< the same for the same file on every host: made of its content
 
   std::string_view iri_;  ///< the last name; valid until the next
   std::string iri_buffer_;
   std::string_view lexical_;   ///< of the last literal, without escapes
   std::string_view language_;  ///< of the last literal, in lower case
-  std::string cost_;           ///< of a conversion, as an annotation of the current axiom says
-  std::uint32_t cost_line_ = 0;
   std::string lexical_buffer_;
   std::string language_buffer_;
 

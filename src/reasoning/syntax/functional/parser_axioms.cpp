@@ -14,7 +14,7 @@ bool Parser::axiom() {
   if (!expect(TokenKind::open, "'('")) return false;
   terms_.clear();
   obstacle_ = nullptr;
-  cost_.clear();
+  names_.forget_cost();
   annotations_.begin();
   if (production->form == Form::extension) {
     // Rules have one name in all syntaxes.

@@ -23,13 +23,13 @@ bool Parser::iri(std::string_view what) {
 bool Parser::resolve(const Token& name) {
   const std::string_view prefix = name.text.substr(0, name.prefix_bytes);
   if (last_prefix_iri_ == nullptr || last_prefix_ != prefix) {
-    const auto found = prefixes_.find(prefix);
-    if (found == prefixes_.end()) {
-      tokens_.fail("the prefix " + base::printable(prefix, 60) + ": is not declared");
+    const std::string* known = head_.iri_of(prefix);
+    if (known == nullptr) {
+      tokens_.fail(document::Head::undeclared(prefix));
       return false;
     }
     last_prefix_ = prefix;
-    last_prefix_iri_ = &found->second.iri;
+    last_prefix_iri_ = known;
   }
   const std::string_view local = name.text.substr(name.prefix_bytes + 1);
   iri_buffer_.assign(*last_prefix_iri_);

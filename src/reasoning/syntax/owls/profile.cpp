@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "reasoning/syntax/rdf/graph.hpp"
-#include "reasoning/syntax/rdf/tolerant.hpp"
+#include "reasoning/syntax/rdf/triples/graph.hpp"
+#include "reasoning/syntax/rdf/tolerant/tolerant.hpp"
 
 namespace geminga::owls {
 namespace {

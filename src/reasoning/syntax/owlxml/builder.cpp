@@ -30,13 +30,13 @@ std::string_view value_of(std::span<const Attribute> attributes, std::string_vie
 
 Builder::Builder(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
                  std::vector<owl::Annotation>* annotations)
-    : bytes_(bytes), file_(file), source_(source), limits_(limits), annotations_(annotations) {
-  // Every document knows these.
-  prefixes_.emplace("owl", owl);
-  prefixes_.emplace("rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#");
-  prefixes_.emplace("rdfs", "http://www.w3.org/2000/01/rdf-schema#");
-  prefixes_.emplace("xsd", "http://www.w3.org/2001/XMLSchema#");
-}
+    : bytes_(bytes),
+      file_(file),
+      source_(source),
+      limits_(limits),
+      annotations_(annotations),
+      head_(limits.prefixes, limits.imports),
+      names_(source, file) {}
 
 Listener::Refusal Builder::begin(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
                                  std::uint32_t line) {
@@ -90,19 +90,9 @@ Listener::Refusal Builder::begin_ontology(std::span<const Attribute> attributes)
 }
 
 Listener::Refusal Builder::begin_prefix(std::span<const Attribute> attributes) {
-  const std::string prefix(value_of(attributes, "name"));
   std::string iri;
   if (auto refusal = full_iri(value_of(attributes, "IRI"), iri)) return refusal;
-  const auto [known, is_new] = prefixes_.try_emplace(prefix, iri);
-  if (known->second != iri)
-    return "the prefix " + base::printable(prefix, 60) + ": already stands for <" + base::printable(known->second, 60) +
-           '>';
-  const auto is_same = [&](const owl::DeclaredPrefix& declared) { return declared.prefix == prefix; };
-  if (!is_new && std::ranges::any_of(document_.prefixes, is_same)) return std::nullopt;
-  if (document_.prefixes.size() >= limits_.prefixes)
-    return "more than " + std::to_string(limits_.prefixes) + " prefixes";
-  document_.prefixes.push_back({prefix, std::move(iri)});
-  return std::nullopt;
+  return head_.declare(value_of(attributes, "name"), iri, document_);
 }
 
 Listener::Refusal Builder::open_element(std::string_view name, std::span<const Attribute> attributes, Open& open) {
@@ -139,7 +129,7 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
                   : "the axiom <" + std::string(name) + "> within another element";
   if (is_top) {
     obstacle_ = nullptr;
-    cost_.clear();
+    names_.forget_cost();
     annotations_.begin();
   }
   switch (form) {
@@ -238,10 +228,7 @@ Listener::Refusal Builder::end() {
 Listener::Refusal Builder::end_import(const Open& open) {
   std::string iri;
   if (auto refusal = full_iri(base::trimmed(text_), iri)) return refusal;
-  if (!imported_.insert(iri).second) return std::nullopt;
-  if (document_.imports.size() >= limits_.imports) return "more than " + std::to_string(limits_.imports) + " imports";
-  document_.imports.push_back({std::move(iri), open.line});
-  return std::nullopt;
+  return head_.import(iri, open.line, document_);
 }
 
 }  // namespace geminga::owlxml

@@ -6,14 +6,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/document/head.hpp"
+#include "reasoning/syntax/document/name_annotations.hpp"
 #include "reasoning/syntax/functional/grammar.hpp"
 #include "reasoning/syntax/owlxml/elements.hpp"
 #include "reasoning/syntax/owlxml/read.hpp"
@@ -95,11 +95,6 @@ class Builder final : public Listener {
   Refusal short_iri(std::string_view written, std::string& iri) const;
   Refusal check_iri(std::string_view iri) const;
 
-  struct TextHash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
-  };
-
   const std::string_view bytes_;
   const owl::FileId file_;
   owl::Ontology& source_;
@@ -109,15 +104,13 @@ class Builder final : public Listener {
   std::vector<Open> open_;
   std::vector<Operand> operands_;
   std::vector<std::string> bases_;
-  std::unordered_map<std::string, std::string, TextHash, std::equal_to<>> prefixes_;
-  std::unordered_set<std::string> imported_;
+  document::Head head_;
+  document::NameAnnotations names_;
   std::unordered_set<owl::TermId> declared_;
-  std::string blank_prefix_;      ///< the same for the same file on every host: made of its content
-  std::string text_;              ///< of the element that is open and may hold one
-  std::string literal_datatype_;  ///< of the literal that is open
-  std::string literal_language_;  ///< of the literal that is open
-  std::string cost_;              ///< of a conversion, as an annotation of the axiom that is open says
-  std::uint32_t cost_line_ = 0;
+  std::string blank_prefix_;        ///< the same for the same file on every host: made of its content
+  std::string text_;                ///< of the element that is open and may hold one
+  std::string literal_datatype_;    ///< of the literal that is open
+  std::string literal_language_;    ///< of the literal that is open
   std::string facet_iri_;           ///< of the facet restriction that is open
   const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
 };

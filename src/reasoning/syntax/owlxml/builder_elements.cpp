@@ -11,9 +11,6 @@ using functional::Form;
 using owl::TermKind;
 using Wanted = functional::Operand;
 
-constexpr std::string_view rdfs_label = "http://www.w3.org/2000/01/rdf-schema#label";
-constexpr std::string_view skos_pref_label = "http://www.w3.org/2004/02/skos/core#prefLabel";
-
 }  // namespace
 
 bool Builder::fits(Wanted wanted, const Operand& operand) const {
@@ -193,10 +190,8 @@ Listener::Refusal Builder::end_annotation(const Open& open) {
   const bool is_whole = operands_.size() == open.first + 2 && operands_[open.first].kind == Operand::Kind::iri;
   if (!is_whole) return expected("an annotation property and a value", open, open.first);
   const bool is_cost = operands_[open.first].iri == owl::conversion_cost;
-  if (is_cost && operands_[open.first + 1].kind == Operand::Kind::text) {
-    cost_ = operands_[open.first + 1].text;
-    cost_line_ = open.line;
-  }
+  if (is_cost && operands_[open.first + 1].kind == Operand::Kind::text)
+    names_.set_cost(operands_[open.first + 1].text, open.line);
   owl::Annotation read = owl::annotation_of({}, operands_[open.first].iri);
   if (open_.size() == 1) {
     read.of = owl::Annotation::Of::ontology;
@@ -216,21 +211,10 @@ Listener::Refusal Builder::end_annotation_assertion(const Open& open) {
   const bool is_whole = of.size() == 3 && of[0].kind == Operand::Kind::iri && of[1].kind == Operand::Kind::iri;
   if (!is_whole) return expected("an annotation property, a subject and a value", open, open.first);
   ++document_.annotations;
-  const bool is_label = of[0].iri == rdfs_label || of[0].iri == skos_pref_label;
-  if (is_label && of[2].kind == Operand::Kind::text && !of[1].iri.starts_with("_:"))
-    source_.add_label(of[1].iri, of[2].text, of[2].language);
-  const bool is_between_names = !of[1].iri.starts_with("_:") && of[2].kind == Operand::Kind::iri;
-  if (of[0].iri == owl::converts_to && is_between_names && !of[2].iri.starts_with("_:"))
-    source_.add_conversion(of[1].iri, of[2].iri, cost_, file_, open.line, cost_line_);
-  else if (of[0].iri == owl::converts_to)
-    source_.leave_out(of[2].kind == Operand::Kind::text ? owl::conversion_to_literal : owl::conversion_without_name,
-                      file_, open.line);
-  else if (of[0].iri == owl::conversion_cost)
-    source_.leave_out(owl::cost_of_nothing, file_, open.line);
+  using ValueForm = document::AnnotationValue::Form;
   const bool is_text = of[2].kind == Operand::Kind::text;
-  if (!of[1].iri.starts_with("_:") && !(of[2].kind == Operand::Kind::iri && of[2].iri.starts_with("_:")))
-    source_.add_unit_statement(of[1].iri, owl::unit_word(of[0].iri), is_text ? of[2].text : of[2].iri, file_,
-                               open.line);
+  const ValueForm form = is_text ? ValueForm::text : of[2].iri.starts_with("_:") ? ValueForm::blank : ValueForm::iri;
+  names_.add(of[0].iri, of[1].iri, {form, is_text ? of[2].text : of[2].iri, of[2].language}, open.line);
   keep(owl::annotation_of(of[1].iri, of[0].iri), of[2], 0);
   return std::nullopt;
 }

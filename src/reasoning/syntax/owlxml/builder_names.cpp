@@ -48,10 +48,9 @@ Listener::Refusal Builder::full_iri(std::string_view written, std::string& iri) 
 Listener::Refusal Builder::short_iri(std::string_view written, std::string& iri) const {
   const std::size_t colon = written.find(':');
   if (colon == std::string_view::npos) return "expected prefix:Name, found " + base::printable(written, 60);
-  const auto found = prefixes_.find(written.substr(0, colon));
-  if (found == prefixes_.end())
-    return "the prefix " + base::printable(written.substr(0, colon), 60) + ": is not declared";
-  iri = found->second + std::string(written.substr(colon + 1));
+  const std::string* known = head_.iri_of(written.substr(0, colon));
+  if (known == nullptr) return document::Head::undeclared(written.substr(0, colon));
+  iri = *known + std::string(written.substr(colon + 1));
   return check_iri(iri);
 }
 

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "base/text.hpp"
-#include "reasoning/syntax/rdf/pieces.hpp"
-#include "reasoning/syntax/rdf/scan.hpp"
+#include "reasoning/syntax/rdf/scan/pieces.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
 
 namespace geminga::rdf {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reasoning/syntax/rdf/graph.hpp"
+#include "reasoning/syntax/rdf/triples/graph.hpp"
 
 namespace geminga::rdf {
 

@@ -1,0 +1,55 @@
+// Axioms that are one triple, or begin with one (mapping, tables 7 and 16).
+#ifndef GEMINGA_REASONING_SYNTAX_RDF_MAPPING_AXIOM_MAPPER_HPP
+#define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_AXIOM_MAPPER_HPP
+
+#include <cstdint>
+#include <unordered_set>
+
+#include "reasoning/syntax/rdf/mapping/axiom_writer.hpp"
+#include "reasoning/syntax/rdf/mapping/expression_mapper.hpp"
+#include "reasoning/syntax/rdf/mapping/type_mapper.hpp"
+
+namespace geminga::rdf {
+
+/// Maps a triple, by its predicate, to the axiom that it stands for.
+class AxiomMapper {
+ public:
+  AxiomMapper(TripleReader& triples, const NodeTypes& types, DataRangeMapper& ranges, ExpressionMapper& expressions,
+              AxiomWriter& axioms)
+      : graph_(triples.graph()),
+        triples_(triples),
+        types_(types),
+        ranges_(ranges),
+        expressions_(expressions),
+        axioms_(axioms),
+        type_mapper_(triples, types, ranges, expressions, axioms) {}
+
+  /// A triple that is part of an expression stays unused: it is used where the expression is.
+  void map(std::uint32_t number);
+
+ private:
+  void map_class_axiom(std::uint32_t number, owl::AxiomKind kind);
+  void map_definition(std::uint32_t number);
+  void map_property_axiom(std::uint32_t number, owl::AxiomKind of_objects, owl::AxiomKind of_data);
+  void map_inverse(std::uint32_t number);
+  void map_domain(std::uint32_t number);
+  void map_range(std::uint32_t number);
+  void map_chain(std::uint32_t number);
+  void map_key(std::uint32_t number);
+  void map_disjoint_union(std::uint32_t number);
+  void map_identity(std::uint32_t number, owl::AxiomKind kind);
+  void map_assertion(std::uint32_t number);
+
+  const Graph& graph_;
+  TripleReader& triples_;
+  const NodeTypes& types_;
+  DataRangeMapper& ranges_;
+  ExpressionMapper& expressions_;
+  AxiomWriter& axioms_;
+  TypeMapper type_mapper_;
+  std::unordered_set<std::uint32_t> named_restrictions_;  ///< IRIs with owl:onProperty
+};
+
+}  // namespace geminga::rdf
+
+#endif

@@ -1,0 +1,53 @@
+// Notes what was declared and left out, so that neither repeats nor made-up names fill the ontology.
+#include "reasoning/syntax/rdf/mapping/axiom_writer.hpp"
+
+#include <utility>
+
+namespace geminga::rdf {
+namespace {
+
+/// Different constructs that are left out by name. A file can make up as many names of OWL's as it likes.
+constexpr std::size_t max_constructs = 250;
+
+/// Entities are the kinds 0 to 5 of owl::TermKind.
+constexpr std::size_t entity_kinds = 6;
+
+}  // namespace
+
+AxiomWriter::AxiomWriter(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files)
+    : graph_(graph),
+      ontology_(ontology),
+      files_(std::move(files)),
+      declared_(graph.node_count() * entity_kinds, false) {}
+
+void AxiomWriter::add(std::uint32_t triple, owl::AxiomKind kind, std::initializer_list<Mapped> arguments) {
+  std::vector<owl::TermId> terms;
+  for (const Mapped& argument : arguments) {
+    if (!argument) return leave_out(triple, argument.error());
+    terms.push_back(*argument);
+  }
+  add(triple, kind, terms);
+}
+
+void AxiomWriter::add(std::uint32_t triple, owl::AxiomKind kind, const std::vector<owl::TermId>& arguments) {
+  ontology_.add(kind, arguments, file_of(triple), graph_.triple(triple).line);
+}
+
+void AxiomWriter::declare(std::uint32_t triple, owl::TermKind kind) {
+  const NodeId node = graph_.triple(triple).subject;
+  const std::size_t slot = static_cast<std::size_t>(node) * entity_kinds + static_cast<std::size_t>(kind);
+  if (!graph_.is_iri(node) || declared_[slot]) return;
+  declared_[slot] = true;
+  add(triple, owl::AxiomKind::declaration, {ontology_.entity(kind, graph_.text(node))});
+}
+
+void AxiomWriter::leave_out(std::uint32_t triple, std::string_view construct) {
+  if (constructs_.size() < max_constructs) {
+    constructs_.emplace(construct);
+  } else if (!constructs_.contains(construct)) {
+    construct = "other names that OWL 2 does not have";
+  }
+  ontology_.leave_out(construct, file_of(triple), graph_.triple(triple).line);
+}
+
+}  // namespace geminga::rdf

@@ -1,0 +1,35 @@
+// The internal entities that a DOCTYPE declares, as Protégé writes them, and what they expand to.
+#ifndef GEMINGA_REASONING_SYNTAX_RDF_SCAN_DOCTYPE_HPP
+#define GEMINGA_REASONING_SYNTAX_RDF_SCAN_DOCTYPE_HPP
+
+#include <cstddef>
+#include <expected>
+#include <map>
+#include <string_view>
+
+#include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
+
+namespace geminga::rdf {
+
+/// One DOCTYPE that declares plain internal entities and nothing else. Borrows the file's bytes.
+class Doctype {
+ public:
+  /// Reads the DOCTYPE at `place`. Parameter entities, external entities and DTDs, entities that hold markup, that
+  /// contain themselves or expand to too much, and every other declaration are refused.
+  [[nodiscard]] static std::expected<Doctype, ScanProblem> read(std::string_view bytes, std::size_t place,
+                                                                const syntax::Limits& limits);
+
+  /// The place behind the closing bracket.
+  [[nodiscard]] std::size_t end() const { return end_; }
+  /// The size in octets of what a reference to this entity expands to; 1 for an entity that is not declared here.
+  [[nodiscard]] std::size_t expanded_bytes(std::string_view name) const;
+
+ private:
+  std::size_t end_ = 0;
+  std::map<std::string_view, std::size_t> sizes_;
+};
+
+}  // namespace geminga::rdf
+
+#endif

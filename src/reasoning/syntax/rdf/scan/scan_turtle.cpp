@@ -1,0 +1,219 @@
+// The brackets, strings and IRIs of Turtle and N-Triples (RDF 1.1 Turtle, section 6.5), measured against the limits.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "reasoning/syntax/rdf/scan/pieces.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
+#include "reasoning/syntax/rdf/scan/turtle_lines.hpp"
+
+namespace geminga::rdf {
+namespace {
+
+class TurtleScan {
+ public:
+  TurtleScan(std::string_view bytes, const syntax::Limits& limits, TurtleLines& lines, Pieces& pieces)
+      : bytes_(bytes), limits_(limits), lines_(lines), pieces_(pieces) {}
+
+  std::optional<ScanProblem> run() {
+    if (bytes_.starts_with("\xef\xbb\xbf")) place_ = 3;
+    while (place_ < bytes_.size() && !problem_) {
+      const std::size_t before = place_;
+      step();
+      watch_for_blanks(before);
+      watch_for_cuts(before);
+      if (lines_.statement_triples() > limits_.statement_triples)
+        fail(place_,
+             "has a statement of more than " + std::to_string(limits_.statement_triples) + " triples: split it");
+      if (lines_.prefix_count() > limits_.prefixes)
+        fail(place_, "declares more than " + std::to_string(limits_.prefixes) + " prefixes");
+    }
+    return std::move(problem_);
+  }
+
+ private:
+  void step() {
+    switch (bytes_[place_]) {
+      case '#':
+        comment();
+        break;
+      case '<':
+        iri();
+        break;
+      case '"':
+      case '\'':
+        string();
+        break;
+      case '[':
+      case '(':
+        if (++depth_ > limits_.nesting)
+          fail(place_, "nests brackets more than " + std::to_string(limits_.nesting) + " deep");
+        lines_.open(bytes_[place_++], line_here());
+        break;
+      case ']':
+      case ')':
+        if (depth_ > 0) --depth_;
+        lines_.close(bytes_[place_++]);
+        break;
+      case ';':
+      case ',':
+        lines_.punctuation(bytes_[place_++]);
+        break;
+      case ' ':
+      case '\t':
+      case '\r':
+      case '\n':
+        ++place_;
+        break;
+      case '^':  // ^^ before a datatype
+        ++place_;
+        lines_.datatype();
+        break;
+      default:
+        name();
+    }
+  }
+
+  void watch_for_blanks(std::size_t before) {
+    const bool is_blank = std::string_view(" \t\r\n#").find(bytes_[before]) != std::string_view::npos;
+    if (!is_blank) blank_begin_ = place_;
+    if (place_ - blank_begin_ > limits_.blank_bytes)
+      too_long(blank_begin_, "white space and comments", limits_.blank_bytes);
+  }
+
+  /// Statements can be read one by one behind the directives at the begin of the file, where there are no later ones.
+  void watch_for_cuts(std::size_t before) {
+    if (lines_.is_in_statement()) {
+      if (!has_begun_) pieces_.begin_at(before, line_at(before) - 1);
+      has_begun_ = true;
+    } else if (has_begun_ && lines_.directive_count() != directives_) {
+      pieces_.forbid();
+    } else if (has_begun_ && pieces_.wants(place_) && bytes_[place_ - 1] == '\n') {  // N-Triples is read by lines
+      pieces_.cut({place_, line_here(), lines_.triple_count()});
+    }
+    if (!has_begun_) directives_ = lines_.directive_count();
+  }
+
+  /// A run of characters without a break is a name, a number or a keyword; a name may escape what would end it.
+  void name() {
+    const std::size_t begin = place_;
+    if (bytes_[begin] == '.' && !is_digit(begin + 1)) {
+      ++place_;
+      lines_.punctuation('.');
+      return;
+    }
+    for (;;) {
+      place_ = std::min(bytes_.find_first_of(" \t\r\n#<\"'[]()\\,;^", place_), bytes_.size());
+      if (place_ >= bytes_.size() || bytes_[place_] != '\\') break;
+      place_ = std::min(place_ + 2, bytes_.size());
+    }
+    if (place_ == begin) ++place_;
+    if (place_ - begin > limits_.iri_bytes) too_long(begin, "a name", limits_.iri_bytes);
+    lines_.word(bytes_.substr(begin, place_ - begin), line_at(begin));
+  }
+
+  /// Raptor's N-Triples reader takes a quotation mark or apostrophe in a comment for the begin of a text, and silently
+  /// skips what follows; its Turtle reader does not.
+  void comment() {
+    const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
+    if (bytes_.substr(place_, end - place_).find_first_of("\"'") != std::string_view::npos) lines_.quote_in_comment();
+    place_ = end;
+  }
+
+  [[nodiscard]] bool is_digit(std::size_t place) const {
+    return place < bytes_.size() && bytes_[place] >= '0' && bytes_[place] <= '9';
+  }
+
+  void iri() {
+    const std::size_t begin = place_++;
+    while (place_ < bytes_.size() && bytes_[place_] != '>' && bytes_[place_] != '\n') {
+      if (bytes_[place_] == '\\') {
+        escape();
+      } else {
+        if (bytes_[place_] == '"') fail(place_, "has an IRI with a quotation mark in it");
+        ++place_;
+      }
+    }
+    if (place_ - begin > limits_.iri_bytes) too_long(begin, "an IRI", limits_.iri_bytes);
+    ++place_;
+    lines_.term(line_at(begin));
+  }
+
+  void string() {
+    const std::size_t begin = place_;
+    const char quote = bytes_[place_];
+    const std::array<char, 3> fence{quote, quote, quote};
+    const bool is_long = place_ + 2 < bytes_.size() && bytes_[place_ + 1] == quote && bytes_[place_ + 2] == quote;
+    place_ += is_long ? 3 : 1;
+    for (;; ++place_) {
+      if (place_ >= bytes_.size()) break;
+      const char c = bytes_[place_];
+      if (c == '\\') {
+        escape();
+        --place_;
+      } else if (c == quote) {
+        if (!is_long) break;
+        if (bytes_.substr(place_, 3) == std::string_view(fence.data(), 3)) break;
+      } else if (c == '\n' && !is_long) {
+        break;  // no Turtle; Redland says so
+      }
+    }
+    if (place_ - begin > limits_.literal_bytes) too_long(begin, "a literal", limits_.literal_bytes);
+    place_ += is_long ? 3 : 1;
+    lines_.term(line_at(begin));
+  }
+
+  /// \u0000 would cut a name short, and a surrogate would become bad UTF-8.
+  void escape() {
+    const std::size_t begin = place_;
+    place_ += 2;
+    if (begin + 1 >= bytes_.size()) return;
+    const char kind = bytes_[begin + 1];
+    if (kind != 'u' && kind != 'U') return;
+    const std::string digits(bytes_.substr(begin + 2, kind == 'u' ? 4 : 8));
+    if (digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) return;
+    const unsigned long code = std::stoul('0' + digits, nullptr, 16);
+    if (code == 0) fail(begin, "writes a NUL as " + std::string(bytes_.substr(begin, 2 + digits.size())));
+    if ((code >= 0xd800 && code <= 0xdfff) || code > 0x10ffff)
+      fail(begin, "writes no character as " + std::string(bytes_.substr(begin, 2 + digits.size())));
+  }
+
+  /// The line of a place that is not before the last one asked for.
+  std::uint32_t line_at(std::size_t place) {
+    for (; counted_ < place; ++counted_) {
+      if (bytes_[counted_] == '\n') ++line_;
+    }
+    return line_;
+  }
+  std::uint32_t line_here() { return line_at(std::min(place_, bytes_.size())); }
+
+  void too_long(std::size_t place, const char* what, std::size_t limit) {
+    fail(place, std::string("has ") + what + " of more than " + std::to_string(limit) + " bytes");
+  }
+
+  void fail(std::size_t place, std::string text) {
+    if (!problem_) problem_ = ScanProblem{line_of(bytes_, place), std::move(text)};
+  }
+
+  std::string_view bytes_;
+  const syntax::Limits& limits_;
+  TurtleLines& lines_;
+  Pieces& pieces_;
+  bool has_begun_ = false;      ///< the first statement
+  std::size_t directives_ = 0;  ///< before it
+  std::size_t place_ = 0;
+  std::size_t counted_ = 0;
+  std::uint32_t line_ = 1;
+  std::size_t depth_ = 0;
+  std::size_t blank_begin_ = 0;  ///< of the white space and comments that go on to here
+  std::optional<ScanProblem> problem_;
+};
+
+}  // namespace
+
+std::optional<ScanProblem> scan_turtle(std::string_view bytes, const syntax::Limits& limits, TurtleLines& lines,
+                                       Pieces& pieces) {
+  return TurtleScan(bytes, limits, lines, pieces).run();
+}
+
+}  // namespace geminga::rdf

@@ -1,0 +1,227 @@
+// The tags, texts and references of an XML file (XML 1.0, 5th edition), measured against the limits.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/text.hpp"
+#include "reasoning/syntax/rdf/scan/doctype.hpp"
+#include "reasoning/syntax/rdf/scan/pieces.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
+
+namespace geminga::rdf {
+namespace {
+
+/// The encoding that the XML declaration names, or an empty view.
+std::string_view declared_encoding(std::string_view bytes) {
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (!bytes.starts_with("<?xml")) return {};
+  std::string_view declaration = bytes.substr(0, std::min(bytes.find("?>"), std::size_t{1024}));
+  const std::size_t word = declaration.find("encoding");
+  if (word == std::string_view::npos) return {};
+  const std::size_t open = declaration.find_first_of("'\"", word);
+  if (open == std::string_view::npos) return {};
+  const std::size_t close = declaration.find(declaration[open], open + 1);
+  return close == std::string_view::npos ? std::string_view() : declaration.substr(open + 1, close - open - 1);
+}
+
+bool equals_ignoring_case(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](char x, char y) { return (x | 0x20) == (y | 0x20); });
+}
+
+class XmlScan {
+ public:
+  XmlScan(std::string_view bytes, const syntax::Limits& limits, Pieces& pieces)
+      : bytes_(bytes), limits_(limits), pieces_(pieces) {}
+
+  std::optional<ScanProblem> run() {
+    while (place_ < bytes_.size() && !problem_) step();
+    return std::move(problem_);
+  }
+
+ private:
+  void step() {
+    const std::size_t open = std::min(bytes_.find('<', place_), bytes_.size());
+    text(place_, open);
+    place_ = open;
+    const std::string_view rest = bytes_.substr(place_, 9);
+    if (rest.starts_with("<!--")) {
+      comment();
+    } else if (rest.starts_with("<![CDATA[")) {
+      const std::size_t begin = place_;
+      skip_behind("]]>", 9, "a CDATA section");
+      add_text(place_ - begin);
+    } else if (rest.starts_with("<?")) {
+      skip_behind("?>", 2, "a processing instruction");
+    } else if (rest == "<!DOCTYPE") {
+      doctype();
+    } else if (rest.starts_with("</")) {
+      const std::size_t begin = place_;
+      if (depth_ > 0) --depth_;
+      if (depth_ < literal_depth_) literal_depth_ = 0;
+      skip_behind(">", 2, "a tag");
+      end_of_tag(begin);
+      if (depth_ == 1 && pieces_.wants(place_)) pieces_.cut({place_, line_here(), 0});
+    } else if (!rest.empty()) {
+      start_tag();
+    }
+  }
+
+  void skip_behind(std::string_view end, std::size_t from, const char* what) {
+    const std::size_t found = bytes_.find(end, place_ + from);
+    if (found == std::string_view::npos) return fail(std::string("has ") + what + " without end");
+    place_ = found + end.size();
+  }
+
+  /// libxml2 reports each `--` inside a comment by itself, at a length that makes a megabyte of them take minutes.
+  void comment() {
+    const std::size_t dashes = bytes_.find("--", place_ + 4);
+    if (dashes == std::string_view::npos) return fail("has a comment without end");
+    if (bytes_.substr(dashes, 3) != "-->") return fail("has -- inside a comment, which XML forbids");
+    place_ = dashes + 3;
+  }
+
+  /// Text goes from tag to tag, but an XML literal is one text, tags and all.
+  void end_of_tag(std::size_t begin) {
+    if (literal_depth_ == 0) {
+      text_bytes_ = 0;
+    } else {
+      add_text(place_ - begin);
+    }
+  }
+
+  /// Whether an element's content is an XML literal: rdf:parseType is neither Resource nor Collection.
+  [[nodiscard]] static bool makes_literal(std::string_view tag) {
+    const std::size_t name = tag.find("parseType");
+    if (name == std::string_view::npos) return false;
+    const std::size_t quote = tag.find_first_of("'\"", name);
+    const std::string_view value = quote == std::string_view::npos ? "" : tag.substr(quote + 1);
+    return !value.starts_with("Resource") && !value.starts_with("Collection");
+  }
+
+  void add_text(std::size_t count) {
+    text_bytes_ += count;
+    if (text_bytes_ > limits_.literal_bytes)
+      fail("has a text of more than " + std::to_string(limits_.literal_bytes) + " bytes");
+  }
+
+  /// Measures character data, its references expanded.
+  void text(std::size_t begin, std::size_t end) {
+    add_text(end - begin);
+    add_text(references(begin, end));
+  }
+
+  /// What the entity references between two places expand to beyond what is counted anyway.
+  std::size_t references(std::size_t begin, std::size_t end) {
+    if (!doctype_) return 0;
+    std::size_t expansion = 0;
+    const std::string_view part = bytes_.substr(begin, end - begin);
+    for (std::size_t at = part.find('&'); at != std::string_view::npos; at = part.find('&', at + 1)) {
+      const std::size_t close = part.find(';', at);
+      if (close == std::string_view::npos) break;
+      expansion += doctype_->expanded_bytes(part.substr(at + 1, close - at - 1));
+      if (expansion > limits_.literal_bytes) break;
+    }
+    expansion_ += expansion;
+    if (expansion_ > limits_.expansion_bytes + limits_.entity_growth * bytes_.size())
+      fail("expands its entities to more than " + std::to_string(expansion_ - expansion) + " bytes");
+    return expansion;
+  }
+
+  void start_tag() {
+    const std::size_t begin = place_++;
+    std::size_t attributes = 0;
+    while (place_ < bytes_.size() && bytes_[place_] != '>') {
+      const char c = bytes_[place_];
+      if (c != '"' && c != '\'') {
+        ++place_;
+        continue;
+      }
+      const std::size_t close = std::min(bytes_.find(c, place_ + 1), bytes_.size());
+      const std::size_t value_bytes = close - place_ + references(place_, close);
+      if (value_bytes > limits_.literal_bytes)
+        return fail("has an attribute of more than " + std::to_string(limits_.literal_bytes) + " bytes");
+      if (++attributes > limits_.attributes)
+        return fail("has an element with more than " + std::to_string(limits_.attributes) + " attributes");
+      place_ = close + 1;
+    }
+    if (place_ - begin > limits_.tag_bytes)
+      return fail("has a tag of more than " + std::to_string(limits_.tag_bytes) + " bytes");
+    if (place_ >= bytes_.size()) return fail("has a tag without end");
+    const bool is_empty_element = bytes_[place_ - 1] == '/';
+    if (!is_empty_element && ++depth_ > limits_.nesting)
+      return fail("nests elements more than " + std::to_string(limits_.nesting) + " deep");
+    ++place_;
+    end_of_tag(begin);
+    const std::string_view tag = bytes_.substr(begin, place_ - begin);
+    if (!is_empty_element && literal_depth_ == 0 && makes_literal(tag)) literal_depth_ = depth_;
+    if (depth_ == 1 && !is_empty_element) root(tag);
+    if (names_by_id(tag)) pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
+  }
+
+  /// Only what stands directly below rdf:RDF can be read by itself.
+  void root(std::string_view tag) {
+    const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
+    if (name != "RDF" && !name.ends_with(":RDF")) return pieces_.forbid();
+    pieces_.begin_at(place_, line_here() - 1, "</" + std::string(name) + ">");
+  }
+
+  [[nodiscard]] static bool names_by_id(std::string_view tag) {
+    for (std::size_t at = tag.find(":ID"); at != std::string_view::npos; at = tag.find(":ID", at + 1)) {
+      if (tag.substr(at + 3, 1).find_first_of("= \t\r\n") == 0) return true;
+    }
+    return false;
+  }
+
+  /// The line of the place, which only grows.
+  std::uint32_t line_here() {
+    line_ += line_of(bytes_.substr(counted_), place_ - counted_) - 1;
+    counted_ = place_;
+    return line_;
+  }
+
+  void doctype() {
+    if (doctype_) return fail("has a second DOCTYPE");
+    auto read = Doctype::read(bytes_, place_, limits_);
+    if (!read) {
+      problem_ = std::move(read.error());
+      return;
+    }
+    place_ = read->end();
+    doctype_ = std::move(*read);
+  }
+
+  void fail(std::string text) {
+    if (!problem_) problem_ = ScanProblem{line_of(bytes_, std::min(place_, bytes_.size())), std::move(text)};
+  }
+
+  std::string_view bytes_;
+  const syntax::Limits& limits_;
+  Pieces& pieces_;
+  std::size_t place_ = 0;
+  std::size_t counted_ = 0;  ///< lines were counted up to here
+  std::uint32_t line_ = 1;
+  std::size_t depth_ = 0;
+  std::size_t literal_depth_ = 0;  ///< of the element whose content is an XML literal; 0: none is open
+  std::size_t text_bytes_ = 0;     ///< character data since the last tag
+  std::size_t expansion_ = 0;      ///< of all references so far
+  std::optional<Doctype> doctype_;
+  std::optional<ScanProblem> problem_;
+};
+
+}  // namespace
+
+std::optional<ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits& limits, Pieces& pieces) {
+  constexpr std::array<std::string_view, 4> utf8_names{"utf-8", "utf8", "us-ascii", "ascii"};
+  constexpr std::array<std::string_view, 3> latin1_names{"iso-8859-1", "latin1", "iso_8859-1"};
+  const std::string_view encoding = declared_encoding(bytes);
+  const auto is_named = [&](std::string_view name) { return equals_ignoring_case(name, encoding); };
+  const bool is_latin1 = std::ranges::any_of(latin1_names, is_named);
+  if (!encoding.empty() && !is_latin1 && std::ranges::none_of(utf8_names, is_named))
+    return ScanProblem{1, "is in an encoding that is not read: convert it to UTF-8"};
+  if (is_latin1 && base::without_mark(bytes).size() != bytes.size())
+    return ScanProblem{1, "begins as UTF-8 and declares ISO-8859-1: correct its declaration"};
+  if (auto problem = scan_text(bytes, !is_latin1)) return problem;
+  return XmlScan(bytes, limits, pieces).run();
+}
+
+}  // namespace geminga::rdf

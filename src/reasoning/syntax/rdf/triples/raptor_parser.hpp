@@ -1,0 +1,57 @@
+// The one place that names Redland: the bytes of a piece of a file go through one of its raptor parsers as a stream,
+// triples come out. RDF.md says why it is raptor and not librdf.
+#ifndef GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_RAPTOR_PARSER_HPP
+#define GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_RAPTOR_PARSER_HPP
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reasoning/syntax/error.hpp"
+#include "reasoning/syntax/files.hpp"
+#include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/triples/graph.hpp"
+#include "reasoning/syntax/rdf/scan/pieces.hpp"
+#include "reasoning/syntax/syntax.hpp"
+
+namespace geminga::rdf {
+
+/// A file that is to be parsed, piece by piece. Borrows everything for the time of parsing.
+struct FileText {
+  syntax::FileBytes& bytes;
+  syntax::Syntax syntax = syntax::Syntax::rdf_xml;
+  const std::string& base_iri;
+  const std::string& blank_prefix;  ///< the same for the same file on every host: made of its content
+  const std::vector<std::uint32_t>& lines;
+  const Pieces& pieces;
+};
+
+/// A raptor world of one's own, for one thread at a time. It opens no file and no connection, whatever a file asks.
+class RaptorParser {
+ public:
+  /// For files in one syntax. Not while another parser is at work: what lies below raptor is set up once for all.
+  RaptorParser(const syntax::Limits& limits, syntax::Syntax syntax);
+  RaptorParser(const RaptorParser&) = delete;
+  RaptorParser& operator=(const RaptorParser&) = delete;
+  ~RaptorParser();
+
+  /// Parses one piece into a graph, up to its end or the first error, and gives back its memory.
+  [[nodiscard]] std::optional<syntax::LoadError> read(const FileText& text, std::size_t piece, Graph& graph);
+
+  /// Prefixes and their IRIs, in the order of reading, of the piece that was read last; each once.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& prefixes() const;
+  /// Triples of the piece that was read last, kept or not.
+  [[nodiscard]] std::uint64_t triple_count() const;
+
+ private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace geminga::rdf
+
+#endif

@@ -1,0 +1,73 @@
+// From the bytes of a scanned file to triples in a graph, by as many of Redland's parsers at once as there are threads.
+#ifndef GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_REDLAND_HPP
+#define GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_REDLAND_HPP
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "reasoning/syntax/error.hpp"
+#include "reasoning/syntax/files.hpp"
+#include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/triples/graph.hpp"
+#include "reasoning/syntax/rdf/scan/pieces.hpp"
+#include "reasoning/syntax/rdf/triples/raptor_parser.hpp"
+#include "reasoning/syntax/syntax.hpp"
+
+namespace geminga::rdf {
+
+/// One `@prefix` or `xmlns` as a file declares it.
+struct DeclaredPrefix {
+  std::string prefix;  ///< without the colon; empty: the default one
+  std::string iri;
+  std::uint32_t file = 0;
+};
+
+class PieceQueue;
+
+/// Redland, opened once for all files of a load. It opens no file and no connection of its own, whatever a file asks.
+class Redland {
+ public:
+  Redland(const syntax::Limits& limits, unsigned threads);
+
+  /// Parses one file that was scanned (scan/scan.hpp) into the graph. `base_iri` is what relative IRIs are relative to.
+  /// `lines` are those of the file's triples in their order (scan/turtle_lines.hpp); beyond them
+  /// raptor's own are taken. Stops at the first error. Triples whose predicate can only be a comment are counted and
+  /// not kept. Neither the triples nor an error depend on the number of threads.
+  [[nodiscard]] std::optional<syntax::LoadError> read(const std::string& path, syntax::Syntax syntax,
+                                                      syntax::FileBytes& bytes, const std::string& base_iri,
+                                                      const std::vector<std::uint32_t>& lines, const Pieces& pieces,
+                                                      Graph& graph);
+
+  /// The prefixes of all files so far, in the order of reading.
+  [[nodiscard]] const std::vector<DeclaredPrefix>& prefixes() const { return prefixes_; }
+  /// Triples of all files so far, kept or not.
+  [[nodiscard]] std::uint64_t triple_count() const { return triples_; }
+
+ private:
+  /// As many parsers as are asked for, at least.
+  std::vector<std::unique_ptr<RaptorParser>>& parsers_for(syntax::Syntax syntax, std::size_t count);
+  std::optional<syntax::LoadError> read_pieces(const FileText& text, Graph& graph);
+  std::optional<syntax::LoadError> read_in_turn(const FileText& text, Graph& graph);
+  std::optional<syntax::LoadError> read_at_once(const FileText& text, Graph& graph);
+  std::optional<syntax::LoadError> join_pieces(PieceQueue& queue, std::size_t count, Graph& graph);
+  /// Counts what a piece held, against the limits of all files.
+  std::optional<syntax::LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
+                                             std::uint64_t triples, std::uint32_t file);
+
+  const syntax::Limits& limits_;
+  /// By syntax, one a thread; opened when they are first needed.
+  std::map<syntax::Syntax, std::vector<std::unique_ptr<RaptorParser>>> parsers_;
+  unsigned threads_;
+  std::vector<DeclaredPrefix> prefixes_;
+  std::unordered_set<std::string> known_prefixes_;  ///< of the file that is being read
+  std::uint64_t triples_ = 0;
+};
+
+}  // namespace geminga::rdf
+
+#endif
