@@ -119,9 +119,9 @@ const Limit limits[] = {
      [](ClassifyLimits& within, std::size_t value) { within.rounds_of_inverses = static_cast<unsigned>(value); }},
     {"RoundsOfUnions", unions(3),
      [](ClassifyLimits& within, std::size_t value) { within.rounds_of_unions = static_cast<unsigned>(value); }},
-    {"Copies", wholes(3), [](ClassifyLimits& within, std::size_t value) { within.copies.copies = value; }},
-    {"Lessons", wholes(3), [](ClassifyLimits& within, std::size_t value) { within.copies.lessons = value; }},
-    {"Grown", wholes(3), [](ClassifyLimits& within, std::size_t value) { within.copies.grown = value; }},
+    {"Copies", wholes(3), [](ClassifyLimits& within, std::size_t value) { within.successors.contexts = value; }},
+    {"Lessons", wholes(3), [](ClassifyLimits& within, std::size_t value) { within.successors.lessons = value; }},
+    {"Grown", wholes(3), [](ClassifyLimits& within, std::size_t value) { within.successors.grown = value; }},
 };
 
 INSTANTIATE_TEST_SUITE_P(OfAClassification, ALimit, testing::ValuesIn(limits),
