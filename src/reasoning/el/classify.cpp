@@ -14,6 +14,7 @@
 #include "reasoning/el/closure/inheritance.hpp"
 #include "reasoning/el/closure/saturation.hpp"
 #include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/model/inverse_conclusions.hpp"
 #include "reasoning/el/model/model_check.hpp"
 #include "reasoning/el/normaliser/rule_normaliser.hpp"
 #include "reasoning/el/subsumption_graph.hpp"
@@ -76,7 +77,7 @@ class Classifier {
       shared_ = find_shared(index_, *saturation, normaliser_.open());
     count(*saturation);
     reduce(*saturation);
-    if (may_settle_ && result_.is_consistent && !result_.is_cut_off) settle();
+    if (may_settle_ && model_check_ && result_.is_consistent && !result_.is_cut_off) settle();
     classify_all_properties();
     return std::move(result_);
   }
@@ -141,19 +142,23 @@ class Classifier {
     return saturation;
   }
 
-  /// Derives what follows through links against their direction, as far as few rounds find it.
+  /// Adds conclusions that need links against their direction, in few rounds, and checks the model.
   void use_inverses(Saturation& saturation) {
+    const InverseRoles inverses(index_, normaliser_.open().inverses);
     SuccessorLimits limits = options_.limits.successors;
     limits.budget = options_.budget;
-    for (unsigned round = 0; saturation.is_consistent() && !saturation.is_over_limit(); ++round) {
-      model_check_.emplace(index_, saturation, normaliser_.open(), exprs_, limits);
-      if (model_check_->is_cut_off()) result_.is_cut_off = true;
-      if (round == options_.limits.rounds_of_inverses || result_.is_cut_off) break;
-      const SuccessorContexts::Derived derived = model_check_->derived();
-      if (derived.empty()) break;
-      for (const auto& [context, expr] : derived) saturation.conclude(context, expr);
+    for (unsigned round = 0; round < options_.limits.rounds_of_inverses; ++round) {
+      if (!saturation.is_consistent() || saturation.is_over_limit()) return;
+      SuccessorContexts successors(index_, saturation, inverses, limits);
+      const InverseConclusions found = successors.conclude();
+      result_.is_cut_off = successors.is_cut_off();
+      if (result_.is_cut_off) return;
+      if (found.empty()) break;
+      for (const auto& [context, expr] : found) saturation.conclude(context, expr);
       saturation.run();
     }
+    if (!saturation.is_consistent() || saturation.is_over_limit()) return;
+    model_check_.emplace(index_, saturation, normaliser_.open(), inverses, exprs_);
   }
 
   /// Whether a limit is passed that leaves nothing to go on with. The budget is none: what is derived by then counts.

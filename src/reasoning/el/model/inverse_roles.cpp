@@ -1,4 +1,4 @@
-// The letters of links, and the moves of automata along and against them.
+// Each link has letters along it and against it; the automaton of a role says which words go along and against links.
 #include "reasoning/el/model/inverse_roles.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ owl::Role role_of(RoleId role, bool is_inverse) {
   return {owl::PropertyId{static_cast<std::uint32_t>(role)}, is_inverse};
 }
 
-/// The states of which every move is one of the beginning, too: what they end is a word of its own, or nothing is left.
+/// The states whose moves are all moves of the beginning, too: the rest of a word from there is a word of its own, or
+/// nothing is left.
 std::vector<bool> find_beginnings(const owl::Automaton& automaton) {
   std::vector<bool> found(automaton.state_count(), true);
   for (const owl::Automaton::Move& move : automaton.moves()) {
@@ -34,6 +35,7 @@ InverseRoles::InverseRoles(const IndexedOntology& index, std::span<const Inverse
       implied_(find_implied_roles(index.roles(), inverses)),
       learning_(index.roles().count()),
       tells_end_(index.roles().count(), false),
+      hands_on_(index.roles().count(), HandsOn::nothing),
       is_known_(index.roles().count(), true),
       ranges_(index.roles().count()) {
   if (inverses.empty()) return;
@@ -86,6 +88,20 @@ InverseRoles::InverseRoles(const IndexedOntology& index, std::span<const Inverse
   }
 }
 
+// Every element is in T, so that the end of a link learns `S some T` by its filler wherever it could be handed on.
+bool InverseRoles::hands_on(ExprId existential) const {
+  const Expr& known = index_.expr(existential);
+  switch (hands_on_[known.first]) {
+    case HandsOn::nothing:
+      return false;
+    case HandsOn::also_told:
+      return index_.representative(ExprId{known.second}) != index_.representative(top_expr);
+    case HandsOn::only_further:
+      break;
+  }
+  return true;
+}
+
 void InverseRoles::learn(RoleId heard, const owl::Automaton& automaton, bool is_existential, const owl::RoleBox& box) {
   for (std::uint32_t link = 0; link < learning_.size(); ++link) learn(RoleId{link}, heard, automaton, is_existential);
   const std::vector<bool> begins = find_beginnings(automaton);
@@ -95,7 +111,7 @@ void InverseRoles::learn(RoleId heard, const owl::Automaton& automaton, bool is_
            });
   };
   if (index_.range_of(heard) == top_expr || std::ranges::none_of(automaton.moves(), goes_back)) return;
-  // A word that goes back first may end with any of its last letters, which must bring the range with them.
+  // A word that begins with a step back may end with any last letter, so each last letter must imply the range.
   for (const owl::Automaton::Move& move : automaton.moves()) {
     if (!automaton.is_final(move.to)) continue;
     for (std::uint32_t link = 0; link < learning_.size(); ++link) {
@@ -121,39 +137,33 @@ void InverseRoles::learn(RoleId link, RoleId heard, const owl::Automaton& automa
   Learning found{.role = heard};
   for (const owl::Automaton::Move& move : moves) {
     if (is_letter(backward_[at], move.label)) {
-      // What y learns must not come back to x by the same link.
+      // A walk must not go along the link and back by the same link.
       const bool comes_back = std::ranges::any_of(moves, [&](const owl::Automaton::Move& before) {
         return before.to == move.from && is_letter(forward_[at], before.label);
       });
-      // What is left of a word after it has gone back must be a word again, which an expression stands for. Where it
-      // is no beginning in y, nothing that begins gets there, as nothing leads into it by this link.
+      // The rest of a word after a step back must be a word again, which an expression stands for. A state in y that is
+      // no beginning is never reached, because no walk leads into it by this link.
       const bool is_lost = begins[move.from] && !begins[move.to];
       if (comes_back || is_lost) is_known_[at] = false;
       if (begins[move.from]) {
         found.filler = found.filler || automaton.is_final(move.to);
-        // What is left of a word must be any word, not some of them.
+        // The rest must be any word of S, not one of some words only.
         if (move.to != owl::Automaton::begin && has_moves(move.to)) is_known_[at] = false;
         found.further = found.further || move.to == owl::Automaton::begin;
         if (automaton.is_final(move.to)) ranges_[at].push_back(heard);
       }
     }
-    if (is_letter(forward_[at], move.label)) {
-      found.enters_part = found.enters_part || !begins[move.to];
-      if (!begins[move.from]) {
-        found.is_partial = true;
-      } else {
-        found.recognises = found.recognises || automaton.is_final(move.to);
-        found.carries = found.carries || move.to == owl::Automaton::begin;
-        found.is_partial =
-            found.is_partial || (move.to != owl::Automaton::begin && begins[move.to] && has_moves(move.to));
-      }
+    if (is_letter(forward_[at], move.label) && begins[move.from]) {
+      found.recognises = found.recognises || automaton.is_final(move.to);
+      found.carries = found.carries || move.to == owl::Automaton::begin;
     }
   }
   base::sort_unique(ranges_[at]);
   if (!is_existential) return;
   tells_end_[at] = tells_end_[at] || found.filler || found.further;
-  if (found.filler || found.further || found.recognises || found.carries || found.is_partial || found.enters_part)
-    learning_[at].push_back(found);
+  HandsOn& hands_on = hands_on_[static_cast<std::size_t>(heard)];
+  if (found.further) hands_on = std::max(hands_on, found.filler ? HandsOn::also_told : HandsOn::only_further);
+  if (found.filler || found.further || found.recognises || found.carries) learning_[at].push_back(found);
 }
 
 }  // namespace geminga::el

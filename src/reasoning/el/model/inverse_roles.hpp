@@ -1,7 +1,7 @@
-// What inverses make of a link: further links between the same two, and what the end of it learns of its beginning.
+// What inverses say of a link: which further links it implies, and what its two ends learn of each other.
 //
-// Legend as in indexed_ontology.hpp. R(x,y) says S(y,x) where S is told to be an inverse of R or of something above it.
-// So what x is in may put y into `S some D`, through words of S that go back along links: the automaton of S with
+// Legend as in indexed_ontology.hpp. R(x,y) says S(y,x) where S is told to be an inverse of R or of a role above R. So
+// a subsumer of x may put y into `S some D`, through words of S that go back along links. The automaton of S with
 // inverses says which (Horrocks, Kutz, Sattler: The Even More Irresistible SROIQ, 2006).
 #ifndef GEMINGA_REASONING_EL_MODEL_INVERSE_ROLES_HPP
 #define GEMINGA_REASONING_EL_MODEL_INVERSE_ROLES_HPP
@@ -19,15 +19,13 @@
 
 namespace geminga::el {
 
-/// x -R-> y, where something is recognised as `S some D`.
+/// What the ends of a link x -R-> y learn of expressions `S some D` that are recognised.
 struct Learning {
-  RoleId role{};             ///< S
-  bool filler = false;       ///< y is in S some D where x is in D
-  bool further = false;      ///< y is in S some D where x is
-  bool recognises = false;   ///< x is in S some D where y is in D
-  bool carries = false;      ///< x is in S some D where y is
-  bool enters_part = false;  ///< a walk along the link may be within a word in y, where no other begins
-  bool is_partial = false;   ///< y may tell x of a part of a word, which no expression stands for
+  RoleId role{};            ///< S
+  bool filler = false;      ///< x in D puts y into S some D
+  bool further = false;     ///< x in S some D puts y into S some D
+  bool recognises = false;  ///< y in D puts x into S some D
+  bool carries = false;     ///< y in S some D puts x into S some D
 };
 
 /// Calls `visit` with each expression that the end of a link learns. `subsumers` are those of the beginning of the
@@ -53,7 +51,7 @@ void visit_taught(const IndexedOntology& index, std::span<const Learning> all, s
   }
 }
 
-/// By the role of a link, what its ends learn of each other.
+/// By the role of a link, what it implies and what its ends learn of each other.
 class InverseRoles {
  public:
   /// Requires that inclusions and chains between inverses have been told between the roles themselves
@@ -66,10 +64,12 @@ class InverseRoles {
   [[nodiscard]] std::span<const Learning> learning(RoleId role) const {
     return learning_[static_cast<std::size_t>(role)];
   }
-  /// Whether the end of a link learns something of its beginning.
+  /// True if the end of a link learns something of its beginning.
   [[nodiscard]] bool tells_end(RoleId role) const { return tells_end_[static_cast<std::size_t>(role)]; }
-  /// Whether learning() says all that the end of a link learns.
+  /// True if learning() says all that the end of a link learns.
   [[nodiscard]] bool is_known(RoleId role) const { return is_known_[static_cast<std::size_t>(role)]; }
+  /// True if the end of some link learns the existential only because the beginning is in it.
+  [[nodiscard]] bool hands_on(ExprId existential) const;
   /// The roles of whose range the beginning of a link must be.
   [[nodiscard]] std::span<const RoleId> ranges_of_beginning(RoleId role) const {
     return ranges_[static_cast<std::size_t>(role)];
@@ -83,11 +83,13 @@ class InverseRoles {
   std::vector<std::vector<ImpliedRole>> implied_;
   std::vector<std::vector<Learning>> learning_;
   std::vector<bool> tells_end_;
+  /// By role S: whether a link has `further` of S, and whether it always has `filler` with it.
+  enum class HandsOn : std::uint8_t { nothing, also_told, only_further };
+  std::vector<HandsOn> hands_on_;
   std::vector<bool> is_known_;
   std::vector<std::vector<RoleId>> ranges_;
-  std::vector<std::vector<owl::Role>>
-      forward_;  ///< by role: canonical roles from a link's beginning to its end, ascending
-  std::vector<std::vector<owl::Role>> backward_;  ///< and from its end to its beginning
+  std::vector<std::vector<owl::Role>> forward_;   ///< by role: canonical roles along a link, ascending
+  std::vector<std::vector<owl::Role>> backward_;  ///< and against it
 };
 
 }  // namespace geminga::el
