@@ -10,15 +10,16 @@
 #include <utility>
 
 #include "base/sorted.hpp"
-#include "reasoning/el/finished.hpp"
-#include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/inheritance.hpp"
-#include "reasoning/el/nominals.hpp"
+#include "reasoning/el/closure/finished.hpp"
+#include "reasoning/el/closure/inheritance.hpp"
+#include "reasoning/el/closure/saturation.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/model/inverse_conclusions.hpp"
+#include "reasoning/el/model/model_check.hpp"
 #include "reasoning/el/normaliser/rule_normaliser.hpp"
-#include "reasoning/el/saturation.hpp"
-#include "reasoning/el/settlement.hpp"
-#include "reasoning/el/shared.hpp"
-#include "reasoning/el/taxonomy.hpp"
+#include "reasoning/el/subsumption_graph.hpp"
+#include "reasoning/el/union_superclasses.hpp"
+#include "reasoning/el/worlds.hpp"
 
 namespace geminga::el {
 namespace {
@@ -76,7 +77,7 @@ class Classifier {
       shared_ = find_shared(index_, *saturation, normaliser_.open());
     count(*saturation);
     reduce(*saturation);
-    if (may_settle_ && result_.is_consistent && !result_.is_cut_off) settle();
+    if (may_settle_ && model_check_ && result_.is_consistent && !result_.is_cut_off) settle();
     classify_all_properties();
     return std::move(result_);
   }
@@ -141,19 +142,23 @@ class Classifier {
     return saturation;
   }
 
-  /// Derives what follows through links against their direction, as far as few rounds find it.
+  /// Adds conclusions that need links against their direction, in few rounds, and checks the model.
   void use_inverses(Saturation& saturation) {
-    CopyLimits limits = options_.limits.copies;
+    const InverseRoles inverses(index_, normaliser_.open().inverses);
+    SuccessorLimits limits = options_.limits.successors;
     limits.budget = options_.budget;
-    for (unsigned round = 0; saturation.is_consistent() && !saturation.is_over_limit(); ++round) {
-      settlement_.emplace(index_, saturation, normaliser_.open(), exprs_, limits);
-      if (settlement_->is_cut_off()) result_.is_cut_off = true;
-      if (round == options_.limits.rounds_of_inverses || result_.is_cut_off) break;
-      const Copies::Derived derived = settlement_->derived();
-      if (derived.empty()) break;
-      for (const auto& [context, expr] : derived) saturation.conclude(context, expr);
+    for (unsigned round = 0; round < options_.limits.rounds_of_inverses; ++round) {
+      if (!saturation.is_consistent() || saturation.is_over_limit()) return;
+      SuccessorContexts successors(index_, saturation, inverses, limits);
+      const InverseConclusions found = successors.conclude();
+      result_.is_cut_off = successors.is_cut_off();
+      if (result_.is_cut_off) return;
+      if (found.empty()) break;
+      for (const auto& [context, expr] : found) saturation.conclude(context, expr);
       saturation.run();
     }
+    if (!saturation.is_consistent() || saturation.is_over_limit()) return;
+    model_check_.emplace(index_, saturation, normaliser_.open(), inverses, exprs_);
   }
 
   /// Whether a limit is passed that leaves nothing to go on with. The budget is none: what is derived by then counts.
@@ -272,8 +277,8 @@ class Classifier {
 
   /// Where the contexts are a model of what the rules do not use, too, it is used.
   void settle() {
-    for (const ExprId expr : exprs_) result_.is_settled.push_back(settlement_->is_settled(expr));
-    if (!settlement_->is_world_settled() || !std::ranges::all_of(result_.is_settled, std::identity())) return;
+    for (const ExprId expr : exprs_) result_.is_settled.push_back(model_check_->is_settled(expr));
+    if (!model_check_->is_world_settled() || !std::ranges::all_of(result_.is_settled, std::identity())) return;
     result_.unused.clear();
     result_.counts.used_axioms = result_.counts.axioms;
   }
@@ -330,7 +335,7 @@ class Classifier {
   std::vector<owl::TermId> classes_;
   std::vector<ExprId> exprs_;
   std::vector<ExprId> asked_;
-  std::optional<Settlement> settlement_;
+  std::optional<ModelCheck> model_check_;
   bool may_settle_ = false;  ///< all that the rules do not use can be tested
   taxonomy::Classification result_;
 };

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/nominals.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/normaliser/rule_normaliser.hpp"
+#include "reasoning/el/worlds.hpp"
 
 namespace geminga::el {
 

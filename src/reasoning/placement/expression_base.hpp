@@ -19,9 +19,9 @@
 #include "base/rows.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/ontology.hpp"
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/closure/saturation.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/normaliser/rule_normaliser.hpp"
-#include "reasoning/el/saturation.hpp"
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
 

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/rules.hpp"
+#include "reasoning/el/closure/rules.hpp"
 #include "reasoning/placement/expression_base.hpp"
 #include "reasoning/placement/expression_shape.hpp"
 

@@ -21,7 +21,8 @@ const Entailed inverses[] = {
     {"InverseThatADomainHears",
      "InverseObjectProperties(r s)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nObjectPropertyDomain(s C)\n"
      "SubClassOf(ObjectSomeValuesFrom(r C) D)",
-     {"A < D"}},
+     {"A < D"},
+     false},
     {"InverseWithARangeSaysOfTheSourceIsLeftOut",
      "InverseObjectProperties(r s)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nObjectPropertyRange(s C)",
      {},
@@ -33,7 +34,8 @@ const Entailed inverses[] = {
     {"SymmetricThatSaysMore",
      "SymmetricObjectProperty(r)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(ObjectSomeValuesFrom(r A) C)\n"
      "SubClassOf(ObjectSomeValuesFrom(r C) D)",
-     {"A < D"}},
+     {"A < D"},
+     false},
     {"InverseOfATransitiveThatTellsNobody",
      "InverseObjectProperties(p h)\nTransitiveObjectProperty(p)\nTransitiveObjectProperty(h)\n"
      "SubClassOf(A ObjectSomeValuesFrom(p B))\n"
@@ -44,12 +46,14 @@ const Entailed inverses[] = {
      "SubClassOf(A ObjectSomeValuesFrom(h B))\n"
      "EquivalentClasses(C ObjectIntersectionOf(B ObjectSomeValuesFrom(p A)))\n"
      "SubClassOf(C ObjectSomeValuesFrom(r G))",
-     {"C < B"}},
+     {"C < B"},
+     false},
     {"SourceHearsWhatItsSuccessorLearnsOfIt",
      "InverseObjectProperties(p h)\nTransitiveObjectProperty(p)\nSubClassOf(A ObjectSomeValuesFrom(h B))\n"
      "EquivalentClasses(C ObjectIntersectionOf(B ObjectSomeValuesFrom(p A)))\n"
      "SubClassOf(ObjectSomeValuesFrom(h C) E)",
-     {"A < E", "C < B"}},
+     {"A < E", "C < B"},
+     false},
     {"SuccessorThatLearnsAClashIsLeftOut",
      "InverseObjectProperties(p h)\nSubClassOf(A ObjectSomeValuesFrom(h B))\n"
      "SubClassOf(ObjectSomeValuesFrom(p A) F)\nDisjointClasses(B F)",

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/closure/saturation.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/normaliser/rule_normaliser.hpp"
-#include "reasoning/el/saturation.hpp"
 #include "reasoning/owl/source.hpp"
 
 namespace geminga::el {

@@ -7,7 +7,7 @@
 
 #include "base/random.hpp"
 #include "reasoning/compiled/compile.hpp"
-#include "reasoning/el/inheritance.hpp"
+#include "reasoning/el/closure/inheritance.hpp"
 #include "saturated.hpp"
 #include "support/reference.hpp"
 #include "support/written.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"

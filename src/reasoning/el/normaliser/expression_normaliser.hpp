@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/el/normaliser/data_normaliser.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"
 #include "reasoning/el/normaliser/term_expressions.hpp"
 #include "reasoning/el/normaliser/universal_normaliser.hpp"
-#include "reasoning/el/open_parts.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/source.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/normaliser/expression_normaliser.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"

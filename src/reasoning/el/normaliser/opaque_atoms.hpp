@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/interner.hpp"
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/owl/source.hpp"
 
 namespace geminga::el {

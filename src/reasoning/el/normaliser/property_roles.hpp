@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/owl/role.hpp"
 #include "reasoning/owl/source.hpp"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "reasoning/el/inverse_roles.hpp"
+#include "reasoning/el/index/implied_roles.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"
 
 namespace geminga::el {

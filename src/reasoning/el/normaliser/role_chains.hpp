@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/indexed_ontology.hpp"
-#include "reasoning/el/open_parts.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/owl/role_box.hpp"
 
 namespace geminga::el {

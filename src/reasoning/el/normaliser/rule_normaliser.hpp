@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/el/normaliser/data_normaliser.hpp"
 #include "reasoning/el/normaliser/expression_normaliser.hpp"
 #include "reasoning/el/normaliser/key_normaliser.hpp"
@@ -15,7 +16,6 @@
 #include "reasoning/el/normaliser/property_normaliser.hpp"
 #include "reasoning/el/normaliser/term_expressions.hpp"
 #include "reasoning/el/normaliser/universal_normaliser.hpp"
-#include "reasoning/el/open_parts.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/source.hpp"
 

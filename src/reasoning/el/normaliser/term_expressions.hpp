@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/interner.hpp"
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/normaliser/data_normaliser.hpp"
 #include "reasoning/el/normaliser/opaque_atoms.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"

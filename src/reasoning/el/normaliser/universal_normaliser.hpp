@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/indexed_ontology.hpp"
+#include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"
 #include "reasoning/owl/role_box.hpp"

@@ -1,0 +1,35 @@
+// Everything that is an atom and above another, by what is told and by what a saturation derived.
+#ifndef GEMINGA_REASONING_EL_CLOSURE_ATOMS_ABOVE_HPP
+#define GEMINGA_REASONING_EL_CLOSURE_ATOMS_ABOVE_HPP
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reasoning/el/closure/saturation.hpp"
+
+namespace geminga::el {
+
+class AtomsAbove {
+ public:
+  AtomsAbove(const IndexedOntology& index, const Saturation& saturation)
+      : index_(index), saturation_(saturation), seen_in_(index.size(), 0) {}
+
+  /// The representatives above an atom, itself and T included. Valid until the next call.
+  std::span<const ExprId> of(ExprId atom);
+  /// Whether the atom was among those that the last call found.
+  [[nodiscard]] bool contains(ExprId atom) const { return seen_in_[number(index_.representative(atom))] == round_; }
+
+ private:
+  void reach(ExprId atom);
+
+  const IndexedOntology& index_;
+  const Saturation& saturation_;
+  std::vector<std::uint32_t> seen_in_;  ///< by atom: the last call that found it
+  std::uint32_t round_ = 0;
+  std::vector<ExprId> found_;
+};
+
+}  // namespace geminga::el
+
+#endif

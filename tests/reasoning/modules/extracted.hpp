@@ -1,0 +1,24 @@
+// Modules of ontologies written in tests, as the line numbers of their axioms.
+#ifndef GEMINGA_TESTS_REASONING_MODULES_EXTRACTED_HPP
+#define GEMINGA_TESTS_REASONING_MODULES_EXTRACTED_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "reasoning/owl/source.hpp"
+
+namespace geminga::modules {
+
+/// The ascending lines of the axioms in the module for a signature of classes and of other entities, whole IRIs.
+[[nodiscard]] std::vector<std::uint32_t> lines_of_module(const owl::Ontology& source,
+                                                         const std::vector<std::string>& signature);
+
+/// A copy of all terms of a source, and of the axioms on these lines; each axiom of the copy is on its own line, which
+/// is its number in the source plus one.
+[[nodiscard]] owl::Ontology numbered(const owl::Ontology& source);
+[[nodiscard]] owl::Ontology only(const owl::Ontology& numbered, const std::vector<std::uint32_t>& lines);
+
+}  // namespace geminga::modules
+
+#endif
