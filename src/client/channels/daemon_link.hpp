@@ -3,16 +3,18 @@
 #define GEMINGA_CLIENT_CHANNELS_DAEMON_LINK_HPP
 
 #include <chrono>
+#include <expected>
 #include <functional>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "client/channels/backoff.hpp"
-#include "client/channels/daemon_endpoint.hpp"
+#include "client/channels/daemon_connection.hpp"
+#include "client/channels/endpoint.hpp"
 #include "client/channels/reactor.hpp"
+#include "client/protocol/backoff.hpp"
 #include "discovery/gcnp/event.hpp"
-#include "discovery/gcnp/line_reader.hpp"
 #include "discovery/gcnp/statement.hpp"
 
 namespace geminga::client {
@@ -58,7 +60,7 @@ class DaemonLink {
   void on_ready(Reactor::Ready ready);
   void greet();
   void read();
-  void take_line(const gcnp::LineReader::Line& line);
+  void take(std::expected<gcnp::Reply, Error> reply);
   void write();
   /// Where everything is said, our half is closed.
   void end_if_leaving();
@@ -72,13 +74,11 @@ class DaemonLink {
   bool is_leaving_ = false;
   std::size_t endpoint_ = 0;  ///< of the attempt under way
   bool has_failed_ = false;
-  Socket socket_;
+  std::optional<DaemonConnection> connection_;  ///< from connecting on
   Reactor::Watch watch_;
   Reactor::Timer timer_;
   Backoff backoff_;
   std::minstd_rand chance_;
-  gcnp::LineReader reader_;
-  std::string out_;
 };
 
 }  // namespace geminga::client

@@ -18,8 +18,8 @@
 #include "client/channels/channel_host.hpp"
 #include "client/channels/daemon_link.hpp"
 #include "client/channels/publisher_channel.hpp"
-#include "client/channels/requests.hpp"
 #include "client/channels/subscriber_channel.hpp"
+#include "client/protocol/session.hpp"
 #include "geminga/result.hpp"
 
 namespace geminga::client {
@@ -43,7 +43,7 @@ class Engine final : public ChannelHost {
   [[nodiscard]] Result<ChannelNumber, ClientError> publish(NamedPublication publication);
   [[nodiscard]] Result<ChannelNumber, ClientError> subscribe(NamedSubscription subscription, Conversions conversions);
   /// Errors: wrong_use, also for what the sockets hang on: mode, protocol, port and address.
-  [[nodiscard]] Result<void, ClientError> modify(ChannelNumber number, const Requests::Change& change);
+  [[nodiscard]] Result<void, ClientError> modify(ChannelNumber number, const Session::Change& change);
   /// Begins to end a channel cleanly; it is over when find() gives nothing.
   void withdraw(ChannelNumber number);
   /// Begins to end everything cleanly; it is over when has_ended().
@@ -51,7 +51,7 @@ class Engine final : public ChannelHost {
   [[nodiscard]] bool has_ended();
 
   /// What became of a request; null where it is withdrawn altogether.
-  [[nodiscard]] const Requests::Request* find(ChannelNumber number) const { return requests_.find(number); }
+  [[nodiscard]] const Session::Request* find(ChannelNumber number) const { return session_.find(number); }
   [[nodiscard]] PublisherChannel* publisher(ChannelNumber number) const;
   [[nodiscard]] SubscriberChannel* subscriber(ChannelNumber number) const;
 
@@ -91,7 +91,7 @@ class Engine final : public ChannelHost {
   void on_up(const gcnp::Statement& hello);
   void on_down(const std::string& reason);
   void on_reply(gcnp::Reply reply);
-  void on_settled(const Requests::Settled& settled);
+  void on_settled(const Session::Settled& settled);
   [[nodiscard]] bool is_finishing(ChannelNumber number) const {
     return std::ranges::find(finishing_, number) != finishing_.end();
   }
@@ -103,7 +103,7 @@ class Engine final : public ChannelHost {
   Reactor reactor_;
   std::vector<std::byte> room_;
   DaemonLink link_;
-  Requests requests_;
+  Session session_;
   std::map<ChannelNumber, std::unique_ptr<PublisherChannel>> publishers_;
   std::map<ChannelNumber, std::unique_ptr<SubscriberChannel>> subscribers_;
   std::vector<ChannelNumber> finishing_;  ///< publishers

@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "client/channels/channel_host.hpp"
-#include "client/channels/frame.hpp"
-#include "client/channels/parties.hpp"
+#include "client/protocol/counterparts.hpp"
+#include "client/protocol/frame.hpp"
 #include "geminga/channel.hpp"
 #include "geminga/named.hpp"
 #include "geminga/result.hpp"
@@ -39,7 +39,7 @@ class PublisherChannel {
 
   /// What the daemon tells of consumers.
   void on_event(const ConsumerEvent& event);
-  void on_daemon_gone() { parties_.doubt(); }
+  void on_daemon_gone() { counterparts_.doubt(); }
   /// The daemon is back and has had its time to tell of everybody again.
   void on_settled();
   /// The daemon has taken the request back.
@@ -62,20 +62,20 @@ class PublisherChannel {
   [[nodiscard]] virtual bool has_consumer() const = 0;
   [[nodiscard]] virtual std::size_t max_payload() const = 0;
   virtual void transmit(const FrameHeader& header, std::span<const std::byte> payload) = 0;
-  [[nodiscard]] virtual Parties::Carrier carrier_of(Parties::Number consumer) const = 0;
+  [[nodiscard]] virtual Counterparts::Carrier carrier_of(Counterparts::Number consumer) const = 0;
   /// A consumer is there, or is to be reached elsewhere.
-  virtual void on_consumer(Parties::Number consumer) = 0;
+  virtual void on_consumer(Counterparts::Number consumer) = 0;
   /// And is gone. `is_final`: what was sent to it may still reach it.
-  virtual void on_consumer_gone(Parties::Number consumer, bool is_final) = 0;
+  virtual void on_consumer_gone(Counterparts::Number consumer, bool is_final) = 0;
   /// Whether messages reach it, so that the program is told.
-  [[nodiscard]] virtual bool is_reached(Parties::Number consumer) const = 0;
+  [[nodiscard]] virtual bool is_reached(Counterparts::Number consumer) const = 0;
 
   /// It is reached from now on.
-  void appear(Parties::Number consumer);
+  void appear(Counterparts::Number consumer);
   /// Its connection has ended. Who is still matched may come again; others are gone.
-  void vanish(Parties::Number consumer);
+  void vanish(Counterparts::Number consumer);
   /// Forgets a consumer and tells the program.
-  void remove(Parties::Number consumer, std::string_view reason, bool is_final = false);
+  void remove(Counterparts::Number consumer, std::string_view reason, bool is_final = false);
   [[nodiscard]] base::Instant now() const { return host_.reactor().now(); }
 
   ChannelHost& host_;
@@ -84,12 +84,12 @@ class PublisherChannel {
   std::uint64_t sequence_ = 0;
   bool is_closed_ = false;
   SendCount count_;
-  Parties parties_;
-  std::map<Parties::Number, Consumer> consumers_;
+  Counterparts counterparts_;
+  std::map<Counterparts::Number, Consumer> consumers_;
 
  private:
-  void tell(ConsumerChange::What what, Parties::Number consumer, std::string_view reason);
-  void set_timer() { timer_.set(parties_.next_end()); }
+  void tell(ConsumerChange::What what, Counterparts::Number consumer, std::string_view reason);
+  void set_timer() { timer_.set(counterparts_.next_end()); }
 
   Reactor::Timer timer_;
 };

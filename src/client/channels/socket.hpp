@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/channels/peer_address.hpp"
+#include "client/protocol/peer_address.hpp"
 
 namespace geminga::client {
 

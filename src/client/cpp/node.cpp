@@ -1,14 +1,10 @@
 #include "geminga/node.hpp"
 
-#include <poll.h>
-
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "client/channels/engine.hpp"
-#include "client/cpp/daemon_places.hpp"
 #include "client/cpp/deadline.hpp"
+#include "client/cpp/stated_endpoints.hpp"
 
 namespace geminga {
 namespace {
@@ -54,18 +50,12 @@ class NodeState {
   }
   /// Waits for something to do; false where the deadline came first.
   [[nodiscard]] bool wait(Clock::time_point deadline) const {
-    const auto left = deadline - Clock::now();
-    if (left <= Clock::duration::zero()) return false;
-    pollfd waiting{engine.descriptor(), POLLIN, 0};
-    constexpr long long longest = std::numeric_limits<int>::max();
-    const long long count = std::chrono::ceil<milliseconds>(left).count();
-    ::poll(&waiting, 1, static_cast<int>(std::min(count, longest)));
-    return true;
+    return client::wait_until_ready(engine.descriptor(), POLLIN, deadline);
   }
 
   /// Waits until this holds of the request, and gives it; null where a callback has withdrawn it meanwhile.
   template <typename IsSettled>
-  const client::Requests::Request* settled(ChannelNumber number, const IsSettled& is_settled) {
+  const client::Session::Request* settled(ChannelNumber number, const IsSettled& is_settled) {
     run_until(
         [&] {
           const auto* request = engine.find(number);
@@ -76,13 +66,13 @@ class NodeState {
   }
   /// Waits for the answer to a create; the error is a refusal, after which the request is gone.
   Result<void, ClientError> answer(ChannelNumber number) {
-    const auto* request = settled(number, [](const auto& one) { return one.state != client::Requests::State::asked; });
-    if (request == nullptr || request->state != client::Requests::State::refused) return {};
+    const auto* request = settled(number, [](const auto& one) { return one.state != client::Session::State::asked; });
+    if (request == nullptr || request->state != client::Session::State::refused) return {};
     const Error refusal = request->refusal.value_or(Error{});
     engine.withdraw(number);
     return Failure(ClientError{ClientError::Kind::refused, refusal.text, refusal.code});
   }
-  Result<void, ClientError> modify(ChannelNumber number, const client::Requests::Change& change, Wait wait) {
+  Result<void, ClientError> modify(ChannelNumber number, const client::Session::Change& change, Wait wait) {
     if (auto asked = engine.modify(number, change); !asked || wait == Wait::for_nothing) return asked;
     const auto* request = settled(number, [](const auto& one) { return one.open_changes == 0; });
     if (request == nullptr || request->open_changes > 0 || !request->last_change) return {};
@@ -99,7 +89,7 @@ class NodeState {
   }
   [[nodiscard]] bool has_ended(ChannelNumber number) const {
     const auto* request = engine.find(number);
-    return request == nullptr || request->state == client::Requests::State::refused;
+    return request == nullptr || request->state == client::Session::State::refused;
   }
 
   client::Engine engine;
@@ -215,7 +205,7 @@ Node::~Node() {
 }
 
 Result<Node, ClientError> Node::open(const ClientOptions& options) {
-  auto places = client::daemon_places(options.connect);
+  auto places = client::stated_endpoints(options.connect);
   if (!places) return Failure(std::move(places.error()));
   auto state = std::make_unique<NodeState>(
       client::DaemonLink::Options{std::move(*places), options.name, options.timeout, options.room});
