@@ -9,12 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
+from .limits import ORPHAN_SECONDS, SETTLE_SECONDS
 from .match import Match
 
-#: How long a UDP channel goes on of which the daemons have lost sight.
-ORPHAN_SECONDS = 10.0
-#: How long after the daemon's return a channel that nothing confirms counts as confirmed.
-GRACE_SECONDS = 10.0
 #: What ends a channel at once; every other reason says that somebody was lost sight of.
 FINAL_REASONS = frozenset({"withdrawn", "outranked", "changed"})
 
@@ -119,7 +116,7 @@ class Counterparts:
     def daemon_back(self, now: float) -> None:
         """It is there again: what it does not confirm in time has been lost sight of."""
         if self._is_lost:
-            self._is_lost, self._confirm_by = False, now + GRACE_SECONDS
+            self._is_lost, self._confirm_by = False, now + SETTLE_SECONDS
 
     def ended(self, key: Key, reason: str = WITHDRAWN) -> list[Change]:
         """The other side ended the channel."""

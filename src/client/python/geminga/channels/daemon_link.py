@@ -8,10 +8,10 @@ import random
 import socket
 from collections.abc import Callable
 
-from .core.backoff import Backoff
-from .core.report import Report, Welcome
-from .core.session import Session
-from .core.statement import LineError
+from ..protocol.backoff import Backoff
+from ..protocol.report import Report, Welcome
+from ..protocol.session import Session
+from ..protocol.statement import LineError
 from .endpoint import Endpoint
 
 #: How long to wait for a connection, and for the answer to hello.

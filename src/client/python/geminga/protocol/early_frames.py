@@ -6,10 +6,8 @@ from collections import deque
 from typing import Any
 
 from .frame import Frame
+from .limits import EARLY_SECONDS, MAX_EARLY_FRAMES, MAX_EARLY_OCTETS
 
-MAX_FRAMES = 64
-MAX_OCTETS = 256 * 1024  #: of payload
-SECONDS = 1.0
 
 Address = tuple[Any, ...]
 
@@ -25,11 +23,11 @@ class EarlyFrames:
         """Keeps a frame for a second, if it may be kept at all."""
         self._forget_old(now)
         size = len(frame.payload)
-        if size > MAX_OCTETS:
+        if size > MAX_EARLY_OCTETS:
             return
-        while len(self._kept) >= MAX_FRAMES or self._octets + size > MAX_OCTETS:
+        while len(self._kept) >= MAX_EARLY_FRAMES or self._octets + size > MAX_EARLY_OCTETS:
             self._forget_first()
-        self._kept.append((now + SECONDS, source, frame))
+        self._kept.append((now + EARLY_SECONDS, source, frame))
         self._octets += size
 
     def take(self, source: Address, life: int, now: float) -> list[Frame]:

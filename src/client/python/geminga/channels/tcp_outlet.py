@@ -6,14 +6,12 @@ import asyncio
 import socket
 from collections.abc import Callable
 
-from ..core.counterparts import Counterpart
-from ..core.frame import Frame, Kind, write_frame
+from ..protocol.counterparts import Counterpart
+from ..protocol.frame import Frame, Kind, write_frame
+from ..protocol.limits import MAX_STRANGERS, MAX_TCP_CONSUMERS, STRANGER_SECONDS
 from . import sockets
 from .tcp_connection import TcpConnection
 
-MAX_CONSUMERS = 256
-MAX_STRANGERS = 16
-STRANGER_SECONDS = 5.0
 ACCEPT_AGAIN_SECONDS = 0.5
 
 
@@ -163,7 +161,7 @@ class TcpOutlet:
         connection = stranger.connection
         assert connection is not None
         before = self.targets.get(stranger.life)
-        if before is None and len(self.targets) >= MAX_CONSUMERS:
+        if before is None and len(self.targets) >= MAX_TCP_CONSUMERS:
             self.dropped += 1
             self._dismiss(stranger)
             return

@@ -6,13 +6,12 @@ import struct
 from dataclasses import dataclass
 from enum import IntEnum
 
+from .limits import MAX_DATAGRAM_PAYLOAD
+
 HEADER = struct.Struct("!2sBBIQQ")
 HEADER_OCTETS = 24
 MAGIC = b"GC"
 VERSION = 1
-MAX_UDP_PAYLOAD = 65_000
-MAX_TCP_PAYLOAD = 16_777_216
-MAX_SEQUENCE = 0xFFFFFFFFFFFFFFFF
 
 
 class Kind(IntEnum):
@@ -58,7 +57,7 @@ def read_datagram(octets: bytes) -> Frame:
     """The one frame that a datagram is. Raises FrameError."""
     if len(octets) < HEADER_OCTETS:
         raise FrameError("this is no frame")
-    kind, length, life, sequence = read_header(octets, MAX_UDP_PAYLOAD)
+    kind, length, life, sequence = read_header(octets, MAX_DATAGRAM_PAYLOAD)
     if length != len(octets) - HEADER_OCTETS:
         raise FrameError("a frame whose length is not so")
     return Frame(kind, life, sequence, octets[HEADER_OCTETS:])

@@ -5,9 +5,10 @@ from __future__ import annotations
 import asyncio
 import socket
 
-from ..core.counterparts import Counterpart
-from ..core.frame import FrameError, Kind, read_datagram, write_frame
-from ..core.listeners import HELLO_SECONDS, Listeners
+from ..protocol.counterparts import Counterpart
+from ..protocol.frame import FrameError, Kind, read_datagram, write_frame
+from ..protocol.limits import HELLO_SECONDS
+from ..protocol.listeners import Listeners
 from . import sockets
 from .outlet import COPIED_OCTETS, Sole
 from .sockets import Address
@@ -15,7 +16,7 @@ from .sockets import Address
 _DATAGRAMS_A_TURN = 64
 
 
-class StreamOutlet:
+class ListenersOutlet:
     """Listens at its port for hellos that have the publisher's life."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, life: int, port: int, address: str) -> None:

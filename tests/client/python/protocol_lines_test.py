@@ -7,10 +7,11 @@ import unittest
 
 import virtual  # noqa: F401  (finds the library)
 
-from geminga.core.frame import HEADER_OCTETS, MAX_TCP_PAYLOAD, Kind, write_frame
-from geminga.core.frame_reader import BrokenStream, FrameReader
-from geminga.core.line_reader import LineReader
-from geminga.core.statement import MAX_LINE_OCTETS, LineError, Statement, read_line, write_line
+from geminga.protocol.frame import HEADER_OCTETS, Kind, write_frame
+from geminga.protocol.frame_reader import BrokenStream, FrameReader
+from geminga.protocol.limits import MAX_STREAM_PAYLOAD
+from geminga.protocol.line_reader import LineReader
+from geminga.protocol.statement import MAX_LINE_OCTETS, LineError, Statement, read_line, write_line
 
 
 class Lines(unittest.TestCase):
@@ -82,10 +83,10 @@ class Frames(unittest.TestCase):
             self.assertEqual([frame.payload for frame in read], payloads, f"seed {seed}")
 
     def test_the_largest_frame_is_read_and_one_octet_more_is_not(self) -> None:
-        for length in (MAX_TCP_PAYLOAD - 1, MAX_TCP_PAYLOAD):
+        for length in (MAX_STREAM_PAYLOAD - 1, MAX_STREAM_PAYLOAD):
             frames = FrameReader().feed(write_frame(Kind.MESSAGE, 1, 1, bytes(length)))
             self.assertEqual(len(frames[0].payload), length)
-        header = write_frame(Kind.MESSAGE, 1, 1)[:4] + (MAX_TCP_PAYLOAD + 1).to_bytes(4, "big") + bytes(16)
+        header = write_frame(Kind.MESSAGE, 1, 1)[:4] + (MAX_STREAM_PAYLOAD + 1).to_bytes(4, "big") + bytes(16)
         self.assertRaises(BrokenStream, FrameReader().feed, header)
 
     def test_behind_what_is_no_frame_nothing_is_read(self) -> None:

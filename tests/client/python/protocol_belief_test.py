@@ -7,14 +7,23 @@ from dataclasses import replace
 
 import virtual  # noqa: F401  (finds the library)
 
-from geminga.core.backoff import Backoff
-from geminga.core.converter import ConversionError, convert
-from geminga.core.counterparts import GRACE_SECONDS, ORPHAN_SECONDS, Change, Counterparts
-from geminga.core.life import draw_life, read_life, write_life
-from geminga.core.listeners import MAX_LISTENERS, SILENCE_SECONDS, Listeners
-from geminga.core.mailbox import MAX_MESSAGES, MAX_OCTETS, Mailbox, Message
-from geminga.core.match import Match
-from geminga.core.sequence import MAX_LIVES, Sequence
+from geminga.protocol.backoff import Backoff
+from geminga.protocol.converter import ConversionError, convert
+from geminga.protocol.counterparts import Change, Counterparts
+from geminga.protocol.life import draw_life, read_life, write_life
+from geminga.protocol.limits import (
+    LISTENER_SECONDS,
+    MAX_LISTENERS,
+    MAX_REMEMBERED_LIVES,
+    MAX_WAITING_MESSAGES,
+    MAX_WAITING_OCTETS,
+    ORPHAN_SECONDS,
+    SETTLE_SECONDS,
+)
+from geminga.protocol.inbox import Inbox, Message
+from geminga.protocol.listeners import Listeners
+from geminga.protocol.match import Match
+from geminga.protocol.sequence import Sequence
 
 
 def match(word: str, life: int = 0, protocol: str = "udp", port: int = 5000) -> Match:
@@ -137,9 +146,9 @@ class WhenTheDaemonGoes(unittest.TestCase):
         all_.add(match("a", 1))
         all_.daemon_lost()
         all_.daemon_back(100)
-        self.assertEqual(all_.due(), 100 + GRACE_SECONDS)
-        self.assertEqual(kinds(all_.tick(100 + GRACE_SECONDS)), [])
-        self.assertEqual(kinds(all_.tick(100 + GRACE_SECONDS + ORPHAN_SECONDS)), ["removed 1 disconnected"])
+        self.assertEqual(all_.due(), 100 + SETTLE_SECONDS)
+        self.assertEqual(kinds(all_.tick(100 + SETTLE_SECONDS)), [])
+        self.assertEqual(kinds(all_.tick(100 + SETTLE_SECONDS + ORPHAN_SECONDS)), ["removed 1 disconnected"])
 
     def test_a_worse_provider_that_is_heard_first_closes_nobody_within_the_ten_seconds(self) -> None:
         all_ = Counterparts(limit=1)
@@ -147,7 +156,7 @@ class WhenTheDaemonGoes(unittest.TestCase):
         all_.daemon_lost()
         all_.daemon_back(0)
         self.assertEqual(kinds(all_.add(match("worse", 2))), ["added 2"])
-        self.assertEqual(kinds(all_.tick(GRACE_SECONDS)), ["removed 1 disconnected"])
+        self.assertEqual(kinds(all_.tick(SETTLE_SECONDS)), ["removed 1 disconnected"])
 
     def test_it_may_go_again_before_that(self) -> None:
         all_ = Counterparts()
@@ -194,67 +203,67 @@ class Messages(unittest.TestCase):
 
     def test_of_1024_lives_are_remembered(self) -> None:
         sequence = Sequence()
-        for life in range(1, MAX_LIVES + 1):
+        for life in range(1, MAX_REMEMBERED_LIVES + 1):
             sequence.missed(life, 1)
         self.assertIsNone(sequence.missed(1, 1))
         sequence.missed(1, 2)
-        sequence.missed(MAX_LIVES + 1, 1)
+        sequence.missed(MAX_REMEMBERED_LIVES + 1, 1)
         self.assertEqual((sequence.missed(1, 2), sequence.missed(2, 1)), (None, 0))
 
 
 class Waiting(unittest.TestCase):
     def test_the_oldest_are_lost_or_the_newest(self) -> None:
         for keep_newest, kept in ((True, [b"2", b"3"]), (False, [b"1", b"2"])):
-            box = Mailbox(2, keep_newest)
-            self.assertEqual([box.put(Message(octets)) for octets in (b"1", b"2", b"3")], [0, 0, 1])
+            box = Inbox(2, keep_newest)
+            self.assertEqual([box.put_datagram(Message(octets)) for octets in (b"1", b"2", b"3")], [0, 0, 1])
             self.assertEqual([box.take().payload for _ in range(len(box))], kept)
 
     def test_1024_messages_are_full(self) -> None:
-        for count, lost in ((MAX_MESSAGES - 1, 0), (MAX_MESSAGES, 0), (MAX_MESSAGES + 1, 1)):
-            box = Mailbox()
-            self.assertEqual(sum(box.put(Message(b"")) for _ in range(count)), lost)
-            self.assertEqual((len(box), box.is_full), (count - lost, count >= MAX_MESSAGES))
+        for count, lost in ((MAX_WAITING_MESSAGES - 1, 0), (MAX_WAITING_MESSAGES, 0), (MAX_WAITING_MESSAGES + 1, 1)):
+            box = Inbox()
+            self.assertEqual(sum(box.put_datagram(Message(b"")) for _ in range(count)), lost)
+            self.assertEqual((len(box), box.is_full), (count - lost, count >= MAX_WAITING_MESSAGES))
 
     def test_16_mebioctets_are_full_and_one_message_always_fits(self) -> None:
-        self.assertEqual(MAX_OCTETS, 16_777_216)
-        box = Mailbox(10)
-        box.put(Message(bytes(MAX_OCTETS - 1)))
+        self.assertEqual(MAX_WAITING_OCTETS, 16_777_216)
+        box = Inbox(10)
+        box.put_datagram(Message(bytes(MAX_WAITING_OCTETS - 1)))
         self.assertFalse(box.is_full)
-        box.put(Message(b"x"))
+        box.put_datagram(Message(b"x"))
         self.assertTrue(box.is_full)
-        self.assertEqual((box.put(Message(b"y")), len(box)), (1, 2))
-        box = Mailbox(1)
-        self.assertEqual((box.put(Message(bytes(MAX_OCTETS + 1))), box.is_full, box.has_room), (0, True, False))
-        self.assertRaises(ValueError, Mailbox, 0)
+        self.assertEqual((box.put_datagram(Message(b"y")), len(box)), (1, 2))
+        box = Inbox(1)
+        self.assertEqual((box.put_datagram(Message(bytes(MAX_WAITING_OCTETS + 1))), box.is_full, box.has_room), (0, True, False))
+        self.assertRaises(ValueError, Inbox, 0)
 
     def test_what_was_lost_is_told_with_the_next_message_of_its_life(self) -> None:
         for keep_newest, told in ((True, [(3, 2), (4, 0)]), (False, [(1, 0), (2, 0), (5, 2)])):
-            box = Mailbox(2, keep_newest)
+            box = Inbox(2, keep_newest)
             for sequence in range(1, 5):
-                box.put(Message(b"", 7, sequence))
+                box.put_datagram(Message(b"", 7, sequence))
             got = [box.take() for _ in range(2)]
-            box.put(Message(b"", 8, 9))
-            box.put(Message(b"", 7, 5))
+            box.put_datagram(Message(b"", 8, 9))
+            box.put_datagram(Message(b"", 7, 5))
             self.assertEqual((box.take().missed, box.take().missed), (0, 0 if keep_newest else 2))
             got += [] if keep_newest else [Message(b"", 7, 5, 2)]
             self.assertEqual([(one.sequence, one.missed) for one in got], told)
 
     def test_what_may_not_be_lost_is_not(self) -> None:
-        box = Mailbox(2)
-        box.put_anyway(Message(b"tcp"))
-        box.put(Message(b"old", 7, 1))
-        self.assertEqual(box.put(Message(b"new", 7, 2)), 1)
+        box = Inbox(2)
+        box.put_streamed(Message(b"tcp"))
+        box.put_datagram(Message(b"old", 7, 1))
+        self.assertEqual(box.put_datagram(Message(b"new", 7, 2)), 1)
         box.take()
-        box.put_anyway(Message(b"tcp"))
+        box.put_streamed(Message(b"tcp"))
         self.assertEqual((box.take().missed, box.take().payload), (1, b"tcp"))
         for _ in range(2):
-            box.put_anyway(Message(b"tcp"))
-        self.assertEqual((box.put(Message(b"lost", 7, 3)), len(box)), (1, 2))
+            box.put_streamed(Message(b"tcp"))
+        self.assertEqual((box.put_datagram(Message(b"lost", 7, 3)), len(box)), (1, 2))
 
     def test_has_room_when_it_is_half_empty(self) -> None:
-        box = Mailbox(4)
+        box = Inbox(4)
         for _ in range(4):
-            box.put_anyway(Message(b""))
+            box.put_streamed(Message(b""))
         box.take()
         self.assertFalse(box.has_room)
         box.take()
@@ -268,9 +277,9 @@ class Listening(unittest.TestCase):
             self.assertTrue(listeners.hello(("a", port), 0))
         self.assertFalse(listeners.hello(("a", 99), 1))
         self.assertTrue(listeners.hello(("a", 0), 1))
-        listeners.tick(SILENCE_SECONDS - 0.001)
+        listeners.tick(LISTENER_SECONDS - 0.001)
         self.assertEqual(len(listeners.addresses), MAX_LISTENERS)
-        listeners.tick(SILENCE_SECONDS)
+        listeners.tick(LISTENER_SECONDS)
         self.assertEqual(listeners.addresses, [("a", 0)])
         listeners.end(("a", 0))
         self.assertEqual(listeners.addresses, [])
@@ -287,10 +296,10 @@ class Converting(unittest.TestCase):
         with self.assertRaises(ConversionError) as caught:
             convert(b"", ("A", "B", "C"), {"A>B": bytes})
         self.assertEqual(caught.exception.step, "B>C")
-        self.assertEqual(str(caught.exception), "B>C: there is no function for this conversion")
+        self.assertEqual(str(caught.exception), "there is no function for the conversion B>C")
         with self.assertRaises(ConversionError) as caught:
             convert(b"", ("A", "B", "C"), {"A>B": bytes}, "-,udp://10.0.0.7:6000/9c0d1e2f/1/1")
-        self.assertIn("conversion, which the service udp://10.0.0.7:6000/9c0d1e2f/1/1 does", str(caught.exception))
+        self.assertIn("conversion B>C, which the service udp://10.0.0.7:6000/9c0d1e2f/1/1 does", str(caught.exception))
         with self.assertRaises(ConversionError) as caught:
             convert(b"", ("A", "B"), {"A>B": lambda octets: octets[1].to_bytes()})
         self.assertEqual(caught.exception.step, "A>B")

@@ -6,10 +6,10 @@ import unittest
 
 import virtual  # noqa: F401  (finds the library)
 
-from geminga.core.report import Complaint, Report, Settled, Told, Welcome
-from geminga.core.request import Request, State, changed
-from geminga.core.session import MAX_UNANSWERED, Session
-from geminga.core.statement import LineError
+from geminga.protocol.report import Complaint, Report, Settled, Told, Welcome
+from geminga.protocol.request import Request, State, changed
+from geminga.protocol.session import MAX_UNANSWERED, Session
+from geminga.protocol.statement import LineError
 
 HELLO = "0 msg hello version=1 participant=1a2b3c4d participant_name=host"
 

@@ -8,14 +8,11 @@ import socket
 from collections import deque
 from collections.abc import Callable
 
-from ..core.frame import HEADER_OCTETS, MAX_TCP_PAYLOAD, Frame
-from ..core.frame_reader import BrokenStream, FrameReader
+from ..protocol.frame import HEADER_OCTETS, Frame
+from ..protocol.frame_reader import BrokenStream, FrameReader
+from ..protocol.limits import LEAVING_SECONDS, MAX_STREAM_PAYLOAD, MAX_WAITING_FOR_CONSUMER
 from .outlet import COPIED_OCTETS
 
-#: What may wait for a consumer, beside one message.
-MAX_WAITING_OCTETS = 4 * 1024 * 1024
-#: Whoever does not take anything for so long after the end is not waited for.
-LINGER_SECONDS = 5.0
 _READ_OCTETS = 256 * 1024
 
 
@@ -28,7 +25,7 @@ class TcpConnection:
         sock: socket.socket,
         on_frame: Callable[[Frame], None],
         on_end: Callable[[], None],
-        max_payload: int = MAX_TCP_PAYLOAD,
+        max_payload: int = MAX_STREAM_PAYLOAD,
     ) -> None:
         self._loop = loop
         self._sock = sock
@@ -67,7 +64,7 @@ class TcpConnection:
             if max(sent, 0) < size:
                 self._keep(memoryview(payload)[max(sent, 0) :])
             return True
-        if self.waiting_octets + HEADER_OCTETS + len(payload) > MAX_WAITING_OCTETS:
+        if self.waiting_octets + HEADER_OCTETS + len(payload) > MAX_WAITING_FOR_CONSUMER:
             return False
         self._keep(memoryview(header + payload))
         return True
@@ -201,7 +198,7 @@ class TcpConnection:
     def _progress(self) -> None:
         if self._timer is not None:
             self._timer.cancel()
-        self._timer = self._loop.call_later(LINGER_SECONDS, self._end)
+        self._timer = self._loop.call_later(LEAVING_SECONDS, self._end)
 
     async def _until(self, is_so: Callable[[], bool]) -> None:
         while self.is_open and not is_so():

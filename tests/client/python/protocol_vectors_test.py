@@ -8,12 +8,13 @@ from typing import Any
 
 from virtual import ROOT
 
-from geminga.core.frame import FrameError, Kind, read_datagram, write_frame
-from geminga.core.identity import identity
-from geminga.core.match import read_match
-from geminga.core.reserved import RESERVED
-from geminga.core.statement import LineError, Statement, read_line, write_line
-from geminga.core.xxh32 import xxh32
+from geminga.protocol.frame import FrameError, Kind, read_datagram, write_frame
+from geminga.protocol.identity import identity
+from geminga.protocol.inbox import Inbox, Message
+from geminga.protocol.match import read_match
+from geminga.protocol.reserved import RESERVED
+from geminga.protocol.statement import LineError, Statement, read_line, write_line
+from geminga.protocol.xxh32 import xxh32
 
 
 def rows(name: str) -> list[list[str]]:
@@ -50,6 +51,28 @@ class Vectors(unittest.TestCase):
         for wrong in slips:
             with self.assertRaises(ValueError):
                 identity(**wrong)
+
+    def test_a_full_inbox_loses_what_the_table_says(self) -> None:
+        def message(word: str) -> Message:
+            life, sequence, missed = (int(one) for one in word.split(":"))
+            return Message(b"", life, sequence, missed)
+
+        def taken(inbox: Inbox) -> str:
+            one = inbox.take()
+            return f"{one.life}:{one.sequence}:{one.missed}"
+
+        for room, words, wanted, count in rows("inbox.tsv"):
+            with self.subTest(words=words):
+                inbox, lost, got = Inbox(int(room)), 0, []
+                for word in words.split():
+                    if word == "-":
+                        got.append(taken(inbox))
+                    elif word[0] == "s":
+                        inbox.put_streamed(message(word[1:]))
+                    else:
+                        lost += inbox.put_datagram(message(word[1:]))
+                got += [taken(inbox) for _ in range(len(inbox))]
+                self.assertEqual((got, lost), (wanted.split(), int(count)))
 
     def test_frames_are_those_of_the_table(self) -> None:
         for row in rows("frames.tsv"):

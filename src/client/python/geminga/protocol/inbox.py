@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections import OrderedDict, deque
 from dataclasses import dataclass, replace
 
-from .sequence import MAX_LIVES
+from .limits import MAX_REMEMBERED_LIVES, MAX_WAITING_MESSAGES, MAX_WAITING_OCTETS
 
-MAX_MESSAGES = 1024
-MAX_OCTETS = 16 * 1024 * 1024
+
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,10 +20,10 @@ class Message:
     missed: int = 0  #: messages of this life that are missing before this one, those lost in a full queue with them
 
 
-class Mailbox:
+class Inbox:
     """At most `limit` messages and 16 MiB, but always one. Not thread-safe."""
 
-    def __init__(self, limit: int = MAX_MESSAGES, keep_newest: bool = True) -> None:
+    def __init__(self, limit: int = MAX_WAITING_MESSAGES, keep_newest: bool = True) -> None:
         if limit < 1:
             raise ValueError("a queue has room for one message at least")
         self._limit = limit
@@ -40,15 +39,15 @@ class Mailbox:
     @property
     def is_full(self) -> bool:
         """Whether another message would be lost, or take the place of the oldest."""
-        return len(self._messages) >= self._limit or self._octets >= MAX_OCTETS
+        return len(self._messages) >= self._limit or self._octets >= MAX_WAITING_OCTETS
 
     @property
     def has_room(self) -> bool:
         """Whether it is half empty."""
-        return 2 * len(self._messages) <= self._limit and 2 * self._octets <= MAX_OCTETS
+        return 2 * len(self._messages) <= self._limit and 2 * self._octets <= MAX_WAITING_OCTETS
 
-    def put(self, message: Message) -> int:
-        """Takes a message, and says how many were lost for that: the oldest ones that may be, or this one."""
+    def put_datagram(self, message: Message) -> int:
+        """Keeps a message that came in a datagram. Returns how many are lost for it: the oldest datagrams, or this one."""
         lost = 0
         while self._keep_newest and self.is_full and self._losable:
             self._lose_oldest()
@@ -62,8 +61,8 @@ class Mailbox:
         self._put(message, True)
         return lost
 
-    def put_anyway(self, message: Message) -> None:
-        """Takes a message that may not be lost. Whoever calls it stops reading where the mailbox is full."""
+    def put_streamed(self, message: Message) -> None:
+        """Keeps a message of a stream, which cannot be lost: the caller reads no more where the inbox is full."""
         self._put(message, False)
 
     def take(self) -> Message:
@@ -88,7 +87,7 @@ class Mailbox:
     def _lose(self, message: Message) -> None:
         if message.life:
             self._lost[message.life] = self._lost.get(message.life, 0) + message.missed + 1
-            if len(self._lost) > MAX_LIVES:
+            if len(self._lost) > MAX_REMEMBERED_LIVES:
                 self._lost.popitem(last=False)
 
     def _told(self, message: Message) -> Message:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import OrderedDict
 
-#: Lives that are remembered, the last heard ones.
-MAX_LIVES = 1024
+from .limits import MAX_REMEMBERED_LIVES
+
 
 
 class Sequence:
@@ -20,7 +20,7 @@ class Sequence:
         last = self._last.get(life)
         if last is None:
             self._last[life] = sequence
-            if len(self._last) > MAX_LIVES:
+            if len(self._last) > MAX_REMEMBERED_LIVES:
                 self._breaks.discard(self._last.popitem(last=False)[0])
             return 0
         if sequence <= last:

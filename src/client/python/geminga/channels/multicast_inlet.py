@@ -6,11 +6,11 @@ import asyncio
 import socket
 from collections.abc import Callable
 
-from ..core.counterparts import Counterpart, Key
-from ..core.frame import Frame
+from ..protocol.counterparts import Counterpart, Key
+from ..protocol.frame import Frame
+from ..protocol.limits import INTERFACES_SECONDS
 from . import multicast, sockets
 from .interfaces import interfaces
-from .multicast_outlet import REFRESH_SECONDS
 from .udp_inlet import DATAGRAMS_AT_END, dispatch
 
 _DATAGRAMS_A_TURN = 64
@@ -95,7 +95,7 @@ class MulticastInlet:
             for index in interfaces():
                 multicast.join(group.sock, address, index)
         if self._groups:
-            self._timer = self._loop.call_later(REFRESH_SECONDS, self._join_all)
+            self._timer = self._loop.call_later(INTERFACES_SECONDS, self._join_all)
 
     def _read(self, place: Place) -> bool:
         for _ in range(_DATAGRAMS_A_TURN):

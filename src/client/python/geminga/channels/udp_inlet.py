@@ -6,10 +6,10 @@ import asyncio
 import socket
 from collections.abc import Callable
 
-from ..core.counterparts import Counterpart, Key
-from ..core.early_frames import EarlyFrames
-from ..core.frame import Frame, FrameError, Kind, read_datagram, write_frame
-from ..core.listeners import HELLO_SECONDS
+from ..protocol.counterparts import Counterpart, Key
+from ..protocol.early_frames import EarlyFrames
+from ..protocol.frame import Frame, FrameError, Kind, read_datagram, write_frame
+from ..protocol.limits import HELLO_SECONDS
 from . import sockets
 from .sockets import Address
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-MAX_LISTENERS = 64
-SILENCE_SECONDS = 3.0
-HELLO_SECONDS = 1.0
+from .limits import LISTENER_SECONDS, MAX_LISTENERS
+
 
 Address = tuple[Any, ...]
 
@@ -35,4 +34,4 @@ class Listeners:
 
     def tick(self, now: float) -> None:
         """Forgets who has been silent for 3 s."""
-        self._heard = {address: heard for address, heard in self._heard.items() if now - heard < SILENCE_SECONDS}
+        self._heard = {address: heard for address, heard in self._heard.items() if now - heard < LISTENER_SECONDS}

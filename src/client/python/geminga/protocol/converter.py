@@ -11,7 +11,7 @@ class ConversionError(Exception):
     """A conversion is missing, or failed. `step` is the one: `A>B`."""
 
     def __init__(self, step: str, text: str) -> None:
-        super().__init__(f"{step}: {text}")
+        super().__init__(text)
         self.step = step
 
 
@@ -33,9 +33,9 @@ def convert(payload: bytes, path: Sequence[str], conversions: Mapping[str, Conve
         if function is None:
             service = service_of(via, number)
             by = f", which the service {service} does" if service else ""
-            raise ConversionError(step, f"there is no function for this conversion{by}")
+            raise ConversionError(step, f"there is no function for the conversion {step}{by}")
         try:
             payload = function(payload)
         except Exception as error:  # The application's own.
-            raise ConversionError(step, f"the function failed: {error}") from error
+            raise ConversionError(step, f"the conversion {step} failed: {error}") from error
     return payload

@@ -6,9 +6,9 @@ import asyncio
 import socket
 from collections.abc import Callable
 
-from ..core.counterparts import Counterpart, Key
-from ..core.frame import Kind, write_frame
 from ..errors import PortTaken
+from ..protocol.counterparts import Counterpart, Key
+from ..protocol.frame import Kind, write_frame
 from . import sockets
 from .outlet import COPIED_OCTETS, Sole
 from .sockets import Address

@@ -7,14 +7,13 @@ import random
 import socket
 from collections.abc import Callable
 
-from ..core.backoff import Backoff
-from ..core.counterparts import Counterpart, Key
-from ..core.frame import Frame, Kind, write_frame
+from ..protocol.backoff import Backoff
+from ..protocol.counterparts import Counterpart, Key
+from ..protocol.frame import Frame, Kind, write_frame
+from ..protocol.limits import DRAIN_SECONDS
 from . import sockets
 from .tcp_connection import TcpConnection
 
-#: How long a provider that was withdrawn is read from though nothing comes.
-REST_SECONDS = 2.0
 
 
 class TcpInlet:
@@ -54,7 +53,7 @@ class TcpInlet:
             self._finish(False)
             return
         self._came = False
-        self._rest = self._loop.call_later(REST_SECONDS, self._look)
+        self._rest = self._loop.call_later(DRAIN_SECONDS, self._look)
 
     def pause(self) -> None:
         """Reads no more for now."""

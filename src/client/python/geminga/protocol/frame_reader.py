@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from .frame import HEADER_OCTETS, MAX_TCP_PAYLOAD, Frame, FrameError, Kind, read_header
+from .frame import HEADER_OCTETS, Frame, FrameError, Kind, read_header
+from .limits import MAX_STREAM_PAYLOAD
 
 
 class FrameReader:
     """Holds at most one unfinished frame and what came with its last octets."""
 
-    def __init__(self, max_payload: int = MAX_TCP_PAYLOAD) -> None:
+    def __init__(self, max_payload: int = MAX_STREAM_PAYLOAD) -> None:
         self._max_payload = max_payload
         self._buffer = bytearray()
         self._header: tuple[Kind, int, int, int] | None = None

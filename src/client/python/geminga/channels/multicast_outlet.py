@@ -6,13 +6,13 @@ import asyncio
 import errno
 import socket
 
-from ..core.counterparts import Counterpart
-from ..core.frame import Kind, write_frame
 from ..errors import PortTaken
+from ..protocol.counterparts import Counterpart
+from ..protocol.frame import Kind, write_frame
+from ..protocol.limits import INTERFACES_SECONDS
 from . import multicast, sockets
 from .interfaces import interfaces
 
-REFRESH_SECONDS = 2.0
 
 
 class MulticastOutlet:
@@ -77,7 +77,7 @@ class MulticastOutlet:
                     if error.errno == errno.EADDRINUSE and not self._by_interface:
                         raise PortTaken(f"port {self.port} is taken: say another one, or none for any") from error
                     continue  # It has no address of this family.
-        self._timer = self._loop.call_later(REFRESH_SECONDS, self._refresh)
+        self._timer = self._loop.call_later(INTERFACES_SECONDS, self._refresh)
 
 
 def _free_port() -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sized
 from typing import Protocol
 
-from ..core.counterparts import Counterpart
+from ..protocol.counterparts import Counterpart
 from .sockets import Address
 
 #: Payloads up to here are copied behind their header: one piece costs less than two, unless it is large.
