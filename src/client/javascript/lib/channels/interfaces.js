@@ -1,7 +1,7 @@
 // The interfaces on which a group is spoken and heard.
 import { networkInterfaces } from 'node:os';
 
-import { maxInterfaces } from '../core/limits.js';
+import { maxInterfaces } from '../protocol/limits.js';
 
 /**
  * What dgram takes as an interface of this family, IPv4 addresses or `::%NAME`: every interface that is up and no loopback,

@@ -1,5 +1,5 @@
 // What all sockets of a node share: time, chance, and whether they keep the program alive.
-import { systemClock, Timers } from '../core/clock.js';
+import { systemClock, Timers } from './clock.js';
 
 export class Io {
   #handles = new Set();

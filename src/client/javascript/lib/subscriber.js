@@ -1,30 +1,29 @@
 // What this program asks for, with the channels on which it receives.
 import { EventEmitter } from 'node:events';
 
-import { canonicalAddress, isMulticast } from '../core/address.js';
-import { Conversions } from '../core/conversion.js';
-import { Memory, Track } from '../core/delivery.js';
-import { changeOf, describe } from '../core/description.js';
-import { AbortError, ClosedError, GemingaError, StatementError } from '../core/errors.js';
-import { kinds, lifeText, newLife } from '../core/frame.js';
-import * as limits from '../core/limits.js';
-import { PeerBook } from '../core/peer_book.js';
-import { MessageQueue } from '../core/queue.js';
-import { parametersOf } from '../core/request.js';
-import { abortable, onAbort, throwIfAborted } from '../io/abort.js';
-import { checkFixed, portOf } from '../publisher/publisher.js';
-import { DatagramsIn } from './datagrams_in.js';
-import { StreamIn } from './stream_in.js';
+import { canonicalAddress, isMulticast } from './protocol/address.js';
+import { Converter } from './protocol/converter.js';
+import { Sequence } from './protocol/sequence.js';
+import { changeOf, describe } from './protocol/description.js';
+import { AbortError, ClosedError, GemingaError, StatementError } from './protocol/errors.js';
+import { kinds } from './protocol/frame.js';
+import { lifeText, newLife } from './protocol/life.js';
+import * as limits from './protocol/limits.js';
+import { Counterparts } from './protocol/counterparts.js';
+import { Inbox } from './protocol/inbox.js';
+import { checkFixed, parametersOf, portOf } from './protocol/request.js';
+import { abortable, onAbort, throwIfAborted } from './channels/abort.js';
+import { UdpInlet } from './channels/udp_inlet.js';
+import { TcpInlet } from './channels/tcp_inlet.js';
 
 const fixed = ['mode', 'port', 'address', 'protocol'];
 
 /** One provider's channel. */
 class Channel {
-  constructor(peer, last) {
-    this.peer = peer;
-    this.life = peer.life;
-    this.track = new Track(last);
-    this.provider = describe(peer);
+  constructor(counterpart) {
+    this.counterpart = counterpart;
+    this.life = counterpart.life;
+    this.provider = describe(counterpart);
     this.where = undefined;
     this.stream = undefined;
     this.convert = undefined;
@@ -41,12 +40,12 @@ export class Subscriber extends EventEmitter {
   #io;
   #timers;
   #onClosed;
-  #book;
+  #counterparts;
   #channels = new Map();
   #datagrams;
   #conversions;
-  #queue;
-  #memory = new Memory();
+  #inbox;
+  #sequence = new Sequence();
   #request;
   #taken;
   #mode;
@@ -66,16 +65,16 @@ export class Subscriber extends EventEmitter {
     this.#onClosed = onClosed;
     this.life = newLife();
     this.#timers = io.timers();
-    this.#queue = new MessageQueue(queue, limits.maxQueuedOctets);
-    this.#conversions = new Conversions(conversions);
+    this.#inbox = new Inbox(queue, limits.maxQueuedOctets);
+    this.#conversions = new Converter(conversions);
     this.#mode = options.mode;
-    this.#book = new PeerBook(this.#timers, {
-      added: (peer) => this.#onAdded(peer),
-      modified: (peer, before, isTold) => this.#onModified(peer, isTold),
-      removed: (peer, reason) => this.#onRemoved(peer, reason),
-      endPatience: (peer) => (this.#channels.get(peer)?.stream ? limits.endPatience : limits.datagramEndPatience),
-      isHeld: (peer) => this.#channels.get(peer)?.stream?.isHeld ?? false,
-      orphanPatience: (peer) => this.#orphanPatience(peer),
+    this.#counterparts = new Counterparts(this.#timers, {
+      added: (counterpart) => this.#onAdded(counterpart),
+      modified: (counterpart, before, isTold) => this.#onModified(counterpart, isTold),
+      removed: (counterpart, reason) => this.#onRemoved(counterpart, reason),
+      endPatience: (counterpart) => (this.#channels.get(counterpart)?.stream ? limits.endPatience : limits.datagramEndPatience),
+      isHeld: (counterpart) => this.#channels.get(counterpart)?.stream?.isHeld ?? false,
+      orphanPatience: (counterpart) => this.#orphanPatience(counterpart),
     });
     this.#setLimit(options);
     this.#open(options);
@@ -95,10 +94,13 @@ export class Subscriber extends EventEmitter {
   }
 
   get providers() {
-    return [...this.#book].map(describe);
+    return [...this.#counterparts].map(describe);
   }
 
-  /** `missed` by the sequences; `overflowed`: came and were lost since nobody took them; `dropped`: not believed or converted. */
+  /**
+   * `missed`: known to be missing; `overflowed`: those of them that came and were lost, since the inbox was full; `dropped`: not
+   * believed or not converted.
+   */
   get statistics() {
     return { ...this.#statistics };
   }
@@ -158,15 +160,15 @@ export class Subscriber extends EventEmitter {
   }
 
   onDaemonLost() {
-    this.#book.onDaemonLost();
+    this.#counterparts.onDaemonLost();
   }
 
   onDaemonBack() {
-    this.#book.onDaemonBack();
+    this.#counterparts.onDaemonBack();
   }
 
   #setLimit({ limit }) {
-    this.#book.limit = limit === undefined ? (this.#mode === 'oto' ? 1 : 0) : Number(limit);
+    this.#counterparts.limit = limit === undefined ? (this.#mode === 'oto' ? 1 : 0) : Number(limit);
   }
 
   #open({ port, ...options }) {
@@ -177,7 +179,7 @@ export class Subscriber extends EventEmitter {
     }
     const parameters = parametersOf({ ...options, protocol: protocols }, 'sub');
     if (protocols.includes('udp')) {
-      this.#datagrams = new DatagramsIn(this.#io, { port: portOf(port), ownLife: this.life }, {
+      this.#datagrams = new UdpInlet(this.#io, { port: portOf(port), ownLife: this.life }, {
         onFrame: (channel, frame) => this.#onFrame(channel, frame, true),
         onDropped: () => ++this.#statistics.dropped,
         onFound: () => --this.#statistics.dropped,
@@ -190,7 +192,7 @@ export class Subscriber extends EventEmitter {
     parameters.push(['channel', lifeText(this.life)]);
     try {
       const { request, taken } = this.#session.create('sub', parameters,
-        (event) => this.#book.onEvent(event), (error) => this.#onProblem(error));
+        (event) => this.#counterparts.onEvent(event), (error) => this.#onProblem(error));
       this.#request = request;
       this.#taken = taken;
       taken.catch((error) => this.#fail(error));
@@ -204,7 +206,7 @@ export class Subscriber extends EventEmitter {
     this.#offAbort?.();
     for (const channel of this.#channels.values()) this.#disconnect(channel);
     this.#channels.clear();
-    this.#book.clear();
+    this.#counterparts.clear();
     this.#datagrams?.close();
     this.#io.forget(this.#timers);
     for (const { resolve } of this.#waiting.splice(0)) resolve(undefined);
@@ -220,38 +222,38 @@ export class Subscriber extends EventEmitter {
     this.close();
   }
 
-  #onAdded(peer) {
-    const channel = new Channel(peer, this.#memory.lastOf(peer.life));
-    this.#channels.set(peer, channel);
+  #onAdded(counterpart) {
+    const channel = new Channel(counterpart);
+    this.#channels.set(counterpart, channel);
     this.#connect(channel);
-    this.emit('provider', changeOf('added', peer));
+    this.emit('provider', changeOf('added', counterpart));
     this.#datagrams?.deliverEarly(channel);
   }
 
-  #onModified(peer, isTold) {
-    const channel = this.#channels.get(peer);
-    channel.provider = describe(peer);
+  #onModified(counterpart, isTold) {
+    const channel = this.#channels.get(counterpart);
+    channel.provider = describe(counterpart);
     this.#connect(channel);
-    if (isTold) this.emit('provider', changeOf('modified', peer));
+    if (isTold) this.emit('provider', changeOf('modified', counterpart));
     this.#datagrams?.deliverEarly(channel);
   }
 
-  #onRemoved(peer, reason) {
-    const channel = this.#channels.get(peer);
-    this.#channels.delete(peer);
+  #onRemoved(counterpart, reason) {
+    const channel = this.#channels.get(counterpart);
+    this.#channels.delete(counterpart);
     this.#disconnect(channel);
-    this.#memory.remember(channel.life, channel.track.last);
-    this.emit('provider', changeOf('removed', peer, reason));
+    this.#sequence.interrupt(channel.life);
+    this.emit('provider', changeOf('removed', counterpart, reason));
   }
 
   /** Opens what a channel needs, or moves it to where its provider is now. */
   #connect(channel) {
-    const { peer } = channel;
-    const { protocol, port, mode, convert, via } = peer.event;
-    const address = canonicalAddress(peer.event.address);
+    const { counterpart } = channel;
+    const { protocol, port, mode, convert, via } = counterpart.event;
+    const address = canonicalAddress(counterpart.event.address);
     channel.convert = convert && this.#conversions.along(convert, via);
     if (address === undefined) {
-      this.#problem(channel, `${peer.service} has no address`);
+      this.#problem(channel, `${counterpart.service} has no address`);
     } else if (protocol === 'udp' && this.#datagrams) {
       if (channel.where?.address === address && channel.where.port === port) return;
       this.#disconnect(channel);
@@ -261,23 +263,23 @@ export class Subscriber extends EventEmitter {
       if (channel.stream) channel.stream.move(address, port);
       else channel.stream = this.#streamOf(channel, address, port);
     } else {
-      this.#problem(channel, `${peer.service} has no channel that can be opened: protocol ${protocol}`);
+      this.#problem(channel, `${counterpart.service} has no channel that can be opened: protocol ${protocol}`);
     }
   }
 
   #streamOf(channel, address, port) {
-    return new StreamIn(this.#io, { ownLife: this.life, life: channel.life, address, port }, {
-      hasRoom: () => this.#queue.hasRoom,
+    return new TcpInlet(this.#io, { ownLife: this.life, life: channel.life, address, port }, {
+      hasRoom: () => this.#inbox.hasRoom,
       onMessage: (frame) => this.#onFrame(channel, frame, false),
       onEnd: (frame) => this.#onEnd(channel, frame),
       onLost: () => {
-        const { peer } = channel;
-        if (peer.isMatched) return true;
-        this.#book.remove(peer, peer.reason);
+        const { counterpart } = channel;
+        if (counterpart.isMatched) return true;
+        this.#counterparts.remove(counterpart, counterpart.reason);
         return false;
       },
       onDropped: () => ++this.#statistics.dropped,
-      onOctets: () => this.#book.touch(channel.peer),
+      onOctets: () => this.#counterparts.touch(channel.counterpart),
     });
   }
 
@@ -287,8 +289,8 @@ export class Subscriber extends EventEmitter {
     channel.stream = undefined;
   }
 
-  #orphanPatience(peer) {
-    const stream = this.#channels.get(peer)?.stream;
+  #orphanPatience(counterpart) {
+    const stream = this.#channels.get(counterpart)?.stream;
     if (!stream) return limits.orphanPatience;
     return stream.isConnected ? Infinity : 0;
   }
@@ -302,7 +304,7 @@ export class Subscriber extends EventEmitter {
       this.#onEnd(channel, frame);
       return;
     }
-    const missed = channel.life === 0n ? 0n : channel.track.take(frame.sequence);
+    const missed = channel.life === 0n ? 0n : this.#sequence.take(channel.life, frame.sequence);
     if (missed === undefined) {
       // A group is heard on several interfaces.
       if (!isMulticast(channel.where?.address)) ++this.#statistics.dropped;
@@ -314,22 +316,25 @@ export class Subscriber extends EventEmitter {
       ++this.#statistics.dropped;
       return;
     }
-    const item = { channel, sequence: frame.sequence, missed, payload, provider: channel.provider };
-    for (const lost of this.#queue.push(item, isDatagram)) {
-      ++this.#statistics.overflowed;
-      lost.channel.track.lose(lost.missed);
+    const message = { payload, life: channel.life, sequence: frame.sequence, missed, provider: channel.provider };
+    if (isDatagram) {
+      const lost = this.#inbox.putDatagram(message);
+      this.#statistics.overflowed += lost;
+      this.#statistics.missed += lost;
+    } else {
+      this.#inbox.putStreamed(message);
     }
     if (this.#waiting.length > 0) this.#waiting.shift().resolve(this.#take());
   }
 
   #onEnd(channel, { sequence }) {
-    this.#statistics.missed += Number(channel.track.finish(sequence));
-    this.#book.remove(channel.peer, 'withdrawn');
+    this.#statistics.missed += Number(this.#sequence.missedAtEnd(channel.life, sequence));
+    this.#counterparts.remove(channel.counterpart, 'withdrawn');
   }
 
   #onProblem(error) {
     this.emit('problem', error);
-    if (this.#request.isRefused) this.#book.removeAll('refused');
+    if (this.#request.isRefused) this.#counterparts.removeAll('refused');
   }
 
   #converted(channel, payload) {
@@ -344,13 +349,11 @@ export class Subscriber extends EventEmitter {
   }
 
   #take() {
-    const item = this.#queue.shift();
-    if (!item) return undefined;
-    const { channel, sequence, payload, provider } = item;
-    const missed = Number(channel.track.missedBefore(item.missed));
+    const message = this.#inbox.take();
+    if (!message) return undefined;
     ++this.#statistics.received;
-    if (this.#queue.isHalfEmpty) this.#resume();
-    return { payload, life: channel.life, sequence, missed, provider };
+    if (this.#inbox.isHalfEmpty) this.#resume();
+    return { ...message, missed: Number(message.missed) };
   }
 
   #resume() {

@@ -1,7 +1,7 @@
 // Where a daemon listens: `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`.
 import { isIPv6 } from 'node:net';
 
-import { readNumber } from '../core/key.js';
+import { readNumber } from '../protocol/key.js';
 
 /** The endpoint of a text, as net.connect takes it; throws TypeError. */
 export function endpointOf(text) {

@@ -201,3 +201,17 @@ export function parametersOf(options, command) {
   }
   return parameters;
 }
+
+/** A port as the user says it; 0 and undefined are any. */
+export function portOf(port = 0) {
+  if (Number.isInteger(port) && port >= 0 && port <= 65535) return port;
+  throw new StatementError(`port=${port}: a port is a number from 0 to 65535, where 0 is any`);
+}
+
+/** Some things cannot change while a channel is there. */
+export function checkFixed(options, keys) {
+  for (const key of keys) {
+    if (options[key] !== undefined) throw new StatementError(`${key} cannot be changed: close it and make another one`);
+  }
+  if (options.attributes?.channel !== undefined) throw new StatementError('channel is stated by the library');
+}

@@ -24,7 +24,7 @@ export const maxQueuedOctets = 16 * 1024 * 1024;
 export const maxEarlyFrames = 64;
 /** Octets of payload of these. */
 export const maxEarlyOctets = 256 * 1024;
-/** Lives of providers that are gone whose last sequence a subscriber remembers. */
+/** Lives of which a subscriber remembers the last sequence. */
 export const maxRemembered = 1024;
 /** Network interfaces on which a multicast publisher sends. */
 export const maxInterfaces = 8;

@@ -1,6 +1,4 @@
 // Frames, in which messages travel (src/client/CHANNELS.md, "Frames").
-import { randomBytes } from 'node:crypto';
-
 import { maxDatagramMessage } from './limits.js';
 
 export const headerSize = 24;
@@ -96,24 +94,3 @@ export class MessageWriter {
     return this.#slab.subarray(begin, this.#used);
   }
 }
-
-/** Eight octets of a life. */
-export function lifeOctets(life) {
-  const octets = Buffer.alloc(8);
-  octets.writeBigUInt64BE(life);
-  return octets;
-}
-
-/** A new life: 64 random bits that are not 0. */
-export function newLife(random = randomBytes) {
-  for (;;) {
-    const life = random(8).readBigUInt64BE();
-    if (life !== 0n) return life;
-  }
-}
-
-/** Sixteen hexadecimal digits. */
-export const lifeText = (life) => life.toString(16).padStart(16, '0');
-
-/** The life that an attribute `channel` states; 0 where it cannot be read. */
-export const lifeOf = (text) => (/^[0-9a-f]{16}$/.test(text ?? '') ? BigInt(`0x${text}`) : 0n);

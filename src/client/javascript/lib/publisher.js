@@ -1,18 +1,19 @@
 // A service that this program offers, with the channel on which it sends.
 import { EventEmitter } from 'node:events';
 
-import { canonicalAddress, isMulticast } from '../core/address.js';
-import { changeOf, describe } from '../core/description.js';
-import { ClosedError, MessageTooLargeError, StatementError } from '../core/errors.js';
-import { encodeFrame, kinds, lifeText, MessageWriter, newLife } from '../core/frame.js';
-import * as limits from '../core/limits.js';
-import { PeerBook } from '../core/peer_book.js';
-import { parametersOf } from '../core/request.js';
-import { abortable, throwIfAborted } from '../io/abort.js';
-import { Connections } from './connections.js';
-import { Datagrams } from './datagrams.js';
-import { Group } from './group.js';
-import { Listeners } from './listeners.js';
+import { canonicalAddress, isMulticast } from './protocol/address.js';
+import { changeOf, describe } from './protocol/description.js';
+import { ClosedError, MessageTooLargeError, StatementError } from './protocol/errors.js';
+import { encodeFrame, kinds, MessageWriter } from './protocol/frame.js';
+import { lifeText, newLife } from './protocol/life.js';
+import * as limits from './protocol/limits.js';
+import { Counterparts } from './protocol/counterparts.js';
+import { checkFixed, parametersOf, portOf } from './protocol/request.js';
+import { abortable, throwIfAborted } from './channels/abort.js';
+import { TcpOutlet } from './channels/tcp_outlet.js';
+import { UdpOutlet } from './channels/udp_outlet.js';
+import { MulticastOutlet } from './channels/multicast_outlet.js';
+import { ListenersOutlet } from './channels/listeners_outlet.js';
 
 const fixed = ['mode', 'port', 'address', 'protocol'];
 
@@ -24,7 +25,7 @@ export class Publisher extends EventEmitter {
   #session;
   #io;
   #timers;
-  #book;
+  #counterparts;
   #out;
   #request;
   #maxSize;
@@ -68,22 +69,22 @@ export class Publisher extends EventEmitter {
     this.#maxSize = isTcp ? limits.maxStreamMessage : limits.maxDatagramMessage;
     this.#hint = isTcp ? 'over TCP' : 'over UDP: offer the service with protocol=tcp';
     this.#out = this.#channel(mode, isTcp, canonicalAddress(address), portOf(port));
-    this.#book = new PeerBook(this.#timers, {
-      added: (peer) => {
-        this.#out.set(peer.key, peer.event, peer.life === 0n);
-        if (!isTcp) this.#reach(peer);
+    this.#counterparts = new Counterparts(this.#timers, {
+      added: (counterpart) => {
+        this.#out.set(counterpart.key, counterpart.event, counterpart.life === 0n);
+        if (!isTcp) this.#reach(counterpart);
       },
-      modified: (peer, before, isTold) => {
-        this.#out.set(peer.key, peer.event, peer.life === 0n);
-        if (isTold && this.#reached.has(peer)) this.#tell(changeOf('modified', peer));
+      modified: (counterpart, before, isTold) => {
+        this.#out.set(counterpart.key, counterpart.event, counterpart.life === 0n);
+        if (isTold && this.#reached.has(counterpart)) this.#tell(changeOf('modified', counterpart));
       },
-      removed: (peer, reason) => {
-        this.#out.delete(peer.key);
-        this.#lose(peer, reason);
+      removed: (counterpart, reason) => {
+        this.#out.delete(counterpart.key);
+        this.#lose(counterpart, reason);
       },
       endPatience: () => 0,
       isHeld: () => false,
-      orphanPatience: (peer) => (isTcp ? (this.#out.isConnected(peer.key) ? Infinity : 0) : limits.orphanPatience),
+      orphanPatience: (counterpart) => (isTcp ? (this.#out.isConnected(counterpart.key) ? Infinity : 0) : limits.orphanPatience),
     });
   }
 
@@ -143,19 +144,19 @@ export class Publisher extends EventEmitter {
   }
 
   onDaemonLost() {
-    this.#book.onDaemonLost();
+    this.#counterparts.onDaemonLost();
   }
 
   onDaemonBack() {
-    this.#book.onDaemonBack();
+    this.#counterparts.onDaemonBack();
   }
 
   #channel(mode, isTcp, address, port) {
     const isStream = mode === 'otm/stream';
     const options = { address, port, life: this.life };
-    if (isTcp) return new Connections(this.#io, { ...options, isStream, hooks: this.#connectionHooks() });
-    if (isStream) return isMulticast(address) ? new Group(this.#io, options) : new Listeners(this.#io, options);
-    return new Datagrams(this.#io, { ...options, isLazy: mode === 'otm/pubsub', hooks: this.#portHooks() });
+    if (isTcp) return new TcpOutlet(this.#io, { ...options, isStream, hooks: this.#connectionHooks() });
+    if (isStream) return isMulticast(address) ? new MulticastOutlet(this.#io, options) : new ListenersOutlet(this.#io, options);
+    return new UdpOutlet(this.#io, { ...options, isLazy: mode === 'otm/pubsub', hooks: this.#portHooks() });
   }
 
   async #open(options) {
@@ -168,7 +169,7 @@ export class Publisher extends EventEmitter {
     }
     parameters.push(['port', String(this.#out.port)], ['channel', lifeText(this.life)]);
     const { request, taken } = this.#session.create('pub', parameters,
-      (event) => this.#book.onEvent(event), (error) => this.#onProblem(error));
+      (event) => this.#counterparts.onEvent(event), (error) => this.#onProblem(error));
     this.#request = request;
     await taken;
   }
@@ -188,7 +189,7 @@ export class Publisher extends EventEmitter {
     // In one turn, so that no event comes between.
     const ended = this.#out.end(encodeFrame(kinds.end, this.life, BigInt(this.#sequence)));
     const removed = this.#request && this.#session.remove(this.#request);
-    this.#book.clear();
+    this.#counterparts.clear();
     await Promise.all([ended, this.#io.within(limits.closePatience, removed)]);
     this.#io.forget(this.#timers);
     this.#onClosed(this);
@@ -198,31 +199,31 @@ export class Publisher extends EventEmitter {
   /** Over TCP a consumer is one as long as it is matched and connected. */
   #connectionHooks() {
     const withKey = (key, action) => {
-      for (const peer of [...this.#book]) if (peer.key === key) action(peer);
+      for (const counterpart of [...this.#counterparts]) if (counterpart.key === key) action(counterpart);
     };
     return {
-      onCome: (key) => withKey(key, (peer) => this.#reach(peer)),
-      onGone: (key) => withKey(key, (peer) => {
-        if (peer.isMatched) this.#lose(peer, 'lost');
-        else this.#book.remove(peer, peer.reason);
+      onCome: (key) => withKey(key, (counterpart) => this.#reach(counterpart)),
+      onGone: (key) => withKey(key, (counterpart) => {
+        if (counterpart.isMatched) this.#lose(counterpart, 'lost');
+        else this.#counterparts.remove(counterpart, counterpart.reason);
       }),
     };
   }
 
   /** Messages reach this consumer from now on. */
-  #reach(peer) {
-    if (this.#reached.has(peer)) return;
-    this.#reached.add(peer);
-    this.#tell(changeOf('added', peer));
+  #reach(counterpart) {
+    if (this.#reached.has(counterpart)) return;
+    this.#reached.add(counterpart);
+    this.#tell(changeOf('added', counterpart));
   }
 
-  #lose(peer, reason) {
-    if (this.#reached.delete(peer)) this.#tell(changeOf('removed', peer, reason));
+  #lose(counterpart, reason) {
+    if (this.#reached.delete(counterpart)) this.#tell(changeOf('removed', counterpart, reason));
   }
 
   #onProblem(error) {
     this.emit('problem', error);
-    if (this.#request.isRefused) this.#book.removeAll('refused');
+    if (this.#request.isRefused) this.#counterparts.removeAll('refused');
   }
 
   #portHooks() {
@@ -232,18 +233,4 @@ export class Publisher extends EventEmitter {
       onMoved: (port) => this.#session.modify(this.#request, [['port', String(port)]]).catch(onProblem),
     };
   }
-}
-
-/** A port as the user says it; 0 and undefined are any. */
-export function portOf(port = 0) {
-  if (Number.isInteger(port) && port >= 0 && port <= 65535) return port;
-  throw new StatementError(`port=${port}: a port is a number from 0 to 65535, where 0 is any`);
-}
-
-/** Some things cannot change while a channel is there. */
-export function checkFixed(options, keys) {
-  for (const key of keys) {
-    if (options[key] !== undefined) throw new StatementError(`${key} cannot be changed: close it and make another one`);
-  }
-  if (options.attributes?.channel !== undefined) throw new StatementError('channel is stated by the library');
 }

@@ -2,9 +2,9 @@
 import { createSocket } from 'node:dgram';
 import { isIPv6 } from 'node:net';
 
-import { canonicalAddress } from '../core/address.js';
-import { PortError } from '../core/errors.js';
-import * as limits from '../core/limits.js';
+import { canonicalAddress } from '../protocol/address.js';
+import { PortError } from '../protocol/errors.js';
+import * as limits from '../protocol/limits.js';
 
 // Addresses are numbers here: looking them up at once lets bind() and send() work at once.
 const lookup = (address, family, callback) => callback(null, address, family);

@@ -1,14 +1,14 @@
 // A publisher's side of `oto` and `otm/pubsub` over UDP: sends from its port to each consumer that it was told.
-import { canonicalAddress } from '../core/address.js';
-import { PortError } from '../core/errors.js';
-import { headerSize } from '../core/frame.js';
-import { DatagramPort } from '../io/datagram_port.js';
+import { canonicalAddress } from '../protocol/address.js';
+import { PortError } from '../protocol/errors.js';
+import { headerSize } from '../protocol/frame.js';
+import { DatagramPort } from './datagram_port.js';
 
 /**
  * `isLazy`: the socket is open only while there are consumers; `hooks`: `onMoved(port)` tells that the port was taken
  * meanwhile, `onProblem(error)` that there is no socket to be had, so that this consumer is not sent to.
  */
-export class Datagrams {
+export class UdpOutlet {
   #io;
   #options;
   #isLazy;

@@ -1,5 +1,5 @@
 // Waiting that an AbortSignal ends.
-import { AbortError } from '../core/errors.js';
+import { AbortError } from '../protocol/errors.js';
 
 export function throwIfAborted(signal) {
   if (signal?.aborted) throw new AbortError(signal);

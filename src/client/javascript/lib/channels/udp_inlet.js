@@ -1,16 +1,17 @@
 // A subscriber's sockets for UDP: one of its own, and one for each group and port that a provider speaks to.
 import { isIPv6 } from 'node:net';
 
-import { isMulticast, isOfSomeLink, place } from '../core/address.js';
-import { EarlyFrames } from '../core/early_frames.js';
-import { encodeFrame, kinds, lifeOctets } from '../core/frame.js';
-import { helloInterval, interfaceInterval } from '../core/limits.js';
-import { frameOfProvider, Places } from '../core/places.js';
-import { DatagramPort } from '../io/datagram_port.js';
-import { groupInterfaces } from '../io/interfaces.js';
+import { isMulticast, isOfSomeLink, place } from '../protocol/address.js';
+import { EarlyFrames } from '../protocol/early_frames.js';
+import { encodeFrame, kinds } from '../protocol/frame.js';
+import { lifeOctets } from '../protocol/life.js';
+import { helloInterval, interfaceInterval } from '../protocol/limits.js';
+import { frameOfProvider, Places } from '../protocol/places.js';
+import { DatagramPort } from './datagram_port.js';
+import { groupInterfaces } from './interfaces.js';
 
 /** Hooks: `onFrame(channel, frame)`; `onDropped()`; `onFound()`, which takes one `onDropped` back. A channel has a `life`. */
-export class DatagramsIn {
+export class UdpInlet {
   #io;
   #timers;
   #ownLife;

@@ -14,7 +14,7 @@ function serviceOf(via, step) {
 }
 
 /** Names as `A>B`, each with a function from a payload to a payload. */
-export class Conversions {
+export class Converter {
   #functions = new Map();
 
   constructor(functions = {}) {

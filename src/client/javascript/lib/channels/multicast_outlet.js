@@ -1,11 +1,11 @@
 // A publisher's side of `otm/stream` over UDP multicast: sends to the group on each interface, whether anybody listens or not.
 import { isIPv6 } from 'node:net';
 
-import { interfaceInterval } from '../core/limits.js';
-import { DatagramPort } from '../io/datagram_port.js';
-import { groupInterfaces } from '../io/interfaces.js';
+import { interfaceInterval } from '../protocol/limits.js';
+import { DatagramPort } from './datagram_port.js';
+import { groupInterfaces } from './interfaces.js';
 
-export class Group {
+export class MulticastOutlet {
   #io;
   #timers;
   #address;

@@ -1,11 +1,11 @@
 // The connection to the daemon: tries until there is one, and again when it is lost.
 import { connect } from 'node:net';
 
-import { Backoff } from '../core/backoff.js';
-import { maxLine } from '../core/limits.js';
+import { Backoff } from '../protocol/backoff.js';
+import { LineReader } from '../protocol/line_reader.js';
 
 /** Hooks: `onUp()`, `onLine(octets)`, `onDown()`; the last only after the first. */
-export class Link {
+export class DaemonLink {
   #io;
   #timers;
   #endpoints;
@@ -14,8 +14,7 @@ export class Link {
   #socket;
   #isUp = false;
   #isClosed = false;
-  #rest = [];
-  #restLength = 0;
+  #lines;
 
   constructor(io, endpoints, hooks) {
     this.#io = io;
@@ -65,8 +64,7 @@ export class Link {
     socket.on('error', () => {});
     socket.once('connect', () => {
       this.#isUp = true;
-      this.#rest = [];
-      this.#restLength = 0;
+      this.#lines = new LineReader();
       this.#hooks.onUp();
     });
     socket.on('data', (octets) => this.#read(socket, octets));
@@ -82,22 +80,10 @@ export class Link {
   }
 
   #read(socket, octets) {
-    let begin = 0;
-    for (let end = octets.indexOf(10); end >= 0 && !socket.destroyed; end = octets.indexOf(10, begin)) {
-      let line = octets.subarray(begin, end);
-      begin = end + 1;
-      if (this.#restLength > 0) {
-        line = Buffer.concat([...this.#rest, line]);
-        this.#rest = [];
-        this.#restLength = 0;
-      }
-      if (line.at(-1) === 13) line = line.subarray(0, -1);
+    for (const line of this.#lines.feed(octets)) {
+      if (socket.destroyed) return;
       this.#hooks.onLine(line);
     }
-    if (begin === octets.length) return;
-    this.#rest.push(octets.subarray(begin));
-    this.#restLength += octets.length - begin;
-    // What says so long a line is no daemon.
-    if (this.#restLength > maxLine + 1) socket.destroy();
+    if (this.#lines.isBroken) socket.destroy();
   }
 }

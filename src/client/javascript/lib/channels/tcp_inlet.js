@@ -1,16 +1,16 @@
 // A subscriber's side of one provider over TCP: connects, says hello, reads frames, and connects again when it is lost.
 import { connect } from 'node:net';
 
-import { Backoff } from '../core/backoff.js';
-import { FrameDecoder } from '../core/decoder.js';
-import { encodeFrame, kinds } from '../core/frame.js';
-import { maxStreamMessage } from '../core/limits.js';
+import { Backoff } from '../protocol/backoff.js';
+import { FrameReader } from '../protocol/frame_reader.js';
+import { encodeFrame, kinds } from '../protocol/frame.js';
+import { maxStreamMessage } from '../protocol/limits.js';
 
 /**
  * Hooks: `hasRoom()`; `onMessage(frame)`; `onEnd()`, the provider has ended its stream; `onLost()`, the connection is gone:
  * false where it is not to be tried again; `onDropped()`; `onOctets()`, something has come.
  */
-export class StreamIn {
+export class TcpInlet {
   #io;
   #timers;
   #hello;
@@ -73,7 +73,7 @@ export class StreamIn {
 
   #connect() {
     const socket = this.#io.add(connect({ ...this.#place, noDelay: true }));
-    const decoder = new FrameDecoder(maxStreamMessage);
+    const decoder = new FrameReader(maxStreamMessage);
     this.#socket = socket;
     this.#decoder = decoder;
     this.#isHeld = false;

@@ -5,7 +5,7 @@ import { frameAt, headerSize, isHeader } from './frame.js';
  * Takes pieces of a stream and gives its frames, one at a time, so that who has no room need not take more. It keeps at
  * most one unfinished frame and the last piece.
  */
-export class FrameDecoder {
+export class FrameReader {
   #pieces = [];
   #length = 0;
   #most;

@@ -1,10 +1,11 @@
 // A publisher's side over TCP, in all modes: listens; a connection becomes a consumer when its hello says whose it is.
 import { createServer } from 'node:net';
 
-import { FrameDecoder } from '../core/decoder.js';
-import { PortError } from '../core/errors.js';
-import { kinds, lifeText } from '../core/frame.js';
-import * as limits from '../core/limits.js';
+import { FrameReader } from '../protocol/frame_reader.js';
+import { PortError } from '../protocol/errors.js';
+import { kinds } from '../protocol/frame.js';
+import { lifeText } from '../protocol/life.js';
+import * as limits from '../protocol/limits.js';
 
 /** Writes frames to one consumer, as long as not too much waits for it. */
 class Connection {
@@ -22,7 +23,7 @@ class Connection {
   }
 }
 
-export class Connections {
+export class TcpOutlet {
   #io;
   #timers;
   #options;
@@ -35,7 +36,7 @@ export class Connections {
   #consumers = new Map();
   port;
   leftOut = 0;
-  /** Connections that were closed since they were no consumers or said what is no frame. */
+  /** TcpOutlet that were closed since they were no consumers or said what is no frame. */
   dropped = 0;
 
   /** `hooks`: `onCome(key)` and `onGone(key)` tell of the connections of consumers. */
@@ -157,7 +158,7 @@ export class Connections {
     socket.on('error', () => {});
     if (this.#strangers.size >= limits.maxStrangers) this.#reject(this.#strangers.keys().next().value);
     const timer = this.#timers.after(limits.strangerPatience, () => this.#reject(socket));
-    const stranger = { decoder: new FrameDecoder(0), life: undefined, timer };
+    const stranger = { decoder: new FrameReader(0), life: undefined, timer };
     this.#strangers.set(socket, stranger);
     socket.on('data', (octets) => this.#onData(socket, stranger, octets));
     socket.once('close', () => this.#onClose(socket, stranger));

@@ -2,22 +2,23 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { isSlip, shownAttribute, statedKey } from '../../../src/client/javascript/lib/core/attribute.js';
-import { canonicalAddress, isMulticast, isOfSomeLink } from '../../../src/client/javascript/lib/core/address.js';
-import { Backoff } from '../../../src/client/javascript/lib/core/backoff.js';
-import { Conversions } from '../../../src/client/javascript/lib/core/conversion.js';
-import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
-import { Memory, Track } from '../../../src/client/javascript/lib/core/delivery.js';
-import { EarlyFrames } from '../../../src/client/javascript/lib/core/early_frames.js';
-import { eventStatement, readEvent } from '../../../src/client/javascript/lib/core/event.js';
-import { encodeFrame, frameOfDatagram, kinds, lifeOf, lifeOctets, MessageWriter, newLife } from '../../../src/client/javascript/lib/core/frame.js';
-import * as limits from '../../../src/client/javascript/lib/core/limits.js';
-import { Places } from '../../../src/client/javascript/lib/core/places.js';
-import { MessageQueue } from '../../../src/client/javascript/lib/core/queue.js';
-import { parametersOf, parseRequest } from '../../../src/client/javascript/lib/core/request.js';
-import { decodeLine, formatValue, parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
-import { endpointOf } from '../../../src/client/javascript/lib/io/endpoint.js';
-import { ListenerTable } from '../../../src/client/javascript/lib/publisher/listeners.js';
+import { isSlip, shownAttribute, statedKey } from '../../../src/client/javascript/lib/protocol/attribute.js';
+import { canonicalAddress, isMulticast, isOfSomeLink } from '../../../src/client/javascript/lib/protocol/address.js';
+import { Backoff } from '../../../src/client/javascript/lib/protocol/backoff.js';
+import { Converter } from '../../../src/client/javascript/lib/protocol/converter.js';
+import { FrameReader } from '../../../src/client/javascript/lib/protocol/frame_reader.js';
+import { Sequence } from '../../../src/client/javascript/lib/protocol/sequence.js';
+import { EarlyFrames } from '../../../src/client/javascript/lib/protocol/early_frames.js';
+import { eventStatement, readEvent } from '../../../src/client/javascript/lib/protocol/event.js';
+import { encodeFrame, frameOfDatagram, kinds, MessageWriter } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { lifeOf, lifeOctets, newLife } from '../../../src/client/javascript/lib/protocol/life.js';
+import * as limits from '../../../src/client/javascript/lib/protocol/limits.js';
+import { Places } from '../../../src/client/javascript/lib/protocol/places.js';
+import { Inbox } from '../../../src/client/javascript/lib/protocol/inbox.js';
+import { parametersOf, parseRequest } from '../../../src/client/javascript/lib/protocol/request.js';
+import { decodeLine, formatValue, parseStatement } from '../../../src/client/javascript/lib/protocol/statement.js';
+import { endpointOf } from '../../../src/client/javascript/lib/channels/endpoint.js';
+import { Listeners } from '../../../src/client/javascript/lib/protocol/listeners.js';
 
 const refused = (line, status = 400) =>
   assert.throws(() => parseStatement(line), (error) => error.code === 'GEMINGA_STATEMENT' && error.status === status, line);
@@ -132,7 +133,7 @@ test('a stream of frames is read however it is cut', () => {
     encodeFrame(kinds.end, 7n, 2n)];
   const octets = Buffer.concat(frames);
   for (const step of [1, 2, 23, 24, 25, 100, octets.length]) {
-    const decoder = new FrameDecoder(300);
+    const decoder = new FrameReader(300);
     const read = [];
     for (let at = 0; at < octets.length; at += step) {
       decoder.push(octets.subarray(at, at + step));
@@ -146,12 +147,12 @@ test('a stream of frames is read however it is cut', () => {
 
 test('a stream ends at what is no frame, before its payload is waited for', () => {
   for (const limit of [299, 300, 301]) {
-    const decoder = new FrameDecoder(limit);
+    const decoder = new FrameReader(limit);
     decoder.push(encodeFrame(kinds.message, 7n, 1n, Buffer.alloc(300)).subarray(0, 24));
     assert.equal(decoder.next(), undefined);
     assert.equal(decoder.isBroken, limit < 300);
   }
-  const decoder = new FrameDecoder(300);
+  const decoder = new FrameReader(300);
   decoder.push(Buffer.concat([encodeFrame(kinds.message, 7n, 1n), Buffer.from('GET / HTTP/1.1\r\nHost: x\r\n\r\n')]));
   assert.equal(decoder.next().sequence, 1n);
   assert.equal(decoder.next(), undefined);
@@ -180,69 +181,62 @@ test('the next try waits .1, .2, .4, .8, 1, 1 s, up to a quarter longer', () => 
 });
 
 test('each message is delivered once and in order, with how many are missing', () => {
-  const track = new Track();
-  assert.equal(track.take(5n), 0n);
-  assert.equal(track.take(5n), undefined);
-  assert.equal(track.take(4n), undefined);
-  assert.equal(track.take(6n), 0n);
-  const missed = track.take(9n);
-  assert.equal(missed, 2n);
-  track.lose(missed);
-  assert.equal(track.missedBefore(track.take(10n)), 3n);
-  assert.equal(track.missedBefore(track.take(0xffffffffffffffffn)), 0xffffffffffffffffn - 11n);
-  assert.equal(new Track().take(0n), undefined);
+  const sequence = new Sequence();
+  assert.equal(sequence.take(1n, 5n), 0n);
+  assert.equal(sequence.take(1n, 5n), undefined);
+  assert.equal(sequence.take(1n, 4n), undefined);
+  assert.equal(sequence.take(1n, 6n), 0n);
+  assert.equal(sequence.take(1n, 9n), 2n);
+  assert.equal(sequence.take(2n, 8n), 0n);
+  assert.deepEqual([9n, 12n, 3n].map((last) => sequence.missedAtEnd(1n, last)), [0n, 3n, 0n]);
+  assert.equal(sequence.missedAtEnd(3n, 5n), 0n);
+  assert.equal(sequence.take(1n, 0xffffffffffffffffn), 0xffffffffffffffffn - 10n);
+  assert.equal(sequence.take(4n, 0n), undefined);
 });
 
 test('a life that is back delivers nothing twice and misses nothing that was not for it', () => {
-  const memory = new Memory();
-  memory.remember(1n, 9n);
-  const track = new Track(memory.lastOf(1n));
-  assert.equal(track.take(9n), undefined);
-  assert.equal(track.take(20n), 0n);
-  assert.equal(track.take(22n), 1n);
-  for (let life = 2n; life <= BigInt(limits.maxRemembered); ++life) memory.remember(life, 1n);
-  assert.equal(memory.lastOf(1n), 9n);
-  memory.remember(5000n, 1n);
-  assert.equal(memory.lastOf(1n), undefined);
+  const sequence = new Sequence();
+  assert.equal(sequence.take(1n, 9n), 0n);
+  sequence.interrupt(1n);
+  assert.equal(sequence.missedAtEnd(1n, 50n), 0n);
+  assert.equal(sequence.take(1n, 9n), undefined);
+  assert.equal(sequence.take(1n, 20n), 0n);
+  assert.equal(sequence.take(1n, 22n), 1n);
+  for (let life = 2n; life <= BigInt(limits.maxRemembered); ++life) sequence.take(life, 1n);
+  assert.equal(sequence.take(1n, 22n), undefined);
+  sequence.take(5000n, 1n);
+  assert.equal(sequence.take(1n, 22n), 0n);
 });
 
-test('the queue pushes out the oldest datagrams, and asks streams to wait', () => {
-  const item = (name, size = 1) => ({ name, payload: Buffer.alloc(size) });
-  const queue = new MessageQueue(3, 100);
-  for (const name of ['a', 'b', 'c']) assert.deepEqual(queue.push(item(name), true), []);
-  assert.deepEqual(queue.push(item('d'), true).map(({ name }) => name), ['a']);
-  assert.equal(queue.hasRoom, false);
-  for (const name of ['b', 'c']) assert.equal(queue.shift().name, name);
-  for (const name of ['s', 't']) queue.push(item(name), false);
-  assert.deepEqual(queue.push(item('e'), true).map(({ name }) => name), ['d']);
-  const taken = [];
-  while (queue.size > 0) taken.push(queue.shift().name);
-  assert.deepEqual(taken, ['s', 't', 'e']);
-  for (const name of ['s', 't', 'u']) queue.push(item(name), false);
-  assert.deepEqual(queue.push(item('lost'), true).map(({ name }) => name), ['lost']);
-  assert.deepEqual([queue.size, queue.hasRoom, queue.isHalfEmpty], [3, false, false]);
-  queue.shift();
-  assert.deepEqual([queue.hasRoom, queue.isHalfEmpty], [true, false]);
-  queue.shift();
-  assert.deepEqual([queue.hasRoom, queue.isHalfEmpty], [true, true]);
+test('an inbox loses the eldest datagrams, and asks streams to wait', () => {
+  const message = (sequence) => ({ life: 0n, sequence, missed: 0n, payload: Buffer.alloc(1) });
+  const inbox = new Inbox(3, 100);
+  for (const name of ['s', 't', 'u']) inbox.putStreamed(message(name));
+  assert.equal(inbox.putDatagram(message('lost')), 1);
+  assert.deepEqual([inbox.size, inbox.hasRoom, inbox.isHalfEmpty], [3, false, false]);
+  assert.equal(inbox.take().sequence, 's');
+  assert.deepEqual([inbox.hasRoom, inbox.isHalfEmpty], [true, false]);
+  assert.equal(inbox.take().sequence, 't');
+  assert.deepEqual([inbox.hasRoom, inbox.isHalfEmpty], [true, true]);
+  assert.deepEqual([inbox.take().sequence, inbox.take()], ['u', undefined]);
 });
 
 test('1024 messages and 16 MiB wait, but always one', () => {
-  const item = (size) => ({ payload: { length: size } });
+  const message = (size) => ({ life: 0n, sequence: 0n, missed: 0n, payload: { length: size } });
   assert.deepEqual([limits.queueLength, limits.maxQueuedOctets], [1024, 16_777_216]);
-  const queue = new MessageQueue(limits.queueLength, limits.maxQueuedOctets);
-  for (let count = 0; count < limits.queueLength; ++count) assert.deepEqual(queue.push(item(0), true), []);
-  assert.equal(queue.push(item(0), true).length, 1);
-  assert.equal(queue.size, limits.queueLength);
-  const octets = new MessageQueue(limits.queueLength, limits.maxQueuedOctets);
-  octets.push(item(limits.maxQueuedOctets - 1), true);
+  const inbox = new Inbox(limits.queueLength, limits.maxQueuedOctets);
+  for (let count = 0; count < limits.queueLength; ++count) assert.equal(inbox.putDatagram(message(0)), 0);
+  assert.equal(inbox.putDatagram(message(0)), 1);
+  assert.equal(inbox.size, limits.queueLength);
+  const octets = new Inbox(limits.queueLength, limits.maxQueuedOctets);
+  octets.putDatagram(message(limits.maxQueuedOctets - 1));
   assert.ok(octets.hasRoom);
-  octets.push(item(1), true);
+  octets.putDatagram(message(1));
   assert.equal(octets.hasRoom, false);
-  assert.equal(octets.push(item(0), true).length, 1);
+  assert.equal(octets.putDatagram(message(0)), 1);
   assert.equal(octets.size, 2);
-  const one = new MessageQueue(1, limits.maxQueuedOctets);
-  assert.deepEqual(one.push(item(limits.maxQueuedOctets + 1), false), []);
+  const one = new Inbox(1, limits.maxQueuedOctets);
+  one.putStreamed(message(limits.maxQueuedOctets + 1));
   assert.deepEqual([one.size, one.hasRoom], [1, false]);
 });
 
@@ -274,7 +268,7 @@ test('early frames are kept by place and life, 64 of them and 256 KiB, each for 
 
 test('conversions follow the chain, or the one function that does it all', () => {
   const add = (word) => (octets) => Buffer.concat([octets, Buffer.from(word)]);
-  const conversions = new Conversions({ 'A>B': add('1'), 'B>C': add('2') });
+  const conversions = new Converter({ 'A>B': add('1'), 'B>C': add('2') });
   assert.equal(String(conversions.along('A>B>C')(Buffer.from('x'))), 'x12');
   conversions.set('A>C', add('3'));
   assert.equal(String(conversions.along('A>B>C')(Buffer.from('x'))), 'x3');
@@ -325,23 +319,17 @@ test('only the life of this place is believed', () => {
   assert.equal(places.take('10.0.0.1 5000', message), undefined);
 });
 
-test('listeners say whom they want, are 64 at most, and are forgotten after 3 s', () => {
-  const table = new ListenerTable(7n);
-  const hello = encodeFrame(kinds.hello, 9n, 0n, lifeOctets(7n));
-  const bad = [encodeFrame(kinds.hello, 9n, 0n), encodeFrame(kinds.hello, 9n, 0n, lifeOctets(8n)),
-    encodeFrame(kinds.message, 9n, 1n, lifeOctets(7n)), Buffer.from('x')];
-  for (const octets of bad) table.onDatagram(octets, '10.0.0.1', 1, 0);
-  assert.equal(table.size, 0);
-  assert.equal(table.dropped, 4);
-  for (let port = 1; port <= limits.maxListeners + 1; ++port) table.onDatagram(hello, '10.0.0.1', port, 0);
-  assert.equal(table.size, limits.maxListeners);
-  for (let port = 2; port <= limits.maxListeners; ++port) table.onDatagram(hello, '10.0.0.1', port, 1000);
-  table.onDatagram(hello, '10.0.0.2', 1, limits.listenerPatience - 1);
-  assert.equal([...table.values()].some(({ address }) => address === '10.0.0.2'), false);
-  table.onDatagram(hello, '10.0.0.2', 1, limits.listenerPatience);
-  assert.equal([...table.values()].some(({ address }) => address === '10.0.0.2'), true);
-  table.onDatagram(encodeFrame(kinds.end, 9n, 0n, lifeOctets(7n)), '10.0.0.2', 1, limits.listenerPatience);
-  assert.equal(table.size, limits.maxListeners - 1);
+test('listeners are 64 at most, and are forgotten after 3 s', () => {
+  const listeners = new Listeners();
+  for (let port = 1; port <= limits.maxListeners; ++port) assert.ok(listeners.hello('10.0.0.1', port, 0));
+  assert.equal(listeners.hello('10.0.0.1', limits.maxListeners + 1, 0), false);
+  assert.equal(listeners.size, limits.maxListeners);
+  for (let port = 2; port <= limits.maxListeners; ++port) assert.ok(listeners.hello('10.0.0.1', port, 1000));
+  assert.equal(listeners.hello('10.0.0.2', 1, limits.listenerPatience - 1), false);
+  assert.ok(listeners.hello('10.0.0.2', 1, limits.listenerPatience));
+  assert.ok([...listeners.values()].some(({ address }) => address === '10.0.0.2'));
+  listeners.end('10.0.0.2', 1);
+  assert.equal(listeners.size, limits.maxListeners - 1);
 });
 
 test('endpoints are read as the other clients read them', () => {
