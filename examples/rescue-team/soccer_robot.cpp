@@ -14,20 +14,6 @@
 namespace {
 
 constexpr std::string_view field = "soccer:CartesianFieldFrame";
-void print(const geminga::ProviderChange& change) {
-  const auto* names = std::get_if<geminga::ConceptNames>(&change.service.publication.identity);
-  std::cout << to_string(change.what) << ' ' << (names != nullptr ? names->concept_name : "?") << " of "
-            << change.service.participant_name;
-  if (change.what == geminga::ProviderChange::What::removed) {
-    std::cout << ": " << change.reason;
-  } else if (!change.service.convert.empty()) {
-    std::cout << ", converted at cost " << change.service.cost << ": " << change.service.convert;
-  } else {
-    std::cout << ", as it is";
-  }
-  std::cout << '\n' << std::flush;
-}
-
 /// What is known of a provider, and whether its first message was shown.
 struct Provider {
   std::string concept_name;
@@ -59,12 +45,20 @@ class World {
     if (const auto* problem = std::get_if<geminga::Problem>(&event)) std::cout << problem->text << '\n' << std::flush;
     const auto* change = std::get_if<geminga::ProviderChange>(&event);
     if (change == nullptr) return;
-    print(*change);
-    const auto* names = std::get_if<geminga::ConceptNames>(&change->service.publication.identity);
-    if (names == nullptr) return;
+    const geminga::ServiceEvent& service = change->service;
+    const auto* names = std::get_if<geminga::ConceptNames>(&service.publication.identity);
     Provider& provider = providers_[change->life];
-    provider.concept_name = names->concept_name;
-    provider.is_converted = !change->service.convert.empty();
+    provider.concept_name = names != nullptr ? names->concept_name : "?";
+    provider.is_converted = !service.convert.empty();
+    std::cout << to_string(change->what) << ' ' << provider.concept_name << " of " << service.participant_name;
+    if (change->what == geminga::ProviderChange::What::removed) {
+      std::cout << ": " << change->reason << '\n';
+    } else if (provider.is_converted) {
+      std::cout << ", converted at cost " << service.cost << ": " << service.convert << '\n';
+    } else {
+      std::cout << ", as it is\n";
+    }
+    std::cout << std::flush;
   }
 
   geminga::Node& node_;

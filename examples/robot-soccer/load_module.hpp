@@ -4,25 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
-#include <cstdlib>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "geminga/node.hpp"
 #include "load_table.hpp"
-
-using Clock = std::chrono::steady_clock;
-
-/// Messages of one module, or of a host.
-struct Counts {
-  std::uint64_t inside = 0;    ///< received from the same host
-  std::uint64_t received = 0;  ///< from other hosts
-  std::uint64_t sent = 0;      ///< of services that are for other hosts
-  std::uint64_t missed = 0;
-};
 
 /// A service and when it is sent next.
 struct Sender {
@@ -81,12 +68,11 @@ class Module {
       geminga::NamedPublication offer;
       offer.identity = geminga::ConceptNames{row.concept_name, ""};
       offer.mode = mode;
-      offer.scope = row.scope == "others" ? "any,!host" : "host";
+      offer.scope = row.stated_scope();
       offer.attributes["load"] = "1";  // the modules of the demo offer the same, and send nothing
-      const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / row.hz));
       if (auto publisher = node_.publish(offer)) {
-        senders_.push_back({std::move(*publisher), period, std::string(row.octets, 'x'), row.scope == "others",
-                            Clock::now() + period});
+        senders_.push_back({std::move(*publisher), row.period(), std::string(row.octets, 'x'), !row.is_inside(),
+                            Clock::now() + row.period()});
       } else {
         complain(row, publisher.error().text);
       }
@@ -97,16 +83,12 @@ class Module {
     wish.mode = mode;
     wish.weakest = geminga::Degree::exact;
     wish.where = "load = 1";
-    wish.scope = row.scope == "others" ? "any,!host" : "host";
+    wish.scope = row.stated_scope();
     if (auto subscriber = node_.subscribe(wish)) {
       receivers_.push_back({std::move(*subscriber), row.is_inside()});
     } else {
       complain(row, subscriber.error().text);
     }
-  }
-  static void complain(const Row& row, const std::string& text) {
-    std::cerr << "robot_load: " << row.module << ": " << row.concept_name << ": " << text << '\n';
-    std::exit(2);
   }
 
   geminga::Node node_;
