@@ -60,7 +60,7 @@ int fail(geminga_error* error, const geminga::ClientError& failed) {
 
 int fail(geminga_error* error, const geminga::Error& failed) { return fail(error, GEMINGA_WRONG_USE, failed.text); }
 
-/// What the call gives, or `otherwise` and an error where there is no memory or no descriptor.
+/// The result of the call; `otherwise` and an error if there is no memory or no descriptor.
 template <typename Result, typename Call>
 Result guarded(geminga_error* error, Result otherwise, const Call& call) {
   try {

@@ -1,4 +1,4 @@
-// What a request in words is, for those who state it as a line of GCNP.
+// Requests of the C interface, read from the parameters of a line of GCNP.
 #ifndef GEMINGA_CLIENT_C_PARAMETERS_HPP
 #define GEMINGA_CLIENT_C_PARAMETERS_HPP
 

@@ -6,7 +6,7 @@
 namespace geminga::client {
 namespace {
 
-/// How long a daemon may take to read what was said before the goodbye.
+/// The time that a daemon has to read the lines before the goodbye.
 constexpr std::chrono::seconds goodbye_patience{3};
 
 }  // namespace
@@ -127,7 +127,7 @@ void DaemonLink::fail(const std::string& reason) {
   stop();
   has_failed_ = true;
   state_ = State::waiting;
-  // The next place is tried at once, as long as there is one.
+  // The next endpoint is tried at once.
   if (!was_up && ++endpoint_ < options_.endpoints.size()) {
     timer_.set(reactor_.now());
   } else {

@@ -1,4 +1,4 @@
-// Where a daemon listens, read from `ADDRESS:PORT`, a path, or `unix:PATH`.
+// The endpoint of a daemon, read from `ADDRESS:PORT`, a path, or `unix:PATH`.
 #ifndef GEMINGA_CLIENT_CHANNELS_ENDPOINT_HPP
 #define GEMINGA_CLIENT_CHANNELS_ENDPOINT_HPP
 
@@ -13,18 +13,18 @@ namespace geminga::client {
 struct Endpoint {
   std::string address;  ///< in numbers, without brackets
   std::uint16_t port = 0;
-  std::string path{};  ///< of a Unix socket; where it is not empty the others mean nothing
+  std::string path{};  ///< of a Unix socket; if it is not empty, the others mean nothing
   friend bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
 /// `127.0.0.1:4717`, or the path.
 [[nodiscard]] std::string to_string(const Endpoint& endpoint);
 
-/// The endpoint of `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`, or nothing. Neither address nor path is
-/// looked at.
+/// The endpoint of `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`; nothing for another form. Address and path
+/// are not checked.
 [[nodiscard]] std::optional<Endpoint> endpoint(std::string_view text);
 
-/// Where gemingad listens unless it is told otherwise, in the order in which a client tries.
+/// The endpoints of a gemingad without configuration, in the order in which a client tries them.
 [[nodiscard]] std::vector<Endpoint> usual_endpoints();
 
 }  // namespace geminga::client

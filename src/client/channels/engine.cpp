@@ -25,14 +25,14 @@ std::string_view to_string(ProviderChange::What what) {
 namespace geminga::client {
 namespace {
 
-/// No channel, among the news.
+/// The number that stands for events among the news.
 constexpr ChannelNumber events_only = 0;
 /// The largest datagram that IP carries.
 constexpr std::size_t largest_datagram = 65'536;
 
 ClientError wrong_use(std::string text) { return {ClientError::Kind::wrong_use, std::move(text)}; }
 
-/// What a channel's sockets hang on.
+/// Whether a change concerns the sockets of a channel.
 template <typename Change>
 bool rewires(const Change& change) {
   return change.mode || change.port || change.address;
@@ -274,7 +274,7 @@ void Engine::on_messages(ChannelNumber number, OnMessage on_message) {
 
 bool Engine::hand_out() {
   const bool has_come = std::exchange(has_event_come_, false) || !ready_.empty();
-  // Who is told may call anything here, but not process().
+  // The functions of the program may call everything here but process().
   while (on_event_ && !events_.empty()) {
     const auto event = next_event();
     const OnEvent told = on_event_;

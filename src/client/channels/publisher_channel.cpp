@@ -9,7 +9,7 @@
 namespace geminga::client {
 namespace {
 
-/// Whether two events say the same but for who says it in the words of daemons that come and go.
+/// Whether two events are equal but for the change and for the number that a daemon gave the service.
 bool is_same(ConsumerEvent before, const ConsumerEvent& event) {
   before.change = event.change;
   before.subscription = event.subscription;
@@ -53,13 +53,13 @@ void PublisherChannel::on_event(const ConsumerEvent& event) {
   const auto known = counterparts_.find(event.subscription);
   if (event.change == Change::del) {
     if (!known) return;
-    // Nothing comes from a consumer, so nothing is waited for.
+    // A consumer sends nothing, so there is nothing to wait for.
     const auto parted = counterparts_.del(event.subscription, event.reason, carrier_of(*known), now());
     const bool is_final = counterparts_.at(*known).state != Counterparts::State::orphaned;
     if (parted.parting != Counterparts::Parting::go_on) remove(*known, event.reason, is_final);
     return set_timer();
   }
-  // What has ended is made again by an add only.
+  // A consumer that has ended comes back by an add only.
   if (event.change == Change::modify && !known) return;
   const Life life = stated_life(event.subscribed.attributes);
   if (known && counterparts_.at(*known).life != life) remove(*known, "changed", true);
@@ -102,7 +102,7 @@ void PublisherChannel::vanish(Counterparts::Number consumer) {
 
 void PublisherChannel::remove(Counterparts::Number consumer, std::string_view reason, bool is_final) {
   if (!counterparts_.contains(consumer)) return;
-  const std::string kept(reason);  // it may be the counterpart's own
+  const std::string kept(reason);  // it may belong to the counterpart, which is erased
   on_consumer_gone(consumer, is_final);
   if (consumers_.at(consumer).was_told) tell(ConsumerChange::What::removed, consumer, kept);
   counterparts_.erase(consumer);

@@ -10,7 +10,7 @@
 namespace geminga::client {
 namespace {
 
-/// Whether two events say the same but for who says it in the words of daemons that come and go.
+/// Whether two events are equal but for the change and for the number that a daemon gave the service.
 bool is_same(ServiceEvent before, const ServiceEvent& event) {
   before.change = event.change;
   before.service = event.service;
@@ -47,7 +47,7 @@ SubscriberChannel::SubscriberChannel(ChannelHost& host, ChannelNumber number, Li
       udp_(host, life, told_by_udp()),
       timer_(host.reactor(), [this] {
         for (const auto over : counterparts_.expired(now())) {
-          if (is_paused_) counterparts_.go_on_finishing(over, now());  // it was not read from
+          if (is_paused_) counterparts_.go_on_finishing(over, now());  // it was not read
           if (counterparts_.at(over).until <= now()) remove(over, counterparts_.at(over).reason);
         }
         set_timer();
@@ -72,7 +72,7 @@ std::optional<Message> SubscriberChannel::take() {
 void SubscriberChannel::pause(bool is_paused) {
   if (is_paused_ == is_paused) return;
   is_paused_ = is_paused;
-  // What a connection has read already is given within the call, and may end it, or fill the inbox again.
+  // pause() gives the frames that a connection has read already, which may end it or fill the inbox again.
   std::vector<Number> numbers;
   for (const auto& [number, provider] : providers_) {
     if (provider.connection) numbers.push_back(number);
@@ -96,7 +96,7 @@ void SubscriberChannel::on_event(const ServiceEvent& event) {
     remove_superfluous();
     return set_timer();
   }
-  // What has ended is made again by an add only.
+  // A provider that has ended comes back by an add only.
   if (event.change == Change::modify && !known) return;
   const Life life = stated_life(event.publication.attributes);
   if (known && counterparts_.at(*known).life != life) remove(*known, "changed");
@@ -142,7 +142,7 @@ Counterparts::Carrier SubscriberChannel::carrier_of(Number number) const {
 void SubscriberChannel::remove(Number number, std::string_view reason) {
   const auto found = providers_.find(number);
   if (found == providers_.end()) return;
-  const std::string kept(reason);  // it may be the counterpart's own
+  const std::string kept(reason);  // it may belong to the counterpart, which is erased
   sequence_.interrupt(counterparts_.at(number).life);
   udp_.forget(number);
   tell(ProviderChange::What::removed, number, kept);
@@ -223,7 +223,7 @@ bool SubscriberChannel::take_frame(Number number, const Frame& frame) {
     deliver(number, frame.sequence, frame.payload);
     return !is_paused_;
   }
-  // Nothing of this life comes behind its end, whatever the daemons say.
+  // No message of this life comes after its end, whatever the daemons say.
   count_.missed += sequence_.missed_at_end(frame.life, frame.sequence);
   remove(number, "withdrawn");
   set_timer();

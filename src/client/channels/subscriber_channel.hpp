@@ -1,4 +1,4 @@
-// The consumer's half of a channel: who its providers are, and which messages of theirs are delivered.
+// A subscriber's half of a channel: its providers, and the messages of theirs that are delivered.
 #ifndef GEMINGA_CLIENT_CHANNELS_SUBSCRIBER_CHANNEL_HPP
 #define GEMINGA_CLIENT_CHANNELS_SUBSCRIBER_CHANNEL_HPP
 
@@ -23,33 +23,33 @@
 
 namespace geminga::client {
 
-/// Neither copies nor moves. Not thread-safe. What it tells goes to the host.
+/// Events go to the host. Neither copies nor moves. Not thread-safe.
 class SubscriberChannel {
  public:
-  /// Opens its UDP socket where a protocol admits one, and fills port, protocols and life into `subscription`. The
-  /// error is one line about a stated port or address that cannot be had.
+  /// Opens the UDP socket if `udp` is among the protocols, and fills port, protocols and life into `subscription`. The
+  /// error is one line about a port or address that cannot be had.
   [[nodiscard]] static std::expected<std::unique_ptr<SubscriberChannel>, std::string> open(
       ChannelHost& host, ChannelNumber number, NamedSubscription& subscription, Conversions conversions);
   SubscriberChannel(const SubscriberChannel&) = delete;
   SubscriberChannel& operator=(const SubscriberChannel&) = delete;
 
-  /// The next message, if one is there.
+  /// The next message that is here.
   [[nodiscard]] std::optional<Message> take();
   [[nodiscard]] const ReceiveCount& count() const { return count_; }
   [[nodiscard]] Life life() const { return life_; }
-  /// The most providers that there may be; 0: all.
+  /// The largest number of providers; 0: all.
   void set_limit(std::uint32_t limit) { limit_ = limit; }
 
-  /// Takes what the daemon says of a provider.
+  /// Takes an event of the daemon about a provider.
   void on_event(const ServiceEvent& event);
   void on_daemon_gone() { counterparts_.doubt(); }
-  /// The daemon is back and has had its time to tell of every provider again.
+  /// The daemon is back and has had its time to confirm every provider.
   void on_settled();
   /// The daemon has taken the request back.
   void on_refused();
 
  private:
-  /// How messages of a provider come.
+  /// The way in which messages of a provider come.
   enum class Way : std::uint8_t { none, datagrams, hello, group, connection };
   struct Provider {
     ServiceEvent event;

@@ -6,7 +6,7 @@
 namespace geminga::client {
 namespace {
 
-/// Reads that are done before others have their turn.
+/// Reads of one connection before other sockets have their turn.
 constexpr int reads_at_once = 16;
 
 }  // namespace
@@ -32,7 +32,7 @@ void TcpInlet::pause(bool is_paused) {
   is_paused_ = is_paused;
   if (!is_connected_) return;
   watch_.want(!is_paused, false);
-  // What was read and not given yet is in no socket any more.
+  // Frames that were read are in the reader, not in the socket.
   if (!is_paused) give();
 }
 
@@ -41,7 +41,7 @@ void TcpInlet::on_ready(Reactor::Ready ready) {
     if (!ready.can_write) return;
     if (pending_error(socket_) != 0) return lose();
     const auto hello = frame_bytes({FrameKind::hello, own_, 0, {}});
-    // A new connection has room for so little.
+    // The buffer of a new connection has room for a hello.
     if (::send(socket_.get(), hello.data(), hello.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(hello.size())) {
       return lose();
     }
@@ -70,7 +70,7 @@ bool TcpInlet::give() {
   while (!is_paused_) {
     const auto frame = reader_.next();
     if (!frame) break;
-    backoff_.reset();  // somebody who only accepts is not asked again at once
+    backoff_.reset();  // a peer that only accepts is not tried again at once
     const bool goes_on = told_.frame(*frame);
     if (is_destroyed) return false;
     if (!goes_on) {

@@ -1,4 +1,4 @@
-// A subscriber's TCP connection to one provider, made again while the provider is believed to be there.
+// A subscriber's TCP connection to one provider, made again while the provider is matched.
 #ifndef GEMINGA_CLIENT_CHANNELS_TCP_INLET_HPP
 #define GEMINGA_CLIENT_CHANNELS_TCP_INLET_HPP
 
@@ -12,15 +12,15 @@
 
 namespace geminga::client {
 
-/// Says hello by itself. Neither copies nor moves. What it tells may destroy it as the last thing that happens.
+/// Says hello by itself. A function of `Told` may destroy it. Neither copies nor moves.
 class TcpInlet {
  public:
   struct Told {
-    /// A frame; false: nothing more may be read for now, and this one was the last.
+    /// A frame. The result is false if no more frames may come for now.
     std::function<bool(const Frame&)> frame;
-    /// The connection is gone. Where it returns true, it is made again.
+    /// The connection is gone. The result says whether it is to be made again.
     std::function<bool()> lost;
-    /// What came was no frame.
+    /// Octets came that are no frame.
     std::function<void()> broken;
   };
 
@@ -31,19 +31,19 @@ class TcpInlet {
   TcpInlet(const TcpInlet&) = delete;
   TcpInlet& operator=(const TcpInlet&) = delete;
 
-  /// Begins at once.
+  /// Begins to connect.
   void start() { connect(); }
   [[nodiscard]] const PeerAddress& to() const { return to_; }
-  /// Whether it is there, and not only tried.
+  /// Whether the connection is open.
   [[nodiscard]] bool is_connected() const { return is_connected_; }
-  /// Reads no more until it is told otherwise.
+  /// Stops reading, or goes on.
   void pause(bool is_paused);
 
  private:
   void connect();
   void on_ready(Reactor::Ready ready);
   void read();
-  /// Gives the frames that were read; false where it was paused or destroyed.
+  /// Gives the frames that were read. False if it was paused or destroyed meanwhile.
   bool give();
   void lose();
 
@@ -59,7 +59,7 @@ class TcpInlet {
   FrameReader reader_;
   bool is_connected_ = false;
   bool is_paused_ = false;
-  bool* is_destroyed_ = nullptr;  ///< told to a call that is under way
+  bool* is_destroyed_ = nullptr;  ///< set by the destructor, for a call under way
 };
 
 }  // namespace geminga::client

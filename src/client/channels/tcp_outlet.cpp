@@ -10,10 +10,10 @@
 namespace geminga::client {
 namespace {
 
-/// How long accepting pauses when the process has no descriptor left.
+/// The pause of accepting when the process has no descriptor left.
 constexpr std::chrono::milliseconds accept_pause{100};
 
-/// How many octets the socket took; nothing where it is broken.
+/// The number of octets that the socket took; nothing if it is broken.
 std::optional<std::size_t> write_some(const Socket& socket, std::span<iovec> parts) {
   msghdr message{};
   message.msg_iov = parts.data();
@@ -114,7 +114,7 @@ std::optional<TcpOutlet::Number> TcpOutlet::consumer_of(Life life) const {
 void TcpOutlet::on_consumer(Counterparts::Number consumer) {
   const Life life = counterparts_.at(consumer).life;
   if (life == no_life) return;
-  // It may have been here before the daemon's word; the last one counts.
+  // Its connections may have come before the event; the last one counts.
   std::vector<Number> waiting;
   for (const auto& [number, connection] : connections_) {
     if (connection.role == Role::stranger && connection.life == life) waiting.push_back(number);
@@ -148,7 +148,7 @@ void TcpOutlet::accept_all() {
         host_.reactor().watch(connection.socket, [this, number](Reactor::Ready ready) { on_ready(number, ready); });
   }
   if (errno == EMFILE || errno == ENFILE) {
-    // Trying again at once would only spin.
+    // To try again at once would only spin.
     watch_.want(false, false);
     retry_.set(now() + accept_pause);
   }
@@ -181,7 +181,7 @@ bool TcpOutlet::read(Number number) {
 
 bool TcpOutlet::take(Number number, const Frame& frame) {
   Connection& connection = connections_.at(number);
-  if (connection.role != Role::stranger) return true;  // it has nothing more to say
+  if (connection.role != Role::stranger) return true;  // a consumer has nothing more to say
   if (frame.kind != FrameKind::hello || frame.life == no_life || connection.life != no_life) {
     ++count_.dropped;
     close(number);

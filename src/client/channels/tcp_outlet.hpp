@@ -1,4 +1,4 @@
-// A publisher over TCP: it listens, and a connection becomes a consumer by its hello.
+// The outlet of a publisher over TCP: it listens, and a connection becomes a consumer by its hello.
 #ifndef GEMINGA_CLIENT_CHANNELS_TCP_OUTLET_HPP
 #define GEMINGA_CLIENT_CHANNELS_TCP_OUTLET_HPP
 
@@ -23,21 +23,21 @@ class TcpOutlet : public PublisherChannel {
 
  private:
   enum class Role : std::uint8_t {
-    stranger,  ///< nobody's yet
+    stranger,  ///< not a consumer's yet
     consumer,
-    leaving,  ///< gets what waits for it and nothing more
+    leaving,  ///< gets the frames that wait for it and nothing more
   };
   struct Connection {
     Socket socket;
     Reactor::Watch watch;
-    FrameReader reader{0};  ///< nobody says more than a hello
+    FrameReader reader{0};  ///< a consumer says no more than a hello
     SendQueue queue;
-    Life life = no_life;  ///< as its hello says
+    Life life = no_life;  ///< of its hello
     Role role = Role::stranger;
     bool has_ended = false;  ///< everything is written and our half is closed
     base::Instant until = base::never;
   };
-  /// In the order in which they came.
+  /// Ordered as the connections came.
   using Number = std::uint64_t;
 
   TcpOutlet(ChannelHost& host, ChannelNumber number, Life life, ChannelMode mode);
@@ -52,16 +52,16 @@ class TcpOutlet : public PublisherChannel {
 
   void accept_all();
   void on_ready(Number connection, Reactor::Ready ready);
-  /// False where the connection is gone.
+  /// Reads a connection. False if it is gone.
   bool read(Number connection);
   bool take(Number connection, const Frame& frame);
   bool write(Number connection);
   bool become_consumer(Number connection);
   [[nodiscard]] std::optional<Number> consumer_of(Life life) const;
-  /// Writes what waits, and then closes.
+  /// Writes the frames that wait, and then closes.
   void leave(Number connection);
   void close(Number connection);
-  /// Closes what the counterpart loses with its connection.
+  /// Closes a connection that has failed, and tells the channel.
   void lose(Number connection);
   void set_deadline();
 
@@ -72,7 +72,7 @@ class TcpOutlet : public PublisherChannel {
   std::size_t consumer_connections_ = 0;
   Number last_ = 0;
   Reactor::Timer deadline_;
-  Reactor::Timer retry_;  ///< no descriptor was left for who waits
+  Reactor::Timer retry_;  ///< accepts again, after no descriptor was left
 };
 
 }  // namespace geminga::client

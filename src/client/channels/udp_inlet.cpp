@@ -8,7 +8,7 @@
 namespace geminga::client {
 namespace {
 
-/// Datagrams that are read before others have their turn.
+/// Datagrams of one socket before other sockets have their turn.
 constexpr int datagrams_a_turn = 256;
 /// Datagrams that are read at the end of a provider: more than the buffer of a socket holds.
 constexpr int datagrams_at_end = 16'384;

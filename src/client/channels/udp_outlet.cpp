@@ -9,9 +9,9 @@
 namespace geminga::client {
 namespace {
 
-/// Datagrams that are read before others have their turn.
+/// Datagrams of one socket before other sockets have their turn.
 constexpr int datagrams_at_once = 64;
-/// Up to here a payload is copied behind its header: the system takes one piece sooner than two.
+/// Payloads up to this size are copied behind their header, because the system takes one piece faster than two.
 constexpr std::size_t max_copied_payload = 8 * 1024;
 
 }  // namespace
@@ -22,7 +22,7 @@ std::expected<std::unique_ptr<PublisherChannel>, std::string> UdpOutlet::open(Ch
   std::unique_ptr<UdpOutlet> made(new UdpOutlet(host, number, life, publication));
   if (auto opened = made->open_socket(); !opened) return std::unexpected(std::move(opened.error()));
   publication.port = made->binding_.port;
-  // Its port is known now; the socket comes with the first consumer.
+  // The port is known; the socket opens with the first consumer.
   if (made->mode_ == ChannelMode::one_to_many_pubsub) {
     made->watch_.stop();
     made->socket_.close();
@@ -86,7 +86,7 @@ void UdpOutlet::send_to_all(std::span<const iovec> framed, std::span<const iovec
   }
   for (const auto& [number, consumer] : consumers_) {
     if (consumer.address.port == 0) continue;
-    // Who states no life knows nothing of frames.
+    // A consumer without a life does not know frames.
     const auto for_it = counterparts_.at(number).life == no_life ? plain : framed;
     if (!for_it.empty()) send_to(consumer.address, for_it, 0);
   }
@@ -96,7 +96,7 @@ void UdpOutlet::send_to_all(std::span<const iovec> framed, std::span<const iovec
 void UdpOutlet::send_to(const PeerAddress& to, std::span<const iovec> parts, unsigned interface) {
   const int error = send_datagram(socket_, to, parts, interface);
   if (error == 0) return;
-  // What the network does not take is lost as any datagram may be; the sequence shows it.
+  // A datagram that the system does not take is lost; the sequence shows it.
   ++count_.left_out;
   if (error == EAGAIN) {
     is_full_ = true;
@@ -113,7 +113,7 @@ void UdpOutlet::on_consumer(Counterparts::Number) {
 void UdpOutlet::open_socket_of_first() {
   const std::uint16_t stated = binding_.port;
   if (!open_socket()) {
-    // Somebody has taken the port meanwhile.
+    // Another socket has taken the port meanwhile.
     binding_.port = 0;
     if (const auto opened = open_socket(); !opened) {
       binding_.port = stated;
@@ -161,7 +161,7 @@ void UdpOutlet::take(const Frame& frame, const PeerAddress& from) {
 
 void UdpOutlet::finish() {
   if (is_closed_) return;
-  read();  // who listens since the last time hears the end, too
+  read();  // new listeners hear the end, too
   is_closed_ = true;
   const auto header = frame_header(FrameKind::end, life_, sequence_, 0);
   const std::array framed{part(header)};

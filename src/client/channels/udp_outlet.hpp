@@ -1,4 +1,4 @@
-// A publisher over UDP: to each consumer, to each listener of a stream, or to a multicast group.
+// The outlet of a publisher over UDP: it sends to each consumer, to each listener of a stream, or to a multicast group.
 #ifndef GEMINGA_CLIENT_CHANNELS_UDP_OUTLET_HPP
 #define GEMINGA_CLIENT_CHANNELS_UDP_OUTLET_HPP
 
@@ -35,7 +35,7 @@ class UdpOutlet : public PublisherChannel {
   std::expected<void, std::string> open_socket();
   void open_socket_of_first();
   void send_to(const PeerAddress& to, std::span<const iovec> parts, unsigned interface);
-  /// `plain` is for those who know nothing of frames; empty: nothing is for them.
+  /// Sends `framed`, or `plain` to consumers without a life; an empty `plain` is not sent.
   void send_to_all(std::span<const iovec> framed, std::span<const iovec> plain);
   void read();
   void take(const Frame& frame, const PeerAddress& from);
@@ -43,13 +43,13 @@ class UdpOutlet : public PublisherChannel {
 
   ChannelMode mode_;
   Binding binding_;
-  std::optional<PeerAddress> group_;  ///< of a stream that is multicast
-  std::vector<unsigned> interfaces_;  ///< that it leaves by
+  std::optional<PeerAddress> group_;  ///< of a multicast stream
+  std::vector<unsigned> interfaces_;  ///< through which it is sent
   base::Instant interfaces_until_{};
-  std::size_t reachable_ = 0;  ///< consumers that have stated an address
+  std::size_t reachable_ = 0;  ///< consumers that state an address
   Socket socket_;
   Reactor::Watch watch_;
-  bool is_full_ = false;           ///< the system takes no more at the moment
+  bool is_full_ = false;           ///< the system takes no more datagrams for now
   std::vector<std::byte> copied_;  ///< room for a frame with a small payload
   Listeners listeners_;
   Reactor::Timer silence_;

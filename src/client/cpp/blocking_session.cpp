@@ -48,7 +48,7 @@ std::expected<gcnp::Statement, ClientError> BlockingSession::hello(const ClientO
 
 std::expected<void, ClientError> BlockingSession::request(const gcnp::Statement& statement) {
   if (auto sent = send(statement); !sent) return sent;
-  // The pong comes once everything before the ping has been handled, so an error is there by then.
+  // The daemon answers the ping after everything before it, so an error comes before the pong.
   if (auto sent = send({0, "sys", "ping", {}}); !sent) return sent;
   Wait wait{statement.id, "pong", {}, {}};
   if (auto done = finish(wait); !done) return done;
@@ -151,7 +151,7 @@ std::expected<void, ClientError> BlockingSession::take(gcnp::Reply reply, Wait* 
     return {};
   }
   auto& message = std::get<gcnp::Statement>(reply);
-  // A message that nobody waits for is one that a newer daemon says by itself; it is not for this client.
+  // A newer daemon may send messages that no call waits for.
   if (wait == nullptr || wait->is_over || message.command != "msg") return {};
   const std::uint32_t id = wait->last == "end" ? wait->id : 0;
   if (message.id != id) return {};

@@ -19,13 +19,13 @@
 
 namespace geminga::client {
 
-/// Neither copies nor moves. Not thread-safe. After an error other than refused and wrong_use nothing can be sent any
-/// more; every call then gives that error again.
+/// After an error other than refused and wrong_use nothing can be sent, and every call gives that error again. Neither
+/// copies nor moves. Not thread-safe.
 class BlockingSession {
  public:
   explicit BlockingSession(std::chrono::milliseconds timeout) : timeout_(timeout) {}
 
-  /// Connects to the first of these that listens, within the timeout altogether.
+  /// Connects to the first of these endpoints that listens. The timeout is for all of them.
   [[nodiscard]] std::expected<void, ClientError> connect(const std::vector<Endpoint>& endpoints);
   /// Sends `0 sys hello` and returns its answer.
   [[nodiscard]] std::expected<gcnp::Statement, ClientError> hello(const ClientOptions& options);
@@ -33,7 +33,7 @@ class BlockingSession {
   [[nodiscard]] std::expected<void, ClientError> request(const gcnp::Statement& statement);
   /// Sends a query and returns the lines of its answer, the end line last.
   [[nodiscard]] std::expected<std::vector<gcnp::Statement>, ClientError> query(const gcnp::Statement& statement);
-  /// The next event; nothing if none came until the deadline.
+  /// The next event; nothing if none comes until the deadline.
   [[nodiscard]] std::expected<std::optional<Event>, ClientError> next_event(Clock::time_point deadline);
 
   /// A number that no request of this session has had.
@@ -41,9 +41,9 @@ class BlockingSession {
   [[nodiscard]] int file_descriptor() const { return connection_ ? connection_->socket().get() : -1; }
 
  private:
-  /// What the call under way waits for.
+  /// The answer that a call waits for.
   struct Wait {
-    std::uint32_t id = 0;  ///< errors about this request, or about 0, belong to the call
+    std::uint32_t id = 0;  ///< errors about this request, or about 0, are for this call
     std::string last;      ///< the message that ends the wait: hello, pong or end
     std::vector<gcnp::Statement> messages;
     std::optional<Error> error;
@@ -53,7 +53,7 @@ class BlockingSession {
   std::expected<void, ClientError> send(const gcnp::Statement& statement);
   /// Reads until the wait is over or the timeout.
   std::expected<void, ClientError> finish(Wait& wait);
-  /// Reads once and hands out every line that is complete. `wait` may be null.
+  /// Reads once and takes every line that is complete. `wait` may be null.
   std::expected<void, ClientError> read_lines(Clock::time_point deadline, Wait* wait);
   std::expected<void, ClientError> take(gcnp::Reply reply, Wait* wait);
   ClientError broken(ClientError::Kind kind, std::string text);

@@ -19,7 +19,7 @@ namespace {
 Record record_of(const gcnp::Statement& message) {
   Record record;
   record.kind = message.subcommand;
-  // `why` tells of services too, but of none of their attributes.
+  // `why` names services, too, but none of their attributes.
   const bool is_service = message.subcommand != "why" && (message.has("service") || message.has("subscription"));
   const bool is_converted = message.has("convert");  // then an attribute of these names is `attr.cost` or `attr.via`
   for (const auto& parameter : message.parameters) {
@@ -46,7 +46,7 @@ class Client::State {
   explicit State(std::chrono::milliseconds timeout) : session(timeout) {}
   client::BlockingSession session;
   Welcome welcome;
-  std::map<std::uint32_t, bool> is_publication;  ///< of everything that is offered or asked for, by its number
+  std::map<std::uint32_t, bool> is_publication;  ///< of each request, by its number
 
   std::expected<void, ClientError> send(std::uint32_t number, const gcnp::Request& request) {
     return session.request(gcnp::to_statement(number, request));

@@ -12,9 +12,9 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// How seldom send() looks after everything else, so that its cost is that of sending.
+/// The time between two calls of process() by send(), so that its cost is that of sending.
 constexpr milliseconds upkeep_interval{1};
-/// How long an end waits altogether: for consumers that take what waits for them, and for the daemon's goodbye.
+/// The longest wait of a clean end: for consumers that take what waits for them, and for the daemon's goodbye.
 constexpr milliseconds goodbye_patience{60'000};
 
 }  // namespace
@@ -27,17 +27,18 @@ class NodeState {
     last_upkeep = Clock::now();
     return engine.process();
   }
-  /// process(), but not more often than is of use.
+  /// Calls process(), but not more often than is of use.
   void keep_up() {
     if (Clock::now() - last_upkeep < upkeep_interval) return;
     process();
     remind();
   }
-  /// Who polls the descriptor would wait for what a call has read that he does not know of.
+  /// Makes the descriptor readable for a program that polls it, because a call has read messages that it does not know
+  /// of.
   void remind() {
     if (is_polled) engine.remind();
   }
-  /// Drives the engine until `is_done` or the deadline; whether it is done.
+  /// Drives the engine until `is_done` or the deadline. Whether it is done.
   template <typename IsDone>
   bool run_until(const IsDone& is_done, Clock::time_point deadline) {
     bool done = false;
@@ -48,12 +49,12 @@ class NodeState {
     remind();
     return done;
   }
-  /// Waits for something to do; false where the deadline came first.
+  /// Waits for something to do. False if the deadline comes first.
   [[nodiscard]] bool wait(Clock::time_point deadline) const {
     return client::wait_until_ready(engine.descriptor(), POLLIN, deadline);
   }
 
-  /// Waits until this holds of the request, and gives it; null where a callback has withdrawn it meanwhile.
+  /// Waits until this holds of the request. Null if a callback has withdrawn the request meanwhile.
   template <typename IsSettled>
   const client::Session::Request* settled(ChannelNumber number, const IsSettled& is_settled) {
     run_until(
@@ -64,7 +65,7 @@ class NodeState {
         client::deadline_after(timeout));
     return engine.find(number);
   }
-  /// Waits for the answer to a create; the error is a refusal, after which the request is gone.
+  /// Waits for the answer to a create. The error is a refusal, after which the request is gone.
   Result<void, ClientError> answer(ChannelNumber number) {
     const auto* request = settled(number, [](const auto& one) { return one.state != client::Session::State::asked; });
     if (request == nullptr || request->state != client::Session::State::refused) return {};
@@ -197,7 +198,7 @@ bool Subscriber::has_ended() const { return node_->has_ended(number_); }
 Node::Node(std::unique_ptr<NodeState> state) : state_(std::move(state)) {}
 Node::Node(Node&&) noexcept = default;
 Node& Node::operator=(Node&& other) noexcept {
-  std::swap(state_, other.state_);  // the other one's end withdraws what was here
+  std::swap(state_, other.state_);  // the other one's destructor withdraws what was here
   return *this;
 }
 Node::~Node() {

@@ -1,4 +1,4 @@
-// Where the options of a client say that its daemon listens.
+// The endpoints at which the options of a client say that its daemon listens.
 #ifndef GEMINGA_CLIENT_CPP_STATED_ENDPOINTS_HPP
 #define GEMINGA_CLIENT_CPP_STATED_ENDPOINTS_HPP
 
@@ -13,7 +13,7 @@
 
 namespace geminga::client {
 
-/// Those of `connect`, of GEMINGA_CONNECT where it is empty, and else the usual ones.
+/// The endpoint of `connect`, or of GEMINGA_CONNECT if that is empty, or the usual ones. Error: wrong_use.
 [[nodiscard]] inline std::expected<std::vector<Endpoint>, ClientError> stated_endpoints(const std::string& connect) {
   std::string text = connect;
   if (text.empty()) {

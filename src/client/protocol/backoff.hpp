@@ -1,4 +1,4 @@
-// How long to wait before the next attempt to reach somebody who was not there.
+// The wait before the next attempt to connect.
 #ifndef GEMINGA_CLIENT_PROTOCOL_BACKOFF_HPP
 #define GEMINGA_CLIENT_PROTOCOL_BACKOFF_HPP
 
@@ -14,14 +14,14 @@ class Backoff {
   static constexpr std::chrono::milliseconds first{100};
   static constexpr std::chrono::milliseconds longest{1000};
 
-  /// The next wait, of 64 bits of chance.
+  /// The next wait. `chance` is 64 random bits.
   [[nodiscard]] std::chrono::microseconds next(std::uint64_t chance) {
     const std::chrono::microseconds base = next_;
     next_ = std::min(next_ * 2, longest);
     const auto quarter = static_cast<std::uint64_t>(base.count()) / 4;
     return base + std::chrono::microseconds(chance % (quarter + 1));
   }
-  /// The other one was there.
+  /// An attempt has succeeded: begins with the shortest wait again.
   void reset() { next_ = first; }
 
  private:

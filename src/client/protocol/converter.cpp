@@ -7,7 +7,7 @@
 namespace geminga::client {
 namespace {
 
-/// What may go wrong in a function of the program stays there.
+/// Calls a function of the program; its exceptions end here.
 std::expected<std::vector<std::byte>, std::string> call(const Conversions::value_type& conversion,
                                                         std::span<const std::byte> payload) {
   try {
@@ -19,7 +19,7 @@ std::expected<std::vector<std::byte>, std::string> call(const Conversions::value
   }
 }
 
-/// The names of `A>B>C`; one that is an IRI stands in angle brackets, as `<http://...>`.
+/// The names of `A>B>C`. An IRI stands in angle brackets, as `<http://...>`.
 std::vector<std::string_view> names_of(std::string_view chain) {
   std::vector<std::string_view> names;
   while (!chain.empty()) {
@@ -32,7 +32,7 @@ std::vector<std::string_view> names_of(std::string_view chain) {
   return names;
 }
 
-/// Who does a step, counted from 0, by the words of `via`; empty: the consumer.
+/// The service that does a step, counted from 0, by the words of `via`; empty: the consumer does it.
 std::string_view service_of(std::string_view via, std::size_t step) {
   for (; step > 0 && !via.empty(); --step) via.remove_prefix(std::min(via.find(','), via.size() - 1) + 1);
   const std::string_view word = via.substr(0, via.find(','));

@@ -1,4 +1,4 @@
-// The conversions that a program gave, applied to what a match says (src/discovery/matching/CONVERSIONS.md).
+// The program's conversions, applied along the chain of a match (src/discovery/matching/CONVERSIONS.md).
 #ifndef GEMINGA_CLIENT_PROTOCOL_CONVERTER_HPP
 #define GEMINGA_CLIENT_PROTOCOL_CONVERTER_HPP
 
@@ -13,8 +13,9 @@
 
 namespace geminga::client {
 
-/// The payload after the chain `A>B>C`: the function for `A>C` where there is one, else those for `A>B` and `B>C`. An
-/// empty chain changes nothing. The error says what is missing, and who of `via` would do it, or that a function threw.
+/// The payload after the chain `A>B>C`: by the function for `A>C` if there is one, else by those for `A>B` and `B>C`.
+/// An empty chain changes nothing. The error names a conversion that has no function, with the service of `via` that
+/// does it, or one that threw.
 [[nodiscard]] std::expected<std::vector<std::byte>, std::string> convert(const Conversions& conversions,
                                                                          std::string_view chain,
                                                                          std::span<const std::byte> payload,

@@ -8,7 +8,7 @@ namespace geminga::client {
 
 Counterparts::Added Counterparts::add(Life life, const ServiceKey& key) {
   auto number = life == no_life ? find(key) : find(life);
-  // One whose life is another than it was is another one; the caller was told of the end of the first by del().
+  // Another life is another counterpart; the caller has removed the first one.
   if (number && counterparts_.at(*number).life != life) number = std::nullopt;
   const bool is_new = !number;
   if (!number) {

@@ -1,4 +1,4 @@
-// Frames over UDP that came before the consumer was told of whom they are (src/client/CHANNELS.md, Early frames).
+// Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, Early frames).
 #ifndef GEMINGA_CLIENT_PROTOCOL_EARLY_FRAMES_HPP
 #define GEMINGA_CLIENT_PROTOCOL_EARLY_FRAMES_HPP
 
@@ -13,7 +13,7 @@
 
 namespace geminga::client {
 
-/// At most max_early_frames with max_early_octets of payload, each for early_patience: the eldest goes first.
+/// Keeps at most max_early_frames with max_early_octets of payload, each for early_patience. The eldest goes first.
 class EarlyFrames {
  public:
   /// A frame that owns its payload.
@@ -29,7 +29,7 @@ class EarlyFrames {
   };
 
   void put(const PeerAddress& from, const Frame& frame, base::Instant now);
-  /// What is there of that life from there, in the order in which it came.
+  /// Removes the frames of this life from this address; the result has them in the order of arrival.
   [[nodiscard]] std::vector<Kept> take(const PeerAddress& from, Life life, base::Instant now);
 
  private:

@@ -17,14 +17,14 @@ class FrameReader {
  public:
   explicit FrameReader(std::size_t max_payload = max_stream_payload) : max_payload_(max_payload) {}
 
-  /// Where the next octets of the stream are to be written, at least one of them; and how many were. Frames that were
-  /// given before are over.
+  /// Room for the next octets of the stream, at least for one; fed() says how many were written there. Frames of next()
+  /// are void then.
   [[nodiscard]] std::span<std::byte> room();
   void fed(std::size_t bytes) { end_ += bytes; }
 
-  /// The next frame, borrowed until room() is called; nothing until more is fed, or where the stream is broken.
+  /// The next frame, borrowed until room() is called. Nothing until more is fed, or if the stream is broken.
   [[nodiscard]] std::optional<Frame> next();
-  /// Something was no frame: nothing behind it can be read.
+  /// Whether something was no frame, so that nothing behind it can be read.
   [[nodiscard]] bool is_broken() const { return is_broken_; }
 
  private:
@@ -32,7 +32,7 @@ class FrameReader {
   std::vector<std::byte> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
-  std::size_t wanted_ = frame_header_bytes;  ///< of the frame at begin_, as far as it is known
+  std::size_t wanted_ = frame_header_bytes;  ///< octets of the frame at begin_, as far as its size is known
   bool is_broken_ = false;
 };
 

@@ -22,9 +22,7 @@ class Inbox {
  public:
   explicit Inbox(std::size_t max_messages = max_waiting_messages) : max_messages_(max_messages) {}
 
-  [[nodiscard]] bool is_full() const {
-    return waiting_.size() >= max_messages_ || octets_ >= max_waiting_octets;
-  }
+  [[nodiscard]] bool is_full() const { return waiting_.size() >= max_messages_ || octets_ >= max_waiting_octets; }
   [[nodiscard]] bool is_empty() const { return waiting_.empty(); }
 
   /// Keeps a message of a stream, which cannot be lost.

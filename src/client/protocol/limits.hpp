@@ -1,4 +1,4 @@
-// How much a channel takes from others (src/client/CHANNELS.md, Frames and Life).
+// Limits of channels, and the times that they keep (src/client/CHANNELS.md).
 #ifndef GEMINGA_CLIENT_PROTOCOL_LIMITS_HPP
 #define GEMINGA_CLIENT_PROTOCOL_LIMITS_HPP
 
@@ -7,46 +7,46 @@
 
 namespace geminga::client {
 
-/// The payload of one message in a datagram, and in a frame over TCP.
+/// Octets of one message over UDP, and over TCP.
 inline constexpr std::size_t max_datagram_payload = 65'000;
 inline constexpr std::size_t max_stream_payload = 16 * 1024 * 1024;
-/// What waits for one TCP consumer, in octets of frames; one message may always wait.
+/// Octets of frames that may wait for one TCP consumer; one message may always wait.
 inline constexpr std::size_t max_waiting_for_consumer = 4 * 1024 * 1024;
 /// Listeners of one `otm/stream` over UDP.
 inline constexpr std::size_t max_listeners = 64;
-/// TCP connections of one publisher that are nobody's yet, and consumers that are somebody's.
+/// TCP connections of one publisher that have not become a consumer's, and those that have.
 inline constexpr std::size_t max_strangers = 16;
 inline constexpr std::size_t max_tcp_consumers = 256;
 
-/// How often a listener says hello, and after how long without one it is forgotten.
+/// The time between two hellos of a listener, and the time without one after which it is forgotten.
 inline constexpr std::chrono::seconds hello_interval{1};
 inline constexpr std::chrono::seconds listener_patience{3};
-/// How long a connection may be nobody's.
+/// The time that a connection has to become a consumer's.
 inline constexpr std::chrono::seconds stranger_patience{5};
-/// How long a consumer waits for more of a withdrawn publisher, and a publisher for a consumer that takes nothing of
-/// what waits for it at the end.
+/// The time that a subscriber waits for more of a withdrawn publisher, and the time that a publisher waits at its end
+/// for a consumer that takes nothing.
 inline constexpr std::chrono::seconds drain_patience{2};
 inline constexpr std::chrono::seconds leaving_patience{5};
-/// How often is looked which interfaces multicasts go through.
+/// The time between two looks at the interfaces of a multicast group.
 inline constexpr std::chrono::seconds interfaces_interval{2};
-/// How long a channel over UDP outlives the daemons' sight of its other end.
+/// The time that a channel over UDP goes on after the daemons have lost sight of its other end.
 inline constexpr std::chrono::seconds orphan_patience{10};
-/// How long a daemon that came back has to confirm what was there before.
+/// The time that a daemon that is back has to confirm a channel.
 inline constexpr std::chrono::seconds settle_patience{10};
 
-/// Lives of which a subscriber knows what it heard last.
+/// Lives of which a subscriber remembers the last sequence.
 inline constexpr std::size_t max_remembered_lives = 1024;
 
-/// Frames over UDP of one subscriber that are of nobody whom it knows yet, their payload, and how long they are kept.
+/// Early frames of one subscriber, the octets of their payloads, and the time that each is kept.
 inline constexpr std::size_t max_early_frames = 64;
 inline constexpr std::size_t max_early_octets = 256 * 1024;
 inline constexpr std::chrono::seconds early_patience{1};
 
-/// Messages of one subscriber that wait to be taken: beyond either nothing more is read from its sockets, so that the
-/// network holds the providers back (TCP) or drops (UDP). One message may always wait.
+/// Messages of one subscriber that wait to be taken, and the octets of their payloads; one may always wait. At either
+/// limit connections are not read, and of datagrams the eldest is lost.
 inline constexpr std::size_t max_waiting_messages = 1024;
 inline constexpr std::size_t max_waiting_octets = 16 * 1024 * 1024;
-/// Events that wait to be taken: where one more comes, the eldest goes.
+/// Events that wait to be taken; for one more the eldest is thrown away.
 inline constexpr std::size_t max_waiting_events = 4096;
 
 }  // namespace geminga::client

@@ -1,4 +1,4 @@
-// Who hears a stream over UDP: those who said hello within the last seconds.
+// The listeners of a stream over UDP: those that said hello within the last seconds.
 #ifndef GEMINGA_CLIENT_PROTOCOL_LISTENERS_HPP
 #define GEMINGA_CLIENT_PROTOCOL_LISTENERS_HPP
 
@@ -11,7 +11,7 @@
 
 namespace geminga::client {
 
-/// At most max_listeners, in the order in which they came; one more is not heard until one has fallen silent.
+/// At most max_listeners, in the order in which they came. One more is not heard until one has fallen silent.
 class Listeners {
  public:
   struct Listener {
@@ -19,7 +19,7 @@ class Listeners {
     base::Instant until;
   };
 
-  /// False where there is no room for one more.
+  /// Adds a listener, or renews it. False if there is no room for one more.
   bool hello(const PeerAddress& address, base::Instant now) {
     const auto known = std::ranges::find(listeners_, address, &Listener::address);
     if (known != listeners_.end()) {
@@ -36,7 +36,7 @@ class Listeners {
   void expire(base::Instant now) {
     std::erase_if(listeners_, [now](const Listener& one) { return one.until <= now; });
   }
-  /// When the next one falls silent.
+  /// The next instant at which one falls silent.
   [[nodiscard]] base::Instant next_end() const {
     base::Instant next = base::never;
     for (const Listener& one : listeners_) next = std::min(next, one.until);

@@ -1,4 +1,4 @@
-// What a publication or subscription is after a change, in the words of its program.
+// Changes applied to a publication or subscription by names.
 #ifndef GEMINGA_CLIENT_PROTOCOL_NAMED_CHANGE_HPP
 #define GEMINGA_CLIENT_PROTOCOL_NAMED_CHANGE_HPP
 

@@ -17,7 +17,7 @@ gcnp::Statement create_statement(ChannelNumber number, const Session::Stated& st
   return gcnp::to_statement(number, gcnp::SubCreate{std::get<NamedSubscription>(stated)});
 }
 
-/// Why a daemon would not read the line of a statement.
+/// The error that a daemon would find in the line of a statement.
 std::optional<Error> fault_of(const gcnp::Statement& statement) {
   const std::string line = gcnp::to_line(statement);
   const auto read_back = gcnp::parse(std::string_view(line).substr(0, line.size() - 2));
@@ -45,7 +45,7 @@ void Session::create(ChannelNumber number, Stated stated) {
 
 std::expected<void, Error> Session::modify(ChannelNumber number, const Change& change) {
   Request& request = session_.at(number);
-  // A change goes upon those before it that are not answered yet.
+  // A change follows the earlier ones that are not answered yet.
   Stated changed = request.stated;
   for (const Asked& asked : asked_) {
     if (asked.number == number && asked.changed) changed = *asked.changed;
@@ -123,7 +123,7 @@ Session::Settled Session::settle(Asked asked) {
     return settled;
   }
   if (asked.error) {
-    // One that the daemon cannot take now is stated to the next one.
+    // A request that this daemon cannot take now is stated to the next one.
     if (asked.error->code == ErrorCode::not_ready) return settled;
     request.state = State::refused;
     request.refusal = std::move(asked.error);

@@ -1,4 +1,4 @@
-// What a node states to its daemons: each publication and subscription, and what became of it.
+// The requests of a node: each publication and subscription, and the answers of the daemons to it.
 #ifndef GEMINGA_CLIENT_PROTOCOL_SESSION_HPP
 #define GEMINGA_CLIENT_PROTOCOL_SESSION_HPP
 
@@ -26,44 +26,44 @@ class Session {
   using Change = std::variant<PublicationChange, SubscriptionChange>;
   enum class State : std::uint8_t {
     asked,     ///< no daemon has answered yet
-    accepted,  ///< one has taken it
-    refused,   ///< one has refused it, or taken it back: it is not stated again
+    accepted,  ///< a daemon has accepted it
+    refused,   ///< a daemon has refused it or taken it back; it is not stated again
   };
   struct Request {
     Stated stated;
     State state = State::asked;
     std::optional<Error> refusal{};      ///< of the request
-    std::optional<Error> last_change{};  ///< why the last change that was settled was refused
+    std::optional<Error> last_change{};  ///< why the last settled change was refused
     std::uint32_t open_changes = 0;
   };
-  /// What an answer of the daemon settled.
+  /// A request or change that an answer of the daemon has settled.
   struct Settled {
     ChannelNumber number = 0;
-    std::optional<Error> error;  ///< nothing: accepted
+    std::optional<Error> error;  ///< nothing if it was accepted
     bool is_change = false;
-    bool is_news = false;  ///< the program is to be told
+    bool is_news = false;  ///< whether the program is to be told
   };
   using Say = std::function<void(const gcnp::Statement&)>;
 
   explicit Session(Say say) : say_(std::move(say)) {}
 
-  /// Why a daemon would not even read it; nothing where it would.
+  /// The error that a daemon would find when it reads the request; nothing if it would find none.
   [[nodiscard]] static std::optional<Error> fault(const Stated& stated);
 
-  /// A number that nobody has.
+  /// A number that no request has.
   [[nodiscard]] ChannelNumber next_number() { return ++last_; }
   void create(ChannelNumber number, Stated stated);
-  /// The error is a change that cannot be written or read. Requires that the request is there and not refused.
+  /// Changes a request. The error is a change that cannot be written or read. Requires a request that is not refused.
   [[nodiscard]] std::expected<void, Error> modify(ChannelNumber number, const Change& change);
   void remove(ChannelNumber number);
 
-  /// A daemon is there: it is asked for everything that was not refused.
+  /// A daemon is there: states every request that was not refused.
   void on_up();
-  /// It is gone; changes that it did not answer go with the request to the next one.
+  /// The daemon is gone. Changes that it did not answer are part of the request for the next one.
   void on_down();
-  /// `0 msg pong`
+  /// Takes `0 msg pong`.
   std::vector<Settled> on_pong();
-  /// `N EEE text`. Nothing where it belongs to something that was asked, and comes with its pong.
+  /// Takes `N EEE text`. Nothing if it answers a request that waits for its pong, which will settle it.
   [[nodiscard]] std::optional<Settled> on_error(ChannelNumber number, const Error& error);
 
   [[nodiscard]] const Request* find(ChannelNumber number) const;
@@ -71,7 +71,7 @@ class Session {
  private:
   struct Asked {
     ChannelNumber number = 0;
-    std::optional<Stated> changed;  ///< what it is after the change, where it is one
+    std::optional<Stated> changed;  ///< the request after the change, if it is a change
     std::optional<Error> error{};
     bool has_ping = false;
   };
