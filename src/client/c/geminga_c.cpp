@@ -1,4 +1,4 @@
-// The C interface over Node: handles, texts and callbacks; no exception leaves it.
+// The C interface over Node: handles, texts and callbacks. No exception leaves it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -84,7 +84,7 @@ const geminga_message* shown(geminga_subscriber& subscriber, std::optional<gemin
   return &subscriber.message;
 }
 
-/// Calls back with an event in the words of C.
+/// Gives an event to the callback.
 class Teller {
  public:
   Teller(geminga_on_event_call call, void* context) : call_(call), context_(context) {}

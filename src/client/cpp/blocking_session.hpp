@@ -1,5 +1,4 @@
-// The conversation of a Client, whose calls wait: what was sent, what is waited for, and the events that came
-// meanwhile.
+// The conversation of a Client, whose calls wait: requests, answers, and the events that come meanwhile.
 #ifndef GEMINGA_CLIENT_CPP_BLOCKING_SESSION_HPP
 #define GEMINGA_CLIENT_CPP_BLOCKING_SESSION_HPP
 

@@ -18,8 +18,8 @@
 
 namespace geminga::client {
 
-/// Session keep their numbers while daemons come and go. What a daemon is asked is followed by a ping, whose answer
-/// settles it. Pure: what is to be said goes to `say`, which is told whether there is a daemon.
+/// Session keep their numbers while daemons come and go. A ping follows each request; its answer settles the request.
+/// Pure: the lines go to `say`; on_up() and on_down() tell whether there is a daemon.
 class Session {
  public:
   using Stated = std::variant<NamedPublication, NamedSubscription>;
