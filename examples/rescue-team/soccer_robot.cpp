@@ -1,79 +1,19 @@
 // A robot of the soccer team: its vision tells where the ball is, and its world model asks for everything that moves,
-// in the soccer team's words and field coordinates. It knows nothing of any rescue team but how to read what the
-// alignment names.
-//
-// Usage: soccer_robot [COUNT]: ends after COUNT messages that had to be converted.
+// in the soccer team's words and field coordinates. Of the rescue team it knows only how to read its places
+// (places.hpp). Usage: soccer_robot [COUNT]: ends after COUNT messages that had to be converted.
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <map>
-#include <numbers>
-#include <sstream>
 #include <string>
 
 #include "geminga/node.hpp"
+#include "places.hpp"
 
 namespace {
 
 constexpr std::string_view field = "soccer:CartesianFieldFrame";
-/// The middle of the field as the rescue team's map has it: metres to the east and to the north of its pole.
-constexpr double field_east = 1;
-constexpr double field_north = 1;
-
-/// Two numbers in a line of text, which is how both teams write a place.
-struct Pair {
-  double first = 0;
-  double second = 0;
-};
-
-std::string text_of(std::span<const std::byte> payload) {
-  return {reinterpret_cast<const char*>(payload.data()), payload.size()};
-}
-
-/// Throws where they are not there: the library drops such a message and counts it.
-Pair read(std::span<const std::byte> payload) {
-  std::istringstream line(text_of(payload));
-  Pair pair;
-  if (!(line >> pair.first >> pair.second)) throw std::invalid_argument("two numbers are needed");
-  return pair;
-}
-
-std::vector<std::byte> write(const Pair& pair) {
-  std::ostringstream line;
-  line << std::fixed << std::setprecision(2) << pair.first << ' ' << pair.second;
-  const std::string text = line.str();
-  const auto* begin = reinterpret_cast<const std::byte*>(text.data());
-  return {begin, begin + text.size()};
-}
-
-std::vector<std::byte> map_of_bearing(std::span<const std::byte> payload) {
-  const auto [range, bearing] = read(payload);
-  const double angle = bearing * std::numbers::pi / 180;
-  return write({range * std::sin(angle), range * std::cos(angle)});
-}
-
-std::vector<std::byte> field_of_map(std::span<const std::byte> payload) {
-  const auto [east, north] = read(payload);
-  return write({east - field_east, north - field_north});
-}
-
-void print(const geminga::ProviderChange& change) {
-  const auto* names = std::get_if<geminga::ConceptNames>(&change.service.publication.identity);
-  std::cout << to_string(change.what) << ' ' << (names != nullptr ? names->concept_name : "?") << " of "
-            << change.service.participant_name;
-  if (change.what == geminga::ProviderChange::What::removed) {
-    std::cout << ": " << change.reason;
-  } else if (!change.service.convert.empty()) {
-    std::cout << ", converted at cost " << change.service.cost << ": " << change.service.convert;
-  } else {
-    std::cout << ", as it is";
-  }
-  std::cout << '\n' << std::flush;
-}
-
 /// What is known of a provider, and whether its first message was shown.
 struct Provider {
   std::string concept_name;
@@ -105,12 +45,20 @@ class World {
     if (const auto* problem = std::get_if<geminga::Problem>(&event)) std::cout << problem->text << '\n' << std::flush;
     const auto* change = std::get_if<geminga::ProviderChange>(&event);
     if (change == nullptr) return;
-    print(*change);
-    const auto* names = std::get_if<geminga::ConceptNames>(&change->service.publication.identity);
-    if (names == nullptr) return;
+    const geminga::ServiceEvent& service = change->service;
+    const auto* names = std::get_if<geminga::ConceptNames>(&service.publication.identity);
     Provider& provider = providers_[change->life];
-    provider.concept_name = names->concept_name;
-    provider.is_converted = !change->service.convert.empty();
+    provider.concept_name = names != nullptr ? names->concept_name : "?";
+    provider.is_converted = !service.convert.empty();
+    std::cout << to_string(change->what) << ' ' << provider.concept_name << " of " << service.participant_name;
+    if (change->what == geminga::ProviderChange::What::removed) {
+      std::cout << ": " << change->reason << '\n';
+    } else if (provider.is_converted) {
+      std::cout << ", converted at cost " << service.cost << ": " << service.convert << '\n';
+    } else {
+      std::cout << ", as it is\n";
+    }
+    std::cout << std::flush;
   }
 
   geminga::Node& node_;

@@ -24,9 +24,9 @@
 
 namespace geminga {
 
-/// A node that an executor drives while it runs: nothing waits, no thread is started, and the program needs no
-/// process(). Everything happens on that executor; where several threads run it, it has to be a strand. Publishers and
-/// subscribers must end before it. Neither copies nor moves.
+/// A node that an executor drives: no call waits, no thread is started, and the program does not call process(). All of
+/// it happens on that executor, which has to be a strand if several threads run it. Publishers and subscribers must end
+/// before it. Neither copies nor moves.
 ///
 /// Each operation completes with a boost::system::error_code first: operation_aborted where it was cancelled, by the
 /// token's cancellation slot, by cancel() or by the end of the node, and eof where the publisher or subscriber has
@@ -45,7 +45,7 @@ class AsioNode {
   AsioNode& operator=(const AsioNode&) = delete;
 
   [[nodiscard]] executor_type get_executor() const { return state_->ready.get_executor(); }
-  /// For what does not wait: publish() and subscribe() with Wait::for_nothing, begin_close().
+  /// The node, for calls that do not wait: publish() and subscribe() with Wait::for_nothing, begin_close().
   [[nodiscard]] Node& node() { return state_->node; }
 
   /// The next event: `void(error_code, std::optional<ChannelEvent>)`.
@@ -65,8 +65,8 @@ class AsioNode {
         },
         std::forward<Token>(token));
   }
-  /// Sends as soon as every consumer has room: `void(error_code, bool)`, true where it was sent. `payload` must live
-  /// until then. message_size: it is over the limit of the protocol.
+  /// Sends as soon as every consumer has room: `void(error_code, bool)`, true if it was sent. `payload` must live until
+  /// then. The error message_size is a payload over the limit of the protocol.
   template <typename Token>
   auto async_send(Publisher& publisher, std::span<const std::byte> payload, Token&& token) {
     return wait<std::optional<bool>>(
@@ -95,7 +95,7 @@ class AsioNode {
   void cancel() { state_->cancel_all(); }
 
  private:
-  /// Tries again whenever something has come; true where it is over.
+  /// An operation that waits: `attempt` is called whenever something has come, and returns true when it is over.
   struct Waiting {
     std::function<bool()> attempt;
     std::function<void()> cancel;
@@ -116,7 +116,7 @@ class AsioNode {
       });
     }
     void attempt_all() {
-      // What completes is called back later, so that nothing begins meanwhile.
+      // Handlers are called later, so that no operation begins meanwhile.
       waiting.remove_if([](const std::shared_ptr<Waiting>& one) { return one->attempt(); });
     }
     void cancel_all() {

@@ -1,4 +1,4 @@
-// How the attributes of a service are written beside keys, so that a mistyped key is not taken for one.
+// Names of attributes beside the keys of GCNP, so that a mistyped key is not taken for an attribute.
 #ifndef GEMINGA_ATTRIBUTE_HPP
 #define GEMINGA_ATTRIBUTE_HPP
 
@@ -10,7 +10,7 @@
 
 namespace geminga {
 
-/// Before the name of an attribute, whatever that name is: `attr.rate=33` states `rate`, `attr.where=left` states
+/// The prefix that makes any name the name of an attribute: `attr.rate=33` states `rate`, `attr.where=left` states
 /// `where`.
 inline constexpr std::string_view attribute_prefix = "attr.";
 

@@ -1,4 +1,4 @@
-// What flows through channels, and what a program is told about them (src/client/CHANNELS.md).
+// Messages, and the events by which a program is told about its channels (src/client/CHANNELS.md).
 #ifndef GEMINGA_CHANNEL_HPP
 #define GEMINGA_CHANNEL_HPP
 
@@ -17,10 +17,10 @@
 
 namespace geminga {
 
-/// 64 random bits of one publisher or subscriber. They stay the same while its daemon comes and goes, and tell a
-/// program that was restarted from the one before.
+/// 64 random bits that name one publisher or subscriber. They stay the same while its daemon is restarted. A program
+/// that is restarted has other ones.
 enum class Life : std::uint64_t {};
-/// Of whoever states none.
+/// The life of a publisher or subscriber that states none.
 inline constexpr Life no_life{};
 /// Sixteen lower-case hexadecimal digits.
 [[nodiscard]] std::string to_string(Life life);
@@ -32,16 +32,16 @@ using ChannelNumber = std::uint32_t;
 struct Message {
   Life life = no_life;         ///< of the publisher
   std::uint64_t sequence = 0;  ///< 1, 2, 3, ... of that life; 0 from a publisher without a life
-  std::uint64_t missed = 0;    ///< messages between the one before and this one that did not come
+  std::uint64_t missed = 0;    ///< messages of this life that did not come between the one before and this one
   std::vector<std::byte> payload;
 };
 
-/// Turns the payload of one representation into that of another. What it throws drops the message.
+/// Turns the payload of one representation into that of another. If it throws, the message is dropped.
 using Conversion = std::function<std::vector<std::byte>(std::span<const std::byte>)>;
-/// Conversions by `A>B`, the names as events write them.
+/// Conversions by `A>B`, with the names that events use.
 using Conversions = std::map<std::string, Conversion, std::less<>>;
 
-/// Why something could not be sent.
+/// The reason why a message could not be sent.
 struct SendError {
   enum class Kind : std::uint8_t {
     too_large,  ///< over the limit of the protocol; `text` says what to do
@@ -51,40 +51,40 @@ struct SendError {
   std::string text;
 };
 
-/// What a publisher has sent.
+/// Counts of a publisher.
 struct SendCount {
-  std::uint64_t sent = 0;      ///< messages that it was given while it had a consumer
-  std::uint64_t left_out = 0;  ///< copies that a consumer did not get since it does not keep up
+  std::uint64_t sent = 0;      ///< messages that the program sent while there was a consumer
+  std::uint64_t left_out = 0;  ///< copies that were left out for a consumer that does not keep up
   std::uint64_t dropped = 0;   ///< frames and connections from others that were not believed
 };
 
-/// What a subscriber has received.
+/// Counts of a subscriber.
 struct ReceiveCount {
-  std::uint64_t received = 0;  ///< messages that were delivered, or wait to be taken
-  std::uint64_t missed = 0;    ///< that ought to have come between them
-  std::uint64_t dropped = 0;   ///< datagrams and frames that were not believed, or could not be converted
+  std::uint64_t received = 0;  ///< messages that were taken or wait to be taken
+  std::uint64_t missed = 0;    ///< messages that did not come between them, or were lost in a full inbox
+  std::uint64_t dropped = 0;   ///< datagrams and frames that were not believed or could not be converted
 };
 
 /// The daemon was reached.
 struct Connected {
   Welcome welcome;
 };
-/// The daemon is gone; it is looked for again, and what flows goes on meanwhile.
+/// The daemon is gone. The node looks for it again, and channels go on meanwhile.
 struct Disconnected {
   std::string reason;
 };
-/// The daemon has taken what the channel offers or asks for, for the first time or after a change.
+/// The daemon has accepted the request of a channel, for the first time or after a change.
 struct Accepted {
   ChannelNumber channel = 0;
 };
-/// The daemon has refused it, and why. A channel that was never taken does nothing more; a refused change changes
-/// nothing.
+/// The daemon has refused a request or a change. A channel that was never accepted does nothing more; a refused change
+/// changes nothing.
 struct Refused {
   ChannelNumber channel = 0;
   Error error;
 };
-/// A provider of a subscriber was added, changed or is gone. A channel that goes on while daemons lose sight of each
-/// other is not told.
+/// A provider of a subscriber was added, was modified or is gone. A channel that goes on while daemons lose sight of
+/// each other causes no event.
 struct ProviderChange {
   enum class What : std::uint8_t { added, modified, removed };
   ChannelNumber channel = 0;
@@ -93,7 +93,7 @@ struct ProviderChange {
   ServiceEvent service;  ///< as the daemon told of it last
   std::string reason;    ///< of removed
 };
-/// The same of a consumer of a publisher; not for streams, whose provider is not told.
+/// A consumer of a publisher was added, was modified or is gone. Publishers of streams are not told of consumers.
 struct ConsumerChange {
   using What = ProviderChange::What;
   ChannelNumber channel = 0;
@@ -102,8 +102,8 @@ struct ConsumerChange {
   ConsumerEvent consumer;
   std::string reason;
 };
-/// Something that somebody should know: a conversion without a function, a request that the daemon took back, a
-/// provider that no channel can be made to.
+/// Something that a person should know: a conversion without a function, a request that the daemon took back, a
+/// provider to which no channel can be made. Channel 0 is the node.
 struct Problem {
   ChannelNumber channel = 0;
   std::string text;

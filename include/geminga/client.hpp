@@ -1,4 +1,4 @@
-// The C++ client: one connection to the local daemon, to offer services, ask for them and be told.
+// A client of the local daemon: it offers services, asks for them, and receives events about them.
 #ifndef GEMINGA_CLIENT_HPP
 #define GEMINGA_CLIENT_HPP
 
@@ -19,22 +19,22 @@
 
 namespace geminga {
 
-/// Where the daemon is and who is calling.
+/// The daemon to connect to, and the name of the calling program.
 struct ClientOptions {
-  /// `ADDRESS:PORT` or `[ADDRESS]:PORT`, the address in numbers; or the path of a Unix socket, as `/PATH` or
-  /// `unix:PATH`. Empty: the environment variable GEMINGA_CONNECT, and where that is empty 127.0.0.1:4717 and then
+  /// `ADDRESS:PORT` or `[ADDRESS]:PORT` with a numeric address, or the path of a Unix socket, as `/PATH` or
+  /// `unix:PATH`. Empty: the environment variable GEMINGA_CONNECT; if that is empty, too, 127.0.0.1:4717 and then
   /// [::1]:4717.
   std::string connect;
   /// The peer's name as others see it, e.g. "vision": at most 64 octets without `/` and `,`. Empty: none.
   std::string name;
-  /// How long connecting may take, and how long an answer.
+  /// The longest time for connecting, and for an answer.
   std::chrono::milliseconds timeout = std::chrono::seconds(5);
-  /// How many subscriptions to streams it needs beside the 256 that every client may have
+  /// The number of subscriptions to streams that the program needs beside the 256 of every client
   /// (src/discovery/gcnp/GCNP.md, Room); at most 16384. 0: none.
   std::uint32_t room = 0;
 };
 
-/// Why a call of the client failed. `text` is one line that says what is wrong and what to do.
+/// The reason why a call failed. `text` is one line that says what is wrong and what to do.
 struct ClientError {
   enum class Kind : std::uint8_t {
     wrong_use,    ///< an address that cannot be read, a request that is not there
@@ -45,10 +45,10 @@ struct ClientError {
   };
   Kind kind = Kind::wrong_use;
   std::string text;
-  ErrorCode code = ErrorCode::malformed;  ///< what the daemon said; for refused only
+  ErrorCode code = ErrorCode::malformed;  ///< the code of the daemon, for refused only
 };
 
-/// What the daemon says about itself and this client when they meet.
+/// The daemon's answer to the hello: who it is, and who the client is.
 struct Welcome {
   ParticipantId participant{};
   PeerId peer{};
@@ -76,15 +76,15 @@ struct Answer {
 /// A connection to the local daemon. Everything offered and asked for ends with it: the destructor withdraws all.
 /// Moves but does not copy. Keeps no thread: bytes are read within its calls only. Not thread-safe.
 ///
-/// A client does not connect again by itself: after `closed` everything that it was told of is in doubt. A program that
-/// makes a new client and states its requests again has, by the time that these calls return, been sent the events of
-/// all that is there; what it knew and was not told of again is gone.
+/// A client does not connect again by itself: after `closed` all events so far are in doubt. A program then makes a new
+/// client and states its requests again. When these calls return, the events of all that is there have been sent; a
+/// service of which no event came is gone.
 ///
 /// A call that waits for the daemon (all but poll() and next_event() with events waiting) takes one round trip on the
-/// local host; events that come meanwhile are kept for next_event(), at most max_waiting_events of them.
+/// local host. Events that come meanwhile are kept for next_event(), at most max_waiting_events of them.
 class Client {
  public:
-  /// Events that are kept while nobody takes them; one more closes the connection, as the daemon would.
+  /// The most events that wait to be taken; one more closes the connection, as the daemon would do.
   static constexpr std::size_t max_waiting_events = 65'536;
 
   /// Connects and says hello. Errors: wrong_use, unreachable, timed_out, refused.
@@ -94,25 +94,25 @@ class Client {
   Client& operator=(Client&&) noexcept;
   ~Client();
 
-  /// What the daemon said when it was met.
+  /// The daemon's answer to the hello.
   [[nodiscard]] const Welcome& welcome() const;
 
   /// Offers a service. Returns the number that stands in its events and that modify() and withdraw() take.
   [[nodiscard]] Result<std::uint32_t, ClientError> publish(const NamedPublication& publication);
   /// Asks for a service; its events follow.
   [[nodiscard]] Result<std::uint32_t, ClientError> subscribe(const NamedSubscription& subscription);
-  /// Changes what publish() or subscribe() stated; refused changes change nothing.
+  /// Changes a publication or a subscription. A refused change changes nothing.
   [[nodiscard]] Result<void, ClientError> modify(std::uint32_t request, const PublicationChange& change);
   [[nodiscard]] Result<void, ClientError> modify(std::uint32_t request, const SubscriptionChange& change);
   /// Ends one publication or subscription.
   [[nodiscard]] Result<void, ClientError> withdraw(std::uint32_t request);
 
-  /// The next event, in the order of the daemon; waits for it up to `timeout`, and returns nothing if none came.
+  /// The next event, in the order of the daemon, for which it waits up to `timeout`. Nothing if none comes.
   [[nodiscard]] Result<std::optional<Event>, ClientError> next_event(std::chrono::milliseconds timeout);
-  /// The next event if there is one already; never waits.
+  /// The next event that is here already. Never waits.
   [[nodiscard]] Result<std::optional<Event>, ClientError> poll();
-  /// For a program's own poll() or select(): readable when something came. Before waiting on it call poll() until it
-  /// gives nothing, since events may be kept here already. Owned by the client.
+  /// The descriptor for a program's own poll(2) or select(2): readable when something came. Call poll() until it gives
+  /// nothing before you wait on the descriptor, because events may be kept here already. Owned by the client.
   [[nodiscard]] int file_descriptor() const;
 
   /// Asks `query KIND key=value...`. An error of the daemon is `refused` with its code.

@@ -1,4 +1,4 @@
-// What can go wrong between Geminga and those who use it, with the codes of GCNP.
+// Errors between Geminga and the programs that use it, with the codes of GCNP.
 #ifndef GEMINGA_ERROR_HPP
 #define GEMINGA_ERROR_HPP
 

@@ -1,4 +1,4 @@
-// What a peer is told after it has offered or asked for something (paper section 3.3).
+// Events that a peer receives about its publications and subscriptions (paper section 3.3).
 #ifndef GEMINGA_EVENT_HPP
 #define GEMINGA_EVENT_HPP
 
@@ -15,7 +15,7 @@
 
 namespace geminga {
 
-/// What happened to a service or a consumer. Per request and service the order is: add, any number of modify, del.
+/// The change of a service or a consumer. Per request and service the order is: add, any number of modify, del.
 enum class Change : std::uint8_t {
   add,     ///< it is there
   modify,  ///< it is still there and something about it is new
@@ -31,15 +31,17 @@ enum class Change : std::uint8_t {
 struct ServiceEvent {
   Change change = Change::add;
   ServiceKey service;            ///< the same in every event about it; names the provider, too
-  std::string peer_name;         ///< the provider's name; empty: it said none
+  std::string peer_name;         ///< the provider's name; empty: none
   std::string participant_name;  ///< of the provider's daemon
   NamedPublication publication;  ///< names are `prefix:Name` or `<IRI>`; the address is one that works here
   Degree degree = Degree::exact;
   std::uint32_t distance = 0;  ///< taxonomy edges between what was asked for and what was found
   std::string reason;          ///< after `del`: "withdrawn", "expired", "left", "outranked", ...
-  std::string convert{};   ///< how its representation is turned into what was asked for: "A>B>C"; empty: it need not be
-  std::uint32_t cost = 0;  ///< of that
-  std::string via{};  ///< who does each step: "-,udp://10.0.0.7:6000/SERVICE", "-" for the consumer; empty: it does all
+  std::string
+      convert{};  ///< the conversions from its representation to the requested one: "A>B>C"; empty: none is needed
+  std::uint32_t cost = 0;  ///< of the conversions
+  std::string
+      via{};  ///< the service of each step: "-,udp://10.0.0.7:6000/SERVICE", "-" for the consumer; empty: it does all
   friend bool operator==(const ServiceEvent&, const ServiceEvent&) = default;
 };
 
@@ -48,7 +50,7 @@ struct ServiceEvent {
 struct ConsumerEvent {
   Change change = Change::add;
   ServiceKey subscription;       ///< the same in every event about it; names the consumer, too
-  std::string peer_name;         ///< the consumer's name; empty: it said none
+  std::string peer_name;         ///< the consumer's name; empty: none
   std::string participant_name;  ///< of the consumer's daemon
   NamedSubscription subscribed;  ///< what was asked for: identity, mode, address, port, priority, attributes
   Degree degree = Degree::exact;
@@ -57,7 +59,7 @@ struct ConsumerEvent {
   friend bool operator==(const ConsumerEvent&, const ConsumerEvent&) = default;
 };
 
-/// One thing that the daemon told about the request with this number: an event, or an error, at once after the request.
+/// One event about the request with this number, or the error that follows the request.
 struct Event {
   std::uint32_t request = 0;
   std::variant<ServiceEvent, ConsumerEvent, Error> what;

@@ -1,8 +1,9 @@
-// Geminga in C: offer and ask for services of a robot team, send and receive (src/client/c/README.md).
+// Geminga in C: services of a robot team are offered and asked for, and messages sent and received
+// (src/client/c/README.md).
 //
-// A stable ABI: structures that the library gives only ever grow at their end, and symbols have versions. Handles are
-// opaque and belong to one thread at a time; no thread is started. Texts are UTF-8. A call that fails gives null or a
-// negative number, and fills `error` where that is not null.
+// The ABI is stable: structures of the library only grow at their end, and symbols have versions. Handles are opaque
+// and belong to one thread at a time; the library starts no thread. Texts are UTF-8. A call that fails returns null or
+// a negative number, and fills `error` if that is not null.
 #ifndef GEMINGA_GEMINGA_H
 #define GEMINGA_GEMINGA_H
 
@@ -27,83 +28,83 @@ enum {
 
 typedef struct geminga_error {
   int status;     /* one of the above */
-  int code;       /* of GCNP, e.g. 422, where it was refused; else 0 */
+  int code;       /* of GCNP, e.g. 422, if it was refused; else 0 */
   char text[248]; /* one line, cut where it is longer */
 } geminga_error;
 
-/* Begins to look for the daemon and does not wait for it. `connect`: ADDRESS:PORT or the path of a socket; null or
- * empty: the environment variable GEMINGA_CONNECT, or the usual place. `name`: what others see; may be null. */
+/* Begins to look for the daemon and does not wait for it. `connect` is ADDRESS:PORT or the path of a socket; null or
+ * empty: the environment variable GEMINGA_CONNECT, or the usual address. `name` is shown to others; it may be null. */
 geminga_node* geminga_open(const char* connect, const char* name, geminga_error* error);
-/* The same for a program that needs so many subscriptions to streams beside the 256 that every client may have. */
+/* As geminga_open(), for a program that needs so many subscriptions to streams beside the 256 of every client. */
 geminga_node* geminga_open_with_room(const char* connect, const char* name, uint32_t room, geminga_error* error);
-/* Withdraws everything cleanly and frees the node, its publishers and its subscribers. Null is nothing. */
+/* Withdraws everything cleanly and frees the node, its publishers and its subscribers. Null does nothing. */
 void geminga_close(geminga_node* node);
 
-/* Readable when geminga_process() has something to do, and where another call has read messages or events that nobody
- * has taken. What was there when geminga_process() was called does not make it readable: take it first. Owned by the
- * node. */
+/* A descriptor for poll(2): readable when geminga_process() has something to do, and when another call has read
+ * messages or events that the program has not taken. Messages that were here when geminga_process() was called do not
+ * make it readable: take them first. Owned by the node. */
 int geminga_descriptor(const geminga_node* node);
-/* Does what is to be done, calls callbacks, and never waits. */
+/* Reads and writes what is ready, calls callbacks, and never waits. */
 void geminga_process(geminga_node* node);
-/* The same, and waits for something to do for so many milliseconds; negative: as long as it takes. */
+/* As geminga_process(), and waits for something to do for so many milliseconds; negative: as long as it takes. */
 void geminga_wait(geminga_node* node, int milliseconds);
-/* Does what is to be done for so many milliseconds, e.g. between two messages. */
+/* Drives the node for so many milliseconds, for example between two messages. */
 void geminga_run(geminga_node* node, int milliseconds);
 int geminga_is_connected(const geminga_node* node);
 
 /* Offers a service. `parameters` are those of `pub create` in GCNP, e.g. "mode=otm/pubsub concept=soccer:BallInfo
- * rate=30"; without a port it is any. Waits for the daemon's answer where there is a daemon, and not where there is
- * none yet. */
+ * rate=30"; without a port, any port is used. Waits for the daemon's answer if there is a daemon. */
 geminga_publisher* geminga_publish(geminga_node* node, const char* parameters, geminga_error* error);
-/* Asks for one, by the parameters of `sub create`. */
+/* Asks for a service, by the parameters of `sub create`. */
 geminga_subscriber* geminga_subscribe(geminga_node* node, const char* parameters, geminga_error* error);
 
-/* Where a conversion writes; may be called several times. */
+/* The output of a conversion. geminga_write() appends to it and may be called several times. */
 typedef struct geminga_writer geminga_writer;
 void geminga_write(geminga_writer* to, const void* octets, size_t size);
-/* Turns a payload of one representation into another; anything but 0 drops the message. */
+/* Turns a payload of one representation into another. A result other than 0 drops the message. */
 typedef int (*geminga_convert)(void* context, const void* payload, size_t size, geminga_writer* to);
 typedef struct geminga_conversion {
   const char* from_to; /* "A>B", the names as events write them */
   geminga_convert convert;
   void* context;
 } geminga_conversion;
-/* The same with conversions, which are copied. */
+/* As geminga_subscribe(), with conversions, which are copied. */
 geminga_subscriber* geminga_subscribe_converting(geminga_node* node, const char* parameters,
                                                  const geminga_conversion* conversions, size_t count,
                                                  geminga_error* error);
 
-/* Changes what was stated, by the parameters of `pub modify` and `sub modify`. 0, or a negative number. */
+/* Changes a request, by the parameters of `pub modify` and `sub modify`. Returns 0, or a negative number. */
 int geminga_modify_publisher(geminga_publisher* publisher, const char* parameters, geminga_error* error);
 int geminga_modify_subscriber(geminga_subscriber* subscriber, const char* parameters, geminga_error* error);
-/* Ends one cleanly and frees it. Null is nothing. */
+/* Withdraws cleanly and frees the handle. Null does nothing. */
 void geminga_withdraw_publisher(geminga_publisher* publisher);
 void geminga_withdraw_subscriber(geminga_subscriber* subscriber);
 
-/* Sends to every consumer and never waits. 0, or a negative number. */
+/* Sends to every consumer and never waits. Returns 0, or a negative number. */
 int geminga_send(geminga_publisher* publisher, const void* payload, size_t size, geminga_error* error);
-/* Waits until every consumer has room for one more message of this size: 1, or 0 where that took too long. */
+/* Waits until every consumer has room for one more message of this size. Returns 1, or 0 if the time passes first. */
 int geminga_wait_for_room(geminga_publisher* publisher, size_t size, int milliseconds);
 
 typedef struct geminga_message {
   uint64_t life; /* of the publisher; 0: it states none */
   uint64_t sequence;
-  uint64_t missed; /* messages between the one before and this one that did not come */
+  uint64_t missed; /* messages that did not come between the one before and this one */
   const void* payload;
   size_t size;
 } geminga_message;
 
-/* The next message; waits for it so many milliseconds, negative: as long as it takes. Null: none came. It lives until
- * the next call with this subscriber. */
+/* The next message, for which it waits so many milliseconds; negative: as long as it takes. Null: none came. The
+ * message lives until the next call with this subscriber. */
 const geminga_message* geminga_receive(geminga_subscriber* subscriber, int milliseconds);
-/* From now on messages go there within geminga_process() and whatever else waits; they live as long as the call. */
+/* Gives every further message to this function, within geminga_process() and the calls that wait. The message lives as
+ * long as the call. */
 typedef void (*geminga_on_message_call)(void* context, geminga_subscriber* subscriber, const geminga_message* message);
 void geminga_on_message(geminga_subscriber* subscriber, geminga_on_message_call call, void* context);
 
 enum {
   GEMINGA_CONNECTED = 1, /* the daemon was reached */
-  GEMINGA_DISCONNECTED,  /* it is gone; it is looked for again, and what flows goes on */
-  GEMINGA_ACCEPTED,      /* it has taken what is offered or asked for */
+  GEMINGA_DISCONNECTED,  /* it is gone; the node looks for it again, and channels go on */
+  GEMINGA_ACCEPTED,      /* it has accepted a request */
   GEMINGA_REQUEST_REFUSED,
   GEMINGA_PROVIDER_ADDED,
   GEMINGA_PROVIDER_MODIFIED,
@@ -111,7 +112,7 @@ enum {
   GEMINGA_CONSUMER_ADDED,
   GEMINGA_CONSUMER_MODIFIED,
   GEMINGA_CONSUMER_REMOVED,
-  GEMINGA_PROBLEM /* something that somebody should know */
+  GEMINGA_PROBLEM /* something that a person should know */
 };
 typedef struct geminga_event {
   int kind;         /* one of the above; there may be more */
@@ -121,7 +122,8 @@ typedef struct geminga_event {
   const char* name; /* of the provider or consumer, or empty */
   const char* host; /* the name of its participant, or empty */
 } geminga_event;
-/* From now on events go there within geminga_process() and whatever else waits; they live as long as the call. */
+/* Gives every further event to this function, within geminga_process() and the calls that wait. The event lives as long
+ * as the call. */
 typedef void (*geminga_on_event_call)(void* context, const geminga_event* event);
 void geminga_on_event(geminga_node* node, geminga_on_event_call call, void* context);
 
@@ -129,10 +131,11 @@ uint32_t geminga_publisher_number(const geminga_publisher* publisher);
 uint32_t geminga_subscriber_number(const geminga_subscriber* subscriber);
 uint64_t geminga_publisher_life(const geminga_publisher* publisher);
 uint64_t geminga_subscriber_life(const geminga_subscriber* subscriber);
-/* Messages that had a consumer, and copies that a consumer did not get since it does not keep up. */
+/* Messages that had a consumer, and copies that were left out for a consumer that does not keep up. */
 uint64_t geminga_sent(const geminga_publisher* publisher);
 uint64_t geminga_left_out(const geminga_publisher* publisher);
-/* Messages that came, that ought to have come between them, and what was not believed or converted. */
+/* Messages that were taken or wait to be taken; messages that did not come between them, or were lost in a full inbox;
+ * datagrams and frames that were not believed or could not be converted. */
 uint64_t geminga_received(const geminga_subscriber* subscriber);
 uint64_t geminga_missed(const geminga_subscriber* subscriber);
 uint64_t geminga_dropped(const geminga_subscriber* subscriber);

@@ -9,7 +9,7 @@
 
 namespace geminga {
 
-/// The 32-bit form of an identity. Equal values are candidates, never proof: whoever matches compares full identities.
+/// The 32-bit form of an identity. Equal values are candidates, never proof: a match compares full identities.
 using Id32 = std::uint32_t;
 
 /// An identity that is a 32-bit number and nothing else.

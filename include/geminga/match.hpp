@@ -1,4 +1,4 @@
-// How well an offered identity meets a requested one.
+// Degrees of match between an offered identity and a requested one.
 #ifndef GEMINGA_MATCH_HPP
 #define GEMINGA_MATCH_HPP
 
@@ -30,7 +30,7 @@ enum class Degree : std::uint8_t {
 }
 [[nodiscard]] constexpr bool is_weaker(Degree a, Degree b) { return weakness(a) > weakness(b); }
 
-/// As the largest cost of conversions that a consumer accepts: whatever they cost.
+/// The largest cost of conversions, as a subscription states it: any cost.
 inline constexpr std::uint32_t any_cost = 0xffffffff;
 
 /// The word of GCNP for a degree. Static storage.

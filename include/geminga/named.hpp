@@ -1,4 +1,4 @@
-// What a peer offers and asks for in its own words: names, before an ontology has turned them into IRIs.
+// Publications and subscriptions by the names that a peer uses, before an ontology has turned them into IRIs.
 #ifndef GEMINGA_NAMED_HPP
 #define GEMINGA_NAMED_HPP
 
@@ -59,17 +59,17 @@ struct NamedSubscription {
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
-/// New names of a service, of which only those given change. An empty representation takes back the stated one.
+/// New names of a service; a name that is not given stays. An empty representation takes back the stated one.
 struct ConceptChange {
   std::optional<std::string> concept_name;
   std::optional<std::string> representation_name;
   friend bool operator==(const ConceptChange&, const ConceptChange&) = default;
 };
 
-/// A new identity. One that was a number or a text becomes a concept by a ConceptChange with a concept.
+/// A new identity. A number or a text becomes a concept by a ConceptChange with a concept.
 using IdentityChange = std::variant<NumericIdentity, TextIdentity, ConceptChange>;
 
-/// What is new about a publication: only what is given changes.
+/// A change of a publication; a field that is not given stays.
 struct PublicationChange {
   std::optional<IdentityChange> identity;
   std::optional<ChannelMode> mode;
@@ -79,28 +79,28 @@ struct PublicationChange {
   std::optional<std::int32_t> priority;
   Attributes attributes;                  ///< added to those that are there; one of the same key takes its place
   std::optional<std::string> scope{};     ///< empty: all hosts again
-  std::optional<std::string> for_whom{};  ///< empty: no condition any more
+  std::optional<std::string> for_whom{};  ///< empty: no condition
   friend bool operator==(const PublicationChange&, const PublicationChange&) = default;
 };
 
-/// What is new about a subscription: only what is given changes.
+/// A change of a subscription; a field that is not given stays.
 struct SubscriptionChange {
   std::optional<IdentityChange> identity;
   std::optional<ChannelMode> mode;
   std::optional<Degree> weakest;
   std::optional<std::vector<ProviderFilter>> providers;  ///< empty: any provider again
-  std::optional<std::string> where;                      ///< empty: no filter any more
+  std::optional<std::string> where;                      ///< empty: no filter
   std::optional<std::uint32_t> limit;
   std::optional<std::int32_t> priority;
   std::optional<std::uint16_t> port;
   std::optional<std::string> address;
   Attributes attributes;  ///< added to those that are there; one of the same key takes its place
   std::optional<std::vector<std::string>> protocols{};    ///< empty: any protocol again
-  std::optional<std::vector<ProviderFilter>> favoured{};  ///< empty: nobody any more
-  std::optional<std::string> prefer{};                    ///< empty: nothing any more
+  std::optional<std::vector<ProviderFilter>> favoured{};  ///< empty: none
+  std::optional<std::string> prefer{};                    ///< empty: none
   std::optional<std::string> rank{};                      ///< empty: the usual order again
   std::optional<std::string> scope{};                     ///< empty: all hosts again
-  std::optional<std::uint32_t> convert{};                 ///< 0: not at all any more
+  std::optional<std::uint32_t> convert{};                 ///< 0: no conversions
   friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
 };
 

@@ -1,4 +1,4 @@
-// A program's half of the team: it publishes and subscribes, and messages flow, while daemons come and go.
+// A node: the publishers and subscribers of one program, which go on while its daemon is restarted.
 #ifndef GEMINGA_NODE_HPP
 #define GEMINGA_NODE_HPP
 
@@ -21,14 +21,14 @@ namespace geminga {
 class Node;
 class NodeState;
 
-/// Whether a call waits until the daemon has answered.
+/// Whether a call waits for the answer of the daemon.
 enum class Wait : std::uint8_t {
-  for_answer,   ///< as long as there is a daemon; where there is none it is asked later
+  for_answer,   ///< if there is a daemon; if there is none, it is asked later
   for_nothing,  ///< the answer is an event: Accepted or Refused
 };
 
-/// Offers one service and sends to whoever consumes it. Withdraws it at its end. Moves and does not copy; must end
-/// before its node.
+/// Offers one service and sends to its consumers. The destructor withdraws the service. Moves and does not copy; must
+/// end before its node.
 class Publisher {
  public:
   Publisher(Publisher&& other) noexcept;
@@ -36,29 +36,30 @@ class Publisher {
   ~Publisher();
 
   /// Sends to every consumer. Never waits: a TCP consumer that does not keep up is left out until it has room, which
-  /// count() and its own sequence show. Without a consumer it costs next to nothing. Errors: too_large, closed.
+  /// count() and the sequence of its next message show. Costs one comparison if there is no consumer. Errors:
+  /// too_large, closed.
   Result<void, SendError> send(std::span<const std::byte> payload);
   Result<void, SendError> send(std::string_view payload) {
     return send(std::as_bytes(std::span(payload.data(), payload.size())));
   }
   /// Whether every consumer has room for one more message of this size.
   [[nodiscard]] bool has_room(std::size_t payload_bytes) const;
-  /// Waits until then; false where that took too long.
+  /// Waits until has_room() holds. False if the timeout passes first.
   [[nodiscard]] bool wait_for_room(std::size_t payload_bytes, std::chrono::milliseconds timeout);
 
-  /// Names it in events.
+  /// The number that stands in events about it.
   [[nodiscard]] ChannelNumber number() const { return number_; }
   /// The life that its messages carry.
   [[nodiscard]] Life life() const;
   [[nodiscard]] SendCount count() const;
-  /// Changes what was stated but mode, protocol, port and address. Errors: wrong_use, refused.
+  /// Changes the publication. Mode, protocol, port and address cannot be changed. Errors: wrong_use, refused.
   Result<void, ClientError> modify(const PublicationChange& change, Wait wait = Wait::for_answer);
-  /// Writes what waits, says the end to the consumers, and withdraws. Waits until they have it; one that takes
-  /// nothing for 5 s does not get the rest.
+  /// Sends the messages that wait, tells the consumers the end, and withdraws the service. Waits until the consumers
+  /// have all of it; one that takes nothing for 5 s does not get the rest.
   void withdraw();
-  /// The same without waiting: it goes on while the node is driven.
+  /// Begins to withdraw and does not wait: the rest happens while the program drives the node.
   void begin_withdraw();
-  /// Whether that is over, or the daemon has refused the publication.
+  /// Whether the publisher is withdrawn altogether, or the daemon has refused it.
   [[nodiscard]] bool has_ended() const;
 
  private:
@@ -68,29 +69,29 @@ class Publisher {
   ChannelNumber number_;
 };
 
-/// Asks for one service and receives from whoever provides it. Withdraws at its end. Moves and does not copy; must end
-/// before its node.
+/// Asks for one service and receives from its providers. The destructor withdraws the request. Moves and does not copy;
+/// must end before its node.
 class Subscriber {
  public:
   Subscriber(Subscriber&& other) noexcept;
   Subscriber& operator=(Subscriber&& other) noexcept;
   ~Subscriber();
 
-  /// The next message; waits for it up to `timeout`, and gives nothing if none came.
+  /// The next message, for which it waits up to `timeout`. Nothing if none comes.
   [[nodiscard]] std::optional<Message> receive(std::chrono::milliseconds timeout);
-  /// The next message if there is one already; reads nothing.
+  /// The next message that is here already. Reads no socket.
   [[nodiscard]] std::optional<Message> poll();
-  /// From now on messages go there, within Node::process() and whatever else drives the node.
+  /// Gives every further message to this function, within Node::process() and the other calls that drive the node.
   void on_message(std::function<void(Message)> receive);
 
-  /// Names it in events.
+  /// The number that stands in events about it.
   [[nodiscard]] ChannelNumber number() const { return number_; }
   [[nodiscard]] Life life() const;
   [[nodiscard]] ReceiveCount count() const;
-  /// Changes what was stated but mode, protocols, port and address. Errors: wrong_use, refused.
+  /// Changes the subscription. Mode, protocols, port and address cannot be changed. Errors: wrong_use, refused.
   Result<void, ClientError> modify(const SubscriptionChange& change, Wait wait = Wait::for_answer);
   void withdraw();
-  /// Whether it was withdrawn, or the daemon has refused the subscription.
+  /// Whether the subscriber was withdrawn, or the daemon has refused it.
   [[nodiscard]] bool has_ended() const;
 
  private:
@@ -100,14 +101,15 @@ class Subscriber {
   ChannelNumber number_;
 };
 
-/// Everything of one program: a daemon, publishers and subscribers (src/client/CHANNELS.md). The daemon may come later,
-/// end and come back: requests are stated again, and channels go on meanwhile.
+/// A program's connection to its daemon, with publishers and subscribers (src/client/CHANNELS.md). The daemon may start
+/// later, end and come back: the node states its requests again, and channels go on meanwhile.
 ///
-/// Keeps no thread: bytes are moved within its calls and those of its channels. Who waits elsewhere polls descriptor()
-/// and calls process(). Not thread-safe. Moves and does not copy; its end withdraws everything, as close() does.
+/// Starts no thread: bytes move within its calls and those of its channels. A program that waits elsewhere polls
+/// descriptor() and calls process(). A subscriber's inbox holds 1024 messages or 16 MiB; a full one loses its eldest
+/// datagram. Not thread-safe. Moves and does not copy. The destructor withdraws everything, as close() does.
 class Node {
  public:
-  /// Begins to look for the daemon and does not wait for it. Error: wrong_use, for an address that cannot be read.
+  /// Begins to look for the daemon and does not wait for it. Error: wrong_use for an address that cannot be read.
   [[nodiscard]] static Result<Node, ClientError> open(const ClientOptions& options = {});
 
   Node(Node&&) noexcept;
@@ -117,30 +119,32 @@ class Node {
   /// Offers a service; port 0 is any. Errors: wrong_use, also for a port that is taken; refused.
   [[nodiscard]] Result<Publisher, ClientError> publish(const NamedPublication& publication,
                                                        Wait wait = Wait::for_answer);
-  /// Asks for a service; port 0 is any, and no protocols are udp and tcp. Errors as of publish().
+  /// Asks for a service; port 0 is any, and an empty list of protocols means udp and tcp. Errors as of publish().
   [[nodiscard]] Result<Subscriber, ClientError> subscribe(const NamedSubscription& subscription,
                                                           Conversions conversions = {}, Wait wait = Wait::for_answer);
 
-  /// The next event; waits for it up to `timeout`. At most 4096 wait; one more takes the place of the eldest.
+  /// The next event, for which it waits up to `timeout`. At most 4096 wait: one more takes the place of the eldest, and
+  /// then the next event is a Problem of channel 0 that says how many were thrown away.
   [[nodiscard]] std::optional<ChannelEvent> next_event(std::chrono::milliseconds timeout = {});
-  /// From now on events go there, within process() and whatever else drives the node. Who is told may call everything
-  /// but what waits.
+  /// Gives every further event to this function, within process() and the other calls that drive the node. The function
+  /// may call everything that does not wait.
   void on_event(std::function<void(const ChannelEvent&)> tell);
 
   [[nodiscard]] bool is_connected() const;
-  /// Readable when process() has something to do, and where another call has read messages or events that nobody has
-  /// taken. What was there when process() was called does not make it readable: take it first. Owned by the node.
+  /// A descriptor for poll(2): readable when process() has something to do, and when another call has read messages or
+  /// events that the program has not taken. Messages that were here when process() was called do not make it readable:
+  /// take them first. Owned by the node.
   [[nodiscard]] int descriptor() const;
-  /// Does what is to be done and never waits.
+  /// Reads and writes what is ready, and never waits.
   void process();
-  /// Does what is to be done; where no message and no event comes of it, waits for more to do, so long at most.
+  /// As process(). If no message and no event comes of it, waits up to `timeout` for more to do.
   void wait(std::chrono::milliseconds timeout);
-  /// Does what is to be done for so long, e.g. between two messages.
+  /// Drives the node for so long, for example between two messages.
   void run_for(std::chrono::milliseconds duration);
 
-  /// Withdraws everything cleanly: waits until consumers have what was sent, as Publisher::withdraw() does.
+  /// Withdraws everything cleanly, and waits until consumers have what was sent, as Publisher::withdraw() does.
   void close();
-  /// The same without waiting: it goes on while the node is driven, and is over when has_ended().
+  /// Begins to close and does not wait: the rest happens while the program drives the node, until has_ended().
   void begin_close();
   [[nodiscard]] bool has_ended();
 

@@ -20,14 +20,14 @@ struct Failure {
   Error error;
 };
 
-/// What value() of a result without one throws.
+/// The exception of value() where there is no value.
 class NoValue : public std::logic_error {
  public:
   NoValue() : std::logic_error("a geminga::Result has an error where its value was asked for") {}
 };
 
-/// The names and meanings of std::expected, and in C++23 it turns into one and is made of one. `*`, `->` and error()
-/// require that there is what they give.
+/// A value or an error, with the names and meanings of std::expected. In C++23 it converts from and to one. `*` and
+/// `->` require a value, error() an error.
 template <typename Value, typename Error>
 class [[nodiscard]] Result {
   static constexpr bool is_void = std::is_void_v<Value>;

@@ -1,4 +1,4 @@
-// What a peer offers and asks for: publications and subscriptions, as a peer states them (paper sections 3 and 3.2.3).
+// Publications and subscriptions: the services that peers offer and ask for (paper sections 3 and 3.2.3).
 #ifndef GEMINGA_SERVICE_HPP
 #define GEMINGA_SERVICE_HPP
 
@@ -15,7 +15,7 @@
 
 namespace geminga {
 
-/// How a channel between provider and consumers is set up (paper section 3).
+/// The way in which a channel between provider and consumers is set up (paper section 3).
 enum class ChannelMode : std::uint8_t {
   one_to_one,          ///< `oto`
   one_to_many_stream,  ///< `otm/stream`: consumers only listen, the provider is not told
@@ -47,7 +47,7 @@ struct ServiceKey {
 [[nodiscard]] std::string to_string(ParticipantId id);
 /// "1a2b3c4d/1/42"
 [[nodiscard]] std::string to_string(const ServiceKey& key);
-/// Whose service it is: "1a2b3c4d/1".
+/// The participant and the peer of a service: "1a2b3c4d/1".
 [[nodiscard]] std::string peer_word(const ServiceKey& key);
 /// The participant of eight hexadecimal digits, or nothing.
 [[nodiscard]] std::optional<ParticipantId> participant_id(std::string_view text);
@@ -57,7 +57,7 @@ struct ServiceKey {
 /// Free attributes of a service: sorted by key, so that order never depends on chance.
 using Attributes = std::map<std::string, std::string, std::less<>>;
 
-/// What is offered. Equality is equality of everything that a consumer can see.
+/// An offered service. Two are equal if a consumer cannot tell them apart.
 struct Publication {
   ChannelMode mode = ChannelMode::one_to_one;
   Identity identity;
@@ -79,7 +79,7 @@ struct ProviderFilter {
   friend bool operator==(const ProviderFilter&, const ProviderFilter&) = default;
 };
 
-/// What is asked for.
+/// A requested service.
 struct Subscription {
   ChannelMode mode = ChannelMode::one_to_one;
   Identity identity;
@@ -93,10 +93,12 @@ struct Subscription {
   Attributes attributes;
   std::vector<std::string> protocols{};    ///< only publications with one of these; empty: any
   std::vector<ProviderFilter> favoured{};  ///< first these providers, in this order, then all others
-  std::string prefer{};  ///< whose attributes come first (src/discovery/matching/PREFERENCES.md); empty: nobody's
-  std::string rank{};    ///< by what providers are ranked first; empty: the usual order
+  std::string prefer{};  ///< the attributes by which a provider is preferred (src/discovery/matching/PREFERENCES.md);
+                         ///< empty: none
+  std::string rank{};    ///< the order of the criteria of ranking; empty: the usual order
   std::string scope{};   ///< from which hosts (src/discovery/matching/SCOPE.md); empty: all
-  /// Not stated, but announced by the consumer's host where it had to choose: what it has chosen, ascending.
+  /// The providers that the consumer's host has chosen, ascending. It is announced, not stated, where there was a
+  /// choice.
   std::vector<ServiceKey> chosen{};
   std::uint32_t convert = 0;  ///< the largest cost of converting (src/discovery/matching/CONVERSIONS.md); 0: not at all
   friend bool operator==(const Subscription&, const Subscription&) = default;

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
+#include "client/channels/endpoint.hpp"
 
-#include "client/channels/daemon_endpoint.hpp"
+#include <gtest/gtest.h>
 
 namespace geminga::client {
 namespace {

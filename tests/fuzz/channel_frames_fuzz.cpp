@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "client/channels/frame.hpp"
+#include "client/protocol/frame_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace geminga::client;

@@ -3,7 +3,7 @@
 
 add_library(geminga_flags INTERFACE)
 # The modules that another project links when it uses the client; tools/dev/install.cmake installs them.
-set(geminga_client_modules base env identity discovery/gcnp client/channels client/cpp)
+set(geminga_client_modules base env identity discovery/gcnp client/protocol client/channels client/cpp)
 target_compile_features(geminga_flags INTERFACE cxx_std_23)
 target_compile_options(geminga_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 # A product and a sum are rounded one after the other on every machine, so that a simulated run has one trace.

@@ -1,4 +1,4 @@
-// The C interface over Node: handles, texts and callbacks; no exception leaves it.
+// The C interface over Node: handles, texts and callbacks. No exception leaves it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -60,7 +60,7 @@ int fail(geminga_error* error, const geminga::ClientError& failed) {
 
 int fail(geminga_error* error, const geminga::Error& failed) { return fail(error, GEMINGA_WRONG_USE, failed.text); }
 
-/// What the call gives, or `otherwise` and an error where there is no memory or no descriptor.
+/// The result of the call; `otherwise` and an error if there is no memory or no descriptor.
 template <typename Result, typename Call>
 Result guarded(geminga_error* error, Result otherwise, const Call& call) {
   try {
@@ -84,7 +84,7 @@ const geminga_message* shown(geminga_subscriber& subscriber, std::optional<gemin
   return &subscriber.message;
 }
 
-/// Calls back with an event in the words of C.
+/// Gives an event to the callback.
 class Teller {
  public:
   Teller(geminga_on_event_call call, void* context) : call_(call), context_(context) {}

@@ -1,4 +1,4 @@
-// What a request in words is, for those who state it as a line of GCNP.
+// Requests of the C interface, read from the parameters of a line of GCNP.
 #ifndef GEMINGA_CLIENT_C_PARAMETERS_HPP
 #define GEMINGA_CLIENT_C_PARAMETERS_HPP
 
@@ -10,11 +10,11 @@
 
 namespace geminga::client {
 
-/// From the parameters of `pub create`, of which the port may be missing: then it is 0, any.
+/// Reads the parameters of `pub create`. A missing port is 0: any.
 [[nodiscard]] std::expected<NamedPublication, Error> read_publication(std::string_view parameters);
-/// From those of `sub create`.
+/// Reads the parameters of `sub create`.
 [[nodiscard]] std::expected<NamedSubscription, Error> read_subscription(std::string_view parameters);
-/// From those of `pub modify` and `sub modify`.
+/// Reads the parameters of `pub modify` and `sub modify`.
 [[nodiscard]] std::expected<PublicationChange, Error> read_publication_change(std::string_view parameters);
 [[nodiscard]] std::expected<SubscriptionChange, Error> read_subscription_change(std::string_view parameters);
 

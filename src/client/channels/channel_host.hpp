@@ -1,4 +1,4 @@
-// What a publisher or subscriber needs of the engine that it belongs to.
+// The part of the engine that its publishers and subscribers use.
 #ifndef GEMINGA_CLIENT_CHANNELS_CHANNEL_HOST_HPP
 #define GEMINGA_CLIENT_CHANNELS_CHANNEL_HOST_HPP
 
@@ -16,13 +16,13 @@ class ChannelHost {
  public:
   virtual ~ChannelHost() = default;
   [[nodiscard]] virtual Reactor& reactor() = 0;
-  /// Tells the program.
+  /// Gives an event to the program.
   virtual void tell(ChannelEvent event) = 0;
-  /// The subscriber has a message and had none.
+  /// The inbox of a subscriber was empty and has a message.
   virtual void on_message(ChannelNumber channel) = 0;
-  /// The publisher is reached at another port than it stated.
+  /// States the port of a publisher that had to change it.
   virtual void state_port(ChannelNumber channel, std::uint16_t port) = 0;
-  /// Room for one datagram of any size, whose content nobody keeps between calls.
+  /// Room for one datagram of any size. Its content is void after the call.
   [[nodiscard]] virtual std::span<std::byte> datagram_room() = 0;
 };
 

@@ -1,42 +1,13 @@
 #include "client/channels/daemon_link.hpp"
 
-#include <sys/un.h>
-
-#include <array>
 #include <cerrno>
-#include <cstring>
-#include <expected>
-#include <system_error>
 #include <utility>
-
-#include "discovery/gcnp/request.hpp"
 
 namespace geminga::client {
 namespace {
 
-/// How long a daemon may take to read what was said before the goodbye.
+/// The time that a daemon has to read the lines before the goodbye.
 constexpr std::chrono::seconds goodbye_patience{3};
-
-std::string words_of(int number) { return std::generic_category().message(number); }
-
-/// On its way there, or the system's error number.
-std::expected<Socket, int> open_stream(const Endpoint& endpoint) {
-  if (endpoint.path.empty()) {
-    const auto to = peer_address(endpoint.address, endpoint.port);
-    if (!to) return std::unexpected(EINVAL);
-    auto socket = open_connection(*to);
-    if (!socket) return std::unexpected(socket.error().number);
-    return std::move(*socket);
-  }
-  sockaddr_un at{};
-  at.sun_family = AF_UNIX;
-  if (endpoint.path.size() >= sizeof at.sun_path) return std::unexpected(ENAMETOOLONG);
-  std::memcpy(at.sun_path, endpoint.path.data(), endpoint.path.size());
-  Socket socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (!socket.is_open()) return std::unexpected(errno);
-  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&at), sizeof at) != 0) return std::unexpected(errno);
-  return socket;
-}
 
 }  // namespace
 
@@ -60,16 +31,15 @@ void DaemonLink::stop() {
   state_ = State::stopped;
   timer_.set(base::never);
   watch_.stop();
-  socket_.close();
-  out_.clear();
+  connection_.reset();
 }
 
 void DaemonLink::connect() {
   state_ = State::connecting;
-  auto socket = open_stream(options_.endpoints[endpoint_]);
-  if (!socket) return fail(words_of(socket.error()));
-  socket_ = std::move(*socket);
-  watch_ = reactor_.watch(socket_, [this](Reactor::Ready ready) { on_ready(ready); });
+  auto connection = DaemonConnection::open(options_.endpoints[endpoint_]);
+  if (!connection) return fail(system_text(connection.error()));
+  connection_ = std::move(*connection);
+  watch_ = reactor_.watch(connection_->socket(), [this](Reactor::Ready ready) { on_ready(ready); });
   watch_.want(false, true);
   timer_.set(reactor_.now() + options_.timeout);
 }
@@ -77,29 +47,25 @@ void DaemonLink::connect() {
 void DaemonLink::on_ready(Reactor::Ready ready) {
   if (state_ == State::connecting) {
     if (!ready.can_write) return;
-    if (const int error = pending_error(socket_); error != 0) return fail(words_of(error));
+    if (const int error = pending_error(connection_->socket()); error != 0) return fail(system_text(error));
     return greet();
   }
-  if (ready.can_write && !out_.empty()) write();
-  if (ready.can_read && socket_.is_open()) read();
+  if (ready.can_write && connection_->has_unwritten()) write();
+  if (ready.can_read && connection_) read();
 }
 
 void DaemonLink::greet() {
   state_ = State::greeting;
-  reader_ = gcnp::LineReader();
-  gcnp::Hello hello;
-  if (!options_.name.empty()) hello.name = options_.name;
-  if (options_.room > 0) hello.room = options_.room;
-  out_ = gcnp::to_line(gcnp::to_statement(0, hello));
+  connection_->put(hello_statement(options_.name, options_.room));
   watch_.want(true, false);
   write();
 }
 
 void DaemonLink::say(const gcnp::Statement& statement) {
   if (state_ != State::up || is_leaving_) return;
-  const bool was_empty = out_.empty();
-  out_ += gcnp::to_line(statement);
-  if (was_empty) write();
+  const bool was_waiting = connection_->has_unwritten();
+  connection_->put(statement);
+  if (!was_waiting) write();
 }
 
 void DaemonLink::leave() {
@@ -111,43 +77,31 @@ void DaemonLink::leave() {
 }
 
 void DaemonLink::end_if_leaving() {
-  if (is_leaving_ && out_.empty()) ::shutdown(socket_.get(), SHUT_WR);
+  if (is_leaving_ && !connection_->has_unwritten()) connection_->finish();
 }
 
 void DaemonLink::write() {
-  std::size_t written = 0;
-  while (written < out_.size()) {
-    const auto count = ::send(socket_.get(), out_.data() + written, out_.size() - written, MSG_NOSIGNAL);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno != EAGAIN) {
-      out_.clear();  // what there is to be read says more about the end than this
-      break;
-    }
-    if (count < 0) break;
-    written += static_cast<std::size_t>(count);
-  }
-  out_.erase(0, written);
-  watch_.want(true, !out_.empty());
+  // After an error, what there is to be read says more about the end than the error does.
+  [[maybe_unused]] const auto written = connection_->write();
+  watch_.want(true, connection_->has_unwritten());
   end_if_leaving();
 }
 
 void DaemonLink::read() {
-  std::array<char, 64 * 1024> bytes;
-  const auto count = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
-  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
-  if (count <= 0) return fail(count == 0 ? "the daemon closed the connection" : words_of(errno));
-  reader_.feed({bytes.data(), static_cast<std::size_t>(count)});
-  while (const auto line = reader_.next()) {
-    take_line(*line);
-    if (state_ != State::greeting && state_ != State::up) return;
+  if (const auto read = connection_->read(); !read) {
+    if (read.error() == EAGAIN) return;
+    return fail(read.error() == 0 ? "the daemon closed the connection" : system_text(read.error()));
+  }
+  while (connection_) {
+    auto reply = connection_->next();
+    if (!reply) return;
+    take(std::move(*reply));
   }
 }
 
-void DaemonLink::take_line(const gcnp::LineReader::Line& line) {
-  auto reply = line.is_too_long ? std::unexpected(gcnp::line_too_long()) : gcnp::read_reply(line.text);
+void DaemonLink::take(std::expected<gcnp::Reply, Error> reply) {
   if (!reply) {
-    const std::string where = to_string(options_.endpoints[endpoint_]);
-    const std::string text = "what listens at " + where + " does not speak GCNP: " + reply.error().text;
+    const std::string text = no_daemon_text(to_string(options_.endpoints[endpoint_]), reply.error());
     if (state_ == State::greeting) told_.refused(text);
     return fail(text);
   }
@@ -173,7 +127,7 @@ void DaemonLink::fail(const std::string& reason) {
   stop();
   has_failed_ = true;
   state_ = State::waiting;
-  // The next place is tried at once, as long as there is one.
+  // The next endpoint is tried at once.
   if (!was_up && ++endpoint_ < options_.endpoints.size()) {
     timer_.set(reactor_.now());
   } else {

@@ -1,18 +1,20 @@
-// The connection to the local daemon, which is looked for again whenever it is gone.
+// The link to the local daemon, which connects again whenever the connection is lost.
 #ifndef GEMINGA_CLIENT_CHANNELS_DAEMON_LINK_HPP
 #define GEMINGA_CLIENT_CHANNELS_DAEMON_LINK_HPP
 
 #include <chrono>
+#include <expected>
 #include <functional>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "client/channels/backoff.hpp"
-#include "client/channels/daemon_endpoint.hpp"
+#include "client/channels/daemon_connection.hpp"
+#include "client/channels/endpoint.hpp"
 #include "client/channels/reactor.hpp"
+#include "client/protocol/backoff.hpp"
 #include "discovery/gcnp/event.hpp"
-#include "discovery/gcnp/line_reader.hpp"
 #include "discovery/gcnp/statement.hpp"
 
 namespace geminga::client {
@@ -22,9 +24,9 @@ class DaemonLink {
  public:
   struct Told {
     std::function<void(const gcnp::Statement& hello)> up;  ///< the daemon answered the hello
-    std::function<void(const std::string& reason)> down;   ///< and is gone
-    std::function<void(gcnp::Reply)> reply;                ///< what else it says
-    std::function<void(const std::string& text)> refused;  ///< somebody is there who does not take us
+    std::function<void(const std::string& reason)> down;   ///< the daemon is gone
+    std::function<void(gcnp::Reply)> reply;                ///< any other reply
+    std::function<void(const std::string& text)> refused;  ///< what listens there does not accept us
   };
   struct Options {
     std::vector<Endpoint> endpoints;
@@ -35,20 +37,20 @@ class DaemonLink {
 
   DaemonLink(Reactor& reactor, Options options, Told told);
 
-  /// Begins at once.
+  /// Begins to connect.
   void start();
   [[nodiscard]] bool is_up() const { return state_ == State::up; }
   /// Whether an attempt has failed since it was up, or since the start.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
-  /// Says a line, where the daemon is there.
+  /// Says a line, if the daemon is there.
   void say(const gcnp::Statement& statement);
-  /// Says goodbye and nothing more: down comes when the daemon has read everything, or has taken too long for that.
+  /// Says goodbye. `down` is called when the daemon has read everything, or has taken too long for that.
   void leave();
-  /// Lets go of a daemon that cannot serve us now; it is looked for again.
+  /// Closes the connection to a daemon that cannot serve us now, and connects again later.
   void drop(const std::string& reason) {
     if (is_up()) fail(reason);
   }
-  /// Ends it, without a word.
+  /// Closes the connection, without a goodbye.
   void stop();
 
  private:
@@ -58,11 +60,11 @@ class DaemonLink {
   void on_ready(Reactor::Ready ready);
   void greet();
   void read();
-  void take_line(const gcnp::LineReader::Line& line);
+  void take(std::expected<gcnp::Reply, Error> reply);
   void write();
-  /// Where everything is said, our half is closed.
+  /// Closes our half if everything is written.
   void end_if_leaving();
-  /// The attempt has failed, or the daemon is gone: the next one comes later.
+  /// The attempt has failed, or the daemon is gone: tries again later.
   void fail(const std::string& reason);
 
   Reactor& reactor_;
@@ -72,13 +74,11 @@ class DaemonLink {
   bool is_leaving_ = false;
   std::size_t endpoint_ = 0;  ///< of the attempt under way
   bool has_failed_ = false;
-  Socket socket_;
+  std::optional<DaemonConnection> connection_;  ///< from connecting on
   Reactor::Watch watch_;
   Reactor::Timer timer_;
   Backoff backoff_;
   std::minstd_rand chance_;
-  gcnp::LineReader reader_;
-  std::string out_;
 };
 
 }  // namespace geminga::client

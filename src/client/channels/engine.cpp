@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "client/channels/life.hpp"
+#include "client/protocol/life.hpp"
 
 namespace geminga {
 
@@ -25,20 +25,20 @@ std::string_view to_string(ProviderChange::What what) {
 namespace geminga::client {
 namespace {
 
-/// No channel, among the news.
+/// The number that stands for events among the news.
 constexpr ChannelNumber events_only = 0;
 /// The largest datagram that IP carries.
 constexpr std::size_t largest_datagram = 65'536;
 
 ClientError wrong_use(std::string text) { return {ClientError::Kind::wrong_use, std::move(text)}; }
 
-/// What a channel's sockets hang on.
+/// Whether a change concerns the sockets of a channel.
 template <typename Change>
 bool rewires(const Change& change) {
   return change.mode || change.port || change.address;
 }
 
-bool rewires(const Requests::Change& change) {
+bool rewires(const Session::Change& change) {
   if (const auto* publication = std::get_if<PublicationChange>(&change)) {
     return rewires<PublicationChange>(*publication) || publication->protocol;
   }
@@ -65,7 +65,7 @@ Engine::Engine(DaemonLink::Options options)
     : reactor_([this](std::string text) { tell(Problem{0, std::move(text)}); }),
       room_(largest_datagram),
       link_(reactor_, std::move(options), told()),
-      requests_([this](const gcnp::Statement& statement) { link_.say(statement); }),
+      session_([this](const gcnp::Statement& statement) { link_.say(statement); }),
       settle_(reactor_,
               [this] {
                 for (const auto& [number, publisher] : publishers_) publisher->on_settled();
@@ -100,39 +100,39 @@ bool Engine::process() {
 
 Result<ChannelNumber, ClientError> Engine::publish(NamedPublication publication) {
   if (states_life(publication.attributes)) return Failure(wrong_use("the attribute channel is the library's own"));
-  const ChannelNumber number = requests_.next_number();
+  const ChannelNumber number = session_.next_number();
   auto opened = PublisherChannel::open(*this, number, publication);
   if (!opened) return Failure(wrong_use(std::move(opened.error())));
-  if (auto fault = Requests::fault(publication)) return Failure(wrong_use(std::move(fault->text)));
+  if (auto fault = Session::fault(publication)) return Failure(wrong_use(std::move(fault->text)));
   publishers_.emplace(number, std::move(*opened));
-  requests_.create(number, std::move(publication));
+  session_.create(number, std::move(publication));
   return number;
 }
 
 Result<ChannelNumber, ClientError> Engine::subscribe(NamedSubscription subscription, Conversions conversions) {
   if (states_life(subscription.attributes)) return Failure(wrong_use("the attribute channel is the library's own"));
-  const ChannelNumber number = requests_.next_number();
+  const ChannelNumber number = session_.next_number();
   auto opened = SubscriberChannel::open(*this, number, subscription, std::move(conversions));
   if (!opened) return Failure(wrong_use(std::move(opened.error())));
-  if (auto fault = Requests::fault(subscription)) return Failure(wrong_use(std::move(fault->text)));
+  if (auto fault = Session::fault(subscription)) return Failure(wrong_use(std::move(fault->text)));
   subscribers_.emplace(number, std::move(*opened));
-  requests_.create(number, std::move(subscription));
+  session_.create(number, std::move(subscription));
   return number;
 }
 
-Result<void, ClientError> Engine::modify(ChannelNumber number, const Requests::Change& change) {
-  const auto* request = requests_.find(number);
+Result<void, ClientError> Engine::modify(ChannelNumber number, const Session::Change& change) {
+  const auto* request = session_.find(number);
   if (request == nullptr || is_finishing(number)) {
     return Failure(wrong_use("the channel was withdrawn"));
   }
-  if (request->state == Requests::State::refused) return Failure(wrong_use("the channel was refused"));
+  if (request->state == Session::State::refused) return Failure(wrong_use("the channel was refused"));
   if (request->stated.index() != change.index()) return Failure(wrong_use("the change is of the other kind"));
   if (rewires(change))
     return Failure(wrong_use("mode, protocol, port and address stay: withdraw it and state it anew"));
   if (std::visit([](const auto& one) { return states_life(one.attributes); }, change)) {
     return Failure(wrong_use("the attribute channel is the library's own"));
   }
-  if (auto asked = requests_.modify(number, change); !asked) return Failure(wrong_use(std::move(asked.error().text)));
+  if (auto asked = session_.modify(number, change); !asked) return Failure(wrong_use(std::move(asked.error().text)));
   return {};
 }
 
@@ -140,7 +140,7 @@ void Engine::withdraw(ChannelNumber number) {
   if (subscribers_.erase(number) > 0) {
     on_message_.erase(number);
     has_looked(number);
-    requests_.remove(number);
+    session_.remove(number);
     return;
   }
   const auto found = publishers_.find(number);
@@ -154,7 +154,7 @@ void Engine::end_finished() {
   std::erase_if(finishing_, [this](ChannelNumber number) {
     if (!publishers_.at(number)->is_finished()) return false;
     publishers_.erase(number);
-    requests_.remove(number);
+    session_.remove(number);
     return true;
   });
 }
@@ -188,12 +188,12 @@ void Engine::on_up(const gcnp::Statement& hello) {
   last_refusal_.clear();
   tell(Connected{welcome_of(hello)});
   settle_.set(reactor_.now() + settle_patience);
-  requests_.on_up();
+  session_.on_up();
 }
 
 void Engine::on_down(const std::string& reason) {
   settle_.set(base::never);
-  requests_.on_down();
+  session_.on_down();
   for (const auto& [number, publisher] : publishers_) publisher->on_daemon_gone();
   for (const auto& [number, subscriber] : subscribers_) subscriber->on_daemon_gone();
   tell(Disconnected{reason});
@@ -203,7 +203,7 @@ void Engine::on_down(const std::string& reason) {
 void Engine::on_reply(gcnp::Reply reply) {
   if (const auto* message = std::get_if<gcnp::Statement>(&reply)) {
     if (message->command != "msg" || message->subcommand != "pong") return;
-    for (const auto& settled : requests_.on_pong()) on_settled(settled);
+    for (const auto& settled : session_.on_pong()) on_settled(settled);
     return;
   }
   const Event& event = std::get<Event>(reply);
@@ -211,13 +211,13 @@ void Engine::on_reply(gcnp::Reply reply) {
     if (auto* known = subscriber(event.request)) known->on_event(*service);
   } else if (const auto* consumer = std::get_if<ConsumerEvent>(&event.what)) {
     if (auto* known = publisher(event.request)) known->on_event(*consumer);
-  } else if (const auto settled = requests_.on_error(event.request, std::get<Error>(event.what))) {
+  } else if (const auto settled = session_.on_error(event.request, std::get<Error>(event.what))) {
     tell(Problem{settled->number, settled->error->text});
     close_refused(settled->number);
   }
 }
 
-void Engine::on_settled(const Requests::Settled& settled) {
+void Engine::on_settled(const Session::Settled& settled) {
   if (settled.error && settled.error->code == ErrorCode::not_ready && !settled.is_change) {
     return link_.drop(settled.error->text);
   }
@@ -229,13 +229,13 @@ void Engine::on_settled(const Requests::Settled& settled) {
   }
   auto* known = subscriber(settled.number);
   if (known == nullptr || settled.error) return;
-  const auto& stated = std::get<NamedSubscription>(requests_.find(settled.number)->stated);
+  const auto& stated = std::get<NamedSubscription>(session_.find(settled.number)->stated);
   known->set_limit(stated.limit.value_or(stated.mode == ChannelMode::one_to_one ? 1 : 0));
 }
 
 void Engine::close_refused(ChannelNumber number) {
-  const auto* request = requests_.find(number);
-  if (request == nullptr || request->state != Requests::State::refused) return;
+  const auto* request = session_.find(number);
+  if (request == nullptr || request->state != Session::State::refused) return;
   if (auto* known = subscriber(number)) known->on_refused();
   if (auto* known = publisher(number)) known->on_refused();
 }
@@ -243,7 +243,7 @@ void Engine::close_refused(ChannelNumber number) {
 void Engine::state_port(ChannelNumber channel, std::uint16_t port) {
   PublicationChange change;
   change.port = port;
-  [[maybe_unused]] const auto asked = requests_.modify(channel, change);
+  [[maybe_unused]] const auto asked = session_.modify(channel, change);
 }
 
 void Engine::tell(ChannelEvent event) {
@@ -274,7 +274,7 @@ void Engine::on_messages(ChannelNumber number, OnMessage on_message) {
 
 bool Engine::hand_out() {
   const bool has_come = std::exchange(has_event_come_, false) || !ready_.empty();
-  // Who is told may call anything here, but not process().
+  // The functions of the program may call everything here but process().
   while (on_event_ && !events_.empty()) {
     const auto event = next_event();
     const OnEvent told = on_event_;

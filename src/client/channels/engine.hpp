@@ -1,4 +1,4 @@
-// All of a node without a thread: its daemon, its publishers and its subscribers, behind one descriptor.
+// The engine of a node: its daemon, its publishers and its subscribers, behind one descriptor and without a thread.
 #ifndef GEMINGA_CLIENT_CHANNELS_ENGINE_HPP
 #define GEMINGA_CLIENT_CHANNELS_ENGINE_HPP
 
@@ -18,13 +18,14 @@
 #include "client/channels/channel_host.hpp"
 #include "client/channels/daemon_link.hpp"
 #include "client/channels/publisher_channel.hpp"
-#include "client/channels/requests.hpp"
 #include "client/channels/subscriber_channel.hpp"
+#include "client/protocol/session.hpp"
 #include "geminga/result.hpp"
 
 namespace geminga::client {
 
-/// Neither copies nor moves. Not thread-safe. Nothing is read and nobody is told but within process(); no call waits.
+/// Reads sockets and calls functions of the program within process() only; no call waits. Neither copies nor moves. Not
+/// thread-safe.
 class Engine final : public ChannelHost {
  public:
   using OnEvent = std::function<void(const ChannelEvent&)>;
@@ -35,44 +36,44 @@ class Engine final : public ChannelHost {
   ~Engine() override;
 
   [[nodiscard]] int descriptor() const { return reactor_.descriptor(); }
-  /// Whether a message or an event has come.
+  /// Reads and writes what is ready. Whether a message or an event has come.
   bool process();
 
-  /// Opens the channel and states it as soon as there is a daemon. Errors: wrong_use, for what cannot be stated or a
-  /// port that is taken.
+  /// Opens a channel and states it as soon as there is a daemon. Error: wrong_use, for a request that cannot be stated
+  /// or a port that is taken.
   [[nodiscard]] Result<ChannelNumber, ClientError> publish(NamedPublication publication);
   [[nodiscard]] Result<ChannelNumber, ClientError> subscribe(NamedSubscription subscription, Conversions conversions);
-  /// Errors: wrong_use, also for what the sockets hang on: mode, protocol, port and address.
-  [[nodiscard]] Result<void, ClientError> modify(ChannelNumber number, const Requests::Change& change);
-  /// Begins to end a channel cleanly; it is over when find() gives nothing.
+  /// Changes a request. Error: wrong_use, also for mode, protocol, port and address, which its sockets depend on.
+  [[nodiscard]] Result<void, ClientError> modify(ChannelNumber number, const Session::Change& change);
+  /// Begins to end a channel cleanly; it has ended when find() gives nothing.
   void withdraw(ChannelNumber number);
-  /// Begins to end everything cleanly; it is over when has_ended().
+  /// Begins to end everything cleanly, until has_ended().
   void withdraw_all();
   [[nodiscard]] bool has_ended();
 
-  /// What became of a request; null where it is withdrawn altogether.
-  [[nodiscard]] const Requests::Request* find(ChannelNumber number) const { return requests_.find(number); }
+  /// The state of a request; null if it is withdrawn altogether.
+  [[nodiscard]] const Session::Request* find(ChannelNumber number) const { return session_.find(number); }
   [[nodiscard]] PublisherChannel* publisher(ChannelNumber number) const;
   [[nodiscard]] SubscriberChannel* subscriber(ChannelNumber number) const;
 
   [[nodiscard]] bool is_connected() const { return link_.is_up(); }
-  /// Whether the daemon is not there, as far as is known.
+  /// Whether an attempt to reach the daemon has failed and it is not there.
   [[nodiscard]] bool is_without_daemon() const { return !link_.is_up() && link_.has_failed(); }
 
-  /// The next event that nobody has taken. Where events were thrown away, the first one is a Problem of channel 0 with
-  /// their number.
+  /// The next event that was not taken. If events were thrown away, the first one is a Problem of channel 0 with their
+  /// number.
   [[nodiscard]] std::optional<ChannelEvent> next_event();
-  /// From now on events go there, and messages of a subscriber there, at the end of process().
+  /// Gives further events, or messages of a subscriber, to these functions at the end of process().
   void on_events(OnEvent on_event) { on_event_ = std::move(on_event); }
   void on_messages(ChannelNumber number, OnMessage on_message);
 
-  /// Whether messages or events have come that nobody has looked at since.
+  /// Whether messages or events have come for which the program has not looked since.
   [[nodiscard]] bool has_news() const { return !news_.empty(); }
-  /// The program has looked whether this subscriber has a message; or 0: whether there is an event.
+  /// The program has looked for a message of this subscriber; or 0: for an event.
   void has_looked(ChannelNumber number) { news_.erase(number); }
-  /// The program is about to look at everything.
+  /// The program is about to look for everything.
   void will_look() { news_.clear(); }
-  /// Makes the descriptor readable until the next process(), where there are news.
+  /// Makes the descriptor readable until the next process(), if there are news.
   void remind() {
     if (has_news()) reminder_.set(reactor_.now());
   }
@@ -91,36 +92,36 @@ class Engine final : public ChannelHost {
   void on_up(const gcnp::Statement& hello);
   void on_down(const std::string& reason);
   void on_reply(gcnp::Reply reply);
-  void on_settled(const Requests::Settled& settled);
+  void on_settled(const Session::Settled& settled);
   [[nodiscard]] bool is_finishing(ChannelNumber number) const {
     return std::ranges::find(finishing_, number) != finishing_.end();
   }
   void end_finished();
-  /// Ends what a request carried that is refused.
+  /// Ends the channel of a request that is refused.
   void close_refused(ChannelNumber number);
   bool hand_out();
 
   Reactor reactor_;
   std::vector<std::byte> room_;
   DaemonLink link_;
-  Requests requests_;
+  Session session_;
   std::map<ChannelNumber, std::unique_ptr<PublisherChannel>> publishers_;
   std::map<ChannelNumber, std::unique_ptr<SubscriberChannel>> subscribers_;
   std::vector<ChannelNumber> finishing_;  ///< publishers
-  Reactor::Timer settle_;                 ///< a daemon that is back has told of everybody
-  std::string last_refusal_;              ///< of a daemon, told once
+  Reactor::Timer settle_;                 ///< a daemon that is back has had its time to confirm
+  std::string last_refusal_;              ///< of a daemon; the program is told once
   std::deque<ChannelEvent> events_;
-  std::uint64_t lost_events_ = 0;  ///< thrown away since the program was last told of such
+  std::uint64_t lost_events_ = 0;  ///< thrown away since the program was last told
   OnEvent on_event_;
   std::map<ChannelNumber, OnMessage> on_message_;
   bool has_event_come_ = false;
   std::vector<ChannelNumber> ready_;  ///< subscribers that have got a message
-  std::set<ChannelNumber> news_;      ///< those that the program has not looked at since, and 0 for events
+  std::set<ChannelNumber> news_;      ///< subscribers with news, and 0 for events
   Reactor::Timer reminder_;
   bool is_ending_ = false;
 };
 
-/// What the daemon says about itself and this client.
+/// The daemon's answer to the hello, in the words of the public face.
 [[nodiscard]] Welcome welcome_of(const gcnp::Statement& hello);
 
 }  // namespace geminga::client

@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "client/channels/life.hpp"
-#include "client/channels/tcp_publisher.hpp"
-#include "client/channels/udp_publisher.hpp"
+#include "client/channels/tcp_outlet.hpp"
+#include "client/channels/udp_outlet.hpp"
+#include "client/protocol/life.hpp"
 
 namespace geminga::client {
 namespace {
 
-/// Whether two events say the same but for who says it in the words of daemons that come and go.
+/// Whether two events are equal but for the change and for the number that a daemon gave the service.
 bool is_same(ConsumerEvent before, const ConsumerEvent& event) {
   before.change = event.change;
   before.subscription = event.subscription;
@@ -23,14 +23,14 @@ std::expected<std::unique_ptr<PublisherChannel>, std::string> PublisherChannel::
                                                                                      NamedPublication& publication) {
   const Life life = new_life();
   publication.attributes.insert_or_assign(std::string(channel_attribute), to_string(life));
-  if (publication.protocol == "udp") return UdpPublisher::open(host, number, life, publication);
-  if (publication.protocol == "tcp") return TcpPublisher::open(host, number, life, publication);
+  if (publication.protocol == "udp") return UdpOutlet::open(host, number, life, publication);
+  if (publication.protocol == "tcp") return TcpOutlet::open(host, number, life, publication);
   return std::unexpected("no channel over " + publication.protocol + ": there are udp and tcp");
 }
 
 PublisherChannel::PublisherChannel(ChannelHost& host, ChannelNumber number, Life life)
     : host_(host), number_(number), life_(life), timer_(host.reactor(), [this] {
-        for (const auto over : parties_.expired(now())) remove(over, parties_.at(over).reason);
+        for (const auto over : counterparts_.expired(now())) remove(over, counterparts_.at(over).reason);
         set_timer();
       }) {}
 
@@ -50,20 +50,20 @@ Result<void, SendError> PublisherChannel::send(std::span<const std::byte> payloa
 }
 
 void PublisherChannel::on_event(const ConsumerEvent& event) {
-  const auto known = parties_.find(event.subscription);
+  const auto known = counterparts_.find(event.subscription);
   if (event.change == Change::del) {
     if (!known) return;
-    // Nothing comes from a consumer, so nothing is waited for.
-    const auto parted = parties_.del(event.subscription, event.reason, carrier_of(*known), now());
-    const bool is_final = parties_.at(*known).state != Parties::State::orphaned;
-    if (parted.parting != Parties::Parting::go_on) remove(*known, event.reason, is_final);
+    // A consumer sends nothing, so there is nothing to wait for.
+    const auto parted = counterparts_.del(event.subscription, event.reason, carrier_of(*known), now());
+    const bool is_final = counterparts_.at(*known).state != Counterparts::State::orphaned;
+    if (parted.parting != Counterparts::Parting::go_on) remove(*known, event.reason, is_final);
     return set_timer();
   }
-  // What has ended is made again by an add only.
+  // A consumer that has ended comes back by an add only.
   if (event.change == Change::modify && !known) return;
   const Life life = stated_life(event.subscribed.attributes);
-  if (known && parties_.at(*known).life != life) remove(*known, "changed", true);
-  const auto added = parties_.add(life, event.subscription);
+  if (known && counterparts_.at(*known).life != life) remove(*known, "changed", true);
+  const auto added = counterparts_.add(life, event.subscription);
   Consumer& consumer = consumers_[added.number];
   const bool is_news = consumer.was_told && !is_same(consumer.event, event);
   consumer.event = event;
@@ -75,44 +75,44 @@ void PublisherChannel::on_event(const ConsumerEvent& event) {
 }
 
 void PublisherChannel::on_settled() {
-  for (const auto over : parties_.settle([this](auto consumer) { return carrier_of(consumer); }, now())) {
-    remove(over, parties_.at(over).reason);
+  for (const auto over : counterparts_.settle([this](auto consumer) { return carrier_of(consumer); }, now())) {
+    remove(over, counterparts_.at(over).reason);
   }
   set_timer();
 }
 
 void PublisherChannel::on_refused() {
-  while (!consumers_.empty()) remove(consumers_.begin()->first, Parties::refused_reason, true);
+  while (!consumers_.empty()) remove(consumers_.begin()->first, Counterparts::refused_reason, true);
   set_timer();
 }
 
-void PublisherChannel::appear(Parties::Number consumer) {
+void PublisherChannel::appear(Counterparts::Number consumer) {
   if (!std::exchange(consumers_.at(consumer).was_told, true)) tell(ConsumerChange::What::added, consumer, "");
 }
 
-void PublisherChannel::vanish(Parties::Number consumer) {
-  const Parties::Party& party = parties_.at(consumer);
-  if (party.state == Parties::State::matched) {
+void PublisherChannel::vanish(Counterparts::Number consumer) {
+  const Counterparts::Counterpart& counterpart = counterparts_.at(consumer);
+  if (counterpart.state == Counterparts::State::matched) {
     if (!std::exchange(consumers_.at(consumer).was_told, false)) return;
-    return tell(ConsumerChange::What::removed, consumer, Parties::lost_reason);
+    return tell(ConsumerChange::What::removed, consumer, Counterparts::lost_reason);
   }
-  remove(consumer, party.reason.empty() ? std::string(Parties::disconnected_reason) : party.reason);
+  remove(consumer, counterpart.reason.empty() ? std::string(Counterparts::disconnected_reason) : counterpart.reason);
   set_timer();
 }
 
-void PublisherChannel::remove(Parties::Number consumer, std::string_view reason, bool is_final) {
-  if (!parties_.contains(consumer)) return;
-  const std::string kept(reason);  // it may be the party's own
+void PublisherChannel::remove(Counterparts::Number consumer, std::string_view reason, bool is_final) {
+  if (!counterparts_.contains(consumer)) return;
+  const std::string kept(reason);  // it may belong to the counterpart, which is erased
   on_consumer_gone(consumer, is_final);
   if (consumers_.at(consumer).was_told) tell(ConsumerChange::What::removed, consumer, kept);
-  parties_.erase(consumer);
+  counterparts_.erase(consumer);
   consumers_.erase(consumer);
 }
 
-void PublisherChannel::tell(ConsumerChange::What what, Parties::Number consumer, std::string_view reason) {
+void PublisherChannel::tell(ConsumerChange::What what, Counterparts::Number consumer, std::string_view reason) {
   if (is_closed_) return;
-  host_.tell(
-      ConsumerChange{number_, what, parties_.at(consumer).life, consumers_.at(consumer).event, std::string(reason)});
+  host_.tell(ConsumerChange{number_, what, counterparts_.at(consumer).life, consumers_.at(consumer).event,
+                            std::string(reason)});
 }
 
 }  // namespace geminga::client

@@ -1,4 +1,4 @@
-// The provider's half of a channel: who its consumers are, and what all carriers have in common.
+// A publisher's half of a channel: its consumers, whatever carries their messages.
 #ifndef GEMINGA_CLIENT_CHANNELS_PUBLISHER_CHANNEL_HPP
 #define GEMINGA_CLIENT_CHANNELS_PUBLISHER_CHANNEL_HPP
 
@@ -11,50 +11,50 @@
 #include <string_view>
 
 #include "client/channels/channel_host.hpp"
-#include "client/channels/frame.hpp"
-#include "client/channels/parties.hpp"
+#include "client/protocol/counterparts.hpp"
+#include "client/protocol/frame.hpp"
 #include "geminga/channel.hpp"
 #include "geminga/named.hpp"
 #include "geminga/result.hpp"
 
 namespace geminga::client {
 
-/// Neither copies nor moves. Not thread-safe. What it tells goes to the host.
+/// Events go to the host. Neither copies nor moves. Not thread-safe.
 class PublisherChannel {
  public:
-  /// Opens what has to be open from the beginning, and fills the port and the life into `publication`. The error is one
-  /// line about a stated port or address that cannot be had.
+  /// Opens the sockets that are open from the beginning, and fills port and life into `publication`. The error is one
+  /// line about a port or address that cannot be had.
   [[nodiscard]] static std::expected<std::unique_ptr<PublisherChannel>, std::string> open(
       ChannelHost& host, ChannelNumber number, NamedPublication& publication);
   virtual ~PublisherChannel() = default;
   PublisherChannel(const PublisherChannel&) = delete;
   PublisherChannel& operator=(const PublisherChannel&) = delete;
 
-  /// Sends to every consumer; costs a comparison where there is none. Never waits.
+  /// Sends to every consumer; costs a comparison if there is none. Never waits.
   [[nodiscard]] Result<void, SendError> send(std::span<const std::byte> payload);
   /// Whether every consumer has room for one more message of this size.
   [[nodiscard]] virtual bool has_room(std::size_t payload_bytes) const = 0;
   [[nodiscard]] const SendCount& count() const { return count_; }
   [[nodiscard]] Life life() const { return life_; }
 
-  /// What the daemon tells of consumers.
+  /// Takes an event of the daemon about a consumer.
   void on_event(const ConsumerEvent& event);
-  void on_daemon_gone() { parties_.doubt(); }
-  /// The daemon is back and has had its time to tell of everybody again.
+  void on_daemon_gone() { counterparts_.doubt(); }
+  /// The daemon is back and has had its time to confirm every consumer.
   void on_settled();
   /// The daemon has taken the request back.
   void on_refused();
 
-  /// Writes what waits and says the end. Nothing can be sent any more.
+  /// Writes what waits and sends the end. After it send() fails.
   virtual void finish() = 0;
-  /// Whether finish() has come to its end, or its time is over.
+  /// Whether finish() is complete, or its time is over.
   [[nodiscard]] virtual bool is_finished() const = 0;
 
  protected:
   struct Consumer {
     ConsumerEvent event;
     PeerAddress address;    ///< port 0: none
-    bool was_told = false;  ///< the program knows of it
+    bool was_told = false;  ///< whether the program was told of it
   };
 
   PublisherChannel(ChannelHost& host, ChannelNumber number, Life life);
@@ -62,20 +62,20 @@ class PublisherChannel {
   [[nodiscard]] virtual bool has_consumer() const = 0;
   [[nodiscard]] virtual std::size_t max_payload() const = 0;
   virtual void transmit(const FrameHeader& header, std::span<const std::byte> payload) = 0;
-  [[nodiscard]] virtual Parties::Carrier carrier_of(Parties::Number consumer) const = 0;
-  /// A consumer is there, or is to be reached elsewhere.
-  virtual void on_consumer(Parties::Number consumer) = 0;
-  /// And is gone. `is_final`: what was sent to it may still reach it.
-  virtual void on_consumer_gone(Parties::Number consumer, bool is_final) = 0;
-  /// Whether messages reach it, so that the program is told.
-  [[nodiscard]] virtual bool is_reached(Parties::Number consumer) const = 0;
+  [[nodiscard]] virtual Counterparts::Carrier carrier_of(Counterparts::Number consumer) const = 0;
+  /// A consumer was added, or has another address.
+  virtual void on_consumer(Counterparts::Number consumer) = 0;
+  /// A consumer is gone. `is_final`: messages that wait are still sent to it.
+  virtual void on_consumer_gone(Counterparts::Number consumer, bool is_final) = 0;
+  /// Whether messages reach the consumer, so that the program is told of it.
+  [[nodiscard]] virtual bool is_reached(Counterparts::Number consumer) const = 0;
 
-  /// It is reached from now on.
-  void appear(Parties::Number consumer);
-  /// Its connection has ended. Who is still matched may come again; others are gone.
-  void vanish(Parties::Number consumer);
+  /// Messages reach the consumer from now on.
+  void appear(Counterparts::Number consumer);
+  /// The connection of a consumer has ended. A matched consumer may connect again; any other is gone.
+  void vanish(Counterparts::Number consumer);
   /// Forgets a consumer and tells the program.
-  void remove(Parties::Number consumer, std::string_view reason, bool is_final = false);
+  void remove(Counterparts::Number consumer, std::string_view reason, bool is_final = false);
   [[nodiscard]] base::Instant now() const { return host_.reactor().now(); }
 
   ChannelHost& host_;
@@ -84,12 +84,12 @@ class PublisherChannel {
   std::uint64_t sequence_ = 0;
   bool is_closed_ = false;
   SendCount count_;
-  Parties parties_;
-  std::map<Parties::Number, Consumer> consumers_;
+  Counterparts counterparts_;
+  std::map<Counterparts::Number, Consumer> consumers_;
 
  private:
-  void tell(ConsumerChange::What what, Parties::Number consumer, std::string_view reason);
-  void set_timer() { timer_.set(parties_.next_end()); }
+  void tell(ConsumerChange::What what, Counterparts::Number consumer, std::string_view reason);
+  void set_timer() { timer_.set(counterparts_.next_end()); }
 
   Reactor::Timer timer_;
 };

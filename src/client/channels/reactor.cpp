@@ -14,10 +14,10 @@
 namespace geminga::client {
 namespace {
 
-/// Sockets that are asked for at once, and how often that is done before the caller has its turn again.
+/// The sockets of one epoll_wait(), and how many of these one process() does.
 constexpr int events_at_once = 64;
 constexpr int rounds_at_once = 16;
-/// The token of the clock.
+/// The token of the timerfd.
 constexpr std::uint64_t clock_token = 0;
 
 }  // namespace
@@ -106,7 +106,7 @@ void Reactor::process() {
         armed_ = base::never;
         continue;
       }
-      // Who is told may have closed a socket that is in this round, too.
+      // A function that was called may have closed a socket of this round.
       const auto found = watched_.find(event.data.u64);
       if (found == watched_.end()) continue;
       const OnReady on_ready = found->second;
@@ -120,7 +120,7 @@ void Reactor::process() {
 
 void Reactor::run_timers() {
   const auto now = this->now();
-  // What a timer sets anew for this very instant comes with the next call.
+  // A timer that is set again for this very instant is due with the next call.
   std::vector<std::pair<base::Instant, Timer*>> due(timers_.begin(),
                                                     timers_.lower_bound({now + base::Duration(1), nullptr}));
   for (const auto& one : due) {

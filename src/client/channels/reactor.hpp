@@ -1,4 +1,4 @@
-// Sockets and instants behind one descriptor: what is ready is handed to whoever waits for it.
+// Sockets and timers behind one descriptor: a function is called when one is ready.
 #ifndef GEMINGA_CLIENT_CHANNELS_REACTOR_HPP
 #define GEMINGA_CLIENT_CHANNELS_REACTOR_HPP
 
@@ -15,10 +15,11 @@
 
 namespace geminga::client {
 
-/// An epoll descriptor with a timerfd in it, level-triggered. Not thread-safe. Nothing is called but within process().
+/// An epoll descriptor with a timerfd in it, level-triggered. Functions are called within process() only. Not
+/// thread-safe.
 class Reactor {
  public:
-  /// Whether a socket can be read, or written; what it has met with counts as both.
+  /// Whether a socket can be read, or written. An error of the socket counts as both.
   struct Ready {
     bool can_read = false;
     bool can_write = false;
@@ -33,9 +34,9 @@ class Reactor {
         : reactor_(std::exchange(other.reactor_, nullptr)), token_(other.token_), socket_(other.socket_) {}
     Watch& operator=(Watch&& other) noexcept;
     ~Watch() { stop(); }
-    /// From now on reads, writes, both or neither are waited for.
+    /// Says what is waited for: reads, writes, both or neither.
     void want(bool reads, bool writes);
-    /// Before the socket is closed.
+    /// Ends the watch; before the socket is closed.
     void stop();
 
    private:
@@ -46,14 +47,14 @@ class Reactor {
     std::uint32_t events_ = 0;
   };
 
-  /// Calls once at an instant, or not at all. Neither copies nor moves; the reactor must outlive it.
+  /// Calls a function once at an instant. Neither copies nor moves; the reactor must outlive it.
   class Timer {
    public:
     Timer(Reactor& reactor, std::function<void()> action) : reactor_(reactor), action_(std::move(action)) {}
     ~Timer() { set(base::never); }
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
-    /// The instant takes the place of the one before; never: not at all.
+    /// Sets the instant in the place of the former one; base::never for none.
     void set(base::Instant at);
     [[nodiscard]] base::Instant at() const { return at_; }
 
@@ -64,7 +65,7 @@ class Reactor {
     base::Instant at_ = base::never;
   };
 
-  /// Called with the system's reason when a socket cannot be watched: nothing arrives there then.
+  /// Called with the system's reason when a socket cannot be watched. Nothing is read from that socket.
   using OnFailure = std::function<void(std::string)>;
 
   explicit Reactor(OnFailure on_failure);
@@ -73,9 +74,9 @@ class Reactor {
   [[nodiscard]] Watch watch(const Socket& socket, OnReady on_ready);
   /// Readable when process() has something to do.
   [[nodiscard]] int descriptor() const { return poll_.get(); }
-  /// Hands out what is ready and what is due, a bounded number of times; never waits.
+  /// Calls the functions of what is ready and due, a bounded number of times. Never waits.
   void process();
-  /// The instant of this call of process(); between calls, of now.
+  /// The present instant.
   [[nodiscard]] base::Instant now() const;
 
  private:

@@ -16,14 +16,14 @@ namespace {
 
 /// Not in every libc: linux/in6.h.
 constexpr int ipv6_multicast_all = 29;
-/// A connection whose other end is silent is asked after so many seconds, so often, so many times; then it is broken.
+/// Keep-alive of connections, in seconds: the silence before the first probe, the time between two, and their number.
 constexpr int keep_alive_idle = 5;
 constexpr int keep_alive_interval = 2;
 constexpr int keep_alive_count = 3;
-/// And one whose other end does not confirm what it was sent, after so many milliseconds.
+/// The time after which a connection is broken whose other end does not confirm what it was sent.
 constexpr int unconfirmed_ms = 11'000;
 
-/// What a burst of datagrams may take; the system gives less where its owner has said so.
+/// The receive buffer for a burst of datagrams. The system gives less if its limit is less.
 constexpr int wanted_receive_buffer = 4 * 1024 * 1024;
 
 SocketError error_of(int number, const std::string& what) {
@@ -34,7 +34,7 @@ bool set(const Socket& socket, int level, int option, int value) {
   return ::setsockopt(socket.get(), level, option, &value, sizeof value) == 0;
 }
 
-/// Nothing waits for more to be sent with it, and an end that is gone without a word is noticed.
+/// Small messages leave at once, and a peer that is gone without a word is noticed.
 void set_connection_options(const Socket& socket) {
   set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
   set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
@@ -67,12 +67,12 @@ std::expected<Socket, SocketError> open_bound(int type, int family, const Bindin
   return socket;
 }
 
-/// One for both families, or for IPv4 where the host has no IPv6.
+/// A socket for both families, or for IPv4 if the host has no IPv6.
 std::expected<Socket, SocketError> open_any(int type, Binding binding) {
   auto socket = open_bound(type, AF_INET6, binding);
   if (!socket && (socket.error().number == EAFNOSUPPORT || socket.error().number == EADDRNOTAVAIL)) {
     if (auto four = open_bound(type, AF_INET, binding)) return four;
-    // An address that others reach us by need not be one that we have.
+    // The address by which others reach this host need not be one of its own.
     if (!binding.address.empty() && socket.error().number == EADDRNOTAVAIL) {
       binding.address.clear();
       return open_any(type, binding);
@@ -137,7 +137,7 @@ std::expected<Socket, SocketError> open_group(const PeerAddress& group) {
   set(socket, SOL_SOCKET, SO_RCVBUF, wanted_receive_buffer);
   set(socket, IPPROTO_IP, IP_MULTICAST_ALL, 0);
   if (family == AF_INET6) set(socket, IPPROTO_IPV6, ipv6_multicast_all, 0);
-  // A link-local group of every interface has no one address to be bound to; who it comes from is asked later anyway.
+  // A link-local group on every interface has no single address to bind to. The sender is checked later anyway.
   PeerAddress at = group;
   if (family == AF_INET6 && group.zone == 0 && (group.octets[1] & 0x0f) == 2) at.octets = {};
   if (family == AF_INET6) set(socket, IPPROTO_IPV6, IPV6_V6ONLY, 1);
@@ -156,7 +156,7 @@ int join_group(const Socket& socket, const PeerAddress& group) {
   int error = ENODEV;
   for (const unsigned interface : multicast_interfaces(group.is_ipv4())) {
     if (group.zone != 0 && group.zone != interface) continue;
-    // One that it has joined already says so.
+    // EADDRINUSE: it is joined on this interface already.
     if (join(socket, group, interface) || errno == EADDRINUSE) {
       has_joined = true;
     } else {
@@ -217,7 +217,7 @@ int send_datagram(const Socket& socket, const PeerAddress& to, std::span<const i
   alignas(cmsghdr) char control[CMSG_SPACE(sizeof(in6_pktinfo))]{};
   if (interface != 0) {
     message.msg_control = control;
-    // A mapped address goes out through the IPv4 half of the socket, which wants IPv4's own words.
+    // A mapped address leaves through the IPv4 half of the socket, which takes IPv4's own options.
     const bool is_four = to.is_ipv4();
     message.msg_controllen = is_four ? CMSG_SPACE(sizeof(in_pktinfo)) : CMSG_SPACE(sizeof(in6_pktinfo));
     cmsghdr* header = CMSG_FIRSTHDR(&message);

@@ -1,4 +1,4 @@
-// Sockets of channels: opened, owned, and never waited for.
+// Sockets of channels, which never block.
 #ifndef GEMINGA_CLIENT_CHANNELS_SOCKET_HPP
 #define GEMINGA_CLIENT_CHANNELS_SOCKET_HPP
 
@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "client/channels/peer_address.hpp"
+#include "client/protocol/peer_address.hpp"
 
 namespace geminga::client {
 
-/// Owns a descriptor and closes it at its end. Moves and does not copy.
+/// Owns a descriptor and closes it. Moves and does not copy.
 class Socket {
  public:
   Socket() = default;
@@ -34,7 +34,7 @@ class Socket {
   ~Socket() { close(); }
 
   [[nodiscard]] int get() const { return number_; }
-  /// AF_INET6 or AF_INET, of what sends datagrams.
+  /// AF_INET6 or AF_INET, of a socket that sends datagrams.
   [[nodiscard]] int family() const { return family_; }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   void close();
@@ -44,48 +44,48 @@ class Socket {
   int family_ = 0;
 };
 
-/// Why a socket could not be opened: the system's number and one line for a person.
+/// The reason why a socket could not be opened: the system's number and one line for a person.
 struct SocketError {
   int number = 0;
   std::string text;
 };
 
-/// What a socket is bound to.
+/// The address and port to which a socket is bound.
 struct Binding {
   std::string address;     ///< numeric; empty: every address of the host, of both families where it has both
   std::uint16_t port = 0;  ///< 0: any
-  bool is_shared = false;  ///< others may be bound to the same, as for multicast
+  bool is_shared = false;  ///< other sockets may be bound to the same, as for multicast
 };
 
-/// A UDP socket.
+/// Opens a UDP socket.
 [[nodiscard]] std::expected<Socket, SocketError> open_datagrams(const Binding& binding);
-/// A TCP socket that listens.
+/// Opens a TCP socket that listens.
 [[nodiscard]] std::expected<Socket, SocketError> open_listener(const Binding& binding);
-/// A TCP socket that is on its way there: writable once it is decided.
+/// Begins to connect a TCP socket, which becomes writable when that has succeeded or failed.
 [[nodiscard]] std::expected<Socket, SocketError> open_connection(const PeerAddress& to);
-/// A UDP socket that hears this group and nothing else, from every interface that multicasts go through.
+/// Opens a UDP socket that receives this group and nothing else, on every interface that multicasts use.
 [[nodiscard]] std::expected<Socket, SocketError> open_group(const PeerAddress& group);
-/// Joins it on those that have come since. The system's error where there is none at all, else 0.
+/// Joins the group on interfaces that have come since. The system's error if it is joined on none, else 0.
 int join_group(const Socket& socket, const PeerAddress& group);
 
 /// The port that a socket is bound to.
 [[nodiscard]] std::uint16_t port_of(const Socket& socket);
-/// The error that a connection has met, or 0.
+/// The error of a connection, or 0.
 [[nodiscard]] int pending_error(const Socket& socket);
-/// Accepts one connection; nothing where none waits.
+/// Accepts one connection; nothing if none waits.
 [[nodiscard]] std::optional<Socket> accept(const Socket& listener);
 
-/// The interfaces that a multicast leaves by: those that are up and have addresses of this family, and the loopback
-/// where there is no other.
+/// The interfaces that multicasts use: those that are up and have addresses of this family, or the loopback if there is
+/// no other.
 [[nodiscard]] std::vector<unsigned> multicast_interfaces(bool is_ipv4);
 
-/// Octets that are only read, as the system wants them.
+/// Octets as the system takes them for writing.
 [[nodiscard]] inline iovec part(std::span<const std::byte> bytes) {
   return {const_cast<std::byte*>(bytes.data()), bytes.size()};
 }
 
-/// Sends one datagram of these parts; from `interface` where it is not 0. Gives the system's error number, 0 where it
-/// is sent.
+/// Sends one datagram of these parts, through `interface` unless that is 0. The system's error number, or 0 if it is
+/// sent.
 [[nodiscard]] int send_datagram(const Socket& socket, const PeerAddress& to, std::span<const iovec> parts,
                                 unsigned interface = 0);
 

@@ -7,9 +7,9 @@
 
 #include "base/text.hpp"
 #include "client/channels/engine.hpp"
-#include "client/cpp/daemon_places.hpp"
+#include "client/cpp/blocking_session.hpp"
 #include "client/cpp/deadline.hpp"
-#include "client/cpp/session.hpp"
+#include "client/cpp/stated_endpoints.hpp"
 #include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/request.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 Record record_of(const gcnp::Statement& message) {
   Record record;
   record.kind = message.subcommand;
-  // `why` tells of services too, but of none of their attributes.
+  // `why` names services, too, but none of their attributes.
   const bool is_service = message.subcommand != "why" && (message.has("service") || message.has("subscription"));
   const bool is_converted = message.has("convert");  // then an attribute of these names is `attr.cost` or `attr.via`
   for (const auto& parameter : message.parameters) {
@@ -44,9 +44,9 @@ std::string_view Record::operator[](std::string_view key) const {
 class Client::State {
  public:
   explicit State(std::chrono::milliseconds timeout) : session(timeout) {}
-  client::Session session;
+  client::BlockingSession session;
   Welcome welcome;
-  std::map<std::uint32_t, bool> is_publication;  ///< of everything that is offered or asked for, by its number
+  std::map<std::uint32_t, bool> is_publication;  ///< of each request, by its number
 
   std::expected<void, ClientError> send(std::uint32_t number, const gcnp::Request& request) {
     return session.request(gcnp::to_statement(number, request));
@@ -65,7 +65,7 @@ Client& Client::operator=(Client&&) noexcept = default;
 Client::~Client() = default;
 
 Result<Client, ClientError> Client::connect(const ClientOptions& options) {
-  const auto endpoints = client::daemon_places(options.connect);
+  const auto endpoints = client::stated_endpoints(options.connect);
   if (!endpoints) return std::unexpected(endpoints.error());
   auto state = std::make_unique<State>(options.timeout);
   if (auto connected = state->session.connect(*endpoints); !connected) return std::unexpected(connected.error());

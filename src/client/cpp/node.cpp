@@ -1,14 +1,10 @@
 #include "geminga/node.hpp"
 
-#include <poll.h>
-
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "client/channels/engine.hpp"
-#include "client/cpp/daemon_places.hpp"
 #include "client/cpp/deadline.hpp"
+#include "client/cpp/stated_endpoints.hpp"
 
 namespace geminga {
 namespace {
@@ -16,9 +12,9 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// How seldom send() looks after everything else, so that its cost is that of sending.
+/// The time between two calls of process() by send(), so that its cost is that of sending.
 constexpr milliseconds upkeep_interval{1};
-/// How long an end waits altogether: for consumers that take what waits for them, and for the daemon's goodbye.
+/// The longest wait of a clean end: for consumers that take what waits for them, and for the daemon's goodbye.
 constexpr milliseconds goodbye_patience{60'000};
 
 }  // namespace
@@ -31,17 +27,18 @@ class NodeState {
     last_upkeep = Clock::now();
     return engine.process();
   }
-  /// process(), but not more often than is of use.
+  /// Calls process(), but not more often than is of use.
   void keep_up() {
     if (Clock::now() - last_upkeep < upkeep_interval) return;
     process();
     remind();
   }
-  /// Who polls the descriptor would wait for what a call has read that he does not know of.
+  /// Makes the descriptor readable for a program that polls it, because a call has read messages that it does not know
+  /// of.
   void remind() {
     if (is_polled) engine.remind();
   }
-  /// Drives the engine until `is_done` or the deadline; whether it is done.
+  /// Drives the engine until `is_done` or the deadline. Whether it is done.
   template <typename IsDone>
   bool run_until(const IsDone& is_done, Clock::time_point deadline) {
     bool done = false;
@@ -52,20 +49,14 @@ class NodeState {
     remind();
     return done;
   }
-  /// Waits for something to do; false where the deadline came first.
+  /// Waits for something to do. False if the deadline comes first.
   [[nodiscard]] bool wait(Clock::time_point deadline) const {
-    const auto left = deadline - Clock::now();
-    if (left <= Clock::duration::zero()) return false;
-    pollfd waiting{engine.descriptor(), POLLIN, 0};
-    constexpr long long longest = std::numeric_limits<int>::max();
-    const long long count = std::chrono::ceil<milliseconds>(left).count();
-    ::poll(&waiting, 1, static_cast<int>(std::min(count, longest)));
-    return true;
+    return client::wait_until_ready(engine.descriptor(), POLLIN, deadline);
   }
 
-  /// Waits until this holds of the request, and gives it; null where a callback has withdrawn it meanwhile.
+  /// Waits until this holds of the request. Null if a callback has withdrawn the request meanwhile.
   template <typename IsSettled>
-  const client::Requests::Request* settled(ChannelNumber number, const IsSettled& is_settled) {
+  const client::Session::Request* settled(ChannelNumber number, const IsSettled& is_settled) {
     run_until(
         [&] {
           const auto* request = engine.find(number);
@@ -74,15 +65,15 @@ class NodeState {
         client::deadline_after(timeout));
     return engine.find(number);
   }
-  /// Waits for the answer to a create; the error is a refusal, after which the request is gone.
+  /// Waits for the answer to a create. The error is a refusal, after which the request is gone.
   Result<void, ClientError> answer(ChannelNumber number) {
-    const auto* request = settled(number, [](const auto& one) { return one.state != client::Requests::State::asked; });
-    if (request == nullptr || request->state != client::Requests::State::refused) return {};
+    const auto* request = settled(number, [](const auto& one) { return one.state != client::Session::State::asked; });
+    if (request == nullptr || request->state != client::Session::State::refused) return {};
     const Error refusal = request->refusal.value_or(Error{});
     engine.withdraw(number);
     return Failure(ClientError{ClientError::Kind::refused, refusal.text, refusal.code});
   }
-  Result<void, ClientError> modify(ChannelNumber number, const client::Requests::Change& change, Wait wait) {
+  Result<void, ClientError> modify(ChannelNumber number, const client::Session::Change& change, Wait wait) {
     if (auto asked = engine.modify(number, change); !asked || wait == Wait::for_nothing) return asked;
     const auto* request = settled(number, [](const auto& one) { return one.open_changes == 0; });
     if (request == nullptr || request->open_changes > 0 || !request->last_change) return {};
@@ -99,7 +90,7 @@ class NodeState {
   }
   [[nodiscard]] bool has_ended(ChannelNumber number) const {
     const auto* request = engine.find(number);
-    return request == nullptr || request->state == client::Requests::State::refused;
+    return request == nullptr || request->state == client::Session::State::refused;
   }
 
   client::Engine engine;
@@ -207,7 +198,7 @@ bool Subscriber::has_ended() const { return node_->has_ended(number_); }
 Node::Node(std::unique_ptr<NodeState> state) : state_(std::move(state)) {}
 Node::Node(Node&&) noexcept = default;
 Node& Node::operator=(Node&& other) noexcept {
-  std::swap(state_, other.state_);  // the other one's end withdraws what was here
+  std::swap(state_, other.state_);  // the other one's destructor withdraws what was here
   return *this;
 }
 Node::~Node() {
@@ -215,7 +206,7 @@ Node::~Node() {
 }
 
 Result<Node, ClientError> Node::open(const ClientOptions& options) {
-  auto places = client::daemon_places(options.connect);
+  auto places = client::stated_endpoints(options.connect);
   if (!places) return Failure(std::move(places.error()));
   auto state = std::make_unique<NodeState>(
       client::DaemonLink::Options{std::move(*places), options.name, options.timeout, options.room});

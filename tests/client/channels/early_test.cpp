@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "client/channels/early_frames.hpp"
-#include "client/channels/life.hpp"
 #include "client/channels/subscriber_channel.hpp"
+#include "client/protocol/early_frames.hpp"
+#include "client/protocol/life.hpp"
 
 namespace geminga::client {
 namespace {
@@ -163,6 +163,19 @@ TEST_F(EarlyProvider, MayHaveEndedAlready) {
   EXPECT_EQ(delivered(), std::vector<std::uint64_t>{1});
   ASSERT_EQ(host_.told.size(), 2U);
   EXPECT_EQ(std::get<ProviderChange>(host_.told[1]).reason, "withdrawn");
+}
+
+TEST_F(EarlyProvider, LosesItsEldestDatagramWhereTheProgramTakesNone) {
+  add(one_life);
+  for (std::uint64_t i = 1; i <= max_waiting_messages + 1; ++i) send(message(i));
+  EXPECT_EQ(subscriber_->count().received, max_waiting_messages);
+  EXPECT_EQ(subscriber_->count().missed, 1U);
+  EXPECT_EQ(subscriber_->count().dropped, 0U);
+  const auto first = subscriber_->take();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->sequence, 2U);
+  EXPECT_EQ(first->missed, 1U);
+  EXPECT_EQ(delivered().back(), max_waiting_messages + 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How many connections a publisher over TCP has, at the limits; and what waits in a subscriber and in a node.
+// How many connections a publisher over TCP has, at the limits; and which events wait in a node.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "client/channels/engine.hpp"
-#include "client/channels/frame.hpp"
-#include "client/channels/inbox.hpp"
 #include "client/channels/socket.hpp"
+#include "client/protocol/frame.hpp"
 #include "client/scripted_daemon.hpp"
 
 namespace geminga::client {
@@ -107,23 +106,6 @@ TEST_F(TcpLimits, ASocketThatCannotBeWatchedIsToldOf) {
   const auto event = engine_.next_event();
   ASSERT_TRUE(event);
   EXPECT_EQ(std::get<Problem>(*event).text, "a socket cannot be watched: Bad file descriptor");
-}
-
-TEST(Inbox, IsFullAtEitherLimit) {
-  Inbox many;
-  for (std::size_t i = 0; i < max_waiting_messages; ++i) {
-    EXPECT_FALSE(many.is_full());
-    many.put({});
-  }
-  EXPECT_TRUE(many.is_full());
-  EXPECT_TRUE(many.take());
-  EXPECT_FALSE(many.is_full());
-
-  Inbox large;
-  large.put({Life{1}, 1, 0, std::vector<std::byte>(max_waiting_octets - 1)});
-  EXPECT_FALSE(large.is_full());
-  large.put({Life{1}, 2, 0, std::vector<std::byte>(1)});
-  EXPECT_TRUE(large.is_full());
 }
 
 }  // namespace

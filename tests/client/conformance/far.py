@@ -1,9 +1,7 @@
-"""How many round trips pass between `pub add` and the first message: two hosts with so long a way between them that nothing
-else counts.
+"""Round trips between `pub add` and the first message, on two hosts so far from each other that nothing else counts.
 
-Each host has a TAP interface, and knows the other's place on it, so that nobody asks for that; what comes out of the one goes
-into the other after half a round trip. The conformance agents (AGENT.md) say what they are told, and
-when is when their line comes.
+Each host has a TAP interface and a fixed entry for the other's address. A frame that leaves one interface enters the other
+after half a round trip. The time of an event is the time at which a conformance agent (AGENT.md) prints its line.
 """
 
 from __future__ import annotations
@@ -20,7 +18,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from lab import LINK, Lab
+from lab import LINK, Host, Lab
 from spoken import Spoken
 
 TUNSETIFF, IFF_TAP, IFF_NO_PI = 0x400454CA, 0x0002, 0x1000
@@ -28,7 +26,7 @@ _LABELS = itertools.count(1)
 
 
 class Way:
-    """Two interfaces, and a thread that takes frames from the one to the other."""
+    """Two interfaces, and a thread that carries frames between them."""
 
     def __init__(self, half_seconds: float) -> None:
         self.names = [f"far{number}" for number in range(2)]
@@ -70,10 +68,16 @@ class Way:
 
 
 class FarLab:
-    """Two hosts with a daemon each that are so far from each other. Raises OSError where it cannot be made."""
+    """Two hosts with a daemon each that are so far from each other. Raises OSError where it cannot be made.
 
-    def __init__(self, gemingad: Path, round_trip_seconds: float) -> None:
-        self.lab = Lab(str(gemingad), [])
+    `services` and `requests` are the lines of `geminga-query --watch`: what the second host knows of services, and the first
+    one of requests.
+    """
+
+    def __init__(self, binaries: Path, round_trip_seconds: float) -> None:
+        self.lab = Lab(str(binaries / "gemingad"), [])
+        self._query = str(binaries / "geminga-query")
+        self._watches: list[Spoken] = []
         self._way: Way | None = None
         try:
             if not self.lab.has_namespaces:
@@ -81,13 +85,21 @@ class FarLab:
             self._way = Way(round_trip_seconds / 2)
             self._replace(self._way)
             self.lab.start_daemons()
-            time.sleep(round_trip_seconds * 4)  # until both have heard each other's answers
+            for host in self.lab.hosts:
+                self._watch(host, "participants").find(rf".*host{1 - host.number}\b.*")
+            self.services = self._watch(self.lab.hosts[1], "services")
+            self.requests = self._watch(self.lab.hosts[0], "requests")
         except BaseException:
             self.close()
             raise
 
+    def _watch(self, host: Host, what: str) -> Spoken:
+        watch = host.start(f"{what} of host{host.number}", [self._query, "--watch", what])
+        self._watches.append(watch)
+        return watch
+
     def _replace(self, way: Way) -> None:
-        """The lab's link by the far one."""
+        """Puts the far link in the place of the lab's own."""
         for host, holder, name in zip(self.lab.hosts, self.lab._holders, way.names):
             subprocess.run(["ip", "link", "set", name, "netns", str(holder.pid), "name", "far"], check=True, capture_output=True)
             if host.number == 0:
@@ -99,16 +111,19 @@ class FarLab:
         way.start()
 
     def close(self) -> None:
+        for watch in self._watches:
+            watch.discard()
         self.lab.close()
         if self._way is not None:
             self._way.close()
 
 
 class Meeting:
-    """A publisher's agent here and a subscriber's there."""
+    """A publisher's agent on the first host and a subscriber's on the second."""
 
-    def __init__(self, lab: Lab, command: Sequence[str]) -> None:
-        self._agents = [host.start(f"agent {host.number}", [*command, f"agent{host.number}"]) for host in lab.hosts]
+    def __init__(self, far: FarLab, command: Sequence[str]) -> None:
+        self._far = far
+        self._agents = [host.start(f"agent {host.number}", [*command, f"agent{host.number}"]) for host in far.lab.hosts]
         for agent in self._agents:
             agent.find("connected")
 
@@ -119,19 +134,20 @@ class Meeting:
         for agent in self._agents:
             agent.discard()
 
-    def seconds(self, mode: str, protocol: str, publisher_first: bool, settle_seconds: float) -> float:
-        """From `pub add` until the first message; 0 where that was there already."""
+    def seconds(self, mode: str, protocol: str, publisher_first: bool) -> float:
+        """From `pub add` until the first message. The second agent begins when its daemon knows what the first one stated."""
         publisher, subscriber = self._agents
         name = f"m{next(_LABELS)}"
         offer, wish = f"pub {name} mode={mode} text={name} protocol={protocol}", f"sub {name} mode={mode} text={name} protocol={protocol}"
         if publisher_first:
             self._state(publisher, offer, name)
             publisher.tell(f"stream {name} 1000000 16 1")
-            time.sleep(settle_seconds)
+            self._far.services.find(rf".*\b{name}\b.*")
             self._state(subscriber, wish, name)
         else:
             self._state(subscriber, wish, name)
-            time.sleep(settle_seconds)
+            if mode != "otm/stream":  # requests of streams are not announced
+                self._far.requests.find(rf".*\b{name}\b.*")
             self._state(publisher, offer, name)
             publisher.tell(f"stream {name} 1000000 16 1")
         subscriber.any(rf"provider {name} added .*")

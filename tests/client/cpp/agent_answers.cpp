@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/text.hpp"
-#include "client/channels/frame.hpp"
+#include "client/protocol/frame.hpp"
 #include "discovery/gcnp/event.hpp"
 #include "discovery/gcnp/statement.hpp"
 #include "geminga/identity.hpp"

@@ -8,11 +8,11 @@ import geminga.Options;
 import geminga.Publisher;
 import geminga.Request;
 import geminga.Subscriber;
-import geminga.core.Frame;
-import geminga.core.LineException;
-import geminga.core.Lives;
-import geminga.core.Reply;
-import geminga.core.Statement;
+import geminga.protocol.Frame;
+import geminga.protocol.Life;
+import geminga.protocol.LineException;
+import geminga.protocol.Reply;
+import geminga.protocol.Statement;
 import java.io.BufferedReader;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -243,7 +243,7 @@ public final class Agent {
         if (frame == null) {
             say("frame refused");
         } else {
-            say("frame", frame.kind().name().toLowerCase(Locale.ROOT), Lives.write(frame.life()), Long.toUnsignedString(frame.sequence()), HEX.formatHex(frame.payload()));
+            say("frame", frame.kind().name().toLowerCase(Locale.ROOT), Life.write(frame.life()), Long.toUnsignedString(frame.sequence()), HEX.formatHex(frame.payload()));
         }
     }
 
@@ -301,7 +301,7 @@ public final class Agent {
             if (!isQuiet) {
                 byte[] payload = message.payload();
                 String shown = HEX.formatHex(payload, 0, Math.min(payload.length, SHOWN_OCTETS));
-                speaker.say("message", Lives.write(message.life()), Long.toUnsignedString(message.sequence()), message.missed(), payload.length, shown);
+                speaker.say("message", Life.write(message.life()), Long.toUnsignedString(message.sequence()), message.missed(), payload.length, shown);
             }
             ask();
         }

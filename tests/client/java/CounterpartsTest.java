@@ -2,12 +2,12 @@ import geminga.Degree;
 import geminga.Identity;
 import geminga.Match;
 import geminga.Mode;
-import geminga.core.Backoff;
-import geminga.core.Counterparts;
-import geminga.core.Counterparts.Entry;
-import geminga.core.Listeners;
-import geminga.core.Lives;
-import geminga.core.Sizes;
+import geminga.protocol.Backoff;
+import geminga.protocol.Counterparts;
+import geminga.protocol.Counterparts.Entry;
+import geminga.protocol.Limits;
+import geminga.protocol.Listeners;
+import geminga.protocol.Sequence;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -88,12 +88,12 @@ final class CounterpartsTest {
             CounterpartsTest test = new CounterpartsTest();
             test.all.put(match("a/1/1", 7, 10));
             test.all.remove("a/1/1", reason, 0, false);
-            test.tick(Sizes.ORPHAN - 1);
+            test.tick(Limits.ORPHAN - 1);
             test.all.put(match("a/2/1", 7, 10));
-            test.tick(Sizes.ORPHAN);
+            test.tick(Limits.ORPHAN);
             test.witness.told("opened 7");
             test.all.remove("a/2/1", reason, 0, false);
-            test.tick(Sizes.ORPHAN);
+            test.tick(Limits.ORPHAN);
             test.witness.told("closed 7 " + reason);
         }
     }
@@ -134,11 +134,11 @@ final class CounterpartsTest {
         CounterpartsTest test = new CounterpartsTest();
         test.all.put(match("a/1/1", 7, 10));
         test.all.remove("a/1/1", "withdrawn", 0, true);
-        test.tick(Sizes.ENDING - 1);
-        test.all.extend(test.all.of(7), Sizes.ENDING - 1);
-        test.tick(2 * Sizes.ENDING - 2);
+        test.tick(Limits.ENDING - 1);
+        test.all.extend(test.all.of(7), Limits.ENDING - 1);
+        test.tick(2 * Limits.ENDING - 2);
         test.witness.told("opened 7", "ending 7");
-        test.tick(2 * Sizes.ENDING - 1);
+        test.tick(2 * Limits.ENDING - 1);
         test.witness.told("closed 7 withdrawn");
         CounterpartsTest other = new CounterpartsTest();
         other.all.put(match("a/1/1", 7, 10));
@@ -180,42 +180,40 @@ final class CounterpartsTest {
     }
 
     static void noMessageIsDeliveredTwiceAndGapsAreCounted() {
-        Lives lives = new Lives();
-        lives.begin(7);
-        Check.equal(0L, lives.accept(7, 500)); // before the first nothing is missed
-        Check.equal(-1L, lives.accept(7, 500));
-        Check.equal(-1L, lives.accept(7, 499));
-        Check.equal(2L, lives.accept(7, 503));
-        Check.equal(0L, lives.accept(8, 1));
-        Check.equal(4L, lives.missingBeforeEnd(7, 507));
-        lives.end(7);
-        lives.begin(7); // made again: it begins anew, but nothing old is delivered
-        Check.equal(0L, lives.missingBeforeEnd(7, 507));
-        Check.equal(-1L, lives.accept(7, 503));
-        Check.equal(0L, lives.accept(7, 600));
-        Check.equal(-1L, lives.accept(9, 0));
-        Check.equal(0L, lives.accept(9, -2)); // sequences are unsigned
-        Check.equal(-1L, lives.accept(9, 5));
-        Check.equal(0L, lives.accept(9, -1));
+        Sequence sequence = new Sequence();
+        Check.equal(0L, sequence.take(7, 500)); // before the first nothing is missed
+        Check.equal(-1L, sequence.take(7, 500));
+        Check.equal(-1L, sequence.take(7, 499));
+        Check.equal(2L, sequence.take(7, 503));
+        Check.equal(0L, sequence.take(8, 1));
+        Check.equal(4L, sequence.missedAtEnd(7, 507));
+        sequence.interrupt(7); // made again: it begins anew, but nothing old is delivered
+        Check.equal(0L, sequence.missedAtEnd(7, 507));
+        Check.equal(-1L, sequence.take(7, 503));
+        Check.equal(0L, sequence.take(7, 600));
+        Check.equal(-1L, sequence.take(9, 0));
+        Check.equal(0L, sequence.take(9, -2)); // sequences are unsigned
+        Check.equal(-1L, sequence.take(9, 5));
+        Check.equal(0L, sequence.take(9, -1));
     }
 
     static void soManyLivesAreRemembered() {
-        for (int others = Sizes.REMEMBERED_LIVES - 1; others <= Sizes.REMEMBERED_LIVES + 1; ++others) {
-            Lives lives = new Lives();
-            lives.accept(1, 5);
-            for (int i = 0; i < others; ++i) lives.accept(2 + i, 5);
-            Check.equal(others < Sizes.REMEMBERED_LIVES ? -1L : 0L, lives.accept(1, 5));
+        for (int others = Limits.REMEMBERED_LIVES - 1; others <= Limits.REMEMBERED_LIVES + 1; ++others) {
+            Sequence sequence = new Sequence();
+            sequence.take(1, 5);
+            for (int i = 0; i < others; ++i) sequence.take(2 + i, 5);
+            Check.equal(others < Limits.REMEMBERED_LIVES ? -1L : 0L, sequence.take(1, 5));
         }
     }
 
     static void soManyListenersHaveAPlace() {
         Listeners<Integer> listeners = new Listeners<>();
-        for (int i = 0; i < Sizes.LISTENERS; ++i) Check.that(listeners.heard(i, i), "listener " + i);
+        for (int i = 0; i < Limits.LISTENERS; ++i) Check.that(listeners.heard(i, i), "listener " + i);
         Check.that(listeners.heard(0, 100), "who has a place keeps it");
         Check.that(!listeners.heard(99, 101), "one more");
         listeners.remove(5);
         Check.that(listeners.heard(99, 102), "in the place of who left");
-        Check.that(listeners.heard(98, 1 + Sizes.LISTENER_SILENCE), "in the place of who fell silent");
+        Check.that(listeners.heard(98, 1 + Limits.LISTENER_SILENCE), "in the place of who fell silent");
     }
 
     static void aListenerIsForgottenAfterThreeSecondsOfSilence() {
@@ -223,10 +221,10 @@ final class CounterpartsTest {
         listeners.heard("a", 0);
         listeners.heard("b", 1);
         listeners.heard("a", 2);
-        Check.equal(1 + Sizes.LISTENER_SILENCE, listeners.deadline());
-        listeners.forget(Sizes.LISTENER_SILENCE);
+        Check.equal(1 + Limits.LISTENER_SILENCE, listeners.deadline());
+        listeners.forget(Limits.LISTENER_SILENCE);
         Check.equal(2, listeners.all().size());
-        listeners.forget(1 + Sizes.LISTENER_SILENCE);
+        listeners.forget(1 + Limits.LISTENER_SILENCE);
         Check.equal(List.of("a"), List.copyOf(listeners.all()));
     }
 

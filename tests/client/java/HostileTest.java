@@ -1,17 +1,17 @@
 import geminga.Identity;
 import geminga.Offer;
 import geminga.Request;
-import geminga.core.Addresses;
-import geminga.core.Frame;
-import geminga.core.FrameBuffer;
-import geminga.core.LineBuffer;
-import geminga.core.LineException;
-import geminga.core.Lives;
-import geminga.core.Reply;
-import geminga.core.Sizes;
-import geminga.core.Statement;
-import geminga.core.Told;
-import geminga.core.Words;
+import geminga.protocol.Addresses;
+import geminga.protocol.Frame;
+import geminga.protocol.FrameReader;
+import geminga.protocol.Life;
+import geminga.protocol.Limits;
+import geminga.protocol.LineException;
+import geminga.protocol.LineReader;
+import geminga.protocol.Reply;
+import geminga.protocol.Statement;
+import geminga.protocol.Told;
+import geminga.protocol.Words;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -27,11 +27,11 @@ final class HostileTest {
         for (int size : new int[] {Statement.MAX_OCTETS - 1, Statement.MAX_OCTETS}) {
             String line = head + "y".repeat(size - head.length());
             Check.equal(line, Statement.read(line).write());
-            Check.equal(line, new LineBuffer().next(octets(line + "\r\n")));
+            Check.equal(line, new LineReader().next(octets(line + "\r\n")));
         }
         String tooLong = head + "y".repeat(Statement.MAX_OCTETS + 1 - head.length());
         Check.fails(LineException.class, () -> Statement.read(tooLong));
-        LineBuffer lines = new LineBuffer();
+        LineReader lines = new LineReader();
         ByteBuffer octets = octets(tooLong + "z\nnext\n");
         Check.equal("next", lines.next(octets));
         Check.equal(1L, lines.skipped());
@@ -50,7 +50,7 @@ final class HostileTest {
     }
 
     static void linesThatComeInPiecesAreWhole() {
-        LineBuffer lines = new LineBuffer();
+        LineReader lines = new LineReader();
         List<String> found = new ArrayList<>();
         for (byte octet : "0 msg hello\r\n\n5 pub add name=\u00d6l\n".getBytes(StandardCharsets.UTF_8)) {
             String line = lines.next(ByteBuffer.wrap(new byte[] {octet}));
@@ -98,33 +98,33 @@ final class HostileTest {
     }
 
     static void aLifeIsSixteenLowerCaseDigitsAndNotZero() {
-        Check.equal(LIFE, Lives.read("0123456789abcdef"));
-        Check.equal(-1L, Lives.read("ffffffffffffffff"));
+        Check.equal(LIFE, Life.read("0123456789abcdef"));
+        Check.equal(-1L, Life.read("ffffffffffffffff"));
         for (String text : new String[] {null, "", "0000000000000000", "0123456789ABCDEF", "0123456789abcde", "0123456789abcdef0", "+123456789abcdef", "0x23456789abcdef"}) {
-            Check.equal(0L, Lives.read(text));
+            Check.equal(0L, Life.read(text));
         }
     }
 
     static void aDatagramHasSoManyOctetsAndNoMore() {
-        for (int size : new int[] {0, Sizes.UDP_MESSAGE - 1, Sizes.UDP_MESSAGE}) {
+        for (int size : new int[] {0, Limits.UDP_MESSAGE - 1, Limits.UDP_MESSAGE}) {
             Check.equal(size, Frame.ofDatagram(ByteBuffer.wrap(message(size))).payload().length);
         }
-        Check.equal(null, Frame.ofDatagram(ByteBuffer.wrap(message(Sizes.UDP_MESSAGE + 1))));
+        Check.equal(null, Frame.ofDatagram(ByteBuffer.wrap(message(Limits.UDP_MESSAGE + 1))));
     }
 
     static void aFrameOfAConnectionHasSoManyOctetsAndNoMore() {
-        for (int size : new int[] {Sizes.TCP_MESSAGE - 1, Sizes.TCP_MESSAGE}) {
-            FrameBuffer frames = new FrameBuffer(Sizes.TCP_MESSAGE);
+        for (int size : new int[] {Limits.TCP_MESSAGE - 1, Limits.TCP_MESSAGE}) {
+            FrameReader frames = new FrameReader(Limits.TCP_MESSAGE);
             Check.equal(size, frames.next(ByteBuffer.wrap(message(size))).payload().length);
         }
-        FrameBuffer frames = new FrameBuffer(Sizes.TCP_MESSAGE);
-        Check.equal(null, frames.next(ByteBuffer.wrap(message(Sizes.TCP_MESSAGE + 1))));
+        FrameReader frames = new FrameReader(Limits.TCP_MESSAGE);
+        Check.equal(null, frames.next(ByteBuffer.wrap(message(Limits.TCP_MESSAGE + 1))));
         Check.that(frames.isBroken(), "too large");
         Check.equal(null, frames.next(ByteBuffer.wrap(message(1))));
     }
 
     static void framesThatComeInPiecesAreWhole() {
-        FrameBuffer frames = new FrameBuffer(Sizes.TCP_MESSAGE);
+        FrameReader frames = new FrameReader(Limits.TCP_MESSAGE);
         ByteBuffer octets = ByteBuffer.allocate(400_000).put(Frame.hello(LIFE).write()).put(message(300_000)).put(message(0)).put(Frame.end(LIFE, 2).write()).flip();
         List<String> found = new ArrayList<>();
         while (octets.hasRemaining()) {
@@ -144,7 +144,7 @@ final class HostileTest {
             for (int bends = chance.nextInt(3); bends > 0 && octets.length > 0; --bends) octets[chance.nextInt(octets.length)] = (byte) chance.nextInt();
             Frame frame = Frame.ofDatagram(ByteBuffer.wrap(octets));
             if (frame != null) Check.equal(ByteBuffer.wrap(octets), ByteBuffer.wrap(frame.write()));
-            FrameBuffer frames = new FrameBuffer(64);
+            FrameReader frames = new FrameReader(64);
             ByteBuffer rest = ByteBuffer.wrap(octets);
             while (frames.next(rest) != null) { }
         }
@@ -174,7 +174,7 @@ final class HostileTest {
         Check.fails(IllegalArgumentException.class, () -> offer.port(65536));
         Check.fails(IllegalArgumentException.class, () -> offer.address("robot2"));
         Check.fails(IllegalArgumentException.class, () -> Request.read("mode=oto text=a concept=b"));
-        Check.fails(IllegalArgumentException.class, () -> new Statement(1, "pub", "create", List.of(new geminga.core.Parameter("x", "\u0001"))).write());
+        Check.fails(IllegalArgumentException.class, () -> new Statement(1, "pub", "create", List.of(new geminga.protocol.Parameter("x", "\u0001"))).write());
     }
 
     private static byte[] message(int size) {

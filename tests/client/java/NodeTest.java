@@ -32,10 +32,10 @@ final class NodeTest {
         try (ScriptedDaemon daemon = new ScriptedDaemon(); Node node = Node.open(options(daemon), Node::newThread)) {
             daemon.greet();
             Publisher publisher = node.publish(OFFER.attribute("rate", "3"));
-            Check.equal("1 pub create mode=oto text=x port=" + publisher.offer().port() + " channel=" + geminga.core.Lives.write(publisher.life()) + " rate=3", daemon.takes());
+            Check.equal("1 pub create mode=oto text=x port=" + publisher.offer().port() + " channel=" + geminga.protocol.Life.write(publisher.life()) + " rate=3", daemon.takes());
             Check.that(publisher.awaitTaken(LONG), "taken");
             Subscriber subscriber = node.subscribe(REQUEST);
-            Check.equal("2 sub create mode=oto text=x protocol=udp,tcp port=" + subscriber.request().port() + " channel=" + geminga.core.Lives.write(subscriber.life()), daemon.takes());
+            Check.equal("2 sub create mode=oto text=x protocol=udp,tcp port=" + subscriber.request().port() + " channel=" + geminga.protocol.Life.write(subscriber.life()), daemon.takes());
             Check.that(subscriber.request().port() > 0 && publisher.offer().port() > 0, "a port of its own");
             publisher.close();
             Check.equal("1 pub remove", daemon.heard());

@@ -6,9 +6,9 @@ import geminga.Node;
 import geminga.Offer;
 import geminga.Options;
 import geminga.Publisher;
-import geminga.core.Frame;
-import geminga.core.FrameBuffer;
-import geminga.core.Sizes;
+import geminga.protocol.Frame;
+import geminga.protocol.FrameReader;
+import geminga.protocol.Limits;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.DatagramPacket;
@@ -80,7 +80,7 @@ final class PublisherTest {
         byte[] header = octets.readNBytes(Frame.HEADER);
         if (header.length < Frame.HEADER) return null;
         byte[] payload = octets.readNBytes(ByteBuffer.wrap(header).getInt(4));
-        return new FrameBuffer(Sizes.TCP_MESSAGE).next(ByteBuffer.allocate(header.length + payload.length).put(header).put(payload).flip());
+        return new FrameReader(Limits.TCP_MESSAGE).next(ByteBuffer.allocate(header.length + payload.length).put(header).put(payload).flip());
     }
 
     private static byte[] receive(DatagramSocket socket) throws IOException {
@@ -94,7 +94,7 @@ final class PublisherTest {
         try (Bench bench = new Bench(offer(Mode.PUBSUB))) {
             Check.that(!bench.publisher.send(new byte[3]), "nobody is there");
             Check.equal(0L, bench.publisher.sent());
-            Check.fails(MessageTooLargeException.class, () -> bench.publisher.send(new byte[Sizes.UDP_MESSAGE + 1]));
+            Check.fails(MessageTooLargeException.class, () -> bench.publisher.send(new byte[Limits.UDP_MESSAGE + 1]));
         }
     }
 
@@ -185,7 +185,7 @@ final class PublisherTest {
     static void fourMebibytesWaitForOneConsumerAndTheOthersAreNotHeldUp() throws Exception {
         try (Bench bench = new Bench(offer(Mode.STREAM).tcp()); Socket slow = bench.connect(10)) {
             Check.that(bench.publisher.awaitConsumer(LONG), "there");
-            byte[] message = new byte[Sizes.WAITING_FOR_CONSUMER / 4 - Frame.HEADER];
+            byte[] message = new byte[Limits.WAITING_FOR_CONSUMER / 4 - Frame.HEADER];
             while (bench.publisher.leftOut() == 0) bench.publisher.send(message);
             Check.that(!bench.publisher.awaitRoom(message.length, Duration.ofMillis(1)), "there is no room");
             long first = bench.publisher.sent();
@@ -199,18 +199,18 @@ final class PublisherTest {
     static void oneMessageOfAnySizeMayWait() throws Exception {
         try (Bench bench = new Bench(offer(Mode.STREAM).tcp()); Socket slow = bench.connect(10)) {
             Check.that(bench.publisher.awaitConsumer(LONG), "there");
-            bench.publisher.send(new byte[Sizes.TCP_MESSAGE]);
-            bench.publisher.send(new byte[Sizes.TCP_MESSAGE]);
+            bench.publisher.send(new byte[Limits.TCP_MESSAGE]);
+            bench.publisher.send(new byte[Limits.TCP_MESSAGE]);
             Check.equal(1L, bench.publisher.leftOut());
-            Check.fails(MessageTooLargeException.class, () -> bench.publisher.send(new byte[Sizes.TCP_MESSAGE + 1]));
-            Check.equal(Sizes.TCP_MESSAGE, read(slow).payload().length);
+            Check.fails(MessageTooLargeException.class, () -> bench.publisher.send(new byte[Limits.TCP_MESSAGE + 1]));
+            Check.equal(Limits.TCP_MESSAGE, read(slow).payload().length);
         }
     }
 
     static void soManyConnectionsMayBeSilentAndTheOldestIsClosed() throws Exception {
         try (Bench bench = new Bench(offer(Mode.STREAM).tcp())) {
             List<Socket> silent = new ArrayList<>();
-            for (int i = 0; i < Sizes.UNKNOWN_CONNECTIONS; ++i) silent.add(bench.connect(0));
+            for (int i = 0; i < Limits.UNKNOWN_CONNECTIONS; ++i) silent.add(bench.connect(0));
             silent.get(0).getOutputStream().write(Frame.hello(99).write());
             Check.that(bench.publisher.awaitConsumer(LONG), "the oldest is still there and says hello");
             silent.add(bench.connect(0));
@@ -226,7 +226,7 @@ final class PublisherTest {
     static void soManyConsumersAreServedAndOneMoreIsClosed() throws Exception {
         try (Bench bench = new Bench(offer(Mode.STREAM).tcp())) {
             List<Socket> consumers = new ArrayList<>();
-            for (int life = 1; life <= Sizes.TCP_CONSUMERS; ++life) {
+            for (int life = 1; life <= Limits.TCP_CONSUMERS; ++life) {
                 Socket consumer = bench.connect(life);
                 consumers.add(consumer);
                 consumer.setSoTimeout(20);

@@ -8,9 +8,9 @@ import geminga.Options;
 import geminga.Publisher;
 import geminga.Request;
 import geminga.Subscriber;
-import geminga.core.Frame;
-import geminga.core.Lives;
-import geminga.core.Sizes;
+import geminga.protocol.Frame;
+import geminga.protocol.Life;
+import geminga.protocol.Limits;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.DatagramPacket;
@@ -158,9 +158,9 @@ final class SubscriberTest {
         long begin = System.nanoTime();
         sends.run();
         bench.awaitDropped(dropped);
-        bench.daemon.say(ScriptedDaemon.provider(1, "5e6f7a8b/2/" + life, provider.getLocalPort(), "udp", Lives.write(life), ""));
+        bench.daemon.say(ScriptedDaemon.provider(1, "5e6f7a8b/2/" + life, provider.getLocalPort(), "udp", Life.write(life), ""));
         bench.is("ADDED " + life + " -");
-        return System.nanoTime() - begin < Sizes.EARLY;
+        return System.nanoTime() - begin < Limits.EARLY;
     }
 
     static void whoStatesNoLifeIsHeardAsItSpeaks() throws Exception {
@@ -218,7 +218,7 @@ final class SubscriberTest {
             try (Bench bench = new Bench(Request.of(Mode.STREAM, Identity.text("x")))) {
                 Publisher publisher = bench.node.publish(Offer.of(Mode.STREAM, Identity.text("x")).address(group));
                 bench.daemon.takes();
-                String event = ScriptedDaemon.provider(1, WORD, publisher.offer().port(), "udp", Lives.write(publisher.life()), "");
+                String event = ScriptedDaemon.provider(1, WORD, publisher.offer().port(), "udp", Life.write(publisher.life()), "");
                 bench.daemon.say(event.replace("127.0.0.1", group).replace("mode=oto", "mode=otm/stream"));
                 bench.is("ADDED " + publisher.life() + " -");
                 Optional<Message> message = Optional.empty();

@@ -1,14 +1,16 @@
 import geminga.Identity;
+import geminga.Message;
 import geminga.Offer;
 import geminga.Request;
-import geminga.core.Frame;
-import geminga.core.Keys;
-import geminga.core.LineException;
-import geminga.core.Lives;
-import geminga.core.Parameter;
-import geminga.core.Reply;
-import geminga.core.Statement;
-import geminga.core.Told;
+import geminga.protocol.Frame;
+import geminga.protocol.Inbox;
+import geminga.protocol.Keys;
+import geminga.protocol.Life;
+import geminga.protocol.LineException;
+import geminga.protocol.Parameter;
+import geminga.protocol.Reply;
+import geminga.protocol.Statement;
+import geminga.protocol.Told;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HexFormat;
@@ -45,11 +47,40 @@ final class VectorsTest {
                 continue;
             }
             Check.equal(row[0], frame.kind().name().toLowerCase());
-            Check.equal(row[1], Lives.write(frame.life()));
+            Check.equal(row[1], Life.write(frame.life()));
             Check.equal(row[2], Long.toUnsignedString(frame.sequence()));
             Check.equal(row[3], HEX.formatHex(frame.payload()));
             Check.equal(row[4], HEX.formatHex(frame.write()));
         }
+    }
+
+    static void aFullInboxLosesWhatTheTableSays() throws Exception {
+        for (String[] row : Check.rows("inbox.tsv")) {
+            Inbox inbox = new Inbox(Integer.parseInt(row[0]));
+            List<String> taken = new ArrayList<>();
+            int lost = 0;
+            for (String word : row[1].split(" ")) {
+                if (word.equals("-")) {
+                    taken.add(words(inbox.take()));
+                } else if (word.startsWith("s")) {
+                    inbox.putStreamed(message(word));
+                } else {
+                    lost += inbox.putDatagram(message(word));
+                }
+            }
+            while (!inbox.isEmpty()) taken.add(words(inbox.take()));
+            Check.equal(row[2], String.join(" ", taken));
+            Check.equal(row[3], Integer.toString(lost));
+        }
+    }
+
+    private static Message message(String word) {
+        String[] numbers = word.substring(1).split(":");
+        return new Message(new byte[0], Long.parseLong(numbers[0]), Long.parseLong(numbers[1]), Long.parseLong(numbers[2]), null);
+    }
+
+    private static String words(Message message) {
+        return message.life() + ":" + message.sequence() + ":" + message.missed();
     }
 
     static void linesOfTheDaemonAreReadAndWrittenAgain() throws Exception {

@@ -2,9 +2,9 @@
 import { createInterface } from 'node:readline';
 import { setTimeout as wait } from 'node:timers/promises';
 
-import { shownAttribute } from '../../../src/client/javascript/lib/core/attribute.js';
-import { frameOfDatagram, kinds } from '../../../src/client/javascript/lib/core/frame.js';
-import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
+import { shownAttribute } from '../../../src/client/javascript/lib/protocol/attribute.js';
+import { frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/protocol/statement.js';
 import { identity, lifeText, Node } from '../../../src/client/javascript/lib/index.js';
 
 const say = (...words) => process.stdout.write(`${words.join(' ')}\n`);
@@ -133,7 +133,7 @@ const doings = {
     const { publisher, subscriber } = services.get(label);
     const counts = (publisher ?? subscriber).statistics;
     if (publisher) say('count', label, `sent=${counts.sent}`, `left_out=${counts.leftOut}`, `dropped=${counts.dropped}`);
-    else say('count', label, `received=${counts.received}`, `missed=${counts.missed}`, `dropped=${counts.dropped + counts.overflowed}`);
+    else say('count', label, `received=${counts.received}`, `missed=${counts.missed}`, `dropped=${counts.dropped}`);
   },
   quiet(label) {
     services.get(label).isQuiet = true;

@@ -3,8 +3,8 @@ import { createSocket } from 'node:dgram';
 import { once } from 'node:events';
 import { connect as dial } from 'node:net';
 
-import { FrameDecoder } from '../../../src/client/javascript/lib/core/decoder.js';
-import { encodeFrame, kinds } from '../../../src/client/javascript/lib/core/frame.js';
+import { FrameReader } from '../../../src/client/javascript/lib/protocol/frame_reader.js';
+import { encodeFrame, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
 import { connect, limits } from '../../../src/client/javascript/lib/index.js';
 import { ManualClock, ScriptedDaemon } from './support.mjs';
 
@@ -48,7 +48,7 @@ export async function consumerSocket(t, port, hello) {
   socket.on('error', () => {});
   t.after(() => socket.destroy());
   await once(socket, 'connect');
-  const decoder = new FrameDecoder(limits.maxStreamMessage);
+  const decoder = new FrameReader(limits.maxStreamMessage);
   socket.frames = [];
   socket.on('data', (octets) => {
     decoder.push(octets);

@@ -4,7 +4,8 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { test } from 'node:test';
 
-import { frameOfDatagram, kinds, lifeOf } from '../../../src/client/javascript/lib/core/frame.js';
+import { frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { lifeOf } from '../../../src/client/javascript/lib/protocol/life.js';
 import { ClosedError, connect, limits, RefusedError } from '../../../src/client/javascript/lib/index.js';
 import { added, consumer, datagramSocket, lab, life, message, sendTo } from './lab.mjs';
 import { event, lib, ManualClock, ScriptedDaemon, until, valueOf } from './support.mjs';

@@ -2,12 +2,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Timers } from '../../../src/client/javascript/lib/core/clock.js';
-import { readEvent } from '../../../src/client/javascript/lib/core/event.js';
-import * as limits from '../../../src/client/javascript/lib/core/limits.js';
-import { PeerBook } from '../../../src/client/javascript/lib/core/peer_book.js';
-import { merged, Session } from '../../../src/client/javascript/lib/core/session.js';
-import { parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
+import { Timers } from '../../../src/client/javascript/lib/channels/clock.js';
+import { readEvent } from '../../../src/client/javascript/lib/protocol/event.js';
+import * as limits from '../../../src/client/javascript/lib/protocol/limits.js';
+import { Counterparts } from '../../../src/client/javascript/lib/protocol/counterparts.js';
+import { merged, Session } from '../../../src/client/javascript/lib/protocol/session.js';
+import { parseStatement } from '../../../src/client/javascript/lib/protocol/statement.js';
 import { ManualClock } from './support.mjs';
 
 /** A session whose lines are kept; `take()` gives those since the last call. */
@@ -176,7 +176,7 @@ function book({ limit = 0 } = {}) {
   const tcp = new Set();
   const held = new Set();
   const of = (peer) => peer.event.attributes.channel ?? peer.service;
-  const made = new PeerBook(new Timers(clock), {
+  const made = new Counterparts(new Timers(clock), {
     added: (peer) => told.push(`added ${of(peer)}`),
     modified: (peer, before, isTold) => isTold && told.push(`modified ${of(peer)}`),
     removed: (peer, reason) => told.push(`removed ${of(peer)} ${reason}`),

@@ -4,7 +4,8 @@ import { once } from 'node:events';
 import { createServer } from 'node:net';
 import { test } from 'node:test';
 
-import { encodeFrame, frameOfDatagram, kinds, lifeOf } from '../../../src/client/javascript/lib/core/frame.js';
+import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { lifeOf } from '../../../src/client/javascript/lib/protocol/life.js';
 import { limits, MessageTooLargeError } from '../../../src/client/javascript/lib/index.js';
 import { added, consumer, consumerSocket, lab, message, ours } from './lab.mjs';
 import { event, until, valueOf } from './support.mjs';

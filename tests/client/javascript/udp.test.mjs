@@ -5,10 +5,11 @@ import { once } from 'node:events';
 import { networkInterfaces } from 'node:os';
 import { test } from 'node:test';
 
-import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/core/frame.js';
+import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { lifeOctets } from '../../../src/client/javascript/lib/protocol/life.js';
 import { limits, PortError } from '../../../src/client/javascript/lib/index.js';
-import { DatagramPort } from '../../../src/client/javascript/lib/io/datagram_port.js';
-import { Io } from '../../../src/client/javascript/lib/io/io.js';
+import { DatagramPort } from '../../../src/client/javascript/lib/channels/datagram_port.js';
+import { Io } from '../../../src/client/javascript/lib/channels/io.js';
 import { added, consumer, datagramSocket, lab, life, message, ours, sendTo } from './lab.mjs';
 import { event, until, valueOf } from './support.mjs';
 
@@ -112,7 +113,7 @@ test('nobody takes messages: the oldest datagrams are lost, and the next one say
   await until(() => subscriber.statistics.overflowed === 6);
   const first = await subscriber.receive();
   assert.deepEqual([first.sequence, first.missed], [7n, 6]);
-  assert.deepEqual([(await subscriber.receive()).missed, subscriber.statistics.missed], [0, 0]);
+  assert.deepEqual([(await subscriber.receive()).missed, subscriber.statistics.missed, subscriber.statistics.dropped], [0, 6, 0]);
 });
 
 test('a port that is taken is an error; where it was taken while pubsub was silent, another one is stated', async (t) => {
@@ -153,6 +154,22 @@ test('hello is said at once and each second to an otm/stream, and its end when i
   for (const [frame, from] of heard) {
     assert.deepEqual([frame.life, frame.sequence, frame.payload.readBigUInt64BE(), from], [subscriber.life, 0n, ours, port]);
   }
+});
+
+test('a listener of an otm/stream says the life of the publisher', async (t) => {
+  const { node } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x' });
+  const listener = await datagramSocket(t);
+  const to = lifeOctets(publisher.life);
+  const bad = [encodeFrame(kinds.hello, 9n, 0n), encodeFrame(kinds.hello, 9n, 0n, lifeOctets(publisher.life ^ 1n)),
+    encodeFrame(kinds.message, 9n, 1n, to), Buffer.from('x')];
+  for (const octets of bad) await sendTo(listener, octets, publisher.port);
+  await until(() => publisher.statistics.dropped === 4);
+  assert.equal(publisher.hasConsumer, false);
+  await sendTo(listener, encodeFrame(kinds.hello, 9n, 0n, to), publisher.port);
+  await until(() => publisher.hasConsumer);
+  await sendTo(listener, encodeFrame(kinds.end, 9n, 0n, to), publisher.port);
+  await until(() => !publisher.hasConsumer);
 });
 
 test('one port is spoken by each family that the host has', async (t) => {

@@ -3,13 +3,15 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { eventStatement, readEvent } from '../../../src/client/javascript/lib/core/event.js';
-import { reservedKeys } from '../../../src/client/javascript/lib/core/attribute.js';
-import { encodeFrame, frameOfDatagram, kinds, lifeText, MessageWriter } from '../../../src/client/javascript/lib/core/frame.js';
-import { identity } from '../../../src/client/javascript/lib/core/identity.js';
-import { parseRequest } from '../../../src/client/javascript/lib/core/request.js';
-import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/core/statement.js';
-import { xxh32 } from '../../../src/client/javascript/lib/core/xxh32.js';
+import { eventStatement, readEvent } from '../../../src/client/javascript/lib/protocol/event.js';
+import { reservedKeys } from '../../../src/client/javascript/lib/protocol/attribute.js';
+import { encodeFrame, frameOfDatagram, kinds, MessageWriter } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { lifeText } from '../../../src/client/javascript/lib/protocol/life.js';
+import { Inbox } from '../../../src/client/javascript/lib/protocol/inbox.js';
+import { identity } from '../../../src/client/javascript/lib/protocol/identity.js';
+import { parseRequest } from '../../../src/client/javascript/lib/protocol/request.js';
+import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/protocol/statement.js';
+import { xxh32 } from '../../../src/client/javascript/lib/protocol/xxh32.js';
 import { root } from './support.mjs';
 
 const text = (path) => readFileSync(new URL(path, root), 'utf8');
@@ -63,6 +65,29 @@ test('frames are those of the table', () => {
       const quick = new MessageWriter(BigInt(`0x${life}`), isReused).write(Number(sequence), Buffer.from(payload, 'hex'));
       assert.equal(quick.toString('hex'), frame);
     }
+  }
+});
+
+test('a full inbox loses what the table says', () => {
+  const message = (word) => {
+    const [life, sequence, missed] = word.split(':').map(BigInt);
+    return { life, sequence, missed, payload: Buffer.alloc(0) };
+  };
+  for (const [room, words, wanted, count] of rows('tests/client/vectors/inbox.tsv')) {
+    const inbox = new Inbox(Number(room), 1000);
+    const got = [];
+    const take = () => {
+      const { life, sequence, missed } = inbox.take();
+      got.push(`${life}:${sequence}:${missed}`);
+    };
+    let lost = 0;
+    for (const word of words.split(' ')) {
+      if (word === '-') take();
+      else if (word[0] === 's') inbox.putStreamed(message(word.slice(1)));
+      else lost += inbox.putDatagram(message(word.slice(1)));
+    }
+    while (inbox.size > 0) take();
+    assert.deepEqual([got.join(' '), lost], [wanted, Number(count)], words);
   }
 });
 

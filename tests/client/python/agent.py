@@ -12,10 +12,10 @@ from typing import Any
 sys.path.insert(0, os.environ.get("GEMINGA_PYTHON") or os.path.join(os.path.dirname(__file__), "../../../src/client/python"))
 
 import geminga  # noqa: E402
-from geminga.core.frame import FrameError, read_datagram  # noqa: E402
-from geminga.core.life import write_life  # noqa: E402
-from geminga.core.reserved import PREFIX, RESERVED  # noqa: E402
-from geminga.core.statement import LineError, read_line, read_parameters, write_line  # noqa: E402
+from geminga.protocol.frame import FrameError, read_datagram  # noqa: E402
+from geminga.protocol.life import write_life  # noqa: E402
+from geminga.protocol.reserved import PREFIX, RESERVED  # noqa: E402
+from geminga.protocol.statement import LineError, read_line, read_parameters, write_line  # noqa: E402
 
 SHOWN_OCTETS = 32
 

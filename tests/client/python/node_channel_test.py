@@ -10,9 +10,9 @@ from meeting import met
 from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, until
 
 import geminga
-from geminga.channel import sockets
-from geminga.channel.outlet import COPIED_OCTETS
-from geminga.core.frame import MAX_TCP_PAYLOAD, MAX_UDP_PAYLOAD
+from geminga.channels import sockets
+from geminga.channels.outlet import COPIED_OCTETS
+from geminga.protocol.limits import MAX_DATAGRAM_PAYLOAD, MAX_STREAM_PAYLOAD
 
 
 class Exchange(VirtualTestCase):
@@ -93,14 +93,14 @@ class Exchange(VirtualTestCase):
         async def story() -> None:
             async with met("oto", "udp") as both:
                 with self.assertRaisesRegex(geminga.MessageTooLarge, "protocol=tcp"):
-                    both.pub.send(bytes(MAX_UDP_PAYLOAD + 1))
-                for size in (MAX_UDP_PAYLOAD - 1, MAX_UDP_PAYLOAD):
+                    both.pub.send(bytes(MAX_DATAGRAM_PAYLOAD + 1))
+                for size in (MAX_DATAGRAM_PAYLOAD - 1, MAX_DATAGRAM_PAYLOAD):
                     both.pub.send(bytes(size))
                     self.assertEqual(len((await both.sub.receive()).payload), size)
             async with met("oto", "tcp") as both:
-                self.assertRaises(geminga.MessageTooLarge, both.pub.send, bytes(MAX_TCP_PAYLOAD + 1))
-                both.pub.send(bytes(MAX_TCP_PAYLOAD))
-                self.assertEqual(len((await both.sub.receive()).payload), MAX_TCP_PAYLOAD)
+                self.assertRaises(geminga.MessageTooLarge, both.pub.send, bytes(MAX_STREAM_PAYLOAD + 1))
+                both.pub.send(bytes(MAX_STREAM_PAYLOAD))
+                self.assertEqual(len((await both.sub.receive()).payload), MAX_STREAM_PAYLOAD)
 
         self.run_async(story())
 
@@ -191,10 +191,10 @@ class Waiting(VirtualTestCase):
             async with met(queue=3, keep=keep) as both:
                 for number in range(5):
                     both.pub.send(b"%d" % number)
-                await until(lambda: both.sub.received == 5)
+                await until(lambda: both.sub.received + both.sub.missed == 5)
                 got = [await both.sub.receive() for _ in range(3)]
                 self.assertEqual(([one.payload for one in got], got[0].missed), (kept, first))
-                self.assertEqual(both.sub.dropped, 2)
+                self.assertEqual((both.sub.received, both.sub.missed, both.sub.dropped), (3, 2, 0))
                 both.pub.send(b"next")
                 self.assertEqual((await both.sub.receive()).missed, next_one)
 

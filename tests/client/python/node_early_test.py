@@ -11,9 +11,10 @@ from collections.abc import AsyncIterator
 from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, until
 
 import geminga
-from geminga.channel import multicast
-from geminga.core.early_frames import MAX_FRAMES, MAX_OCTETS, SECONDS, EarlyFrames
-from geminga.core.frame import Frame, Kind, write_frame
+from geminga.channels import multicast
+from geminga.protocol.early_frames import EarlyFrames
+from geminga.protocol.frame import Frame, Kind, write_frame
+from geminga.protocol.limits import EARLY_SECONDS, MAX_EARLY_FRAMES, MAX_EARLY_OCTETS
 
 HERE, THERE = ("10.0.0.2", 5000), ("10.0.0.2", 5001)
 
@@ -37,23 +38,23 @@ class Keeping(unittest.TestCase):
         self.assertEqual(sequences(early.take(HERE, 8, 0.0)), [2])
 
     def test_of_64_frames_and_for_one_more_the_oldest_goes(self) -> None:
-        for count, first in ((MAX_FRAMES - 1, 0), (MAX_FRAMES, 0), (MAX_FRAMES + 1, 1)):
+        for count, first in ((MAX_EARLY_FRAMES - 1, 0), (MAX_EARLY_FRAMES, 0), (MAX_EARLY_FRAMES + 1, 1)):
             early = EarlyFrames()
             for number in range(count):
                 early.put(HERE, frame(number), 0.0)
             self.assertEqual(sequences(early.take(HERE, 7, 0.0)), list(range(first, count)))
 
     def test_of_256_kibioctets_and_for_one_more_the_oldest_goes(self) -> None:
-        for size, kept in ((MAX_OCTETS // 8 - 1, 8), (MAX_OCTETS // 8, 8), (MAX_OCTETS // 8 + 1, 7)):
+        for size, kept in ((MAX_EARLY_OCTETS // 8 - 1, 8), (MAX_EARLY_OCTETS // 8, 8), (MAX_EARLY_OCTETS // 8 + 1, 7)):
             early = EarlyFrames()
             for number in range(8):
                 early.put(HERE, frame(number, size), 0.0)
             self.assertEqual(len(early.take(HERE, 7, 0.0)), kept)
-            early.put(HERE, frame(9, MAX_OCTETS), 0.0)  # there is room again
+            early.put(HERE, frame(9, MAX_EARLY_OCTETS), 0.0)  # there is room again
             self.assertEqual(len(early.take(HERE, 7, 0.0)), 1)
 
     def test_for_a_second(self) -> None:
-        for later, kept in ((SECONDS - 0.001, [1, 2]), (SECONDS, [2]), (SECONDS + 0.001, [2]), (2 * SECONDS, [])):
+        for later, kept in ((EARLY_SECONDS - 0.001, [1, 2]), (EARLY_SECONDS, [2]), (EARLY_SECONDS + 0.001, [2]), (2 * EARLY_SECONDS, [])):
             early = EarlyFrames()
             early.put(HERE, frame(1), 0.0)
             early.put(HERE, frame(2), 0.5)
@@ -146,7 +147,7 @@ class Early(VirtualTestCase):
         async def story() -> None:
             async with provider() as one:
                 await one.send(message(5, 1))
-                await asyncio.sleep(SECONDS)
+                await asyncio.sleep(EARLY_SECONDS)
                 await one.send(message(6, 2), write_frame(Kind.HELLO, 5, 0), b"no frame", message(5, 3))
                 await one.add(5)
                 self.assertEqual((await one.sub.receive()).sequence, 3)
@@ -157,10 +158,10 @@ class Early(VirtualTestCase):
     def test_no_more_than_64_are_delivered(self) -> None:
         async def story() -> None:
             async with provider() as one:
-                await one.send(*(message(5, sequence) for sequence in range(1, MAX_FRAMES + 2)))
+                await one.send(*(message(5, sequence) for sequence in range(1, MAX_EARLY_FRAMES + 2)))
                 await one.add(5)
                 self.assertEqual((await one.sub.receive()).sequence, 2)
-                self.assertEqual((one.sub.received, one.sub.dropped), (MAX_FRAMES, 1))
+                self.assertEqual((one.sub.received, one.sub.dropped), (MAX_EARLY_FRAMES, 1))
 
         self.run_async(story())
 

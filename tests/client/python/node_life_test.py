@@ -9,7 +9,8 @@ import unittest
 from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, until
 
 import geminga
-from geminga.daemon_link import ANSWER_SECONDS
+from geminga.channels.daemon_link import ANSWER_SECONDS
+from geminga.protocol.limits import MAX_WAITING_EVENTS
 
 
 class Life(VirtualTestCase):
@@ -193,6 +194,26 @@ class Life(VirtualTestCase):
                 await until(lambda: sub.providers)
             await reader
             self.assertEqual(seen, ["ProviderChanged"])
+
+        self.run_async(story())
+
+    def test_of_events_that_nobody_reads_the_oldest_go_and_that_is_told(self) -> None:
+        async def story() -> None:
+            daemon = Daemon()
+            await daemon.start()
+            for count, lost in ((MAX_WAITING_EVENTS - 1, 0), (MAX_WAITING_EVENTS, 0), (MAX_WAITING_EVENTS + 1, 1)):
+                async with geminga.connect("", daemon.address) as node:
+                    await until(lambda: node.is_connected)  # noqa: B023
+                    events = node.events()
+                    first = asyncio.ensure_future(anext(events))
+                    await asyncio.sleep(0)
+                    node.tell(geminga.Problem(None, "first"))
+                    self.assertEqual(await first, geminga.Problem(None, "first"))
+                    for number in range(count):
+                        node.tell(geminga.Problem(None, str(number)))
+                    if lost:
+                        self.assertEqual(await anext(events), geminga.Problem(None, "1 events were thrown away, the eldest first"))
+                    self.assertEqual(await anext(events), geminga.Problem(None, str(lost)))
 
         self.run_async(story())
 

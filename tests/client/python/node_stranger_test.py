@@ -11,9 +11,8 @@ from meeting import met
 from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, until
 
 import geminga
-from geminga.channel.tcp_outlet import MAX_CONSUMERS, MAX_STRANGERS, STRANGER_SECONDS
-from geminga.core.frame import Kind, write_frame
-from geminga.core.listeners import SILENCE_SECONDS
+from geminga.protocol.frame import Kind, write_frame
+from geminga.protocol.limits import LISTENER_SECONDS, MAX_STRANGERS, MAX_TCP_CONSUMERS, STRANGER_SECONDS
 
 
 class Strangers(VirtualTestCase):
@@ -73,7 +72,7 @@ class Strangers(VirtualTestCase):
         async def story() -> None:
             async with met("otm/stream") as both:
                 await both.sub.close()
-                await until(lambda: not both.pub.has_consumers, SILENCE_SECONDS / 2)
+                await until(lambda: not both.pub.has_consumers, LISTENER_SECONDS / 2)
                 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as raw:
                     hello = write_frame(Kind.HELLO, 5, 0, both.pub.life.to_bytes(8, "big"))
                     raw.sendto(hello[:-1] + b"\x00" if hello[-1] else hello[:-1] + b"\x01", ("127.0.0.1", both.pub.port))
@@ -83,7 +82,7 @@ class Strangers(VirtualTestCase):
                     await until(lambda: both.pub.has_consumers)
                     begin = asyncio.get_running_loop().time()
                     await until(lambda: not both.pub.has_consumers)
-                    self.assertAlmostEqual(asyncio.get_running_loop().time() - begin, SILENCE_SECONDS, delta=0.5)
+                    self.assertAlmostEqual(asyncio.get_running_loop().time() - begin, LISTENER_SECONDS, delta=0.5)
 
         self.run_async(story())
 
@@ -153,11 +152,11 @@ class Strangers(VirtualTestCase):
         async def story() -> None:
             async with geminga.connect("", "127.0.0.1:1") as node:
                 pub = await node.publish(text="x", mode="otm/stream", protocol="tcp")
-                for life in range(1, MAX_CONSUMERS + 1):
+                for life in range(1, MAX_TCP_CONSUMERS + 1):
                     self.connected(pub, write_frame(Kind.HELLO, life, 0))
                     await until(lambda: len(pub._outlet.targets) == life)  # noqa: B023
                 self.assertTrue(await self.is_closed(self.connected(pub, write_frame(Kind.HELLO, 999, 0))))
-                self.assertEqual(len(pub._outlet.targets), MAX_CONSUMERS)
+                self.assertEqual(len(pub._outlet.targets), MAX_TCP_CONSUMERS)
                 pub.abort()
 
         self.run_async(story())

@@ -17,8 +17,8 @@ sys.path.insert(0, str(ROOT / "src/client/python"))
 logging.getLogger("geminga").disabled = True  # Tests look at problems themselves.
 
 import geminga  # noqa: E402
-from geminga.core.line_reader import LineReader  # noqa: E402
-from geminga.core.statement import ErrorLine, Statement, read_line  # noqa: E402
+from geminga.protocol.line_reader import LineReader  # noqa: E402
+from geminga.protocol.statement import ErrorLine, Statement, read_line  # noqa: E402
 
 
 #: What was sent to a socket of the own host is there by then, though some systems deliver it behind the call that sends.

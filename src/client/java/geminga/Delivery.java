@@ -1,6 +1,6 @@
 package geminga;
 
-import geminga.net.SubscriberChannel;
+import geminga.channels.SubscriberChannel;
 import java.util.Objects;
 import java.util.concurrent.Flow;
 

@@ -1,6 +1,6 @@
 package geminga;
 
-import geminga.core.Xxh32;
+import geminga.protocol.Xxh32;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
 

@@ -1,6 +1,6 @@
 package geminga;
 
-import geminga.core.Lives;
+import geminga.protocol.Life;
 import java.util.List;
 import java.util.Map;
 
@@ -29,6 +29,6 @@ public record Match(String word, String owner, String name, String host, long li
         String protocol, int priority, List<String> conversion, long cost, String via, Map<String, String> attributes) {
     /** {@return the life in sixteen hexadecimal digits} */
     public String lifeText() {
-        return Lives.write(life);
+        return Life.write(life);
     }
 }

@@ -1,11 +1,11 @@
 package geminga;
 
-import geminga.core.Lives;
-import geminga.net.DaemonLink;
-import geminga.net.Endpoints;
-import geminga.net.Loop;
-import geminga.net.PublisherChannel;
-import geminga.net.SubscriberChannel;
+import geminga.channels.DaemonLink;
+import geminga.channels.Endpoint;
+import geminga.channels.Loop;
+import geminga.channels.PublisherChannel;
+import geminga.channels.SubscriberChannel;
+import geminga.protocol.Life;
 import java.io.IOException;
 import java.nio.channels.ClosedChannelException;
 import java.security.SecureRandom;
@@ -41,7 +41,7 @@ public final class Node implements AutoCloseable {
     private Node(Options options) throws IOException {
         loop = new Loop(options.listener());
         try {
-            daemon = new DaemonLink(loop, Endpoints.of(options.connect()), options.name(), chance);
+            daemon = new DaemonLink(loop, Endpoint.of(options.connect()), options.name(), chance);
         } catch (RuntimeException fault) {
             loop.close();
             throw fault;
@@ -113,7 +113,7 @@ public final class Node implements AutoCloseable {
      */
     public Publisher publish(Offer offer, Consumer<Event.ConsumerEvent> listener) throws IOException {
         return locked(() -> {
-            PublisherChannel channel = new PublisherChannel(loop, daemon, offer, Lives.draw(chance), listener);
+            PublisherChannel channel = new PublisherChannel(loop, daemon, offer, Life.draw(chance), listener);
             publishers.removeIf(PublisherChannel::isClosed);
             publishers.add(channel);
             Publisher made = new Publisher(this, channel);
@@ -143,7 +143,7 @@ public final class Node implements AutoCloseable {
      */
     public Subscriber subscribe(Request request, Consumer<Event.ProviderEvent> listener) throws IOException {
         return locked(() -> {
-            SubscriberChannel channel = new SubscriberChannel(loop, daemon, request, Lives.draw(chance), chance, listener);
+            SubscriberChannel channel = new SubscriberChannel(loop, daemon, request, Life.draw(chance), chance, listener);
             subscribers.removeIf(SubscriberChannel::isClosed);
             subscribers.add(channel);
             Subscriber made = new Subscriber(this, channel);

@@ -1,6 +1,6 @@
 package geminga;
 
-import geminga.core.Words;
+import geminga.protocol.Words;
 import java.util.Map;
 
 /** What a publisher offers, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another offer. What cannot be stated is an {@link IllegalArgumentException}. */

@@ -1,6 +1,6 @@
 package geminga;
 
-import geminga.core.Statement;
+import geminga.protocol.Statement;
 import java.util.Objects;
 import java.util.function.Consumer;
 

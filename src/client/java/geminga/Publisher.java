@@ -1,6 +1,6 @@
 package geminga;
 
-import geminga.net.PublisherChannel;
+import geminga.channels.PublisherChannel;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.CompletionStage;

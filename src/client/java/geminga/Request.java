@@ -1,6 +1,6 @@
 package geminga;
 
-import geminga.core.Words;
+import geminga.protocol.Words;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

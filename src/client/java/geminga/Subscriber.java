@@ -1,6 +1,7 @@
 package geminga;
 
-import geminga.net.SubscriberChannel;
+import geminga.channels.SubscriberChannel;
+import geminga.protocol.Converter;
 import java.nio.channels.ClosedChannelException;
 import java.time.Duration;
 import java.util.HashSet;
@@ -14,8 +15,8 @@ import java.util.function.UnaryOperator;
  * A service that is asked for, and the channel from its providers. Messages are taken by {@link #receive}, or by one {@link Flow.Subscriber}, which is given as many as it
  * requests and no more.
  *
- * <p>At most 1024 messages and 16 MiB wait, but always one. Then nothing more is read: over TCP that holds the provider back, over UDP the system drops, and
- * {@link Message#missed} tells. What a provider sends over UDP before the daemon has told of it waits for a second, 64 messages and 256 KiB at most.
+ * <p>At most 1024 messages and 16 MiB wait, but always one. Then the eldest message that came over UDP is lost for a new one, and connections are
+ * not read, which holds their providers back; {@link Message#missed} tells what was lost. What a provider sends over UDP before the daemon has told of it waits for a second, 64 messages and 256 KiB at most.
  */
 public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> {
     private final Node node;
@@ -23,7 +24,6 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
     private final Set<String> unconverted = new HashSet<>();
     private Delivery delivery;
     private long received;
-    private long missed;
     private long failed;
 
     Subscriber(Node node, SubscriberChannel channel) {
@@ -77,7 +77,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
         byte[] payload = message.payload();
         try {
             var provider = message.provider();
-            payload = Conversions.apply(channel.request().conversions(), provider.conversion(), provider.via(), payload);
+            payload = Converter.apply(channel.request().conversions(), provider.conversion(), provider.via(), payload);
         } catch (Exception fault) {
             boolean isNew = node.locking(() -> {
                 ++failed;
@@ -86,10 +86,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
             if (isNew) problem("a message of " + message.provider().word() + " is not converted: " + fault.getMessage());
             return null;
         }
-        node.locking(() -> {
-            missed += message.missed();
-            return ++received;
-        });
+        node.locking(() -> ++received);
         return payload == message.payload() ? message : new Message(payload, message.life(), message.sequence(), message.missed(), message.provider());
     }
 
@@ -174,7 +171,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
 
     /** {@return how many messages of the same lives it missed} */
     public long missed() {
-        return node.locking(() -> missed + channel.missedAtEnd());
+        return node.locking(channel::missedCount);
     }
 
     /** {@return what came and was no frame, not from a provider that is matched or was so soon, not new, or could not be converted} */

@@ -1,14 +1,14 @@
 // This program as a peer of its daemon: what it offers and asks for, whether or not the daemon is there.
 import { EventEmitter } from 'node:events';
 
-import { ClosedError } from './core/errors.js';
-import { Session } from './core/session.js';
-import { abortable, throwIfAborted } from './io/abort.js';
-import { endpointsOf } from './io/endpoint.js';
-import { Io } from './io/io.js';
-import { Link } from './io/link.js';
-import { Publisher } from './publisher/publisher.js';
-import { Subscriber } from './subscriber/subscriber.js';
+import { ClosedError } from './protocol/errors.js';
+import { Session } from './protocol/session.js';
+import { abortable, throwIfAborted } from './channels/abort.js';
+import { endpointsOf } from './channels/endpoint.js';
+import { Io } from './channels/io.js';
+import { DaemonLink } from './channels/daemon_link.js';
+import { Publisher } from './publisher.js';
+import { Subscriber } from './subscriber.js';
 
 /** Events: `connected` with what the daemon says of itself, `disconnected`, `problem` with an Error. */
 export class Node extends EventEmitter {
@@ -32,7 +32,7 @@ export class Node extends EventEmitter {
       onConnected: (hello) => this.#onConnected(hello),
       onProblem: (error) => this.emit('problem', error),
     });
-    this.#link = new Link(this.#io, endpointsOf(daemon), {
+    this.#link = new DaemonLink(this.#io, endpointsOf(daemon), {
       onUp: () => this.#session.start(),
       onLine: (octets) => this.#session.receive(octets),
       onDown: () => this.#onDown(),

@@ -7,12 +7,12 @@
 
 from __future__ import annotations
 
-from .core.identity import identity
-from .core.mailbox import Message
-from .core.match import Match
 from .errors import Closed, GemingaError, MessageTooLarge, PortTaken, Refused
 from .happening import Connected, ConsumerChanged, Disconnected, Happening, Problem, ProviderChanged
 from .node import Node, OnEvent
+from .protocol.identity import identity
+from .protocol.inbox import Message
+from .protocol.match import Match
 from .publisher import Publisher
 from .subscriber import Subscriber
 

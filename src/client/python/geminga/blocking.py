@@ -21,11 +21,11 @@ from typing import Any, Generic, TypeVar
 
 from . import node as front
 from . import publisher, subscriber
-from .core.mailbox import Message
-from .core.match import Match
 from .errors import Closed
 from .node import OnEvent
 from .parameters import Attributes
+from .protocol.inbox import Message
+from .protocol.match import Match
 
 #: How long send() and receive_now() leave the sockets alone.
 SERVE_SECONDS = 0.01
@@ -149,17 +149,17 @@ class Subscriber(_Channel[subscriber.Subscriber]):
 
     @property
     def received(self) -> int:
-        """The messages that came in, those lost in a full queue with them."""
+        """The messages that were received or wait for that."""
         return self._front.received
 
     @property
     def missed(self) -> int:
-        """The messages that are known to be missing."""
+        """The messages that are known to be missing, those lost in a full queue with them."""
         return self._front.missed
 
     @property
     def dropped(self) -> int:
-        """What came in and was not believed, could not be converted, or was lost in a full queue."""
+        """What came in and was not believed or could not be converted."""
         return self._front.dropped
 
     def receive(self, timeout: float | None = None) -> Message:

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from .core.match import Match
-
-if TYPE_CHECKING:
-    from .publisher import Publisher
-    from .subscriber import Subscriber
+from .protocol.match import Match
+from .publisher import Publisher
+from .subscriber import Subscriber
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,24 +8,23 @@ from collections import deque
 from collections.abc import AsyncIterator, Callable, Mapping
 from types import TracebackType
 
-from .core.converter import Conversion
-from .core.mailbox import MAX_MESSAGES
-from .core.report import Asked, Complaint, Report, Settled, Told, Welcome
-from .core.request import Request
-from .core.session import Session
-from .core.statement import ErrorLine
-from .daemon_link import DaemonLink
-from .endpoint import endpoints
+from .channels.daemon_link import DaemonLink
+from .channels.endpoint import endpoints
 from .errors import Closed, Refused
-from .happening import Connected, Disconnected, Happening, Problem
+from .happening import Connected, ConsumerChanged, Disconnected, Happening, Problem, ProviderChanged
 from .opening import Channel, Opening
 from .parameters import Attributes, Words, check_mode, parameters
+from .protocol.converter import Conversion
+from .protocol.limits import MAX_WAITING_EVENTS, MAX_WAITING_MESSAGES
+from .protocol.match import Match
+from .protocol.report import Asked, Complaint, Report, Settled, Told, Welcome
+from .protocol.request import Request
+from .protocol.session import Session
+from .protocol.statement import ErrorLine
 from .publisher import Publisher
 from .request_owner import RequestOwner
 from .subscriber import Subscriber
 
-#: What waits for each events() that is not read; the newest are lost beyond.
-MAX_HAPPENINGS = 4096
 #: The subscriptions of `otm/stream` for which a node may ask for room (src/discovery/gcnp/GCNP.md, "Room").
 MAX_ROOM = 16_384
 
@@ -127,7 +126,7 @@ class Node:
         port: int = 0,
         address: str | None = None,
         attributes: Attributes | None = None,
-        queue: int = MAX_MESSAGES,
+        queue: int = MAX_WAITING_MESSAGES,
         keep: str = "newest",
     ) -> Opening[Subscriber]:
         """Asks for services: `await` it, or enter it. The keys are those of `sub create`; port 0 means any.
@@ -143,13 +142,16 @@ class Node:
         return Opening(self._make(lambda: Subscriber(self, said, conversions, queue, keep), mode))
 
     async def events(self) -> AsyncIterator[Happening]:
-        """What happens from now on, until the node is closed. At most 4096 wait for who does not read."""
+        """What happens from now on, until the node is closed.
+
+        At most 4096 happenings wait; for one more the oldest is thrown away, and a Problem of no source says how many were.
+        """
         reader = _Happenings()
         self._readers.append(reader)
         try:
             while True:
-                while reader.waiting:
-                    yield reader.waiting.popleft()
+                while (happening := reader.take()) is not None:
+                    yield happening
                 if self._is_closed:
                     return
                 reader.woken = self.loop.create_future()
@@ -197,6 +199,19 @@ class Node:
         self._session.remove(request)
         self._flush()
 
+    def tell_problem(self, owner: RequestOwner, text: str) -> None:
+        """Tells the application of a problem of a publisher or subscriber."""
+        assert isinstance(owner, (Publisher, Subscriber))
+        self.tell(Problem(owner, text))
+
+    def tell_consumer(self, publisher: Publisher, change: str, consumer: Match, reason: str) -> None:
+        """Tells the application what became of a consumer."""
+        self.tell(ConsumerChanged(publisher, change, consumer, reason))
+
+    def tell_provider(self, subscriber: Subscriber, change: str, provider: Match, reason: str) -> None:
+        """Tells the application what became of a provider."""
+        self.tell(ProviderChanged(subscriber, change, provider, reason))
+
     def tell(self, happening: Happening) -> None:
         """Tells the application. A problem is logged besides, by the logger `geminga`."""
         if isinstance(happening, Problem):
@@ -207,8 +222,7 @@ class Node:
             except Exception as error:  # The application's own; the channels go on.
                 self.loop.call_exception_handler({"message": "on_event failed", "exception": error})
         for reader in self._readers:
-            if len(reader.waiting) < MAX_HAPPENINGS:
-                reader.waiting.append(happening)
+            reader.put(happening)
         self._wake_readers()
 
     # Inside
@@ -280,5 +294,18 @@ class _Happenings:
     """What waits for one events()."""
 
     def __init__(self) -> None:
-        self.waiting: deque[Happening] = deque()
+        self._waiting: deque[Happening] = deque(maxlen=MAX_WAITING_EVENTS)
+        self._lost = 0
         self.woken: asyncio.Future[None] | None = None
+
+    def put(self, happening: Happening) -> None:
+        """Keeps a happening, in the place of the oldest where there is no other."""
+        self._lost += len(self._waiting) == MAX_WAITING_EVENTS
+        self._waiting.append(happening)
+
+    def take(self) -> Happening | None:
+        """The next happening, after the news of those that were thrown away."""
+        if self._lost:
+            lost, self._lost = self._lost, 0
+            return Problem(None, f"{lost} events were thrown away, the eldest first")
+        return self._waiting.popleft() if self._waiting else None

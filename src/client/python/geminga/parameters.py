@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from .core.reserved import PREFIX
+from .protocol.reserved import PREFIX
 
 Attributes = Mapping[str, object]
 Words = str | Sequence[str]

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import asyncio
 from types import TracebackType
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-from .channel import sockets
-from .channel.multicast_outlet import MulticastOutlet
-from .channel.outlet import COPIED_OCTETS, Outlet
-from .channel.stream_outlet import StreamOutlet
-from .channel.tcp_outlet import TcpOutlet
-from .channel.udp_outlet import UdpOutlet
-from .core.counterparts import LOST, Change, Counterpart, Counterparts
-from .core.frame import HEADER, MAGIC, MAX_TCP_PAYLOAD, MAX_UDP_PAYLOAD, VERSION, Kind
-from .core.match import Match
+from .channels import sockets
+from .channels.listeners_outlet import ListenersOutlet
+from .channels.multicast_outlet import MulticastOutlet
+from .channels.outlet import COPIED_OCTETS, Outlet
+from .channels.tcp_outlet import TcpOutlet
+from .channels.udp_outlet import UdpOutlet
 from .errors import Closed, MessageTooLarge
-from .happening import ConsumerChanged
-from .request_owner import RequestOwner
-
-if TYPE_CHECKING:
-    from .node import Node
+from .protocol.counterparts import LOST, Change, Counterpart, Counterparts
+from .protocol.frame import HEADER, MAGIC, VERSION, Kind
+from .protocol.limits import MAX_DATAGRAM_PAYLOAD, MAX_STREAM_PAYLOAD
+from .protocol.match import Match
+from .request_owner import Host, RequestOwner
 
 Octets = bytes | bytearray | memoryview
 
@@ -28,20 +25,28 @@ _pack = HEADER.pack
 _MESSAGE = int(Kind.MESSAGE)
 
 
+class PublisherHost(Host, Protocol):
+    """The part of a node that a publisher uses."""
+
+    def tell_consumer(self, publisher: Publisher, change: str, consumer: Match, reason: str) -> None:
+        """Tells the application what became of a consumer."""
+
+
 class Publisher(RequestOwner):
     """Made by Node.publish(). Belongs to the event loop of its node; not thread-safe."""
 
-    def __init__(self, node: Node, said: dict[str, str]) -> None:
+    def __init__(self, node: PublisherHost, said: dict[str, str]) -> None:
         protocol = said.setdefault("protocol", "udp")
         if protocol not in ("udp", "tcp"):
             raise ValueError("protocol is udp or tcp")
         super().__init__(node, Counterparts(protocol))
+        self._node: PublisherHost = node
         self._is_stream = said["mode"] == "otm/stream"
         self._is_tcp = protocol == "tcp"
         self._joined: set[int] = set()
         self._sequence = 0
         self._left_out = 0
-        self._max_payload = MAX_TCP_PAYLOAD if protocol == "tcp" else MAX_UDP_PAYLOAD
+        self._max_payload = MAX_STREAM_PAYLOAD if protocol == "tcp" else MAX_DATAGRAM_PAYLOAD
         self._outlet = self._make_outlet(said["mode"], int(said.get("port", "0")), said.get("address", ""))
         said["port"] = str(self._outlet.port)
         try:
@@ -147,7 +152,7 @@ class Publisher(RequestOwner):
             return UdpOutlet(self._life, port, address, mode == "otm/pubsub", self._move)
         if sockets.is_multicast(address):
             return MulticastOutlet(self._loop, self._life, port, address)
-        return StreamOutlet(self._loop, self._life, port, address)
+        return ListenersOutlet(self._loop, self._life, port, address)
 
     def _refuse(self, octets: int) -> None:
         hint = "" if self._is_tcp else ": offer the service with protocol=tcp"
@@ -188,7 +193,7 @@ class Publisher(RequestOwner):
             self._tell("removed", counterpart, LOST)
 
     def _tell(self, kind: str, counterpart: Counterpart, reason: str) -> None:
-        self._node.tell(ConsumerChanged(self, kind, counterpart.match, reason))
+        self._node.tell_consumer(self, kind, counterpart.match, reason)
 
     def _move(self, port: int) -> None:
         """The port was taken while there was no consumer."""

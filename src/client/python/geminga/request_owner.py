@@ -3,28 +3,42 @@
 from __future__ import annotations
 
 import asyncio
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-from .core.counterparts import Change, Counterparts
-from .core.life import KEY, draw_life, write_life
-from .core.match import Match, read_match
-from .core.reserved import PREFIX
-from .core.statement import ErrorLine, Statement
 from .errors import Closed, Refused
-from .happening import Problem
 from .parameters import Attributes, parameters
-
-if TYPE_CHECKING:
-    from .core.request import Request
-    from .node import Node
+from .protocol.counterparts import Change, Counterparts
+from .protocol.life import KEY, draw_life, write_life
+from .protocol.match import Match, read_match
+from .protocol.request import Request
+from .protocol.reserved import PREFIX
+from .protocol.statement import ErrorLine, Statement
 
 _FIXED = ("mode", "protocol", "port", "address", "limit")
+
+
+class Host(Protocol):
+    """The part of a node that the owner of a request uses."""
+
+    loop: asyncio.AbstractEventLoop
+
+    def create(self, owner: RequestOwner, command: str, said: dict[str, str]) -> Request:
+        """States a request of this owner."""
+
+    async def modify(self, request: Request, changes: dict[str, str]) -> None:
+        """Changes a request. Raises Refused."""
+
+    def remove(self, request: Request) -> None:
+        """Withdraws a request."""
+
+    def tell_problem(self, owner: RequestOwner, text: str) -> None:
+        """Tells the application of a problem of this owner."""
 
 
 class RequestOwner:
     """The base of Publisher and Subscriber. Belongs to the event loop of its node; not thread-safe."""
 
-    def __init__(self, node: Node, counterparts: Counterparts) -> None:
+    def __init__(self, node: Host, counterparts: Counterparts) -> None:
         self._node = node
         self._loop = node.loop
         self._life = draw_life()
@@ -119,7 +133,7 @@ class RequestOwner:
 
     def problem(self, text: str) -> None:
         """Tells the application."""
-        self._node.tell(Problem(self, text))  # type: ignore[arg-type]
+        self._node.tell_problem(self, text)
 
     def _matches(self) -> list[Match]:
         return [counterpart.match for counterpart in self._counterparts]

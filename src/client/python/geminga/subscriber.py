@@ -6,24 +6,28 @@ import asyncio
 from collections import deque
 from collections.abc import Mapping
 from types import TracebackType
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-from .channel import sockets
-from .channel.multicast_inlet import MulticastInlet
-from .channel.tcp_inlet import TcpInlet
-from .channel.udp_inlet import UdpInlet
-from .core.converter import Conversion, ConversionError, convert
-from .core.counterparts import WITHDRAWN, Change, Counterpart, Counterparts, Key
-from .core.frame import Frame, Kind
-from .core.mailbox import MAX_MESSAGES, Mailbox, Message
-from .core.match import Match
-from .core.sequence import Sequence
+from .channels import sockets
+from .channels.multicast_inlet import MulticastInlet
+from .channels.tcp_inlet import TcpInlet
+from .channels.udp_inlet import UdpInlet
 from .errors import Closed
-from .happening import ProviderChanged
-from .request_owner import RequestOwner
+from .protocol.converter import Conversion, ConversionError, convert
+from .protocol.counterparts import WITHDRAWN, Change, Counterpart, Counterparts, Key
+from .protocol.frame import Frame, Kind
+from .protocol.inbox import Inbox, Message
+from .protocol.limits import MAX_WAITING_MESSAGES
+from .protocol.match import Match
+from .protocol.sequence import Sequence
+from .request_owner import Host, RequestOwner
 
-if TYPE_CHECKING:
-    from .node import Node
+
+class SubscriberHost(Host, Protocol):
+    """The part of a node that a subscriber uses."""
+
+    def tell_provider(self, subscriber: Subscriber, change: str, provider: Match, reason: str) -> None:
+        """Tells the application what became of a provider."""
 
 
 class Subscriber(RequestOwner):
@@ -35,18 +39,19 @@ class Subscriber(RequestOwner):
 
     def __init__(
         self,
-        node: Node,
+        node: SubscriberHost,
         said: dict[str, str],
         conversions: Mapping[str, Conversion] | None = None,
-        queue: int = MAX_MESSAGES,
+        queue: int = MAX_WAITING_MESSAGES,
         keep: str = "newest",
     ) -> None:
         if keep not in ("newest", "oldest"):
             raise ValueError("keep is newest or oldest")
         limit = int(said.get("limit", "1" if said["mode"] == "oto" else "0"))
         super().__init__(node, Counterparts(limit=limit))
+        self._node: SubscriberHost = node
         self._conversions = dict(conversions or {})
-        self._mailbox = Mailbox(queue, keep == "newest")
+        self._inbox = Inbox(queue, keep == "newest")
         self._sequence = Sequence()
         self._waiters: deque[asyncio.Future[None]] = deque()
         self._tcp: dict[Key, TcpInlet] = {}
@@ -84,22 +89,22 @@ class Subscriber(RequestOwner):
 
     @property
     def received(self) -> int:
-        """The messages that came in, those lost in a full queue with them."""
+        """The messages that were received or wait for that."""
         return self._received
 
     @property
     def missed(self) -> int:
-        """The messages that are known to be missing."""
+        """The messages that are known to be missing, those lost in a full queue with them."""
         return self._missed
 
     @property
     def dropped(self) -> int:
-        """What came in and was not believed, could not be converted, or was lost in a full queue."""
+        """What came in and was not believed or could not be converted."""
         return self._dropped
 
     async def receive(self) -> Message:
         """The next message. Raises Closed when the subscriber is closed and none is left. May be cancelled; none is lost."""
-        while not len(self._mailbox):
+        while not len(self._inbox):
             if self._is_closed:
                 raise Closed("the subscriber has been closed")
             waiter: asyncio.Future[None] = self._loop.create_future()
@@ -115,7 +120,7 @@ class Subscriber(RequestOwner):
 
     def receive_now(self) -> Message | None:
         """The next message, if one is there."""
-        return self._take() if len(self._mailbox) else None
+        return self._take() if len(self._inbox) else None
 
     def __aiter__(self) -> Subscriber:
         return self
@@ -248,7 +253,7 @@ class Subscriber(RequestOwner):
         self._gone(Change("removed", counterpart, WITHDRAWN))
 
     def _tell(self, change: Change) -> None:
-        self._node.tell(ProviderChanged(self, change.kind, change.counterpart.match, change.reason))
+        self._node.tell_provider(self, change.kind, change.counterpart.match, change.reason)
 
     # Inside: messages
 
@@ -279,10 +284,12 @@ class Subscriber(RequestOwner):
         self._received += 1
         message = Message(payload, life, sequence, missed)
         if counterpart.match.protocol == "tcp":
-            self._mailbox.put_anyway(message)
+            self._inbox.put_streamed(message)
         else:
-            self._dropped += self._mailbox.put(message)
-        if self._mailbox.is_full and not self._is_paused:
+            lost = self._inbox.put_datagram(message)
+            self._received -= lost
+            self._missed += lost
+        if self._inbox.is_full and not self._is_paused:
             self._is_paused = True
             for inlet in self._inlets():
                 inlet.pause()
@@ -290,8 +297,8 @@ class Subscriber(RequestOwner):
             self._wake()
 
     def _take(self) -> Message:
-        message = self._mailbox.take()
-        if self._is_paused and self._mailbox.has_room:
+        message = self._inbox.take()
+        if self._is_paused and self._inbox.has_room:
             self._is_paused = False
             for inlet in self._inlets():
                 inlet.resume()

@@ -5,6 +5,9 @@ from __future__ import annotations
 from pair import Pair, counted, counted_until, fresh, fresh_port, must
 from checks import strangers
 
+#: Messages that wait in a subscriber.
+INBOX = 1024
+
 
 def publisher_restarts(pair: Pair) -> None:
     """a restarted publisher is another life"""
@@ -211,6 +214,35 @@ def slow_consumer(pair: Pair) -> None:
     must(counts["missed"] > 0 and counts["dropped"] == 0, f"what was left out is not missed: {counts}")
 
 
+def full_inbox(pair: Pair) -> None:
+    """a full inbox keeps the newest of UDP"""
+    text = fresh("service")
+    p, s = pair.offer(f"mode=oto text={text}"), pair.ask(f"mode=oto text={text}")
+    pair.met(p, s)
+    pair.sub.tell(f"deaf {s}")
+    pair.pub.asked(f"stream {p} {2 * INBOX} 8 1", f"streamed {p}")
+    counted_until(pair.sub, s, lambda so_far: so_far["missed"] >= INBOX - 1)
+    pair.sub.tell(f"reading {s}")
+    mark = 0
+    while not mark:
+        mark = pair.came(p, s, "aa")
+    rows = [(int(found[1]), int(found[2])) for found in pair.sub.passed(f"message {s} [0-9a-f]+ ([0-9]+) ([0-9]+) .*")]
+    last = 0
+    for sequence, missed in rows:
+        must(sequence > last, f"message {sequence} came behind {last}")
+        must(missed == (sequence - last - 1), f"between {last} and {sequence} are {missed} missing")
+        last = sequence
+    newest = sum(sequence > INBOX + 1 for sequence, _ in rows)
+    must(newest > INBOX / 2, f"of the newest {INBOX} messages {newest} came")
+    # One may have been taken before the agent stopped, and one more is taken while another comes.
+    eldest = sum(sequence <= INBOX for sequence, _ in rows)
+    must(eldest <= 3, f"{eldest} of the eldest {INBOX} messages came")
+    sent = counted(pair.pub, p)["sent"]
+    counts = counted_until(pair.sub, s, lambda so_far: so_far["received"] + so_far["missed"] >= sent)
+    must(counts["received"] + counts["missed"] == sent, f"of {sent} messages: {counts}")
+    must(counts["dropped"] == 0, f"what was lost in the inbox is dropped: {counts}")
+
+
 def conversions(pair: Pair) -> None:
     """representations are converted"""
     polar, robot, field = (f"soccer:{word}" for word in ("PolarRobotFrame", "CartesianRobotFrame", "CartesianFieldFrame"))
@@ -231,7 +263,7 @@ def conversions(pair: Pair) -> None:
     pair.pub.tell(f"send {p} 01")
     pair.sub.any(f"message {steps} [0-9a-f]+ 1 0 3 a2a101")
     pair.sub.any(f"message {whole} [0-9a-f]+ 1 0 2 b001")
-    pair.sub.any(f"problem {missing} .*{robot}>{field}.*")
+    pair.sub.any(f"problem {missing} .*there is no function for the conversion {robot}>{field}.*")
     pair.pub.tell(f"send {p} 02")
     pair.sub.any(f"message {steps} [0-9a-f]+ 2 0 3 a2a102")
     counts = counted_until(pair.sub, missing, lambda so_far: so_far["dropped"] >= 2)
@@ -243,5 +275,5 @@ def conversions(pair: Pair) -> None:
 WHOLE = [daemons_die, strangers.forged_hellos]
 CHECKS = [
     publisher_restarts, subscriber_restarts, daemons_die, daemon_starts_later, better_provider, host_dies, modified, refused,
-    slow_consumer, conversions, *strangers.CHECKS,
+    slow_consumer, full_inbox, conversions, *strangers.CHECKS,
 ]  # fmt: skip

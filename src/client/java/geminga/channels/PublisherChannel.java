@@ -1,0 +1,282 @@
+package geminga.channels;
+
+import geminga.Change;
+import geminga.Event.ConsumerEvent;
+import geminga.Match;
+import geminga.MessageTooLargeException;
+import geminga.Mode;
+import geminga.Offer;
+import geminga.protocol.Addresses;
+import geminga.protocol.Counterparts;
+import geminga.protocol.Counterparts.Entry;
+import geminga.protocol.Life;
+import geminga.protocol.Limits;
+import geminga.protocol.LineException;
+import geminga.protocol.Told;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.channels.ClosedChannelException;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+
+/** What is behind a publisher: its statement, its consumers and its sockets. */
+public final class PublisherChannel extends Stated implements Counterparts.Watcher<Outlet.Consumer>, Outlet.Owner {
+    private static final List<String> FIXED = List.of("mode", "port", "address", "protocol");
+
+    private final Counterparts<Outlet.Consumer> consumers = new Counterparts<>(this, false);
+    private final Consumer<ConsumerEvent> listener;
+    private final long life;
+    private final int largest;
+    private final boolean isStream;
+    private final Outlet outlet;
+    private Offer offer;
+    private Loop.Timer timer;
+    private long sequence;
+    private long leftOut;
+    private long dropped;
+    private volatile boolean isClosed;
+    /** Asked for without the lock, so that sending to nobody costs a comparison. */
+    private volatile boolean isHeard;
+
+    /** Opens the sockets and states the offer. With the lock. */
+    public PublisherChannel(Loop loop, DaemonLink daemon, Offer offer, long life, Consumer<ConsumerEvent> listener) throws IOException {
+        super(loop, daemon, "pub");
+        this.listener = listener;
+        this.life = life;
+        isStream = offer.mode() == Mode.STREAM;
+        largest = offer.protocol().equals("tcp") ? Limits.TCP_MESSAGE : Limits.UDP_MESSAGE;
+        Offer named = offer.attribute("channel", Life.write(life));
+        outlet = open(offer);
+        this.offer = named.port(outlet.port());
+        isHeard = outlet.hasConsumer();
+        begin();
+    }
+
+    private Outlet open(Offer offer) throws IOException {
+        InetAddress address = offer.address().isEmpty() ? null : Addresses.read(offer.address());
+        if (!offer.address().isEmpty() && address == null) throw new IOException("address: this host does not know " + offer.address());
+        boolean isGroup = address != null && address.isMulticastAddress();
+        if (isGroup && (!isStream || !offer.protocol().equals("udp"))) throw new IllegalArgumentException("a multicast address is for otm/stream over udp");
+        switch (offer.protocol()) {
+            case "tcp":
+                return new TcpOutlet(loop, this, life, address, offer.port(), isStream);
+            case "udp":
+                if (isGroup) return new MulticastOutlet(loop, this, life, address, offer.port());
+                if (isStream) return new ListenersOutlet(loop, this, life, address, offer.port());
+                return new UdpOutlet(loop, this, life, address, offer.port(), offer.mode() == Mode.PUBSUB);
+            default:
+                throw new IllegalArgumentException("protocol: a publisher speaks udp or tcp, not '" + offer.protocol() + "'");
+        }
+    }
+
+    public Offer offer() {
+        return offer;
+    }
+
+    public long life() {
+        return life;
+    }
+
+    /** Sends to every consumer; whether there was one. */
+    public boolean send(byte[] payload) throws IOException {
+        if (payload.length > largest) throw tooLarge(payload.length);
+        if (!isHeard && !isClosed) return false;
+        loop.lock.lock();
+        try {
+            if (isClosed) throw refusal() != null ? refusal() : new ClosedChannelException();
+            if (!isHeard) return false;
+            outlet.send(payload, ++sequence);
+            return true;
+        } finally {
+            loop.lock.unlock();
+        }
+    }
+
+    private IOException tooLarge(int octets) {
+        boolean isUdp = largest == Limits.UDP_MESSAGE;
+        return new MessageTooLargeException(octets + " octets: a message over " + (isUdp ? "UDP has at most " + largest + ": offer the service with protocol=tcp" : "TCP has at most " + largest));
+    }
+
+    /** Whether there is a consumer. */
+    public boolean isHeard() {
+        return isHeard;
+    }
+
+    /** Whether a message of that size would be left out for nobody. With the lock. */
+    public boolean hasRoom(int octets) {
+        return isClosed || outlet.hasRoom(octets);
+    }
+
+    /** Another offer in the place of this one; what the daemon says to it. With the lock. */
+    public CompletionStage<Void> modify(Offer wanted) {
+        Offer named = wanted.attribute("channel", Life.write(life));
+        Offer next = wanted.port() == 0 ? named.port(outlet.port()) : named;
+        Map<String, String> changes = next.changesFrom(offer);
+        if (FIXED.stream().anyMatch(changes::containsKey)) throw new IllegalArgumentException("mode, port, address and protocol of a publisher stay: make another one");
+        Offer before = offer;
+        offer = next;
+        return modify(changes, () -> {
+            if (offer == next) offer = before;
+        });
+    }
+
+    @Override
+    Map<String, String> parameters() {
+        return offer.parameters();
+    }
+
+    @Override
+    void told(Told event) {
+        if (isStream || event.isOfService() || isClosed) return;
+        if (event.change() == Change.REMOVED) {
+            boolean hasConnection = consumers.at(event.word()) != null && outlet.hasConnection(consumers.at(event.word()));
+            consumers.remove(event.word(), event.reason(), loop.now(), hasConnection);
+        } else {
+            try {
+                Match match = event.match();
+                if (event.change() == Change.ADDED) {
+                    consumers.put(match);
+                } else {
+                    consumers.modify(match);
+                }
+            } catch (LineException wasRead) {
+                throw new IllegalStateException(wasRead);
+            }
+        }
+        changed();
+    }
+
+    @Override
+    void daemonLost() {
+        consumers.lost();
+        changed();
+    }
+
+    @Override
+    void daemonBack() {
+        consumers.back(loop.now());
+        changed();
+    }
+
+    @Override
+    void refused() {
+        consumers.closeAll("refused");
+        end();
+        close();
+    }
+
+    @Override
+    public void opened(Entry<Outlet.Consumer> entry) {
+        outlet.opened(entry);
+        if (!(outlet instanceof TcpOutlet)) tell(Change.ADDED, entry, "-");
+    }
+
+    @Override
+    public void changed(Entry<Outlet.Consumer> entry, Match before) {
+        outlet.changed(entry, before);
+        if (entry.channel.isThere()) tell(Change.MODIFIED, entry, "-");
+    }
+
+    @Override
+    public void ending(Entry<Outlet.Consumer> entry) {
+        throw new IllegalStateException("a consumer that is withdrawn is gone at once");
+    }
+
+    @Override
+    public void closed(Entry<Outlet.Consumer> entry, String reason) {
+        boolean wasThere = entry.channel.isThere();
+        outlet.closed(entry);
+        if (wasThere && !isClosed) tell(Change.REMOVED, entry, reason);
+    }
+
+    @Override
+    public void arrived(Entry<Outlet.Consumer> entry) {
+        tell(Change.ADDED, entry, "-");
+    }
+
+    @Override
+    public void departed(Entry<Outlet.Consumer> entry) {
+        if (isClosed) return;
+        tell(Change.REMOVED, entry, consumers.isLost(entry) ? entry.reason() : "lost");
+        consumers.broke(entry);
+    }
+
+    @Override
+    public void leftOut() {
+        ++leftOut;
+    }
+
+    @Override
+    public void dropped() {
+        ++dropped;
+    }
+
+    @Override
+    public void moved(int port) {
+        Offer next = offer.port(port);
+        modify(next.changesFrom(offer), () -> { });
+        offer = next;
+    }
+
+    @Override
+    public void changed() {
+        if (timer != null) timer.cancel();
+        timer = null;
+        isHeard = !isClosed && outlet.hasConsumer();
+        long deadline = isClosed ? Long.MAX_VALUE : consumers.deadline();
+        if (deadline != Long.MAX_VALUE) {
+            timer = loop.after(deadline - loop.now(), () -> {
+                consumers.tick(loop.now(), outlet::hasConnection);
+                changed();
+            });
+        }
+        loop.changed();
+    }
+
+    private void tell(Change change, Entry<Outlet.Consumer> entry, String reason) {
+        ConsumerEvent event = new ConsumerEvent(change, entry.match(), reason);
+        loop.tell(() -> listener.accept(event));
+    }
+
+    /** Withdraws it and says the end to its consumers. With the lock. */
+    public void end() {
+        if (isClosed) return;
+        isClosed = true;
+        outlet.end(sequence);
+        withdraw();
+        changed();
+    }
+
+    /** Whether everybody has heard the end. With the lock. */
+    public boolean hasEnded() {
+        return outlet.hasEnded();
+    }
+
+    /** Closes the sockets. With the lock. */
+    public void close() {
+        outlet.close();
+        consumers.closeAll("");
+        changed();
+    }
+
+    public boolean isClosed() {
+        return isClosed;
+    }
+
+    /** Messages that it was given while it had a consumer. */
+    public long sent() {
+        return sequence;
+    }
+
+    /** How often a message was left out for one consumer. */
+    public long leftOutCount() {
+        return leftOut;
+    }
+
+    /** What came and was no frame, or from nobody who is known. */
+    public long droppedCount() {
+        return dropped;
+    }
+}

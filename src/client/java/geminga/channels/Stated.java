@@ -1,0 +1,155 @@
+package geminga.channels;
+
+import geminga.Event;
+import geminga.RefusedException;
+import geminga.protocol.Told;
+import java.util.ArrayDeque;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+
+/** An offer or a request as the daemon is told of it, again after each return. All of it is guarded by the loop's lock. */
+public abstract class Stated {
+    final Loop loop;
+    final DaemonLink daemon;
+    final long number;
+    private final String command;
+    private final CompletableFuture<Void> taken = new CompletableFuture<>();
+    private volatile AutoCloseable owner;
+    private volatile RefusedException refusal;
+    /** Pings that are under way behind a {@code create}: while there is one, an error is about it. */
+    private int creating;
+    private final ArrayDeque<Modification> modifying = new ArrayDeque<>();
+    private boolean isTaken;
+    private boolean isWithdrawn;
+
+    Stated(Loop loop, DaemonLink daemon, String command) {
+        this.loop = loop;
+        this.daemon = daemon;
+        this.command = command;
+        number = daemon.nextNumber();
+    }
+
+    /** What the application knows it as. With the lock. */
+    public final void owner(AutoCloseable made) {
+        owner = made;
+    }
+
+    /** Tells the application what is not as it was meant. With the lock. */
+    public final void problem(String text) {
+        loop.tell(() -> loop.listener().accept(new Event.Problem(owner, text)));
+    }
+
+    /** What {@code create} states. */
+    abstract Map<String, String> parameters();
+
+    /** The daemon tells of the other side. */
+    abstract void told(Told event);
+
+    abstract void daemonLost();
+
+    abstract void daemonBack();
+
+    /** Ends by itself what the daemon took back or refused. */
+    abstract void refused();
+
+    /** States it for the first time. */
+    final void begin() {
+        daemon.add(this);
+        if (daemon.isUp()) state();
+    }
+
+    /** States it to a daemon that does not know it. */
+    final void state() {
+        if (refusal != null || isWithdrawn) return;
+        daemon.say(number, command, "create", parameters());
+        ++creating;
+        daemon.whenHandled(() -> {
+            --creating;
+            if (refusal != null || isTaken) return;
+            isTaken = true;
+            loop.tell(() -> taken.complete(null));
+        });
+    }
+
+    /** States what changes; {@code undo} is called where it is refused. Without a daemon it is stated with all else, later. */
+    final CompletionStage<Void> modify(Map<String, String> changes, Runnable undo) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        if (changes.isEmpty() || !daemon.isUp() || refusal != null) {
+            done.complete(null);
+            return done;
+        }
+        daemon.pingWhereDue(); // so that an error is known to be about this
+        daemon.say(number, command, "modify", changes);
+        modifying.add(new Modification(done, undo));
+        daemon.whenHandled(() -> {
+            Modification handled = modifying.poll();
+            if (handled != null && !handled.isRefused) loop.tell(() -> done.complete(null));
+        });
+        daemon.pingWhereDue();
+        return done;
+    }
+
+    /** A change of which the daemon has not been heard yet. */
+    private static final class Modification {
+        private final CompletableFuture<Void> done;
+        private final Runnable undo;
+        private boolean isRefused;
+
+        Modification(CompletableFuture<Void> done, Runnable undo) {
+            this.done = done;
+            this.undo = undo;
+        }
+    }
+
+    final void withdraw() {
+        isWithdrawn = true;
+        if (daemon.isUp() && refusal == null) daemon.say(number, command, "remove", Map.of());
+        daemon.forget(this);
+    }
+
+    /** What was under way to a daemon that is gone will not be answered. */
+    final void lost() {
+        creating = 0;
+        for (Modification one = modifying.poll(); one != null; one = modifying.poll()) {
+            CompletableFuture<Void> done = one.done;
+            loop.tell(() -> done.complete(null)); // it is stated with all else, later
+        }
+        daemonLost();
+    }
+
+    final void error(int code, String text) {
+        boolean isTakenBack = code == 429 && text.startsWith("taken back");
+        boolean isOfCreate = creating > 0 && code != 409 && code != 503;
+        Modification modification = modifying.peek();
+        if (!isOfCreate && !isTakenBack && modification != null && code != 409) {
+            RefusedException told = new RefusedException(code, code + " " + text);
+            modification.isRefused = true;
+            modification.undo.run();
+            loop.tell(() -> modification.done.completeExceptionally(told));
+            return;
+        }
+        if (!isOfCreate && !isTakenBack) {
+            problem(code + " " + text);
+            return;
+        }
+        refusal = new RefusedException(code, code + " " + text);
+        if (isTaken) problem(code + " " + text);
+        RefusedException told = refusal;
+        loop.tell(() -> taken.completeExceptionally(told));
+        refused();
+        loop.changed();
+    }
+
+    public final CompletableFuture<Void> taken() {
+        return taken;
+    }
+
+    public final boolean isTaken() {
+        return isTaken;
+    }
+
+    public final RefusedException refusal() {
+        return refusal;
+    }
+}

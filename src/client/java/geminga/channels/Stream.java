@@ -1,0 +1,243 @@
+package geminga.channels;
+
+import geminga.protocol.Limits;
+import java.io.IOException;
+import java.net.SocketAddress;
+import java.net.SocketOption;
+import java.net.StandardProtocolFamily;
+import java.net.StandardSocketOptions;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayDeque;
+
+/** A connection with what waits to be written. All calls are made with the loop's lock. */
+final class Stream implements Loop.Ready {
+    /** Who reads from it. */
+    interface Reader {
+        /** It is there. */
+        void connected();
+
+        /** Octets have come; what is left in the buffer is lost. */
+        void read(ByteBuffer octets);
+
+        /** All that waited is written. */
+        void drained();
+
+        /** The other side closed its half. */
+        void finished();
+
+        /** It is gone; not called after {@link Stream#close}. */
+        void broke(String reason);
+    }
+
+    /** Reads of one connection before the others are looked at. */
+    private static final int READS = 4;
+    private static final int CHUNK = 256 * 1024;
+
+    private final Loop loop;
+    private final Reader reader;
+    private final SocketChannel channel;
+    private final SelectionKey key;
+    private final ArrayDeque<ByteBuffer> waiting = new ArrayDeque<>();
+    private long octetsWaiting;
+    private boolean isConnected;
+    private boolean isClosed;
+    private boolean endsWhenDrained;
+    private boolean isPaused;
+
+    private Stream(Loop loop, SocketChannel channel, Reader reader, boolean isConnected) throws IOException {
+        this.loop = loop;
+        this.reader = reader;
+        this.channel = channel;
+        this.isConnected = isConnected;
+        channel.configureBlocking(false);
+        key = loop.register(channel, isConnected ? SelectionKey.OP_READ : SelectionKey.OP_CONNECT, this);
+    }
+
+    /** Begins to connect; the reader hears how it went. */
+    static Stream connect(Loop loop, SocketAddress address, Reader reader) throws IOException {
+        boolean isUnix = address instanceof UnixDomainSocketAddress;
+        SocketChannel channel = isUnix ? SocketChannel.open(StandardProtocolFamily.UNIX) : SocketChannel.open();
+        try {
+            if (!isUnix) tune(channel);
+            channel.configureBlocking(false);
+            if (!channel.connect(address)) return new Stream(loop, channel, reader, false);
+            Stream stream = new Stream(loop, channel, reader, true);
+            loop.after(0, () -> {
+                if (!stream.isClosed) reader.connected();
+            });
+            return stream;
+        } catch (IOException | RuntimeException fault) {
+            channel.close();
+            throw fault instanceof IOException ? (IOException) fault : new IOException(fault);
+        }
+    }
+
+    /** Takes over a connection that was accepted. */
+    static Stream accepted(Loop loop, SocketChannel channel, Reader reader) throws IOException {
+        tune(channel);
+        return new Stream(loop, channel, reader, true);
+    }
+
+    /** Small messages leave at once, and a host that was switched off is noticed. */
+    private static void tune(SocketChannel channel) throws IOException {
+        channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+        channel.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
+        for (SocketOption<?> option : channel.supportedOptions()) {
+            switch (option.name()) { // of jdk.net.ExtendedSocketOptions, where the platform has them
+                case "TCP_KEEPIDLE" -> set(channel, option, 10);
+                case "TCP_KEEPINTERVAL" -> set(channel, option, 5);
+                case "TCP_KEEPCOUNT" -> set(channel, option, 3);
+                default -> { }
+            }
+        }
+    }
+
+    @SuppressWarnings("unchecked")
+    private static void set(SocketChannel channel, SocketOption<?> option, int value) throws IOException {
+        channel.setOption((SocketOption<Integer>) option, value);
+    }
+
+    @Override
+    public void ready(SelectionKey ready) {
+        try {
+            if (!isConnected) {
+                if (!channel.finishConnect()) return;
+                isConnected = true;
+                key.interestOps(SelectionKey.OP_READ);
+                reader.connected();
+                return;
+            }
+            if (ready.isWritable()) flush();
+            if (!isClosed && ready.isValid() && ready.isReadable()) receive();
+        } catch (IOException fault) {
+            fail(fault.getMessage());
+        }
+    }
+
+    /** Reads what is there already. */
+    void look() {
+        try {
+            receive();
+        } catch (IOException fault) {
+            fail(fault.getMessage());
+        }
+    }
+
+    private void receive() throws IOException {
+        for (int i = 0; i < READS && !isClosed && !isPaused; ++i) {
+            ByteBuffer octets = loop.incoming.clear();
+            int read = channel.read(octets);
+            if (read == 0) return;
+            if (read < 0) {
+                loop.interest(key, SelectionKey.OP_READ, false);
+                reader.finished();
+                return;
+            }
+            reader.read(octets.flip());
+            if (read < octets.capacity()) return;
+        }
+    }
+
+    /** How many octets wait. */
+    long waiting() {
+        return octetsWaiting;
+    }
+
+    /** Whether another message of that size may wait. */
+    boolean hasRoom(int octets) {
+        return octetsWaiting == 0 || octetsWaiting + octets <= Limits.WAITING_FOR_CONSUMER;
+    }
+
+    /** Writes what {@code octets} hold to a connection that is there, or as much as goes now and the rest later; they may be used again when this returns. */
+    void write(ByteBuffer octets) {
+        if (isClosed) return;
+        try {
+            if (octetsWaiting == 0) put(octets);
+            if (!octets.hasRemaining()) return;
+            octetsWaiting += octets.remaining();
+            waiting.add(ByteBuffer.allocate(octets.remaining()).put(octets).flip());
+            loop.interest(key, SelectionKey.OP_WRITE, true);
+        } catch (IOException fault) {
+            failSoon(fault.getMessage());
+        }
+    }
+
+    /** The same of a header and a payload in one call of the system. */
+    void write(ByteBuffer header, ByteBuffer payload) {
+        if (isClosed) return;
+        try {
+            if (octetsWaiting == 0 && payload.remaining() <= CHUNK) channel.write(new ByteBuffer[] {header, payload});
+            if (header.hasRemaining()) write(header);
+            if (payload.hasRemaining()) write(payload);
+        } catch (IOException fault) {
+            failSoon(fault.getMessage());
+        }
+    }
+
+    /** Writes what goes now, in pieces, since Java copies each piece whole. */
+    private void put(ByteBuffer octets) throws IOException {
+        int end = octets.limit();
+        try {
+            while (octets.position() < end) {
+                octets.limit(Math.min(end, octets.position() + CHUNK));
+                channel.write(octets);
+                if (octets.hasRemaining()) return;
+            }
+        } finally {
+            octets.limit(end);
+        }
+    }
+
+    private void flush() throws IOException {
+        while (!waiting.isEmpty()) {
+            ByteBuffer first = waiting.peek();
+            int before = first.remaining();
+            put(first);
+            octetsWaiting -= before - first.remaining();
+            if (first.hasRemaining()) return;
+            waiting.remove();
+        }
+        loop.interest(key, SelectionKey.OP_WRITE, false);
+        if (endsWhenDrained) channel.shutdownOutput();
+        reader.drained();
+    }
+
+    /** Closes the own half as soon as all that waits is written. */
+    void finish() {
+        endsWhenDrained = true;
+        if (isClosed || octetsWaiting > 0) return;
+        try {
+            channel.shutdownOutput();
+        } catch (IOException fault) {
+            failSoon(fault.getMessage());
+        }
+    }
+
+    /** Stops reading, or goes on. */
+    void pause(boolean stop) {
+        isPaused = stop;
+        if (!isClosed && isConnected) loop.interest(key, SelectionKey.OP_READ, !stop);
+    }
+
+    void close() {
+        if (isClosed) return;
+        isClosed = true;
+        waiting.clear();
+        octetsWaiting = 0;
+        loop.close(channel);
+    }
+
+    private void fail(String reason) {
+        if (isClosed) return;
+        close();
+        reader.broke(reason);
+    }
+
+    /** Fails behind what is under way, so that who writes is not called back. */
+    private void failSoon(String reason) {
+        loop.after(0, () -> fail(reason));
+    }
+}

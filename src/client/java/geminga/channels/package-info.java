@@ -1,0 +1,2 @@
+/** The sockets of a client and the one selector that serves them. */
+package geminga.channels;

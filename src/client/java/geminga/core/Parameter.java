@@ -1,4 +1,0 @@
-package geminga.core;
-
-/** A key of a statement and its value, which is empty where none is written. */
-public record Parameter(String key, String value) {}

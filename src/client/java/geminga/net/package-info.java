@@ -1,2 +1,0 @@
-/** The sockets of a client and the one selector that serves them. */
-package geminga.net;

@@ -1,0 +1,29 @@
+package geminga.protocol;
+
+import java.time.Duration;
+import java.util.random.RandomGenerator;
+
+/** How long to wait before trying again: .1, .2, .4, .8, 1, 1, ... s, each up to a quarter longer, by chance. */
+public final class Backoff {
+    private static final long FIRST = Duration.ofMillis(100).toNanos();
+    private static final long LAST = Duration.ofSeconds(1).toNanos();
+
+    private final RandomGenerator chance;
+    private long next = FIRST;
+
+    public Backoff(RandomGenerator chance) {
+        this.chance = chance;
+    }
+
+    /** Nanoseconds until the next attempt. */
+    public long next() {
+        long wait = next;
+        next = Math.min(LAST, next * 2);
+        return wait + (long) (wait / 4.0 * chance.nextDouble());
+    }
+
+    /** The attempt succeeded. */
+    public void reset() {
+        next = FIRST;
+    }
+}

@@ -1,0 +1,260 @@
+package geminga.protocol;
+
+import geminga.Match;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+
+/**
+ * The other sides of one publisher or subscriber by their lives, and how long a channel goes on when daemons lose sight of somebody
+ * (src/client/CHANNELS.md, "How a channel ends"). Time is what the caller says, in nanoseconds.
+ *
+ * @param <C> what the caller keeps for each of them: its sockets
+ */
+public final class Counterparts<C> {
+    /** What is told to who owns the sockets. None of them may call back. */
+    public interface Watcher<C> {
+        /** A channel begins. */
+        void opened(Entry<C> entry);
+
+        /** What is stated of it changed, perhaps where it is reached. */
+        void changed(Entry<C> entry, Match before);
+
+        /** It was withdrawn; what is on its way is still delivered, until {@link #ended} or {@link Limits#ENDING} has passed. */
+        void ending(Entry<C> entry);
+
+        /** It is over. */
+        void closed(Entry<C> entry, String reason);
+    }
+
+    /** Where an entry stands. */
+    private enum State { CONFIRMED, UNCONFIRMED, ORPHAN, ENDING }
+
+    /** One other side. */
+    public static final class Entry<C> {
+        private static final long NEVER = Long.MAX_VALUE;
+
+        private final String key;
+        private final Map<String, Match> words = new LinkedHashMap<>();
+        private Match match;
+        private State state = State.CONFIRMED;
+        private long deadline = NEVER;
+        private String reason = "";
+        /** What the watcher keeps for it. */
+        public C channel;
+
+        private Entry(String key) {
+            this.key = key;
+        }
+
+        /** What is known of it. */
+        public Match match() {
+            return match;
+        }
+
+        /** Whether it was withdrawn and only what is on its way still counts. */
+        public boolean isEnding() {
+            return state == State.ENDING;
+        }
+
+        /** Why it is gone, where the daemon said so. */
+        public String reason() {
+            return reason;
+        }
+    }
+
+    private final Watcher<C> watcher;
+    private final boolean lingers;
+    private final Map<String, Entry<C>> entries = new LinkedHashMap<>();
+    private final Map<String, Entry<C>> byWord = new LinkedHashMap<>();
+    private long limit;
+
+    /** Who {@code lingers} takes what is still on its way from one that was withdrawn. */
+    public Counterparts(Watcher<C> watcher, boolean lingers) {
+        this.watcher = watcher;
+        this.lingers = lingers;
+    }
+
+    /** How many the daemon gives at most; 0 for all. */
+    public void limit(long most) {
+        limit = most;
+    }
+
+    /** All of them, in the order in which they came. */
+    public List<Entry<C>> all() {
+        return new ArrayList<>(entries.values());
+    }
+
+    /** The one with that life, which is not 0; or null. */
+    public Entry<C> of(long life) {
+        return entries.get(Life.write(life));
+    }
+
+    /** The one that the daemon calls so, or null. */
+    public Entry<C> at(String word) {
+        return byWord.get(word);
+    }
+
+    /** {@code modify}: what has ended is not made again by it. */
+    public void modify(Match match) {
+        if (byWord.containsKey(match.word())) put(match);
+    }
+
+    /** {@code add}. */
+    public void put(Match match) {
+        String key = match.life() != 0 ? Life.write(match.life()) : match.word();
+        Entry<C> known = byWord.get(match.word());
+        if (known != null && !known.key.equals(key)) remove(match.word(), "changed", 0, false);
+        Entry<C> entry = entries.get(key);
+        if (entry == null) {
+            entry = new Entry<>(key);
+            entries.put(key, entry);
+        }
+        Match before = entry.match;
+        entry.words.remove(match.word());
+        entry.words.put(match.word(), match);
+        byWord.put(match.word(), entry);
+        entry.match = match;
+        entry.state = State.CONFIRMED;
+        entry.deadline = Entry.NEVER;
+        if (before == null) {
+            watcher.opened(entry);
+        } else if (!isSame(before, match)) {
+            watcher.changed(entry, before);
+        }
+        closeOrphansBeyondLimit();
+    }
+
+    /** {@code del}. A connection goes on as long as it is there, a channel over UDP for {@link Limits#ORPHAN}. */
+    public void remove(String word, String reason, long now, boolean hasConnection) {
+        Entry<C> entry = byWord.remove(word);
+        if (entry == null) return;
+        Match removed = entry.words.remove(word);
+        if (!entry.words.isEmpty()) {
+            for (Match last : entry.words.values()) entry.match = last;
+            if (!isSame(removed, entry.match)) watcher.changed(entry, removed);
+            return;
+        }
+        entry.reason = reason;
+        switch (reason) {
+            case "withdrawn" -> {
+                if (!lingers) {
+                    close(entry);
+                    return;
+                }
+                entry.state = State.ENDING;
+                entry.deadline = now + Limits.ENDING;
+                watcher.ending(entry);
+            }
+            case "outranked", "changed" -> close(entry);
+            default -> orphan(entry, now, hasConnection);
+        }
+        closeOrphansBeyondLimit();
+    }
+
+    /** The own daemon is gone: all channels go on, however long that takes. */
+    public void lost() {
+        byWord.clear();
+        for (Entry<C> entry : entries.values()) {
+            entry.words.clear();
+            if (entry.state == State.CONFIRMED || entry.state == State.UNCONFIRMED) {
+                entry.state = State.UNCONFIRMED;
+                entry.deadline = Entry.NEVER;
+                entry.reason = "disconnected";
+            }
+        }
+    }
+
+    /** The own daemon is back, and tells again who is there. */
+    public void back(long now) {
+        for (Entry<C> entry : entries.values()) {
+            if (entry.state == State.UNCONFIRMED) entry.deadline = now + Limits.CONFIRMATION;
+        }
+    }
+
+    /** The other side said its end. */
+    public void ended(Entry<C> entry) {
+        if (entries.get(entry.key) != entry) return;
+        entry.reason = "withdrawn";
+        close(entry);
+    }
+
+    /** Something came of one that was withdrawn, or it waits for room: more may come. */
+    public void extend(Entry<C> entry, long now) {
+        if (entry.state == State.ENDING) entry.deadline = now + Limits.ENDING;
+    }
+
+    /** Whether the daemons have lost sight of it, and told why. */
+    public boolean isLost(Entry<C> entry) {
+        return entry.state == State.ORPHAN;
+    }
+
+    /** Its connection broke. Whether to make another one: the daemons still see it. */
+    public boolean broke(Entry<C> entry) {
+        if (entries.get(entry.key) != entry) return false;
+        if (entry.state == State.CONFIRMED || entry.state == State.UNCONFIRMED) return true;
+        close(entry);
+        return false;
+    }
+
+    /** Ends what is due. Who {@code hasConnection} goes on without its daemons. */
+    public void tick(long now, Predicate<Entry<C>> hasConnection) {
+        for (Entry<C> entry : all()) {
+            if (entry.deadline == Entry.NEVER || now - entry.deadline < 0) continue;
+            if (entry.state == State.UNCONFIRMED) {
+                orphan(entry, now, hasConnection.test(entry));
+            } else {
+                close(entry);
+            }
+        }
+        closeOrphansBeyondLimit();
+    }
+
+    /** When {@link #tick} has something to do; {@link Long#MAX_VALUE} where never. */
+    public long deadline() {
+        long first = Entry.NEVER;
+        for (Entry<C> entry : entries.values()) {
+            if (entry.deadline != Entry.NEVER && (first == Entry.NEVER || entry.deadline - first < 0)) first = entry.deadline;
+        }
+        return first;
+    }
+
+    /** Ends all of them. */
+    public void closeAll(String reason) {
+        for (Entry<C> entry : all()) {
+            entry.reason = reason;
+            close(entry);
+        }
+    }
+
+    private void orphan(Entry<C> entry, long now, boolean hasConnection) {
+        entry.state = State.ORPHAN;
+        entry.deadline = hasConnection ? Entry.NEVER : now + Limits.ORPHAN;
+    }
+
+    private void closeOrphansBeyondLimit() {
+        if (limit == 0 || entries.values().stream().filter(entry -> entry.state == State.CONFIRMED).count() < limit) return;
+        for (Entry<C> entry : all()) {
+            if (entry.state == State.ORPHAN) close(entry);
+        }
+    }
+
+    private void close(Entry<C> entry) {
+        entries.remove(entry.key);
+        entry.words.keySet().forEach(byWord::remove);
+        entry.words.clear();
+        watcher.closed(entry, entry.reason);
+    }
+
+    /** Whether both say the same, whatever numbers their daemons gave them. */
+    private static boolean isSame(Match one, Match other) {
+        return one.equals(other) || anonymous(one).equals(anonymous(other));
+    }
+
+    private static Match anonymous(Match match) {
+        return new Match("", "", match.name(), match.host(), match.life(), match.identity(), match.degree(), match.distance(), match.mode(), match.address(), match.port(),
+                match.protocol(), match.priority(), match.conversion(), match.cost(), match.via(), match.attributes());
+    }
+}

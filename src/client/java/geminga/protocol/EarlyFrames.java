@@ -1,0 +1,50 @@
+package geminga.protocol;
+
+import java.net.InetSocketAddress;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.function.Predicate;
+
+/**
+ * Frames over UDP that came before the daemon told of whom they are (src/client/CHANNELS.md, "Early frames"): {@link Limits#EARLY_FRAMES} with {@link Limits#EARLY_OCTETS} of
+ * payload at most, each for {@link Limits#EARLY}; the oldest goes where one more comes. Time is what the caller says, in nanoseconds.
+ */
+public final class EarlyFrames {
+    private record Kept(InetSocketAddress from, Frame frame, long until) {}
+
+    private final ArrayDeque<Kept> kept = new ArrayDeque<>();
+    private int octets;
+
+    public void put(InetSocketAddress from, Frame frame, long now) {
+        forgetOld(now);
+        int size = frame.payload().length;
+        if (size > Limits.EARLY_OCTETS) return;
+        while (kept.size() >= Limits.EARLY_FRAMES || octets + size > Limits.EARLY_OCTETS) forgetFirst();
+        kept.add(new Kept(from, frame, now + Limits.EARLY));
+        octets += size;
+    }
+
+    /** What is there of that life from such an address, in the order in which it came. */
+    public List<Frame> take(Predicate<InetSocketAddress> isFrom, long life, long now) {
+        forgetOld(now);
+        List<Frame> taken = new ArrayList<>();
+        for (Iterator<Kept> each = kept.iterator(); each.hasNext();) {
+            Kept one = each.next();
+            if (one.frame().life() != life || !isFrom.test(one.from())) continue;
+            each.remove();
+            octets -= one.frame().payload().length;
+            taken.add(one.frame());
+        }
+        return taken;
+    }
+
+    private void forgetOld(long now) {
+        while (!kept.isEmpty() && kept.getFirst().until() - now <= 0) forgetFirst();
+    }
+
+    private void forgetFirst() {
+        octets -= kept.removeFirst().frame().payload().length;
+    }
+}

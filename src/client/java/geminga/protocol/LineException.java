@@ -1,0 +1,10 @@
+package geminga.protocol;
+
+/** A line, or a part of one, that is not what GCNP allows. */
+public final class LineException extends Exception {
+    private static final long serialVersionUID = 1;
+
+    public LineException(String text) {
+        super(text);
+    }
+}

@@ -1,0 +1,54 @@
+// Frames out of a stream of octets.
+import { frameAt, headerSize, isHeader } from './frame.js';
+
+/**
+ * Takes pieces of a stream and gives its frames, one at a time, so that who has no room need not take more. It keeps at
+ * most one unfinished frame and the last piece.
+ */
+export class FrameReader {
+  #pieces = [];
+  #length = 0;
+  #most;
+  /** True from what is no frame on: nothing behind it can be read. */
+  isBroken = false;
+
+  /** @param most the largest payload, in octets */
+  constructor(most) {
+    this.#most = most;
+  }
+
+  push(piece) {
+    if (piece.length === 0) return;
+    this.#pieces.push(piece);
+    this.#length += piece.length;
+  }
+
+  /** The next frame, or undefined: more is needed, or the stream is broken. Its payload shares the stream's octets. */
+  next() {
+    if (this.isBroken || this.#length < headerSize) return undefined;
+    const head = this.#atLeast(headerSize);
+    if (!isHeader(head, 0, this.#most)) {
+      this.isBroken = true;
+      this.#pieces = [];
+      this.#length = 0;
+      return undefined;
+    }
+    const size = headerSize + head.readUInt32BE(4);
+    if (this.#length < size) return undefined;
+    const octets = this.#atLeast(size);
+    const frame = frameAt(octets, 0);
+    this.#length -= size;
+    if (octets.length === size) this.#pieces.shift();
+    else this.#pieces[0] = octets.subarray(size);
+    return frame;
+  }
+
+  /** Makes the first piece as long as that, which must be there. */
+  #atLeast(size) {
+    if (this.#pieces[0].length >= size) return this.#pieces[0];
+    let count = 0;
+    for (let length = 0; length < size; ++count) length += this.#pieces[count].length;
+    this.#pieces.splice(0, count, Buffer.concat(this.#pieces.slice(0, count)));
+    return this.#pieces[0];
+  }
+}

@@ -1,0 +1,149 @@
+"""The connection of a node to its daemon, which comes back by itself."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import random
+import socket
+from collections.abc import Callable
+
+from ..protocol.backoff import Backoff
+from ..protocol.report import Report, Welcome
+from ..protocol.session import Session
+from ..protocol.statement import LineError
+from .endpoint import Endpoint
+
+#: How long to wait for a connection, and for the answer to hello.
+ANSWER_SECONDS = 5.0
+
+
+class _Lines(asyncio.Protocol):
+    def __init__(self, link: DaemonLink) -> None:
+        self._link = link
+        self.closed = asyncio.get_running_loop().create_future()
+
+    def data_received(self, octets: bytes) -> None:
+        self._link.received(octets)
+
+    def connection_lost(self, error: Exception | None) -> None:
+        if not self.closed.done():
+            self.closed.set_result(None)
+
+
+class DaemonLink:
+    """`report` is called with what the daemon says, `lost` when it went. Belongs to an event loop; not thread-safe."""
+
+    def __init__(
+        self,
+        loop: asyncio.AbstractEventLoop,
+        session: Session,
+        endpoints: tuple[Endpoint, ...],
+        report: Callable[[Report], None],
+        lost: Callable[[], None],
+    ) -> None:
+        self._loop = loop
+        self._session = session
+        self._endpoints = endpoints
+        self._report = report
+        self._lost = lost
+        self._transport: asyncio.Transport | None = None
+        self._backoff = Backoff(random.random)
+        self.is_connected = False
+        #: Done when the daemon has been reached, or was not at the first attempt.
+        self.attempted: asyncio.Future[None] = loop.create_future()
+        self._task = loop.create_task(self._run())
+
+    def flush(self) -> None:
+        """Sends what the session wants to say."""
+        if self._session.outgoing and self._transport is not None:
+            self._transport.write(bytes(self._session.outgoing))
+        self._session.outgoing.clear()
+
+    def received(self, octets: bytes) -> None:
+        """What the daemon said."""
+        try:
+            for report in self._session.receive(octets):
+                if isinstance(report, Welcome):
+                    self.is_connected = True
+                    self._backoff.reset()
+                    self._attempt()
+                self._report(report)
+        except LineError:
+            if self._transport is not None:
+                self._transport.abort()
+        self.flush()
+
+    async def close(self) -> None:
+        """Withdraws all, and waits until the daemon has heard it."""
+        self._session.bye()
+        self.flush()
+        transport, self._transport = self._transport, None
+        if transport is not None:
+            transport.close()
+            protocol = transport.get_protocol()
+            assert isinstance(protocol, _Lines)
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(asyncio.shield(protocol.closed), ANSWER_SECONDS)
+        self.abort()
+
+    def abort(self) -> None:
+        """Ends at once. Whatever the daemon has of this node, it withdraws when it sees that."""
+        self._task.cancel()
+        self._attempt()
+        if self._transport is not None:
+            self._transport.abort()
+            self._transport = None
+
+    async def _run(self) -> None:
+        while True:
+            sock = await self._reach()
+            if sock is not None:
+                await self._talk(sock)
+            self._attempt()
+            await asyncio.sleep(self._backoff.seconds())
+
+    async def _reach(self) -> socket.socket | None:
+        for endpoint in self._endpoints:
+            try:
+                sock = socket.socket(endpoint.family, socket.SOCK_STREAM)
+            except OSError:
+                continue
+            try:
+                sock.setblocking(False)
+                async with asyncio.timeout(ANSWER_SECONDS):
+                    await self._loop.sock_connect(sock, endpoint.address)
+                return sock
+            except OSError:  # A TimeoutError is one, too.
+                sock.close()
+            except BaseException:
+                sock.close()
+                raise
+        return None
+
+    async def _talk(self, sock: socket.socket) -> None:
+        transport, protocol = await self._loop.create_connection(lambda: _Lines(self), sock=sock)
+        self._transport = transport
+        self._session.open()
+        self.flush()
+        timer = self._loop.call_later(ANSWER_SECONDS, self._look)
+        try:
+            await protocol.closed
+        finally:
+            timer.cancel()
+            transport.abort()
+            self._transport = None
+        for report in self._session.close():
+            self._report(report)
+        if self.is_connected:
+            self.is_connected = False
+            self._lost()
+
+    def _attempt(self) -> None:
+        if not self.attempted.done():
+            self.attempted.set_result(None)
+
+    def _look(self) -> None:
+        """Who has not answered hello by now is no daemon, or one that hangs."""
+        if not self.is_connected and self._transport is not None:
+            self._transport.abort()

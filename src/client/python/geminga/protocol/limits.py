@@ -1,0 +1,42 @@
+"""How much a channel takes from others, and how long it waits for them (src/client/CHANNELS.md)."""
+
+from __future__ import annotations
+
+#: Octets of one message over UDP, and over TCP.
+MAX_DATAGRAM_PAYLOAD = 65_000
+MAX_STREAM_PAYLOAD = 16_777_216
+#: Octets that may wait for one TCP consumer; one message may always wait.
+MAX_WAITING_FOR_CONSUMER = 4 * 1024 * 1024
+#: Listeners of one `otm/stream` over UDP.
+MAX_LISTENERS = 64
+#: TCP connections of one publisher that have not become a consumer's, and those that have.
+MAX_STRANGERS = 16
+MAX_TCP_CONSUMERS = 256
+#: Lives of which a subscriber remembers the last sequence.
+MAX_REMEMBERED_LIVES = 1024
+#: Frames over UDP that came before the daemon told of their sender, and the octets of their payloads.
+MAX_EARLY_FRAMES = 64
+MAX_EARLY_OCTETS = 256 * 1024
+#: Messages of one subscriber that wait to be received, and the octets of their payloads; one may always wait.
+MAX_WAITING_MESSAGES = 1024
+MAX_WAITING_OCTETS = 16 * 1024 * 1024
+#: Happenings that wait for one events(); for one more the oldest is thrown away.
+MAX_WAITING_EVENTS = 4096
+
+#: Seconds between two hellos, and without a hello until a listener is forgotten.
+HELLO_SECONDS = 1.0
+LISTENER_SECONDS = 3.0
+#: Seconds that a connection has to become a consumer's.
+STRANGER_SECONDS = 5.0
+#: Seconds that a subscriber waits for more of a provider that was withdrawn.
+DRAIN_SECONDS = 2.0
+#: Seconds that a publisher waits at its end for a consumer that takes nothing.
+LEAVING_SECONDS = 5.0
+#: Seconds between two looks at the interfaces of a multicast group.
+INTERFACES_SECONDS = 2.0
+#: Seconds that a channel over UDP goes on of which the daemons have lost sight.
+ORPHAN_SECONDS = 10.0
+#: Seconds that a daemon that is back has to confirm a channel.
+SETTLE_SECONDS = 10.0
+#: Seconds that an early frame is kept.
+EARLY_SECONDS = 1.0

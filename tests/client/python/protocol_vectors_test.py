@@ -1,0 +1,143 @@
+"""The vectors of all languages."""
+
+from __future__ import annotations
+
+import re
+import unittest
+from typing import Any
+
+from virtual import ROOT
+
+from geminga.protocol.frame import FrameError, Kind, read_datagram, write_frame
+from geminga.protocol.identity import identity
+from geminga.protocol.inbox import Inbox, Message
+from geminga.protocol.match import read_match
+from geminga.protocol.reserved import RESERVED
+from geminga.protocol.statement import LineError, Statement, read_line, write_line
+from geminga.protocol.xxh32 import xxh32
+
+
+def rows(name: str) -> list[list[str]]:
+    lines = (ROOT / "tests/client/vectors" / name).read_text(encoding="utf-8").splitlines()
+    return [line.split("\t") for line in lines if line and not line.startswith("#")]
+
+
+def block(name: str) -> list[str]:
+    text = (ROOT / "src/discovery/gcnp/GCNP.md").read_text(encoding="utf-8")
+    found = re.search(rf"^```{name}\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
+    assert found is not None
+    return found[1].splitlines()
+
+
+class Vectors(unittest.TestCase):
+    def test_identities_are_those_of_the_table(self) -> None:
+        for kind, value, representation, number in rows("identities.tsv"):
+            with self.subTest(value=value):
+                if kind == "number":
+                    self.assertEqual(identity(id=int(value)), int(number))
+                else:
+                    said: dict[str, Any] = {kind: value, "representation": representation or None}
+                    self.assertEqual(identity(**said), int(number))
+
+    def test_the_hash_is_that_of_the_xxhash_project(self) -> None:
+        # From the specification's own table, for the seed 0.
+        for text, value in {"": 0x02CC5D05, "a": 0x550D7456, "abc": 0x32D153FF}.items():
+            self.assertEqual(xxh32(text.encode()), value)
+        self.assertEqual(xxh32(b"Nobody inspects the spammish repetition"), 0xE2293B2F)
+
+    def test_an_identity_is_one_of_its_kinds(self) -> None:
+        self.assertEqual(identity(id=0xFFFFFFFF), 0xFFFFFFFF)
+        slips: list[dict[str, Any]] = [{}, {"id": 1, "text": "x"}, {"id": -1}, {"id": 2**32}, {"text": "x", "representation": "y"}]
+        for wrong in slips:
+            with self.assertRaises(ValueError):
+                identity(**wrong)
+
+    def test_a_full_inbox_loses_what_the_table_says(self) -> None:
+        def message(word: str) -> Message:
+            life, sequence, missed = (int(one) for one in word.split(":"))
+            return Message(b"", life, sequence, missed)
+
+        def taken(inbox: Inbox) -> str:
+            one = inbox.take()
+            return f"{one.life}:{one.sequence}:{one.missed}"
+
+        for room, words, wanted, count in rows("inbox.tsv"):
+            with self.subTest(words=words):
+                inbox, lost, got = Inbox(int(room)), 0, []
+                for word in words.split():
+                    if word == "-":
+                        got.append(taken(inbox))
+                    elif word[0] == "s":
+                        inbox.put_streamed(message(word[1:]))
+                    else:
+                        lost += inbox.put_datagram(message(word[1:]))
+                got += [taken(inbox) for _ in range(len(inbox))]
+                self.assertEqual((got, lost), (wanted.split(), int(count)))
+
+    def test_frames_are_those_of_the_table(self) -> None:
+        for row in rows("frames.tsv"):
+            octets = bytes.fromhex(row[-1])
+            with self.subTest(frame=row[-1]):
+                if row[0] == "refused":
+                    self.assertRaises(FrameError, read_datagram, octets)
+                    continue
+                frame = read_datagram(octets)
+                kind, life, sequence, payload = Kind[row[0].upper()], int(row[1], 16), int(row[2]), bytes.fromhex(row[3])
+                self.assertEqual((frame.kind, frame.life, frame.sequence, frame.payload), (kind, life, sequence, payload))
+                self.assertEqual(write_frame(kind, life, sequence, payload), octets)
+
+    def test_lines_of_the_specification_are_read_and_written_again(self) -> None:
+        for name in ("events", "requests"):
+            for line in block(name):
+                if not line.startswith("="):
+                    read = read_line(line.encode())
+                    self.assertEqual(read_line(write_line(read)[:-2]), read)
+        for line in block("events"):
+            self.assertEqual(write_line(read_line(line.encode())), line.encode() + b"\r\n")
+
+    def test_the_reserved_keys_are_those_of_the_specification(self) -> None:
+        self.assertEqual(RESERVED, frozenset(" ".join(block("reserved")).split()))
+
+    def test_a_provider_is_read_with_its_attributes(self) -> None:
+        matches = [read_match(line) for text in block("events") if isinstance(line := read_line(text.encode()), Statement)]
+        first, second, *_ = matches
+        self.assertEqual((first.word, first.name, first.participant_name), ("5e6f7a8b/2/1", "vision", "robot2"))
+        self.assertEqual((first.address, first.port, first.protocol, first.mode), ("10.0.0.2", 5000, "udp", "otm/stream"))
+        self.assertEqual((first.degree, first.distance, first.concept), ("narrower", 1, "soccer:SharedBallInfo"))
+        self.assertEqual(second.attributes, {"attr.x": "1", "modes": "3", "rate": "30", "where": "left"})
+        converted = next(match for match in matches if match.convert)
+        self.assertEqual(converted.convert, ("soccer:PolarRobotFrame", "soccer:CartesianRobotFrame"))
+        self.assertEqual((converted.cost, converted.attributes), (1, {"cost": "3"}))
+
+    def test_who_converts_is_read_behind_a_conversion_only(self) -> None:
+        lines = (
+            (b"1 pub add service=a convert=a:A>a:B cost=2 via=udp://10.0.0.7:6000/b/1/1 attr.via=x", "udp://10.0.0.7:6000/b/1/1"),
+            (b"1 pub add service=a via=x", ""),
+        )
+        for octets, via in lines:
+            line = read_line(octets)
+            assert isinstance(line, Statement)
+            match = read_match(line)
+            self.assertEqual((match.via, match.attributes), (via, {"via": "x"}))
+
+    def test_a_conversion_between_iris_is_read(self) -> None:
+        line = read_line(b"1 pub add service=a convert=<http://a#A>>b:B><http://a#C> cost=2")
+        assert isinstance(line, Statement)
+        self.assertEqual(read_match(line).convert, ("<http://a#A>", "b:B", "<http://a#C>"))
+
+
+class HostileEvents(unittest.TestCase):
+    def test_what_cannot_be_read_counts_as_not_stated(self) -> None:
+        for text in ("port=0", "port=65536", "port=x", "port=-1", "port=\u0663", "port=99999999999999999999", "priority=-", "cost=x"):
+            line = read_line(f"1 pub add service=a {text} channel=0123456789ABCDEF".encode())
+            assert isinstance(line, Statement)
+            match = read_match(line)
+            self.assertEqual((match.port, match.priority, match.life), (0, 0, 0))
+
+    def test_an_error_has_no_control_characters(self) -> None:
+        self.assertEqual(getattr(read_line(b"1 400 a\x1b[2Jb"), "text"), "a?[2Jb")
+        self.assertRaises(LineError, read_line, b"99999999999 400 x")
+
+
+if __name__ == "__main__":
+    unittest.main()
