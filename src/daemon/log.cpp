@@ -14,7 +14,7 @@
 namespace geminga::daemon {
 namespace {
 
-/// The longest line; a longer one is cut.
+/// The most octets of a line; a longer one is cut.
 constexpr std::size_t max_line_bytes = 4096;
 
 spdlog::level::level_enum severity(base::LogLevel level) {
@@ -49,7 +49,7 @@ class Log::Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mu
   void flush_() override {}
 
   LogWriter writer_{STDERR_FILENO};
-  bool is_written_ = true;  ///< the last line
+  bool is_written_ = true;  ///< the last line is written
 };
 
 Log::Log(base::LogLevel level, LogFormat format)

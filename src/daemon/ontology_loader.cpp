@@ -22,15 +22,15 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view program_name = "geminga-ontology";
 constexpr std::string_view compiled_suffix = ".geminga";
-/// Of what the compiler says, so many lines of so many octets are shown.
+/// The most lines of the compiler's output that are shown, and the most octets of each.
 constexpr std::size_t max_lines = 40;
 constexpr std::size_t max_child_line_bytes = 1000;
 
-/// How long a robot's ontology is searched for what follows: a quarter of what the child may take in all. What is not
-/// settled by then is undecided, and the robot matches by the rest.
+/// The limits of the search of the compiler: a quarter of the time that the child may take in all. Questions that are
+/// not settled by then stay undecided, and the robot matches by the rest.
 constexpr const char* search_seconds = "30";
 constexpr const char* search_steps = "200000000";
-/// The compiler's exit status where a limit was reached.
+/// The compiler's exit status when a limit was reached.
 constexpr int limit_reached = 4;
 
 std::vector<std::string> lines_of(std::string_view words) {
@@ -57,7 +57,7 @@ std::unexpected<std::vector<std::string>> failure(std::string line) {
   return std::unexpected(std::vector<std::string>{std::move(line)});
 }
 
-/// Maps a copy. `shown` names the file in errors.
+/// Maps a copy of the file. Errors call it `shown`.
 Loaded map(const std::string& path, const std::string& shown) {
   LoadedOntology loaded;
   if (compiled::MappedFile::needs_memory(path))
@@ -72,9 +72,9 @@ Loaded map(const std::string& path, const std::string& shown) {
   return loaded;
 }
 
-/// A compiled ontology that the user keeps. One that is older than its sources would match by what they no longer say.
-/// At a start matching is not kept waiting for what only explanations need. Where another ontology is in force, a
-/// damaged one must not take its place, and there is time to look at all of it.
+/// Maps a compiled ontology that the user keeps, unless it is older than its sources. The first load verifies only what
+/// matching needs, so that the start is short. A later one verifies all of it, so that no damaged ontology replaces the
+/// one in force.
 Loaded map_current(const std::string& path, bool is_first) {
   auto loaded = map(path, path);
   if (!loaded) return loaded;
@@ -90,7 +90,7 @@ Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::
   if (end.has_succeeded || end.exit_status == limit_reached) {
     auto mapped = map("/proc/self/fd/" + std::to_string(output.descriptor()), "the compiled ontology");
     if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
-    // Where the limit came before there was anything, the compiler's own words say more than that nothing is there.
+    // Where the limit came before there was any output, the compiler's words say more than that the output is empty.
     if (mapped || end.has_succeeded) return mapped;
   }
   if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler + ": " + end.how);
@@ -105,7 +105,7 @@ std::vector<std::string> compiler_arguments(const std::vector<std::string>& file
     arguments.back().append("=").append(iri);
   }
   arguments.insert(arguments.end(), {"-o", "-"});
-  // From the root, so that no path looks like a flag, and the compiled form names its sources wherever it is read.
+  // Absolute, so that no path looks like a flag, and the sources in the compiled form can be found from everywhere.
   std::error_code ignored;
   for (const std::string& file : files) arguments.push_back(fs::absolute(file, ignored).string());
   arguments.insert(arguments.end(), {"--time-limit", search_seconds, "--steps", search_steps});
@@ -167,7 +167,7 @@ void OntologyLoader::finish(const ChildEnd& end) {
   answer_with([end, compiler = compiler_, output = output_] { return map_output(end, compiler, *output); });
 }
 
-/// Answers with what is found on the thread.
+/// Runs `find` on the thread and answers with its result.
 void OntologyLoader::answer_with(std::function<Loaded()> find) {
   background_.start([this, find = std::move(find)]() -> Background::After {
     auto result = std::make_shared<Loaded>();

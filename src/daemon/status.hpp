@@ -1,4 +1,4 @@
-// What the daemon tells of itself: lines for its log, and its own fields of `query status`.
+// The daemon's words about itself: lines for its log, and its own fields of `query status`.
 #ifndef GEMINGA_DAEMON_STATUS_HPP
 #define GEMINGA_DAEMON_STATUS_HPP
 
