@@ -27,9 +27,9 @@ namespace {
 
 namespace net = boost::asio;
 
-/// The status of a child that could not become the program; as the shell has it.
+/// The exit status of a child that could not become the program, as in a shell.
 constexpr int cannot_execute = 127;
-/// Reads of 4 KiB in one turn of the event loop: twice what a pipe holds, and no more for a child that never stops.
+/// The most reads of 4 KiB in one turn of the event loop: twice what a pipe holds.
 constexpr int reads_per_turn = 32;
 
 std::string reason() { return std::generic_category().message(errno); }
@@ -39,7 +39,7 @@ void limit(__rlimit_resource resource, std::size_t most) {
   ::setrlimit(resource, &value);
 }
 
-/// While it lives, nobody without CAP_SYS_PTRACE opens /proc/PID/mem of this process, whoever runs it.
+/// Closes /proc/PID/mem of this process for its life to every process without CAP_SYS_PTRACE.
 class Undumpable {
  public:
   Undumpable() : before_(::prctl(PR_GET_DUMPABLE)) { ::prctl(PR_SET_DUMPABLE, 0); }
@@ -53,21 +53,21 @@ class Undumpable {
   int before_;
 };
 
-/// Closes the cage before it becomes the program, which may only make the cage narrower.
+/// Closes the cage before exec(). The program can only make it narrower.
 void close_cage() {
   cage::Freedom freedom;
   freedom.may_become = true;
-  freedom.may_read_all = true;  // what the program needs to begin is the loader's to know
+  freedom.may_read_all = true;  // the loader reads the program's libraries
   if (cage::close(freedom).by_system_calls) return;
   constexpr std::string_view words = "this system has no seccomp: what reads the ontologies is not confined\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
 }
 
-/// Everything between fork() and exec(). Does not return.
+/// Does all work between fork() and exec(). Does not return.
 [[noreturn]] void become(pid_t parent, const char* program, char* const* arguments, int words, int output,
                          const ChildLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(cannot_execute);  // it has died before it could be noticed
+  if (::getppid() != parent) ::_exit(cannot_execute);  // the parent died before the call above
   ::setpgid(0, 0);
   const int nothing = ::open("/dev/null", O_RDWR);
   if (nothing < 0) ::_exit(cannot_execute);
@@ -92,9 +92,9 @@ void close_cage() {
 
 }  // namespace
 
-class Child::State : public std::enable_shared_from_this<Child::State> {
+class Child::Process : public std::enable_shared_from_this<Child::Process> {
  public:
-  State(net::io_context& context, const ChildLimits& limits, Done done)
+  Process(net::io_context& context, const ChildLimits& limits, Done done)
       : limits_(limits), done_(std::move(done)), words_(context), process_(context), timer_(context) {}
 
   std::expected<void, std::string> start(const std::string& program, const std::vector<std::string>& arguments,
@@ -137,7 +137,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     return {};
   }
 
-  /// Ends it at once and without a word to anybody.
+  /// Ends the process at once. `done` is not called.
   void kill() {
     done_ = nullptr;
     timer_.cancel();
@@ -155,10 +155,10 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
  private:
   void signal_all() const {
     ::kill(-pid_, SIGKILL);
-    ::kill(pid_, SIGKILL);  // where it has not yet made its group
+    ::kill(pid_, SIGKILL);  // it may not have made its group yet
   }
 
-  /// Waits and then reads itself: what the event loop had read into a buffer of ours could be overtaken by finish().
+  /// Waits for readability and then reads here: an asynchronous read could complete after finish().
   void read_words() {
     words_.async_wait(net::posix::stream_descriptor::wait_read,
                       [self = shared_from_this()](const boost::system::error_code& error) {
@@ -166,7 +166,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
                       });
   }
 
-  /// Takes what it has said until now; what is over the bound is read and dropped. False at the end of its words.
+  /// Reads the output that is there, and drops what is over the bound. False at the end of the output.
   bool take_words() {
     std::array<char, 4096> chunk;
     for (int turn = 0; turn < reads_per_turn; ++turn) {
@@ -192,7 +192,7 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
     pid_ = -1;
     undumpable_.reset();
     timer_.cancel();
-    take_words();  // what it wrote just before its end
+    take_words();  // the last output before its end
     if (WIFEXITED(status) && !is_late_) end_.exit_status = WEXITSTATUS(status);
     end_.has_succeeded = end_.exit_status == 0;
     if (is_late_) {
@@ -224,12 +224,13 @@ class Child::State : public std::enable_shared_from_this<Child::State> {
 std::expected<std::unique_ptr<Child>, std::string> Child::start(net::io_context& context, const std::string& program,
                                                                 const std::vector<std::string>& arguments,
                                                                 const ChildLimits& limits, Done done, int output) {
-  auto state = std::make_shared<State>(context, limits, std::move(done));
-  if (const auto started = state->start(program, arguments, output); !started) return std::unexpected(started.error());
-  return std::unique_ptr<Child>(new Child(std::move(state)));
+  auto process = std::make_shared<Process>(context, limits, std::move(done));
+  if (const auto started = process->start(program, arguments, output); !started)
+    return std::unexpected(started.error());
+  return std::unique_ptr<Child>(new Child(std::move(process)));
 }
 
-Child::Child(std::shared_ptr<State> state) : state_(std::move(state)) {}
-Child::~Child() { state_->kill(); }
+Child::Child(std::shared_ptr<Process> process) : process_(std::move(process)) {}
+Child::~Child() { process_->kill(); }
 
 }  // namespace geminga::daemon

@@ -17,7 +17,7 @@ namespace geminga::daemon {
 namespace {
 
 constexpr std::uint16_t default_port = 4717;
-/// Instead of a host: whoever has the team's key.
+/// The peer that stands for every host with the team's key.
 constexpr std::string_view any_peer = "*";
 constexpr std::array<std::pair<std::string_view, base::LogLevel>, 4> log_levels{{{"debug", base::LogLevel::debug},
                                                                                  {"info", base::LogLevel::info},
@@ -32,7 +32,7 @@ bool is_prefix_name(std::string_view name) {
                              [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
 }
 
-/// Whether it can stand between angle brackets (IRIREF of Turtle 1.1) and has a scheme; no more is asked of it.
+/// Whether a text has a scheme and can stand between angle brackets (IRIREF of Turtle 1.1).
 bool is_iri(std::string_view text) {
   const auto colon = text.find(':');
   return text.size() <= max_prefix_iri_bytes && colon != std::string_view::npos && colon > 0 &&
@@ -45,7 +45,7 @@ class Resolver {
   explicit Resolver(const std::vector<const Layer*>& layers) : layers_(layers) {}
 
   std::expected<Configuration, std::vector<std::string>> resolve(const std::string& host_name) {
-    refuse_what_is_not_there();
+    refuse_unusable_keys();
     read_texts(host_name);
     read_prefixes();
     read_gcnp();
@@ -59,7 +59,7 @@ class Resolver {
   }
 
  private:
-  /// What the strongest layer says, or null.
+  /// The values in the strongest layer that states the key, or null.
   [[nodiscard]] const std::vector<Stated>* stated(std::string_view key) const {
     for (const Layer* layer : layers_) {
       const auto found = layer->values.find(key);
@@ -86,7 +86,7 @@ class Resolver {
 
   void fail(const Stated& at, const std::string& what) { errors_.push_back(at.origin + ": " + what); }
 
-  void refuse_what_is_not_there() {
+  void refuse_unusable_keys() {
     for (const Key& key : keys) {
       if (key.refused.empty()) continue;
       if (const auto* values = stated(key.name)) {
@@ -249,7 +249,7 @@ class Resolver {
     }
   }
 
-  /// Where only what is sealed is heard, who has the key need not be named.
+  /// Admits peers without a name where every datagram that is heard is sealed.
   void admit_guests() {
     const bool is_sealed = result_.sealing.mode >= sealing::Mode::authenticated;
     result_.admits_any_peer = any_peer_.has_value();

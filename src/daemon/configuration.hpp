@@ -18,7 +18,7 @@ namespace geminga::daemon {
 
 /// The most values of one key.
 inline constexpr std::size_t max_values = 256;
-/// The most prefixes, and the octets of a prefix's name and of its IRI.
+/// The most prefixes, and the most octets of a prefix's name and of its IRI.
 inline constexpr std::size_t max_prefixes = 256;
 inline constexpr std::size_t max_prefix_name_bytes = 64;
 inline constexpr std::size_t max_prefix_iri_bytes = 255;
@@ -29,7 +29,7 @@ enum class LogFormat { text, json };
 
 struct GcnpAddress {
   env::Endpoint endpoint;
-  bool may_be_missing = false;  ///< a default: a host without IPv6 goes on with IPv4
+  bool may_be_missing = false;  ///< a default address: a host without IPv6 goes on with IPv4
   friend bool operator==(const GcnpAddress&, const GcnpAddress&) = default;
 };
 
@@ -41,10 +41,10 @@ struct Configuration {
   std::vector<GcnpAddress> gcnp;  ///< empty: not over TCP
   std::string gcnp_socket;        ///< path of a Unix socket; empty: none
   env::AirSettings air;
-  bool admits_any_peer = false;  ///< who has the key need not be named, and nobody else has to be
-  std::string state_folder;      ///< empty: nothing is kept
+  bool admits_any_peer = false;  ///< peers with the key are heard though none is named
+  std::string state_folder;      ///< empty: no identity is kept
   std::vector<std::string> key_files;
-  /// The mode, which is plain where there are no key files, and only there; who has read those puts the keys in.
+  /// The mode, which is plain where there are no key files and only there. main() reads the files and adds the keys.
   sealing::Policy sealing;
   base::Duration interval = std::chrono::seconds(2);
   base::LogLevel log_level = base::LogLevel::info;

@@ -26,25 +26,25 @@ std::string place(const std::string& path, const toml::source_region& region) {
   return path + ':' + std::to_string(region.begin.line);
 }
 
-std::string_view wanted(Kind kind) {
-  switch (kind) {
-    case Kind::text:
+std::string_view wanted(ValueType type) {
+  switch (type) {
+    case ValueType::text:
       return "a text in quotes";
-    case Kind::texts:
+    case ValueType::texts:
       return "a text in quotes, or several in brackets";
-    case Kind::number:
+    case ValueType::number:
       return "a whole number";
-    case Kind::seconds:
+    case ValueType::seconds:
       return "a number of seconds";
   }
   return "";
 }
 
 /// The value as a flag would write it, or nothing where it has another type.
-std::optional<std::string> as_text(const toml::node& node, Kind kind) {
-  if (kind == Kind::text || kind == Kind::texts) return node.value_exact<std::string>();
+std::optional<std::string> as_text(const toml::node& node, ValueType type) {
+  if (type == ValueType::text || type == ValueType::texts) return node.value_exact<std::string>();
   if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
-  if (kind == Kind::seconds) {
+  if (type == ValueType::seconds) {
     if (const auto seconds = node.value_exact<double>()) {
       char digits[64];
       const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), *seconds);
@@ -54,7 +54,7 @@ std::optional<std::string> as_text(const toml::node& node, Kind kind) {
   return std::nullopt;
 }
 
-/// `did you mean 'interval'? `, or nothing where no key is nearly so.
+/// `did you mean 'interval'? `, or nothing where no key is similar.
 std::string likely_key(std::string_view name) {
   const std::size_t limit = base::tolerated_slips(name);
   const auto distance = [&](const Key& key) { return base::edit_distance(name, key.name, limit); };
@@ -83,7 +83,7 @@ class Reader {
     }
     auto& values = layer_.values[name];
     const toml::array* array = node.as_array();
-    if (array != nullptr && key->kind == Kind::texts) {
+    if (array != nullptr && key->type == ValueType::texts) {
       for (const toml::node& element : *array) take_value(*key, element, values);
     } else {
       take_value(*key, node, values);
@@ -107,10 +107,10 @@ class Reader {
   }
 
   void take_value(const Key& key, const toml::node& node, std::vector<Stated>& values) {
-    auto text = as_text(node, key.kind);
+    auto text = as_text(node, key.type);
     const std::string origin = place(path_, node.source());
     if (!text) {
-      errors_.push_back(origin + ": " + std::string(key.name) + " must be " + std::string(wanted(key.kind)));
+      errors_.push_back(origin + ": " + std::string(key.name) + " must be " + std::string(wanted(key.type)));
       return;
     }
     if ((key.name == "ontology" || key.name == "gcnp-socket" || key.name == "key-file" || key.name == "state-folder") &&
@@ -137,7 +137,7 @@ std::expected<Layer, Errors> read_configuration_text(const std::string& text, co
 }
 
 std::expected<Layer, Errors> read_configuration_file(const std::string& path) {
-  // Asked by name first: a FIFO would wait for a writer, and opening a device can have effects of its own.
+  // stat() comes first: open() of a FIFO would wait for a writer, and open() of a device can have side effects.
   struct stat status{};
   const bool is_there = ::stat(path.c_str(), &status) == 0;
   if (is_there && !S_ISREG(status.st_mode)) return std::unexpected(Errors{path + ": is not a regular file"});

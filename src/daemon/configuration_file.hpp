@@ -14,11 +14,11 @@ namespace geminga::daemon {
 inline constexpr std::size_t max_configuration_bytes = 1024 * 1024;
 
 /// Reads the file: the flags' names as keys, and a table [prefixes] of names for IRIs. Unknown keys and values of a
-/// wrong type are errors. Paths of ontologies, keys and the socket are relative to the file's folder. The errors are
-/// lines that begin with file:line where there is one.
+/// wrong type are errors. Paths of ontologies, keys, the socket and the state folder are relative to the file's folder.
+/// The errors are lines that begin with file:line where there is a line.
 [[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_file(const std::string& path);
 
-/// The same for a text that stands in for the file of this path.
+/// Reads a text as the file of this path.
 [[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_text(const std::string& text,
                                                                                      const std::string& path);
 

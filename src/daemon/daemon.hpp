@@ -1,15 +1,22 @@
-// gemingad as a whole: one participant in the real world, its ontologies, and the signals that steer it.
+// gemingad as a whole: one participant in the real world, its configuration, its ontologies, and the signals it obeys.
 #ifndef GEMINGA_DAEMON_DAEMON_HPP
 #define GEMINGA_DAEMON_DAEMON_HPP
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <cstdint>
 #include <expected>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "daemon/configuration.hpp"
+#include "daemon/configuration_in_force.hpp"
 #include "daemon/log.hpp"
+#include "daemon/ontology_in_force.hpp"
+#include "discovery/participant/participant.hpp"
+#include "env/asio/asio_env.hpp"
+#include "env/asio/event_sink.hpp"
 
 namespace geminga::daemon {
 
@@ -17,26 +24,56 @@ namespace geminga::daemon {
 inline constexpr int exit_done = 0;
 inline constexpr int exit_wrong = 2;
 
-class Daemon {
+/// Routes events between the world (AsioEnv), the participant, the configuration and the ontology, each of which has an
+/// owner of its own.
+class Daemon final : private env::EventSink {
  public:
-  /// Reads the configuration again, for SIGHUP.
-  using Reread = std::function<std::expected<Configuration, std::vector<std::string>>()>;
-
-  Daemon(Configuration configuration, Reread reread, Log& log);
-  ~Daemon();
+  /// `read` reads the configuration again, for SIGHUP. Borrows the log for its life.
+  Daemon(Configuration configuration, ConfigurationInForce::Reader read, Log& log);
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
 
   /// Loads the ontologies and nothing more. The errors are lines for the user.
   [[nodiscard]] std::expected<void, std::vector<std::string>> check();
-  /// Serves until SIGTERM or SIGINT. The errors are why it could not begin, lines for the user.
+  /// Serves until SIGTERM or SIGINT. The errors are lines for the user and say why it could not begin.
   [[nodiscard]] std::expected<void, std::vector<std::string>> run();
-  /// Whether a thread is still at work. It cannot be stopped, so the process must not destroy what the thread uses.
-  [[nodiscard]] bool is_at_work() const;
+  /// Whether a thread is still at work. It cannot be stopped, and the process must not destroy what the thread uses.
+  [[nodiscard]] bool is_at_work() const { return ontology_.is_at_work(); }
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  std::expected<void, std::vector<std::string>> run_loop();
+  void fail(std::vector<std::string> lines);
+
+  void open();
+  void begin();
+  [[nodiscard]] std::uint32_t lasting();
+  void after_event();
+  void await_signal();
+  void reload();
+  void stop();
+
+  void on_timer() override;
+  void on_datagram(env::InterfaceIndex interface, std::string_view source,
+                   std::span<const std::byte> datagram) override;
+  void on_interfaces_changed() override;
+  void on_stream_opened(env::StreamId stream, std::string_view user) override;
+  void on_stream_bytes(env::StreamId stream, std::string_view bytes) override;
+  void on_stream_drained(env::StreamId stream) override;
+  void on_stream_closed(env::StreamId stream) override;
+
+  ConfigurationInForce configuration_;
+  Log& log_;
+  boost::asio::io_context context_{1};
+  boost::asio::signal_set signals_;
+  boost::asio::steady_timer start_patience_;
+  boost::asio::steady_timer stop_patience_;
+  env::AsioEnv env_;
+  std::unique_ptr<participant::Participant> participant_;  ///< null until begin()
+  OntologyInForce ontology_;
+  std::vector<std::string> failure_;  ///< lines for the user
+  bool is_announced_ = false;         ///< the log says that the daemon is ready
+  bool is_stopping_ = false;
+  bool must_reload_ = false;  ///< SIGHUP came before begin()
 };
 
 }  // namespace geminga::daemon

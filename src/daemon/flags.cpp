@@ -50,14 +50,14 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
     auto& [owner, values] = given.emplace_back(&key, std::vector<std::string>{});
     CLI::Option* option = app.add_option("--" + std::string(key.name), values, std::string(key.help));
     option->type_size(1)->allow_extra_args(false)->type_name(std::string(key.placeholder));
-    if (key.kind == Kind::texts) {
+    if (key.type == ValueType::texts) {
       option->expected(1, static_cast<int>(CLI::detail::expected_max_vector_size));
     } else {
       option->expected(1);
     }
     if (!key.refused.empty()) option->group("");
-    option->multi_option_policy(key.kind == Kind::texts ? CLI::MultiOptionPolicy::TakeAll
-                                                        : CLI::MultiOptionPolicy::Throw);
+    option->multi_option_policy(key.type == ValueType::texts ? CLI::MultiOptionPolicy::TakeAll
+                                                             : CLI::MultiOptionPolicy::Throw);
   }
   if (auto description = manual::described(app, argc, argv, 8)) {
     flags.answer = std::move(*description);

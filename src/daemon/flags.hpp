@@ -13,7 +13,7 @@ namespace geminga::daemon {
 struct Flags {
   Layer layer;
   bool is_check_only = false;                  ///< --check-config
-  std::optional<std::string> key_to_generate;  ///< --generate-key: make it and end
+  std::optional<std::string> key_to_generate;  ///< --generate-key: the file to write before the end
   std::string answer;                          ///< not empty: print it and end with 0 (--help, --version, --describe)
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 std::string last_error() { return std::generic_category().message(errno); }
 
-/// A text that wipes itself at the end. It never grows, so that no copy is left behind.
+/// A text that the destructor wipes. It never grows, so that no copy is left behind.
 class SecretText {
  public:
   explicit SecretText(std::string text) : text_(std::move(text)) {}
@@ -34,7 +34,7 @@ class SecretText {
 
 std::expected<sealing::Key, std::string> read_key_file(const std::string& path) {
   const std::string name = base::printable(path, 4096);
-  // A FIFO would wait for a writer without O_NONBLOCK.
+  // Without O_NONBLOCK, open() of a FIFO would wait for a writer.
   const env::Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (file.get() < 0) return std::unexpected(name + ": " + last_error() + ": name a key file");
   struct stat status{};
@@ -44,7 +44,7 @@ std::expected<sealing::Key, std::string> read_key_file(const std::string& path) 
     return std::unexpected(name + ": its group or others may read or change it, so the key is no secret: chmod 600 " +
                            name);
   }
-  // One octet more than a key file may have is read of a longer one.
+  // Of a longer file one octet more than a key file may have is read, so that it is refused.
   SecretText secret(std::string(sealing::max_key_file_bytes + 1, '\0'));
   if (!env::read_all(file.get(), secret.text())) return std::unexpected(name + ": " + last_error());
   auto key = sealing::read_key(secret.text());
@@ -83,7 +83,7 @@ std::expected<sealing::Keyring, std::vector<std::string>> read_keys(const std::v
 std::expected<std::string, std::string> generate_key(const std::string& path) {
   const std::string name = base::printable(path, 4096);
   sealing::Key::Secret secret{};
-  // So few octets are never cut short once the pool is ready (getrandom(2)); before that it waits.
+  // getrandom(2) waits until the pool is ready, and gives so few octets whole.
   while (::getrandom(secret.data(), secret.size(), 0) != static_cast<ssize_t>(secret.size())) {
     if (errno != EINTR) return std::unexpected(name + ": no random bits: " + last_error());
   }

@@ -51,9 +51,9 @@ Layer read_environment(const char* const* environment) {
       const std::string_view assignment(*entry);
       if (!assignment.starts_with(variable) || assignment.substr(variable.size(), 1) != "=") continue;
       const std::string_view value = assignment.substr(variable.size() + 1);
-      if (value.empty()) break;  // as good as unset
+      if (value.empty()) break;  // counts as unset
       auto& stated = layer.values[std::string(key.name)];
-      if (key.kind == Kind::texts) {
+      if (key.type == ValueType::texts) {
         stated = split(value, variable);
       } else {
         stated = {{std::string(value), variable}};

@@ -1,4 +1,4 @@
-// What one source (the flags, the environment, the configuration file) states, with the place where it stands.
+// The settings that one source (the flags, the environment, the configuration file) states, with their places.
 #ifndef GEMINGA_DAEMON_LAYER_HPP
 #define GEMINGA_DAEMON_LAYER_HPP
 
@@ -10,9 +10,9 @@
 
 namespace geminga::daemon {
 
-enum class Kind {
+enum class ValueType {
   text,
-  texts,   ///< any number of texts; a later source replaces all of them
+  texts,   ///< any number of texts; a stronger source replaces all of them
   number,  ///< a whole number
   seconds,
 };
@@ -20,54 +20,54 @@ enum class Kind {
 /// One thing that can be configured: the flag `--KEY`, the variable GEMINGA_KEY, and KEY in the file.
 struct Key {
   std::string_view name;
-  Kind kind;
+  ValueType type;
   std::string_view placeholder;
   std::string_view help;
   std::string_view refused;  ///< not empty: the key is known but cannot be used yet, and this says why
 };
 
 inline constexpr std::array<Key, 17> keys{{
-    {"ontology", Kind::texts, "FILE-OR-FOLDER",
+    {"ontology", ValueType::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
-    {"group", Kind::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
-    {"interface", Kind::texts, "NAME",
+    {"group", ValueType::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
+    {"interface", ValueType::texts, "NAME",
      "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo",
      ""},
-    {"peer", Kind::texts, "HOST[:PORT]",
+    {"peer", ValueType::texts, "HOST[:PORT]",
      "Send copies to this host, where multicast does not pass; without a team key the other side names us, too. '*': "
      "speak with whoever has the key. May be given many times",
      ""},
-    {"name", Kind::text, "NAME", "What the team calls this participant (default: the host's name)", ""},
-    {"gcnp", Kind::texts, "ADDRESS:PORT",
+    {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)", ""},
+    {"gcnp", ValueType::texts, "ADDRESS:PORT",
      "Listen for local clients there; may be given many times; none: not over TCP (default: 127.0.0.1:4717 and "
      "[::1]:4717)",
      ""},
-    {"gcnp-socket", Kind::text, "PATH",
+    {"gcnp-socket", ValueType::text, "PATH",
      "Listen for local clients at this Unix socket, too: for the daemon's user and group only", ""},
-    {"port", Kind::number, "UDP-PORT", "UDP port of announcements (default: 4717)", ""},
-    {"multicast", Kind::texts, "ADDRESS",
+    {"port", ValueType::number, "UDP-PORT", "UDP port of announcements (default: 4717)", ""},
+    {"multicast", ValueType::texts, "ADDRESS",
      "Multicast group of announcements; may be given many times (default: 239.192.47.17 and ff02::4717)", ""},
-    {"interval", Kind::seconds, "SECONDS",
+    {"interval", ValueType::seconds, "SECONDS",
      "Time between announcements of an unchanged state, 0.05 to 60 (default: 2). Shorter: a lost participant is "
      "noticed "
      "sooner. Longer: less traffic",
      ""},
-    {"key-file", Kind::texts, "FILE",
+    {"key-file", ValueType::texts, "FILE",
      "Seal announcements with the key in this file, and hear only what is sealed; may be given many times: the first "
      "one seals, all of them open",
      ""},
-    {"sealing", Kind::text, "encrypted|authenticated|prepared|mixed",
+    {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed",
      "How, where there is a key: encrypted, authenticated, or on the way there prepared, then mixed (default: "
      "encrypted)",
      ""},
-    {"state-folder", Kind::text, "FOLDER",
+    {"state-folder", ValueType::text, "FOLDER",
      "Keep there who this daemon is, so that the team knows its next life at once (default: $STATE_DIRECTORY, as "
      "systemd sets it; else nothing is kept)",
      ""},
-    {"http", Kind::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
-    {"log-level", Kind::text, "debug|info|warning|error", "debug, info, warning or error (default: info)", ""},
-    {"log-format", Kind::text, "text|json", "text or json (default: text)", ""},
-    {"config", Kind::text, "FILE", "Configuration file in TOML; a flag beats the environment beats the file", ""},
+    {"http", ValueType::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
+    {"log-level", ValueType::text, "debug|info|warning|error", "debug, info, warning or error (default: info)", ""},
+    {"log-format", ValueType::text, "text|json", "text or json (default: text)", ""},
+    {"config", ValueType::text, "FILE", "Configuration file in TOML; a flag beats the environment beats the file", ""},
 }};
 
 /// The key of this name, or null.
@@ -79,16 +79,16 @@ struct Stated {
   std::string origin;
 };
 
-/// What a source states, by key. A key that is there without values states an empty list.
+/// The values that a source states, by key. A key without values states an empty list.
 struct Layer {
   std::map<std::string, std::vector<Stated>, std::less<>> values;
-  std::map<std::string, Stated> prefixes;  ///< of names; only the file has them, in its table [prefixes]
+  std::map<std::string, Stated> prefixes;  ///< IRIs by prefix; only the file has them, in its table [prefixes]
 };
 
-/// What the variables GEMINGA_... state; lists are separated by commas. `environment` is as main() gets it.
+/// Reads the variables GEMINGA_..., whose lists are separated by commas. `environment` is as main() gets it.
 [[nodiscard]] Layer read_environment(const char* const* environment);
-/// What systemd gives a service: the first folder of $STATE_DIRECTORY (systemd.exec(5), StateDirectory=). Weaker than
-/// all that the owner states.
+/// Reads the state folder that systemd gives a service: the first folder of $STATE_DIRECTORY (systemd.exec(5),
+/// StateDirectory=). The weakest layer.
 [[nodiscard]] Layer read_service(const char* const* environment);
 
 }  // namespace geminga::daemon

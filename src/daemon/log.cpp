@@ -14,7 +14,7 @@
 namespace geminga::daemon {
 namespace {
 
-/// The longest line; a longer one is cut.
+/// The most octets of a line; a longer one is cut.
 constexpr std::size_t max_line_bytes = 4096;
 
 spdlog::level::level_enum severity(base::LogLevel level) {
@@ -31,8 +31,10 @@ spdlog::level::level_enum severity(base::LogLevel level) {
   return spdlog::level::err;
 }
 
+}  // namespace
+
 /// Hands formatted lines to the writer.
-class Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+class Log::Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   [[nodiscard]] bool is_written() const { return is_written_; }
   /// Writes the rest of a line whose beginning is written already.
@@ -47,66 +49,52 @@ class Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> 
   void flush_() override {}
 
   LogWriter writer_{STDERR_FILENO};
-  bool is_written_ = true;  ///< the last line
+  bool is_written_ = true;  ///< the last line is written
 };
 
-}  // namespace
-
-class Log::State {
- public:
-  State() : sink_(std::make_shared<Sink>()), logger_("gemingad", sink_) {
-    logger_.set_error_handler([](const std::string&) {});
-    logger_.set_level(spdlog::level::trace);  // write() has the level
-  }
-
-  void set(base::LogLevel level, LogFormat format) {
-    level_ = level;
-    format_ = format;
-    logger_.set_pattern(format == LogFormat::json ? R"({"time":"%Y-%m-%dT%H:%M:%S.%e%z","level":"%l","text":%v})"
-                                                  : "%Y-%m-%dT%H:%M:%S.%e %-7l %v");
-  }
-
-  void write(base::LogLevel level, std::string_view line) {
-    if (level < level_) return;
-    if (!catch_up() || !put(level, base::printable(line, max_line_bytes))) ++dropped_;
-  }
-
-  /// True where nothing is left to be said.
-  bool catch_up() {
-    if (!sink_->write_rest()) return false;
-    const std::uint64_t missing = dropped_ - told_;
-    if (missing == 0) return true;
-    // Said whatever the level is: whoever wants errors only has to know that some are missing.
-    if (!put(base::LogLevel::warning, std::to_string(missing) + (missing == 1 ? " line" : " lines") +
-                                          " of this log dropped: nobody was reading it")) {
-      return false;
-    }
-    told_ = dropped_;
-    return true;
-  }
-
-  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
-
- private:
-  bool put(base::LogLevel level, const std::string& text) {
-    const std::string words = format_ == LogFormat::text ? text : boost::json::serialize(boost::json::string(text));
-    logger_.log(severity(level), spdlog::string_view_t(words));
-    return sink_->is_written();
-  }
-
-  std::shared_ptr<Sink> sink_;
-  spdlog::logger logger_;
-  base::LogLevel level_ = base::LogLevel::info;
-  LogFormat format_ = LogFormat::text;
-  std::uint64_t dropped_ = 0;
-  std::uint64_t told_ = 0;  ///< of those dropped
-};
-
-Log::Log(base::LogLevel level, LogFormat format) : state_(std::make_unique<State>()) { set(level, format); }
+Log::Log(base::LogLevel level, LogFormat format)
+    : sink_(std::make_shared<Sink>()), logger_(std::make_unique<spdlog::logger>("gemingad", sink_)) {
+  logger_->set_error_handler([](const std::string&) {});
+  logger_->set_level(spdlog::level::trace);  // write() has the level
+  set(level, format);
+}
 Log::~Log() = default;
-void Log::set(base::LogLevel level, LogFormat format) { state_->set(level, format); }
-void Log::write(base::LogLevel level, std::string_view line) { state_->write(level, line); }
-void Log::catch_up() { state_->catch_up(); }
-std::uint64_t Log::dropped() const { return state_->dropped(); }
+
+void Log::set(base::LogLevel level, LogFormat format) {
+  level_ = level;
+  format_ = format;
+  logger_->set_pattern(format == LogFormat::json ? R"({"time":"%Y-%m-%dT%H:%M:%S.%e%z","level":"%l","text":%v})"
+                                                 : "%Y-%m-%dT%H:%M:%S.%e %-7l %v");
+}
+
+void Log::write(base::LogLevel level, std::string_view line) {
+  if (level < level_) return;
+  if (!has_caught_up() || !put(level, base::printable(line, max_line_bytes))) ++dropped_;
+}
+
+void Log::write_failed_reading(const std::vector<std::string>& errors, const std::string& kept) {
+  for (const std::string& error : errors) write(base::LogLevel::error, error);
+  write(base::LogLevel::error, "reading failed: " + kept);
+}
+
+/// True where no dropped line is left to be told of.
+bool Log::has_caught_up() {
+  if (!sink_->write_rest()) return false;
+  const std::uint64_t missing = dropped_ - told_;
+  if (missing == 0) return true;
+  // Written whatever the level is: a reader of errors alone has to know that some are missing.
+  if (!put(base::LogLevel::warning, std::to_string(missing) + (missing == 1 ? " line" : " lines") +
+                                        " of this log dropped: nobody was reading it")) {
+    return false;
+  }
+  told_ = dropped_;
+  return true;
+}
+
+bool Log::put(base::LogLevel level, const std::string& text) {
+  const std::string words = format_ == LogFormat::text ? text : boost::json::serialize(boost::json::string(text));
+  logger_->log(severity(level), spdlog::string_view_t(words));
+  return sink_->is_written();
+}
 
 }  // namespace geminga::daemon

@@ -4,10 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/log.hpp"
 #include "daemon/configuration.hpp"
+
+namespace spdlog {
+class logger;
+}
 
 namespace geminga::daemon {
 
@@ -18,20 +24,31 @@ class Log final : public base::LogSink {
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 
-  /// What is less severe than `level` is dropped from now on.
+  /// Drops lines that are less severe than `level` from now on.
   void set(base::LogLevel level, LogFormat format);
-  /// Never waits. A line that cannot be written (a reader that does not read, a full disk, a closed terminal) is
-  /// dropped and counted; nobody else is to suffer from it.
+  /// Writes a line and never waits. A line that cannot be written (a reader that does not read, a full disk, a closed
+  /// terminal) is dropped and counted.
   void write(base::LogLevel level, std::string_view line) override;
-  /// Says how many lines were dropped since this was said last, as soon as there is room for it. Costs nothing where
+  /// Writes why configuration or ontologies could not be read again, and what is kept instead.
+  void write_failed_reading(const std::vector<std::string>& errors, const std::string& kept);
+  /// Writes how many lines were dropped since this was said last, as soon as there is room for it. Costs nothing where
   /// none was.
-  void catch_up();
+  void catch_up() { (void)has_caught_up(); }
   /// Lines dropped since the start.
-  [[nodiscard]] std::uint64_t dropped() const;
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  class Sink;
+
+  bool has_caught_up();
+  bool put(base::LogLevel level, const std::string& text);
+
+  std::shared_ptr<Sink> sink_;  ///< shared with the logger
+  std::unique_ptr<spdlog::logger> logger_;
+  base::LogLevel level_ = base::LogLevel::info;
+  LogFormat format_ = LogFormat::text;
+  std::uint64_t dropped_ = 0;
+  std::uint64_t told_ = 0;  ///< dropped lines that the log tells of
 };
 
 }  // namespace geminga::daemon

@@ -16,18 +16,18 @@ LogWriter::LogWriter(int descriptor) : descriptor_(descriptor) {
   struct stat status{};
   if (::fstat(descriptor, &status) != 0 || S_ISREG(status.st_mode)) return;
   if (S_ISSOCK(status.st_mode)) {
-    way_ = Way::socket;
+    method_ = Method::socket;
     return;
   }
-  // Opened again, because O_NONBLOCK on the description that we were given would be everybody's who shares it.
+  // Opened again, because O_NONBLOCK on the given description would hold for every process that shares it.
   const std::string path = "/proc/self/fd/" + std::to_string(descriptor);
   const int own = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  way_ = own < 0 ? Way::polled : Way::non_blocking;
+  method_ = own < 0 ? Method::polled : Method::non_blocking;
   if (own >= 0) descriptor_ = own;
 }
 
 LogWriter::~LogWriter() {
-  if (way_ == Way::non_blocking) ::close(descriptor_);
+  if (method_ == Method::non_blocking) ::close(descriptor_);
 }
 
 bool LogWriter::write(std::string_view line) {
@@ -45,11 +45,11 @@ bool LogWriter::finish_begun() {
 std::size_t LogWriter::put(std::string_view bytes) const {
   ssize_t count = 0;
   do {
-    if (way_ == Way::socket) {
+    if (method_ == Method::socket) {
       count = ::send(descriptor_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     } else {
-      if (way_ == Way::polled) {
-        // A pipe with room has it for so many octets.
+      if (method_ == Method::polled) {
+        // A pipe that poll() finds writable has room for PIPE_BUF octets.
         bytes = bytes.substr(0, PIPE_BUF);
         pollfd room{descriptor_, POLLOUT, 0};
         if (::poll(&room, 1, 0) != 1 || (room.revents & POLLOUT) == 0) return 0;

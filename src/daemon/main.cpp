@@ -30,7 +30,7 @@ std::string host_name() {
   return name.data();
 }
 
-/// Flags over environment over file over what the service is given, with the keys that they name.
+/// Puts flags over environment over file over the service's state folder, and reads the key files.
 std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& environment, const Layer& service) {
   Layer file;
   for (const Layer* layer : {&flags, &environment}) {
@@ -49,8 +49,8 @@ std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& 
   return configuration;
 }
 
-/// Opens standard input, output and error where they are closed: a socket with one of their numbers would get our
-/// messages.
+/// Opens standard input, output and error where they are closed. Else a socket could get one of their numbers, and with
+/// it our messages.
 void hold_standard_descriptors() {
   while (true) {
     const int descriptor = ::open("/dev/null", O_RDWR);
@@ -98,7 +98,7 @@ int serve(int argc, char** argv) {
   if (flags->is_check_only && status == geminga::daemon::exit_done) {
     std::fputs(geminga::daemon::to_toml(*configuration).c_str(), stdout);
   }
-  if (is_at_work) std::_Exit(status);  // the end waits for no thread whose work nobody wants any more
+  if (is_at_work) std::_Exit(status);  // the end does not wait for a thread whose result is not wanted
   return status;
 }
 

@@ -13,7 +13,6 @@
 
 #include "base/private_file.hpp"
 #include "base/text.hpp"
-#include "daemon/background.hpp"
 #include "reasoning/compiled/mapped_file.hpp"
 
 namespace geminga::daemon {
@@ -23,15 +22,15 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view program_name = "geminga-ontology";
 constexpr std::string_view compiled_suffix = ".geminga";
-/// Of what the compiler says, so many lines of so many octets are shown.
+/// The most lines of the compiler's output that are shown, and the most octets of each.
 constexpr std::size_t max_lines = 40;
 constexpr std::size_t max_child_line_bytes = 1000;
 
-/// How long a robot's ontology is searched for what follows: a quarter of what the child may take in all. What is not
-/// settled by then is undecided, and the robot matches by the rest.
+/// The limits of the search of the compiler: a quarter of the time that the child may take in all. Questions that are
+/// not settled by then stay undecided, and the robot matches by the rest.
 constexpr const char* search_seconds = "30";
 constexpr const char* search_steps = "200000000";
-/// The compiler's exit status where a limit was reached.
+/// The compiler's exit status when a limit was reached.
 constexpr int limit_reached = 4;
 
 std::vector<std::string> lines_of(std::string_view words) {
@@ -52,13 +51,13 @@ bool is_executable(const std::string& path) {
   return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
 }
 
-using Loaded = std::expected<LoadedOntology, std::vector<std::string>>;
+using Loaded = OntologyLoader::Loaded;
 
 std::unexpected<std::vector<std::string>> failure(std::string line) {
   return std::unexpected(std::vector<std::string>{std::move(line)});
 }
 
-/// Maps a copy. `shown` names the file in errors.
+/// Maps a copy of the file. Errors call it `shown`.
 Loaded map(const std::string& path, const std::string& shown) {
   LoadedOntology loaded;
   if (compiled::MappedFile::needs_memory(path))
@@ -73,9 +72,9 @@ Loaded map(const std::string& path, const std::string& shown) {
   return loaded;
 }
 
-/// A compiled ontology that the user keeps. One that is older than its sources would match by what they no longer say.
-/// At a start matching is not kept waiting for what only explanations need. Where another ontology is in force, a
-/// damaged one must not take its place, and there is time to look at all of it.
+/// Maps a compiled ontology that the user keeps, unless it is older than its sources. The first load verifies only what
+/// matching needs, so that the start is short. A later one verifies all of it, so that no damaged ontology replaces the
+/// one in force.
 Loaded map_current(const std::string& path, bool is_first) {
   auto loaded = map(path, path);
   if (!loaded) return loaded;
@@ -84,6 +83,33 @@ Loaded map_current(const std::string& path, bool is_first) {
   }
   if (const auto stale = loaded->ontology->stale_source()) return failure(path + " is refused: " + *stale);
   return loaded;
+}
+
+Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::PrivateFile& output) {
+  std::vector<std::string> lines = lines_of(end.words);
+  if (end.has_succeeded || end.exit_status == limit_reached) {
+    auto mapped = map("/proc/self/fd/" + std::to_string(output.descriptor()), "the compiled ontology");
+    if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
+    // Where the limit came before there was any output, the compiler's words say more than that the output is empty.
+    if (mapped || end.has_succeeded) return mapped;
+  }
+  if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler + ": " + end.how);
+  return std::unexpected(std::move(lines));
+}
+
+std::vector<std::string> compiler_arguments(const std::vector<std::string>& files, const Prefixes& prefixes) {
+  std::vector<std::string> arguments{"compile"};
+  for (const auto& [name, iri] : prefixes) {
+    arguments.emplace_back("--prefix");
+    arguments.push_back(name);
+    arguments.back().append("=").append(iri);
+  }
+  arguments.insert(arguments.end(), {"-o", "-"});
+  // Absolute, so that no path looks like a flag, and the sources in the compiled form can be found from everywhere.
+  std::error_code ignored;
+  for (const std::string& file : files) arguments.push_back(fs::absolute(file, ignored).string());
+  arguments.insert(arguments.end(), {"--time-limit", search_seconds, "--steps", search_steps});
+  return arguments;
 }
 
 }  // namespace
@@ -110,108 +136,63 @@ std::optional<std::string> contradiction_in(const LoadedOntology& loaded, const 
          " check " + base::joined(files, " ");
 }
 
-class OntologyLoader::State {
- public:
-  State(boost::asio::io_context& context, std::string compiler, ChildLimits limits)
-      : context_(context), background_(context), compiler_(std::move(compiler)), limits_(limits) {}
-
-  void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done) {
-    child_.reset();
-    background_.cancel();
-    ++generation_;
-    done_ = std::move(done);
-    if (files.empty()) return answer_later(LoadedOntology{});
-    if (files.size() == 1 && files.front().ends_with(compiled_suffix)) {
-      return answer_with([path = files.front(), is_first = !has_loaded_] { return map_current(path, is_first); });
-    }
-    auto output = base::PrivateFile::in_memory();
-    if (!output) return answer_later(failure(output.error()));
-    output_ = std::make_shared<base::PrivateFile>(std::move(*output));
-    std::vector<std::string> arguments{"compile"};
-    for (const auto& [name, iri] : prefixes) {
-      arguments.emplace_back("--prefix");
-      arguments.push_back(name);
-      arguments.back().append("=").append(iri);
-    }
-    arguments.insert(arguments.end(), {"-o", "-"});
-    // From the root, so that no path looks like a flag, and the compiled form names its sources wherever it is read.
-    std::error_code ignored;
-    for (const std::string& file : files) arguments.push_back(fs::absolute(file, ignored).string());
-    arguments.insert(arguments.end(), {"--time-limit", search_seconds, "--steps", search_steps});
-    auto started = Child::start(
-        context_, compiler_, arguments, limits_, [this](const ChildEnd& end) { finish(end); }, output_->descriptor());
-    if (!started) return answer_later(failure("cannot start " + compiler_ + ": " + started.error()));
-    child_ = std::move(*started);
-  }
-
-  [[nodiscard]] bool is_loading() const { return static_cast<bool>(done_); }
-
-  [[nodiscard]] bool is_at_work() const { return background_.is_at_work(); }
-
- private:
-  void finish(const ChildEnd& end) {
-    answer_with([end, compiler = compiler_, output = output_] { return map_output(end, compiler, *output); });
-  }
-
-  static Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::PrivateFile& output) {
-    std::vector<std::string> lines = lines_of(end.words);
-    if (end.has_succeeded || end.exit_status == limit_reached) {
-      auto mapped = map("/proc/self/fd/" + std::to_string(output.descriptor()), "the compiled ontology");
-      if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
-      // Where the limit came before there was anything, the compiler's own words say more than that nothing is there.
-      if (mapped || end.has_succeeded) return mapped;
-    }
-    if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler + ": " + end.how);
-    return std::unexpected(std::move(lines));
-  }
-
-  /// Answers with what is found on the thread.
-  void answer_with(std::function<Loaded()> find) {
-    background_.start([this, find = std::move(find)]() -> Background::After {
-      auto result = std::make_shared<Loaded>();
-      try {
-        *result = find();
-      } catch (const std::bad_alloc&) {
-        *result = failure("not enough memory for the compiled ontology");
-      }
-      return [this, result] { answer(std::move(*result)); };
-    });
-  }
-
-  /// In an event of its own, so that `done` may start the next load.
-  void answer_later(Loaded result) {
-    auto kept = std::make_shared<Loaded>(std::move(result));
-    boost::asio::post(context_, [this, kept, generation = generation_, alive = std::weak_ptr<int>(alive_)] {
-      if (!alive.expired() && generation == generation_) answer(std::move(*kept));
-    });
-  }
-
-  void answer(Loaded result) {
-    child_.reset();
-    output_.reset();
-    has_loaded_ = has_loaded_ || (result && result->ontology != nullptr);
-    std::exchange(done_, nullptr)(std::move(result));
-  }
-
-  boost::asio::io_context& context_;
-  Background background_;
-  std::string compiler_;
-  ChildLimits limits_;
-  Done done_;
-  std::shared_ptr<base::PrivateFile> output_;  ///< where the child writes the compiled form
-  std::unique_ptr<Child> child_;
-  std::uint64_t generation_ = 0;
-  bool has_loaded_ = false;  ///< an ontology, once
-  std::shared_ptr<int> alive_ = std::make_shared<int>(0);
-};
-
 OntologyLoader::OntologyLoader(boost::asio::io_context& context, std::string compiler, ChildLimits limits)
-    : state_(std::make_unique<State>(context, std::move(compiler), limits)) {}
+    : context_(context),
+      background_(context),
+      compiler_(std::move(compiler)),
+      limits_(limits),
+      alive_(std::make_shared<int>(0)) {}
 OntologyLoader::~OntologyLoader() = default;
+
 void OntologyLoader::load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done) {
-  state_->load(files, prefixes, std::move(done));
+  child_.reset();
+  background_.cancel();
+  ++generation_;
+  done_ = std::move(done);
+  if (files.empty()) return answer_later(LoadedOntology{});
+  if (files.size() == 1 && files.front().ends_with(compiled_suffix)) {
+    return answer_with([path = files.front(), is_first = !has_loaded_] { return map_current(path, is_first); });
+  }
+  auto output = base::PrivateFile::in_memory();
+  if (!output) return answer_later(failure(output.error()));
+  output_ = std::make_shared<base::PrivateFile>(std::move(*output));
+  auto started = Child::start(
+      context_, compiler_, compiler_arguments(files, prefixes), limits_, [this](const ChildEnd& end) { finish(end); },
+      output_->descriptor());
+  if (!started) return answer_later(failure("cannot start " + compiler_ + ": " + started.error()));
+  child_ = std::move(*started);
 }
-bool OntologyLoader::is_loading() const { return state_->is_loading(); }
-bool OntologyLoader::is_at_work() const { return state_->is_at_work(); }
+
+void OntologyLoader::finish(const ChildEnd& end) {
+  answer_with([end, compiler = compiler_, output = output_] { return map_output(end, compiler, *output); });
+}
+
+/// Runs `find` on the thread and answers with its result.
+void OntologyLoader::answer_with(std::function<Loaded()> find) {
+  background_.start([this, find = std::move(find)]() -> Background::After {
+    auto result = std::make_shared<Loaded>();
+    try {
+      *result = find();
+    } catch (const std::bad_alloc&) {
+      *result = failure("not enough memory for the compiled ontology");
+    }
+    return [this, result] { answer(std::move(*result)); };
+  });
+}
+
+/// Answers in an event of its own, so that `done` may start the next load.
+void OntologyLoader::answer_later(Loaded result) {
+  auto kept = std::make_shared<Loaded>(std::move(result));
+  boost::asio::post(context_, [this, kept, generation = generation_, alive = std::weak_ptr<int>(alive_)] {
+    if (!alive.expired() && generation == generation_) answer(std::move(*kept));
+  });
+}
+
+void OntologyLoader::answer(Loaded result) {
+  child_.reset();
+  output_.reset();
+  has_loaded_ = has_loaded_ || (result && result->ontology != nullptr);
+  std::exchange(done_, nullptr)(std::move(result));
+}
 
 }  // namespace geminga::daemon

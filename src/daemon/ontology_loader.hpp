@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DAEMON_ONTOLOGY_LOADER_HPP
 #define GEMINGA_DAEMON_ONTOLOGY_LOADER_HPP
 
+#include <cstdint>
 #include <expected>
 #include <functional>
 #include <map>
@@ -10,54 +11,72 @@
 #include <string>
 #include <vector>
 
+#include "daemon/background.hpp"
 #include "daemon/child.hpp"
 #include "reasoning/compiled/ontology.hpp"
 
+namespace geminga::base {
+class PrivateFile;
+}
+
 namespace geminga::daemon {
 
-/// What loading has given.
 struct LoadedOntology {
   std::unique_ptr<compiled::Ontology> ontology;  ///< null: there are no files
-  std::vector<std::string> remarks;              ///< what the compiler said although it succeeded, a line each
+  std::vector<std::string> remarks;              ///< lines that the compiler wrote although it succeeded
 };
 
-/// Why nobody can match by this ontology of these files, where it contradicts itself: every class is empty then.
-/// Nothing where it does not, where that was not decided within the limits, and where there is none.
+/// An error where the ontology of these files contradicts itself: every class is empty then, and no pair matches.
+/// Nothing where there is no contradiction, no decision within the limits, or no ontology.
 [[nodiscard]] std::optional<std::string> contradiction_in(const LoadedOntology& loaded,
                                                           const std::vector<std::string>& files);
 
-/// Names for the beginnings of IRIs; both as Turtle can write them.
+/// IRIs by prefix, both as Turtle can write them.
 using Prefixes = std::map<std::string, std::string>;
 
-/// Where geminga-ontology is: beside this program, else on PATH; the plain name where it is nowhere.
+/// The path of geminga-ontology: beside this program, else on PATH; the plain name where neither has it.
 [[nodiscard]] std::string find_compiler();
 
-/// Runs `geminga-ontology compile` with bounds, and maps what it wrote. The daemon itself reads no RDF: a hostile file
-/// can hurt only the child. What it wrote, or the user has compiled, is copied and verified on a thread, so that the
-/// event loop serves meanwhile, however large it is.
+/// Runs `geminga-ontology compile` with bounds, and maps its output. The daemon itself reads no RDF: a hostile file can
+/// hurt the child only. A compiled ontology is copied and verified on a thread, while the event loop serves.
 class OntologyLoader {
  public:
   /// The errors are lines, with file and line where the compiler gave them; never empty.
-  using Done = std::function<void(std::expected<LoadedOntology, std::vector<std::string>>)>;
+  using Loaded = std::expected<LoadedOntology, std::vector<std::string>>;
+  using Done = std::function<void(Loaded)>;
 
+  /// Borrows the context for its life.
   OntologyLoader(boost::asio::io_context& context, std::string compiler, ChildLimits limits = {});
   ~OntologyLoader();
   OntologyLoader(const OntologyLoader&) = delete;
   OntologyLoader& operator=(const OntologyLoader&) = delete;
 
-  /// Loads these files and folders, and calls `done` once from the event loop. `prefixes` may be used in names beside
-  /// those of the files. A load that is under way is given up, and its `done` never called. A single file that ends in
-  /// `.geminga` is taken as compiled already, and knows no prefixes but its own. At first only what matching needs of
-  /// it is verified; where an ontology was loaded before, all of it is.
+  /// Loads these files and folders, and calls `done` once from the event loop. Names may use `prefixes` beside those of
+  /// the files. A load that is under way is given up, and its `done` never called. A single file that ends in
+  /// `.geminga` is taken as compiled already, and knows no prefixes but its own. The first load verifies only what
+  /// matching needs; once an ontology was loaded, all of it is verified.
   void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done);
-  [[nodiscard]] bool is_loading() const;
+  [[nodiscard]] bool is_loading() const { return static_cast<bool>(done_); }
   /// Whether the thread is at work, even for a load that was given up. Until it is done, the process must not destroy
   /// what the thread uses.
-  [[nodiscard]] bool is_at_work() const;
+  [[nodiscard]] bool is_at_work() const { return background_.is_at_work(); }
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  void finish(const ChildEnd& end);
+  void answer_with(std::function<Loaded()> find);
+  void answer_later(Loaded result);
+  void answer(Loaded result);
+
+  boost::asio::io_context& context_;
+  Background background_;
+  std::string compiler_;
+  ChildLimits limits_;
+  Done done_;                                  ///< empty: nothing is being loaded
+  std::shared_ptr<base::PrivateFile> output_;  ///< of the child: the compiled form; shared with the thread
+  std::unique_ptr<Child> child_;
+  std::uint64_t generation_ = 0;  ///< the number of the last load
+  bool has_loaded_ = false;       ///< an ontology was loaded
+  std::shared_ptr<int> alive_;    ///< expires with this object, for answers that are on their way
 };
 
 }  // namespace geminga::daemon

@@ -9,7 +9,7 @@
 
 namespace geminga::daemon {
 
-/// One at a time. The thread shares the vocabulary and nothing else with the event loop.
+/// Prepares one vocabulary at a time. The thread shares only the vocabulary with the event loop.
 class Preparation {
  public:
   using Done = std::function<void(vocabulary::Vocabulary)>;
@@ -17,12 +17,12 @@ class Preparation {
   /// Borrows the context for its life.
   explicit Preparation(boost::asio::io_context& context) : background_(context) {}
 
-  /// Gives `done` what with_expressions() makes of this one: on the event loop, in an event of its own. One that was
-  /// asked for earlier is given up, and its `done` never called.
+  /// Prepares this vocabulary by with_expressions() and gives the result to `done` on the event loop, in an event of
+  /// its own. An earlier preparation is given up, and its `done` never called.
   void start(const vocabulary::Vocabulary& vocabulary, Done done);
-  /// Gives up what is being prepared.
+  /// Gives up the preparation.
   void cancel() { background_.cancel(); }
-  /// Whether this one's ontology is being prepared.
+  /// Whether the ontology of this vocabulary is being prepared.
   [[nodiscard]] bool is_preparing(const vocabulary::Vocabulary& vocabulary) const {
     return background_.is_wanted() && started_.is_of(vocabulary);
   }
@@ -31,7 +31,7 @@ class Preparation {
   [[nodiscard]] bool is_at_work() const { return background_.is_at_work(); }
 
  private:
-  vocabulary::OntologyMark started_;  ///< last
+  vocabulary::OntologyMark started_;  ///< of the last start()
   Background background_;
 };
 

@@ -24,7 +24,7 @@ constexpr int identity_digits = 8;
 
 std::string errno_words() { return std::generic_category().message(errno); }
 
-/// Lines that begin with `#`, and one line `identity XXXXXXXX`.
+/// Reads a text of lines that begin with `#` and one line `identity XXXXXXXX`; nothing where it is another.
 std::optional<std::uint32_t> identity_in(std::string_view text) {
   if (text.size() > max_identity_file_bytes) return std::nullopt;
   std::optional<std::uint32_t> identity;
@@ -44,7 +44,7 @@ std::optional<std::uint32_t> identity_in(std::string_view text) {
   return identity;
 }
 
-/// Beside its place first, so that nobody finds half of it. False with errno.
+/// Writes a draft beside the file and renames it, so that the file is never half written. False with errno.
 bool write_whole(const std::string& path, std::string_view text) {
   const std::string draft = path + ".new";
   {
@@ -61,7 +61,7 @@ std::expected<std::uint32_t, std::string> lasting_identity(const std::string& fo
                                                            const std::function<std::uint64_t()>& random_bits) {
   const std::string path = folder + '/' + identity_file;
   const std::string shown = base::printable(path, 4096);
-  // A FIFO would wait for a writer without O_NONBLOCK.
+  // Without O_NONBLOCK, open() of a FIFO would wait for a writer.
   const env::Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (file.get() >= 0) {
     std::string text(max_identity_file_bytes + 1, '\0');

@@ -1,4 +1,4 @@
-// What a daemon remembers from one life to the next: who it is.
+// The state folder, which keeps the daemon's identity across restarts.
 #ifndef GEMINGA_DAEMON_STATE_FOLDER_HPP
 #define GEMINGA_DAEMON_STATE_FOLDER_HPP
 
@@ -10,13 +10,13 @@
 
 namespace geminga::daemon {
 
-/// The name of the file in the folder, and the most that is read of it.
+/// The name of the file in the folder, and the most octets that it may have.
 inline constexpr const char* identity_file = "identity";
 inline constexpr std::size_t max_identity_file_bytes = 4096;
 
-/// The lasting identity in this folder, never 0. Where there is none yet the folder is made, if the one that it lies in
-/// is there, and an identity drawn and written, whole or not at all. What stands there and is no identity is left
-/// alone; the error is a line that begins with the path.
+/// Reads the lasting identity in this folder, which is never 0. Where there is none, makes the folder (its parent must
+/// exist), draws an identity and writes it, whole or not at all. A file with anything else is left alone and is an
+/// error: a line that begins with the path.
 [[nodiscard]] std::expected<std::uint32_t, std::string> lasting_identity(
     const std::string& folder, const std::function<std::uint64_t()>& random_bits);
 

@@ -19,7 +19,7 @@ Usage read_usage() {
   }
   rusage counted{};
   if (::getrusage(RUSAGE_SELF, &counted) == 0) {
-    // The kernel samples its peak now and then, and may have missed what is there at this moment.
+    // The kernel samples the peak now and then, and may have missed the present size.
     usage.peak_resident_bytes = std::max(static_cast<std::uint64_t>(counted.ru_maxrss) * 1024, usage.resident_bytes);
     const auto seconds = [](const timeval& time) {
       return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;

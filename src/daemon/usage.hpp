@@ -1,4 +1,4 @@
-// What this process uses, as the kernel counts it: fields of `query status`.
+// The memory and processor time of this process, as the kernel counts them.
 #ifndef GEMINGA_DAEMON_USAGE_HPP
 #define GEMINGA_DAEMON_USAGE_HPP
 
@@ -12,7 +12,7 @@ struct Usage {
   double processor_seconds = 0;
 };
 
-/// Read from /proc and getrusage(2); zero where that cannot be read.
+/// Reads /proc and getrusage(2); zero where they cannot be read.
 [[nodiscard]] Usage read_usage();
 
 }  // namespace geminga::daemon

@@ -8,7 +8,7 @@
 namespace geminga::manual {
 namespace {
 
-/// The name of the function: what a shell may call one.
+/// The name of the function, of characters that a shell allows.
 std::string function_of(std::string_view program) {
   std::string name = "_";
   for (const char c : program) name += c == '-' ? '_' : c;
@@ -36,7 +36,7 @@ std::vector<std::string> names_of(const std::vector<Outline>& commands) {
   return names;
 }
 
-/// What follows a flag that takes a value, as arms of `case "$command $previous"`.
+/// Completes the values of flags, as arms of `case "$command $previous"`.
 std::string arms(const Outline& outline, const std::string& command) {
   std::string text;
   for (const Flag& flag : outline.flags) {
@@ -61,7 +61,7 @@ std::string arms(const Outline& outline, const std::string& command) {
   return text;
 }
 
-/// What else may stand there, as an arm of `case $command`.
+/// Completes flags, commands and files, as an arm of `case $command`.
 std::string offer(const Outline& outline, const std::vector<Flag>& flags_of_all, const std::string& command) {
   std::vector<std::string> flags = names_of(outline.flags);
   for (const std::string& name : names_of(flags_of_all)) {
@@ -74,7 +74,7 @@ std::string offer(const Outline& outline, const std::vector<Flag>& flags_of_all,
   return text + " ;;\n";
 }
 
-/// Finds the command among what is typed already, and steps over values.
+/// Finds the command among the words typed so far, and skips the values of flags.
 std::string search(const Outline& program) {
   std::vector<std::string> with_value;
   for (const Flag& flag : program.flags) {
@@ -88,7 +88,7 @@ std::string search(const Outline& program) {
   return text + "    esac\n  done\n";
 }
 
-/// What all of these files define in the same words, so that it does not matter whose is read last.
+/// Helpers that each of these files defines in the same words, so that the order of reading them does not matter.
 constexpr std::string_view shared =
     R"(_geminga_words() {
   local IFS=$' \t\n'
@@ -100,7 +100,7 @@ _geminga_files() {
 }
 )";
 
-/// bash splits `--flag=value` into three words.
+/// Joins `--flag=value`, which bash splits into three words.
 constexpr std::string_view beginning =
     R"(  local current=${COMP_WORDS[COMP_CWORD]} previous='' command='' flags='' words='' has_files='' i
   COMPREPLY=()

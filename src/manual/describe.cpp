@@ -17,7 +17,7 @@
 namespace geminga::manual {
 namespace {
 
-/// Today, or the day of $SOURCE_DATE_EPOCH, so that a package can be built twice alike (reproducible-builds.org).
+/// The day of $SOURCE_DATE_EPOCH, so that two builds of a package are the same (reproducible-builds.org); else today.
 std::string date() {
   using namespace std::chrono;
   auto instant = system_clock::now();
@@ -25,7 +25,7 @@ std::string date() {
     const std::string_view text(told);
     std::int64_t count = 0;
     std::from_chars(text.data(), text.data() + text.size(), count);
-    constexpr std::int64_t last = 9'214'646'400;  // in the year 2261: what a clock of nanoseconds can hold
+    constexpr std::int64_t last = 9'214'646'400;  // in the year 2261, close to the last that a clock of nanoseconds holds
     instant = system_clock::time_point(seconds(std::min(std::max<std::int64_t>(count, 0), last)));
   }
   const year_month_day day(floor<days>(instant));

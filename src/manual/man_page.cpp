@@ -11,7 +11,7 @@
 namespace geminga::manual {
 namespace {
 
-/// Headings of their own, where a line below the flags begins with one of these words and a colon.
+/// Words that begin a section where a line below the flags begins with one of them and a colon.
 constexpr auto headings = std::to_array<std::string_view>({"Examples", "Environment", "Signals", "Exit status"});
 
 char in_upper_case(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -22,7 +22,7 @@ std::string upper(std::string_view text) {
   return word;
 }
 
-/// The text for roff: what it would take for its own, and what its fonts show otherwise, becomes an escape.
+/// Escapes a text for roff: characters that roff interprets, or that its fonts show otherwise.
 std::string escaped(std::string_view text) {
   std::string valid;
   utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
@@ -61,7 +61,7 @@ std::string escaped(std::string_view text) {
         }
     }
   }
-  // A dot at the beginning of a line would be a request.
+  // roff takes a dot at the beginning of a line for a request.
   return roff.starts_with('.') ? "\\&" + roff : roff;
 }
 
@@ -72,7 +72,7 @@ std::string line(std::string_view text) { return escaped(text) + '\n'; }
 
 std::string heading(std::string_view text) { return ".SH " + escaped(upper(text)) + '\n'; }
 
-/// What is below the flags: paragraphs, and lines that are indented as they stand.
+/// The text below the flags: paragraphs, and indented lines, which stay as they are.
 class More {
  public:
   /// `has_headings`: lines such as `Examples:` begin a section.
@@ -112,7 +112,7 @@ class More {
     is_after_gap_ = is_after_heading_ = is_after_literal_ = false;
   }
 
-  /// Takes a heading off the text. False where it begins with none.
+  /// Takes a heading from the front of the text. False where there is none.
   bool begin_section(std::string_view& text) {
     const auto* const found = std::ranges::find_if(headings, [&](std::string_view word) {
       return text.starts_with(word) && text.substr(word.size()).starts_with(':');
@@ -188,7 +188,7 @@ std::string entries(const Outline& outline) {
   return roff;
 }
 
-/// Without what every command has.
+/// The flags but for those of every command.
 Outline without_help(Outline command) {
   std::erase_if(command.flags, [](const Flag& flag) { return flag.names.back() == "--help"; });
   return command;

@@ -8,7 +8,7 @@
 
 namespace geminga::manual {
 
-/// Ends with a line end, and has ASCII only. `section` as in described(); `date` as in 2026-11-23.
+/// The page in ASCII, with a line end at its end. `section` as in described(); `date` as in 2026-11-23.
 [[nodiscard]] std::string man_page(const Outline& program, int section, const std::string& date);
 
 }  // namespace geminga::manual

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view usual_group = "Options";
 
-/// The words between separators.
+/// Splits a text at the separators.
 std::vector<std::string> split(std::string_view text, std::string_view separators) {
   std::vector<std::string> words;
   while (!text.empty()) {
@@ -21,12 +21,12 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
   return words;
 }
 
-/// Whether a user types this as it stands; what is in capitals stands for something else, e.g. COST.
+/// Whether a user types this word as it stands. Words in capitals, e.g. COST, stand for values.
 bool is_literal(std::string_view word) {
   return std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-' || c == '/' || c == '_'; });
 }
 
-/// The words that `yes|no|COST` and `FORMAT:{dot,svg}` name.
+/// The choices in `yes|no|COST` and `FORMAT:{dot,svg}`.
 std::vector<std::string> choices_of(std::string_view value) {
   const auto brace = value.find('{');
   const bool is_list = brace != std::string_view::npos && value.ends_with('}');
@@ -55,7 +55,7 @@ Flag flag_of(const CLI::Option& option) {
   flag.is_file = names_a_file(flag.value) || (is_word && names_a_file(flag.names.front()));
   flag.is_repeated = option.get_items_expected_max() > 1;
   flag.is_required = option.get_required();
-  // What CLI11 adds to a list of choices is for a reader of code.
+  // CLI11 adds to a list of choices what only readers of code understand.
   if (const auto brace = flag.value.find(":{"); brace != std::string::npos) flag.value.resize(brace);
   return flag;
 }

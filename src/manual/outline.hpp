@@ -1,4 +1,4 @@
-// What the command line of a program says of itself: the words of its --help, as a value.
+// The command line of a program as a value: its words, flags and commands, as --help shows them.
 #ifndef GEMINGA_MANUAL_OUTLINE_HPP
 #define GEMINGA_MANUAL_OUTLINE_HPP
 
@@ -11,13 +11,13 @@ class App;
 
 namespace geminga::manual {
 
-/// A flag, or a word that stands by itself.
+/// A flag, or a positional word.
 struct Flag {
   std::vector<std::string> names;  ///< `-h`, `--help`; of a word its one name, e.g. `FILES`
-  std::string value;               ///< what follows it, as --help has it, e.g. `SECONDS`; empty: nothing
+  std::string value;               ///< its value as --help calls it, e.g. `SECONDS`; empty: it takes none
   std::string meaning;
   std::string group;                 ///< the heading above it; empty: the usual one
-  std::vector<std::string> choices;  ///< what its value can be, where that is one of a few words
+  std::vector<std::string> choices;  ///< the values, where a few words are all of them
   bool is_file = false;              ///< its value can be a file or a folder
   bool is_repeated = false;
   bool is_required = false;
@@ -26,8 +26,8 @@ struct Flag {
 /// A program, or one of its commands.
 struct Outline {
   std::string name;
-  std::string about;  ///< what --help says above the flags
-  std::string more;   ///< and below them: examples, exit statuses
+  std::string about;  ///< the text above the flags
+  std::string more;   ///< the text below them: examples, exit statuses
   std::string version;
   std::vector<Flag> words;
   std::vector<Flag> flags;
@@ -35,7 +35,7 @@ struct Outline {
   bool has_flags_everywhere = false;  ///< the flags of the program may stand behind the command, too
 };
 
-/// What is hidden from --help is not in it.
+/// The outline of a program, without the flags that --help hides.
 [[nodiscard]] Outline outline_of(const CLI::App& app);
 
 }  // namespace geminga::manual

@@ -7,7 +7,7 @@
 
 namespace geminga::manual {
 
-/// In single quotes, between which a shell takes every character as it stands.
+/// Puts a text between single quotes, where a shell takes every character as it stands.
 [[nodiscard]] inline std::string shell_word(std::string_view text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);

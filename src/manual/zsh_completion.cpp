@@ -8,7 +8,7 @@
 namespace geminga::manual {
 namespace {
 
-/// With a backslash before each of these.
+/// Puts a backslash before each of these characters.
 std::string with_backslashes(std::string_view text, std::string_view special) {
   std::string word;
   for (const char c : text) {
@@ -18,7 +18,7 @@ std::string with_backslashes(std::string_view text, std::string_view special) {
   return word;
 }
 
-/// `:VALUE:(yes no)`, `:FILE:_files`; what nobody can complete has an action that adds nothing.
+/// `:VALUE:(yes no)`, `:FILE:_files`; the action of a value that cannot be completed adds nothing.
 std::string value_of(const Flag& flag, std::string_view name) {
   std::string text = ':' + with_backslashes(name.empty() ? "VALUE" : name, ":") + ':';
   if (flag.choices.empty()) return text + (flag.is_file ? "_files" : " ");

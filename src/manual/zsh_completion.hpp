@@ -8,7 +8,7 @@
 
 namespace geminga::manual {
 
-/// A file for share/zsh/site-functions: the same as for bash, with what each means.
+/// A file for share/zsh/site-functions, which completes as the one for bash and shows the meaning of each flag.
 [[nodiscard]] std::string zsh_completion(const Outline& program);
 
 }  // namespace geminga::manual

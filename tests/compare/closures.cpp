@@ -15,7 +15,7 @@
 #include "cases/taxonomy.hpp"
 #include "compare/functional_syntax.hpp"
 #include "compare/konclude.hpp"
-#include "readers.hpp"
+#include "ontology/loading/readers.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 

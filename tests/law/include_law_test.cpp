@@ -42,7 +42,7 @@ TEST(IncludeLaw, HasNoCycle) {
 TEST(IncludeLaw, KeepsRdfOutOfTheDaemon) {
   const Law law = read_law();
   for (const auto& [module, depends] : law) {
-    if (module.starts_with("reasoning/syntax") || module == "tools/ontology") continue;
+    if (module.starts_with("reasoning/syntax") || module.starts_with("tools/ontology")) continue;
     for (const char* folder : {"rdf", "rdf/scan", "rdf/triples", "rdf/mapping", "rdf/tolerant", "graph", "owlxml"})
       EXPECT_FALSE(depends.contains(std::string("reasoning/syntax/") + folder)) << module << ' ' << folder;
   }

@@ -247,6 +247,25 @@ TEST(Reload, KeepsTheConfigurationInForceWhenTheNewOneIsBroken) {
   EXPECT_THAT(*status, testing::Not(HasSubstr("configuration_failed")));
 }
 
+TEST(Reload, WarnsOfASettingThatAwaitsAStartUntilItIsBackAsItWas) {
+  const Folder folder;
+  const std::string file = folder.write("geminga.toml", "name = \"robot2\"\n");
+  Lab lab(1);
+  lab.start(0, {"--config", file});
+  const auto said_at_reload = [&](const std::string& name) {
+    folder.write("geminga.toml", "name = \"" + name + "\"\n");
+    lab.daemon(0).forget();
+    lab.daemon(0).signal(SIGHUP);
+    EXPECT_TRUE(lab.daemon(0).wait_for("is in force")) << lab.daemon(0).said();
+    return lab.daemon(0).said();
+  };
+  const auto warns = HasSubstr("take effect at the next start");
+  EXPECT_THAT(said_at_reload("robot2"), testing::Not(warns));
+  EXPECT_THAT(said_at_reload("robot3"), warns);
+  EXPECT_THAT(said_at_reload("robot3"), warns) << "the daemon is still called robot2";
+  EXPECT_THAT(said_at_reload("robot2"), testing::Not(warns)) << "that is what the daemon is called";
+}
+
 TEST(End, ComesWithStatusZeroOnSigint) {
   Lab lab(1);
   lab.start(0);

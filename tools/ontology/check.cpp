@@ -1,19 +1,22 @@
-// `geminga-ontology check`: everything that one should know about an ontology before robots rely on it.
+// `geminga-ontology check`: the faults and omissions of an ontology before robots rely on it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "base/text.hpp"
-#include "command.hpp"
-#include "findings.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/findings/axioms.hpp"
+#include "ontology/findings/findings.hpp"
+#include "ontology/loading/compiled_form.hpp"
 #include "reasoning/compiled/similar.hpp"
-#include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
 
-/// Axioms shown of each construct that was left out, where --all is not given.
+/// The most axioms of one construct that are shown without --all.
 constexpr std::size_t max_shown = 5;
 
 struct CheckRequest {
@@ -29,10 +32,7 @@ std::string left_out_as_text(const Findings& findings, bool shows_all) {
     text += "  " + entry.summary.construct + ": " + std::to_string(entry.summary.count) + ", first at " +
             entry.summary.first + '\n';
     const std::size_t shown = shows_all ? entry.axioms.size() : std::min(entry.axioms.size(), max_shown);
-    for (std::size_t at = 0; at < shown; ++at) {
-      const LeftOutAxiom& axiom = entry.axioms[at];
-      text += "    " + axiom.axiom + "   [" + place(axiom.file, axiom.line) + "]\n";
-    }
+    for (std::size_t at = 0; at < shown; ++at) text += "    " + axiom_line(entry.axioms[at]) + '\n';
     if (shown < entry.axioms.size())
       text += "    and " + std::to_string(entry.axioms.size() - shown) + " more: --all\n";
   }
@@ -41,7 +41,7 @@ std::string left_out_as_text(const Findings& findings, bool shows_all) {
   return text;
 }
 
-/// At most so many lines of a list, unless all are wanted.
+/// The lines of a list; without `shows_all` the first ones.
 std::string lines_of(const std::vector<std::string>& lines, bool shows_all) {
   std::string text;
   const std::size_t shown = shows_all ? lines.size() : std::min(lines.size(), max_shown);
@@ -69,7 +69,7 @@ std::string sources_as_text(const Sources& sources) {
   return text;
 }
 
-/// Nothing where the files say nothing of units.
+/// The units of measurement; nothing where the files have none.
 std::string units_as_text(const Sources& sources) {
   if (sources.units == 0 && sources.units_left_out.empty()) return {};
   std::string text = "Units of measurement for conditions: " + std::to_string(sources.units) + " read";
@@ -97,8 +97,7 @@ std::string doubts_as_text(const Sources& sources) {
 std::string problems_as_text(const Findings& findings) {
   std::string text;
   const auto add_reason = [&](const std::vector<explanation::ExplainedAxiom>& reason) {
-    for (const explanation::ExplainedAxiom& axiom : reason)
-      text += "    because " + axiom.text + "   [" + place(axiom.file, axiom.line) + "]\n";
+    for (const explanation::ExplainedAxiom& axiom : reason) text += "    because " + axiom_line(axiom) + '\n';
   };
   if (!findings.is_consistent) {
     text += findings.contradiction.empty() ? "" : "These contradict each other, and no fewer of them do:\n";
@@ -164,8 +163,7 @@ Exit report(const Findings& findings, const CheckRequest& request) {
                                      open_as_text(findings.open, request.shows_all) + doubts_as_text(findings.sources) +
                                      names_as_text(findings.names, request.shows_all) + problems_as_text(findings) +
                                      verdict(findings) + '\n';
-  if (!print(text)) return say_error("standard output cannot be written");
-  return findings.has_problem() ? Exit::no : Exit::yes;
+  return print_or_say(text, findings.has_problem() ? Exit::no : Exit::yes);
 }
 
 Exit check(const CheckRequest& request, const WorkLimits& limits) {
@@ -175,14 +173,14 @@ Exit check(const CheckRequest& request, const WorkLimits& limits) {
     if (!compiled) return say_failure(compiled.error().text, request.as_json, Exit::no);
     return report(find(*compiled, budget), request);
   }
-  const auto knowledge = learn(request.files, {.as_json = request.as_json, .budget = &budget});
-  if (!knowledge)
-    return say_failure(knowledge.error().text, request.as_json,
-                       knowledge.error().is_unreadable ? Exit::usage : Exit::no);
-  const auto ontology = open_or_say(*knowledge);
+  const auto classified = classify_files(request.files, {.as_json = request.as_json, .budget = &budget});
+  if (!classified)
+    return say_failure(classified.error().text, request.as_json,
+                       classified.error().is_unreadable ? Exit::usage : Exit::no);
+  const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
-  const Exit exit = report(find(*knowledge, *ontology, budget), request);
-  return exit == Exit::usage ? exit : exit_of(*knowledge, exit);
+  const Exit exit = report(find(*classified, *ontology, budget), request);
+  return exit == Exit::usage ? exit : exit_of(*classified, exit);
 }
 
 }  // namespace
@@ -209,7 +207,7 @@ void add_check(CLI::App& program, Choice& choice) {
       "older than they are. Exit status 4: a limit was reached; what is printed is right, and what is not decided is\n"
       "named.\n"
       "\nExamples:\n  geminga-ontology check my-team.ttl team/\n  geminga-ontology check team.geminga");
-  command->callback([request, &choice] { choice.run = [request, &choice] { return check(*request, choice.limits); }; });
+  run_when_named(*command, choice, request, check);
 }
 
 }  // namespace geminga::ontology

@@ -1,4 +1,4 @@
-// `geminga-ontology classify`: the taxonomy, or the whole closure, and numbers about the run.
+// `geminga-ontology classify`: the taxonomy or its closure, and figures of the run.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -7,11 +7,12 @@
 #include <fstream>
 #include <memory>
 
-#include "closure.hpp"
-#include "command.hpp"
-#include "findings.hpp"
-#include "knowledge.hpp"
-#include "words.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/findings/findings.hpp"
+#include "ontology/loading/classified_files.hpp"
+#include "ontology/loading/hierarchy.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -27,18 +28,18 @@ struct ClassifyRequest {
 
 bool to_output(std::string_view text) { return std::fwrite(text.data(), 1, text.size(), stdout) == text.size(); }
 
-bool write_stats(const Knowledge& knowledge, unsigned threads, const std::string& path) {
+bool write_stats(const ClassifiedFiles& classified, unsigned threads, const std::string& path) {
   std::uint64_t left_out = 0;
-  for (const owl::LeftOut& entry : taxonomy::left_out(knowledge.loaded.source, knowledge.classification))
+  for (const owl::LeftOut& entry : taxonomy::left_out(classified.loaded.source, classified.classification))
     left_out += entry.count;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const boost::json::object document{{"triples", knowledge.loaded.triples},
-                                     {"classes", class_count(knowledge)},
-                                     {"axioms", knowledge.classification.counts.axioms},
+  const boost::json::object document{{"triples", classified.loaded.triples},
+                                     {"classes", class_count(classified)},
+                                     {"axioms", classified.classification.counts.axioms},
                                      {"left_out", left_out},
-                                     {"load_ms", knowledge.load_ms},
-                                     {"classify_ms", knowledge.classify_ms},
+                                     {"load_ms", classified.load_ms},
+                                     {"classify_ms", classified.classify_ms},
                                      {"peak_rss_kib", usage.ru_maxrss},
                                      {"threads", threads}};
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
@@ -61,7 +62,7 @@ boost::json::array nodes_of(const Hierarchy& hierarchy, std::string_view members
   return nodes;
 }
 
-/// What is written: the classes, or the object and the data properties.
+/// The taxonomies to write: of classes, or of object and data properties.
 struct Taxonomies {
   Hierarchy classes;
   Hierarchy object_properties;
@@ -78,9 +79,9 @@ bool write_json(const Taxonomies& written, bool are_properties) {
   return to_output(boost::json::serialize(document) + '\n');
 }
 
-bool write_taxonomies(const Knowledge& knowledge, const ClassifyRequest& request) {
-  const owl::Ontology& source = knowledge.loaded.source;
-  const taxonomy::Classification& classification = knowledge.classification;
+bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& request) {
+  const owl::Ontology& source = classified.loaded.source;
+  const taxonomy::Classification& classification = classified.classification;
   Taxonomies written;
   written.classes = class_hierarchy(source, classification);
   if (request.are_properties) {
@@ -100,23 +101,22 @@ bool write_taxonomies(const Knowledge& knowledge, const ClassifyRequest& request
 
 Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto knowledge =
-      learn_or_say(request.files, {.threads = request.threads, .as_json = request.as_json, .budget = &budget});
-  if (!knowledge) return Exit::usage;
-  if (!write_taxonomies(*knowledge, request) || std::fflush(stdout) != 0)
-    return say_error("standard output cannot be written");
-  if (!request.stats.empty() && !write_stats(*knowledge, request.threads, request.stats))
+  const auto classified =
+      classify_or_say(request.files, {.threads = request.threads, .as_json = request.as_json, .budget = &budget});
+  if (!classified) return Exit::usage;
+  if (!write_taxonomies(*classified, request) || std::fflush(stdout) != 0) return say_unwritten();
+  if (!request.stats.empty() && !write_stats(*classified, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
-  // The taxonomy is what follows from what was given, which the files themselves say is not all.
-  std::string unresolved = unresolved_as_text(knowledge->loaded.unresolved);
+  // Imports that no file answers may have more to say.
+  std::string unresolved = unresolved_as_text(classified->loaded.unresolved);
   if (!unresolved.empty()) {
-    unresolved.pop_back();  // its line feed comes with the words
+    unresolved.pop_back();  // say_error() adds the line end
     say_error(unresolved);
   }
-  // A limit that was asked for is told of with its exit status.
-  const auto open = knowledge->classification.is_cut_off ? std::nullopt : describe_undecided(*knowledge);
+  // exit_of() tells of a limit that was reached.
+  const auto open = classified->classification.is_cut_off ? std::nullopt : describe_undecided(*classified);
   if (open) say_error("what is printed follows, and more may: " + *open);
-  return exit_of(*knowledge, Exit::yes);
+  return exit_of(*classified, Exit::yes);
 }
 
 }  // namespace

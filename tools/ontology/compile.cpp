@@ -1,4 +1,5 @@
 // `geminga-ontology compile`: the one file that the daemon maps at start.
+
 #include "reasoning/compiled/compile.hpp"
 
 #include <CLI/CLI.hpp>
@@ -7,14 +8,15 @@
 #include <memory>
 
 #include "base/text.hpp"
-#include "collisions.hpp"
-#include "command.hpp"
-#include "knowledge.hpp"
-#include "names.hpp"
-#include "output.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/output.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/findings/collisions.hpp"
+#include "ontology/findings/doubtful_names.hpp"
+#include "ontology/loading/classified_files.hpp"
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/owl/source_paths.hpp"
-#include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -25,7 +27,7 @@ struct CompileRequest {
   std::string out;
 };
 
-/// How many there are, and the first of them.
+/// Adds a line for each sort of doubtful names: their number, and the first.
 void add_doubtful_names(const NameFindings& names, std::vector<std::string>& lines) {
   const auto add = [&](const std::vector<DoubtfulName>& found, std::string_view what) {
     if (found.empty()) return;
@@ -37,7 +39,7 @@ void add_doubtful_names(const NameFindings& names, std::vector<std::string>& lin
   add(names.undeclared, "used and nowhere declared");
 }
 
-/// The prefixes of the command line, beside those of the files. A line where one is none.
+/// Adds the prefixes of the command line to those of the files. Returns an error in one line.
 std::optional<std::string> add_prefixes(const std::vector<std::string>& prefixes, owl::Ontology& source) {
   for (const std::string& prefix : prefixes) {
     const std::size_t equals = prefix.find('=');
@@ -48,19 +50,20 @@ std::optional<std::string> add_prefixes(const std::vector<std::string>& prefixes
   return std::nullopt;
 }
 
-/// What whoever starts a robot should read in its log, a line each. `geminga-ontology check` says more.
-std::vector<std::string> remarks(const Knowledge& knowledge, const compiled::Ontology& ontology) {
+/// Lines for the log of a robot that starts with this ontology. `geminga-ontology check` says more.
+std::vector<std::string> remarks(const ClassifiedFiles& classified, const compiled::Ontology& ontology) {
   std::vector<std::string> lines;
-  if (!knowledge.classification.is_consistent) lines.push_back("the ontology contradicts itself: every class is empty");
-  for (const rdf::UnresolvedImport& import : knowledge.loaded.unresolved)
+  if (!classified.classification.is_consistent)
+    lines.push_back("the ontology contradicts itself: every class is empty");
+  for (const rdf::UnresolvedImport& import : classified.loaded.unresolved)
     lines.push_back(import.file + ':' + std::to_string(import.line) + ": imports <" + import.iri +
                     ">, which no given file answers: name its file, too");
-  for (const rdf::PrefixConflict& conflict : knowledge.loaded.conflicts)
+  for (const rdf::PrefixConflict& conflict : classified.loaded.conflicts)
     lines.push_back("the prefix " + conflict.prefix + ": means several IRIs, and <" + conflict.chosen + "> is taken");
-  add_doubtful_names(find_doubtful_names(knowledge.loaded), lines);
-  for (std::uint32_t number = 0; number < ontology.class_count() && knowledge.classification.is_consistent; ++number) {
+  add_doubtful_names(find_doubtful_names(classified.loaded), lines);
+  for (std::uint32_t number = 0; number < ontology.class_count() && classified.classification.is_consistent; ++number) {
     const taxonomy::ClassNumber named{number};
-    if (named != knowledge.classification.nothing && is_unsatisfiable(knowledge.classification, named))
+    if (named != classified.classification.nothing && is_unsatisfiable(classified.classification, named))
       lines.push_back(ontology.short_name(named) + " can have no instance");
   }
   for (const Collision& collision : find_collisions(ontology).found) {
@@ -74,28 +77,27 @@ std::vector<std::string> remarks(const Knowledge& knowledge, const compiled::Ont
 Exit compile(const CompileRequest& request, const WorkLimits& limits) {
   constexpr std::size_t max_remarks = 20;
   base::Budget budget = budget_of(limits);
-  // The daemon, which reads standard output, shows what is said here as something that its user should look at.
-  auto knowledge = learn_or_say(request.files, {.says_files = request.out != to_standard_output, .budget = &budget});
-  if (!knowledge) return Exit::usage;
-  if (const auto problem = add_prefixes(request.prefixes, knowledge->loaded.source)) return say_error(*problem);
-  if (is_source(request.out, request.files, knowledge->loaded.source)) {
-    return say_error(request.out + " is one of the sources: name another file behind -o");
-  }
-  const std::vector<std::string> gaps = gaps_of(*knowledge);
+  // The daemon reads standard output and logs what is said on standard error as warnings.
+  auto classified =
+      classify_or_say(request.files, {.says_files = request.out != to_standard_output, .budget = &budget});
+  if (!classified) return Exit::usage;
+  if (const auto problem = add_prefixes(request.prefixes, classified->loaded.source)) return say_error(*problem);
+  if (would_destroy_source(request.out, request.files, classified->loaded.source)) return Exit::usage;
+  const std::vector<std::string> gaps = gaps_of(*classified);
   const std::vector<std::byte> bytes =
-      compiled::compile(knowledge->loaded.source, knowledge->classification,
+      compiled::compile(classified->loaded.source, classified->classification,
                         {.gaps = gaps, .folder = request.out == to_standard_output ? "" : owl::folder_of(request.out)});
-  // What cannot be read back is not written.
+  // A form that cannot be read back is not written.
   const auto ontology = compiled::Ontology::from_bytes(bytes);
   if (!ontology) return say_error(ontology.error().text);
   if (const auto whole = ontology->check_whole(); !whole) return say_error(whole.error().text);
   const Exit exit = put(request.out, bytes);
   if (exit != Exit::yes) return exit;
-  const auto lines = remarks(*knowledge, *ontology);
+  const auto lines = remarks(*classified, *ontology);
   for (std::size_t line = 0; line < std::min(lines.size(), max_remarks); ++line) say_error(lines[line]);
   if (lines.size() > max_remarks)
     say_error(std::to_string(lines.size() - max_remarks) + " more remarks: see geminga-ontology check");
-  return exit_of(*knowledge, exit);
+  return exit_of(*classified, exit);
 }
 
 }  // namespace
@@ -104,11 +106,7 @@ void add_compile(CLI::App& program, Choice& choice) {
   auto request = std::make_shared<CompileRequest>();
   CLI::App* command = program.add_subcommand("compile", "Write the compiled form that the daemon maps at start");
   add_files(*command, request->files);
-  command
-      ->add_option("-o,--output", request->out,
-                   "the file to write, replaced as a whole or not at all; - is standard output")
-      ->required()
-      ->type_name("OUT");
+  add_output(*command, request->out);
   command
       ->add_option("--prefix", request->prefixes,
                    "a prefix of names beside those of the files; may be given many times")
@@ -123,10 +121,7 @@ void add_compile(CLI::App& program, Choice& choice) {
       "settled,\n"
       "and says what is not decided.\n"
       "\nExample:\n  geminga-ontology compile team/ -o team.geminga --memory-limit 512 --time-limit 30");
-  command->callback([request, &choice] {
-    if (request->out != to_standard_output) choice.outputs.push_back(request->out);
-    choice.run = [request, &choice] { return compile(*request, choice.limits); };
-  });
+  run_when_named(*command, choice, request, compile);
 }
 
 }  // namespace geminga::ontology

@@ -1,12 +1,14 @@
-// `geminga-ontology consistent`: can there be a world as these files say?
+// `geminga-ontology consistent`: whether the files contradict themselves.
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <memory>
 
-#include "command.hpp"
-#include "conclusion.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/loading/argument.hpp"
+#include "ontology/verdict.hpp"
 #include "reasoning/reasoner/ill_typed.hpp"
-#include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -20,8 +22,7 @@ struct ConsistentRequest {
 };
 
 std::string as_json(const Answer& answer) {
-  boost::json::object document{{"consistent", nullptr}};
-  if (answer.verdict != Verdict::unknown) document["consistent"] = answer.verdict == Verdict::yes;
+  boost::json::object document{{"consistent", verdict_as_json(answer.verdict)}};
   if (!answer.reason.empty()) document["reason"] = answer.reason;
   return boost::json::serialize(document) + '\n';
 }
@@ -41,18 +42,14 @@ Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   progress.show("deciding", 0, loaded->source.axiom_count() > 10'000);
   base::Budget budget = budget_of(limits);
   Answer answer = reasoner::is_consistent_repaired(loaded->source, &budget);
-  // What was not understood can only make a contradiction, never undo one.
+  // An axiom that was not understood can make a contradiction, never undo one.
   if (answer.verdict == Verdict::yes) {
     if (auto unread = find_unread(loaded->source, {}, false)) answer = {Verdict::unknown, std::move(*unread)};
   }
   progress.clear();
   say_unresolved(*loaded);
-  if (!print(request.as_json ? as_json(answer) : as_text(answer)))
-    return say_error("standard output cannot be written");
-  if (answer.verdict == Verdict::unknown)
-    return say_error("it cannot be decided whether there is a contradiction: " + answer.reason,
-                     budget.is_spent() ? Exit::timed_out : Exit::usage);
-  return answer.verdict == Verdict::yes ? Exit::yes : Exit::no;
+  if (!print(request.as_json ? as_json(answer) : as_text(answer))) return say_unwritten();
+  return exit_of(answer, "whether there is a contradiction", budget);
 }
 
 }  // namespace
@@ -67,8 +64,7 @@ void add_consistent(CLI::App& program, Choice& choice) {
       "\nExit status: 0 they do not, 1 they do, 2 it cannot be decided (the reason is printed), or a file cannot be\n"
       "loaded, 4 a limit was reached before it was decided. Imports that no given file answers are left aside.\n"
       "\nExample:\n  geminga-ontology consistent team/");
-  command->callback(
-      [request, &choice] { choice.run = [request, &choice] { return consistent(*request, choice.limits); }; });
+  run_when_named(*command, choice, request, consistent);
 }
 
 }  // namespace geminga::ontology

@@ -1,14 +1,16 @@
-// `geminga-ontology convert` and `merge`: the same ontology in another syntax, and many files as one.
+// `geminga-ontology convert` and `merge`: an ontology in another syntax, and many files as one.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <span>
 
 #include "base/text.hpp"
-#include "command.hpp"
-#include "knowledge.hpp"
-#include "output.hpp"
-#include "triples.hpp"
-#include "words.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/output.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/format.hpp"
+#include "ontology/graph/asserted.hpp"
+#include "ontology/loading/classified_files.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -20,7 +22,8 @@ struct ConvertRequest {
   bool merges = false;
 };
 
-/// What was read and cannot be written: triples are written as they stand, and what is ill-typed as it was read.
+/// Names the constructs that were read and cannot be written. Triples are written as they stand, and ill-typed literals
+/// as they were read.
 void say_lost(const rdf::Loaded& loaded) {
   for (const owl::Ontology::Omission& lost : loaded.source.omissions()) {
     const auto file = static_cast<std::size_t>(lost.file);
@@ -35,15 +38,14 @@ void say_lost(const rdf::Loaded& loaded) {
   }
 }
 
-Exit convert(const ConvertRequest& request) {
+Exit convert(const ConvertRequest& request, const WorkLimits&) {
   const auto format = chosen_format(request.format, request.out);
   if (!format) return say_error(format.error());
   Progress progress(true);
   const auto loaded = load(request.files, progress, {.keeps_annotations = true});
   progress.clear();
   if (!loaded) return say_error(loaded.error().text);
-  if (is_source(request.out, request.files, loaded->source))
-    return say_error(request.out + " is one of the sources: name another file behind -o");
+  if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
   if (!request.merges && loaded->syntaxes.size() != 1)
     return say_error("these are " + std::to_string(loaded->syntaxes.size()) +
                      " files, and convert writes one: geminga-ontology merge makes one of many");
@@ -74,10 +76,7 @@ void add(CLI::App& program, Choice& choice, bool merges) {
                "error.\n"
                "\nExamples:\n  geminga-ontology convert oeo.omn -o oeo.ttl\n"
                "  geminga-ontology convert pizza.owl -o - --to ntriples");
-  command->callback([request, &choice] {
-    if (request->out != to_standard_output) choice.outputs.push_back(request->out);
-    choice.run = [request] { return convert(*request); };
-  });
+  run_when_named(*command, choice, request, convert);
 }
 
 }  // namespace

@@ -1,19 +1,14 @@
 // `geminga-ontology draw`: a picture of the taxonomy, one box for each node of equivalent classes.
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <array>
-#include <cerrno>
-#include <csignal>
 #include <memory>
 
-#include "command.hpp"
-#include "draw_picture.hpp"
-#include "knowledge.hpp"
-#include "words.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/loading/class_names.hpp"
+#include "ontology/loading/compiled_form.hpp"
+#include "ontology/picture/graphviz.hpp"
+#include "ontology/picture/picture.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -26,52 +21,10 @@ struct DrawRequest {
   bool is_compact = false;
 };
 
-/// Graphviz, which makes the picture on our standard output from the text that it is given in the end. It is started
-/// before a file is read: this program may start none later.
-class Graphviz {
- public:
-  /// False where there is none.
-  bool start() {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    std::string program = "dot";
-    std::string flag = "-Tsvg";
-    char* arguments[] = {program.data(), flag.data(), nullptr};
-    const int error = posix_spawnp(&child_, program.c_str(), &actions, nullptr, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[0]);
-    input_ = ends[1];
-    return error == 0;
-  }
-
-  /// Gives it the text and waits for its end. False where it failed.
-  [[nodiscard]] bool draw(std::string_view text) const {
-    std::signal(SIGPIPE, SIG_IGN);
-    while (!text.empty()) {
-      const ssize_t count = write(input_, text.data(), text.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) break;
-      text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    close(input_);
-    int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-    }
-    return text.empty() && status == 0;
-  }
-
- private:
-  int input_ = -1;
-  pid_t child_ = 0;
-};
-
 Exit draw(const DrawRequest& request, const Graphviz& graphviz) {
-  const auto knowledge = learn_or_say(request.files);
-  if (!knowledge) return Exit::usage;
-  const auto ontology = open_or_say(*knowledge);
+  const auto classified = classify_or_say(request.files);
+  if (!classified) return Exit::usage;
+  const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
   std::optional<taxonomy::ClassNumber> root;
   if (!request.root.empty()) {
@@ -79,16 +32,14 @@ Exit draw(const DrawRequest& request, const Graphviz& graphviz) {
     if (!root) return Exit::usage;
   }
   const std::optional<unsigned> depth = request.depth == 0 ? std::nullopt : std::optional(request.depth);
-  Picture picture = make_picture(knowledge->loaded.source, knowledge->classification, *ontology, root, depth);
+  Picture picture = make_picture(classified->loaded.source, classified->classification, *ontology, root, depth);
   if (request.is_compact) picture = with_lists_of_leaves(std::move(picture));
   if (request.format == "svg") {
     return graphviz.draw(as_dot(picture))
                ? Exit::yes
                : say_error("the program dot failed: ask for --format dot, or draw less with --root");
   }
-  return print(request.format == "dot" ? as_dot(picture) : as_mermaid(picture))
-             ? Exit::yes
-             : say_error("standard output cannot be written");
+  return print_or_say(request.format == "dot" ? as_dot(picture) : as_mermaid(picture));
 }
 
 }  // namespace

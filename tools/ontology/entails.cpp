@@ -1,13 +1,15 @@
-// `geminga-ontology entails`: does everything that one ontology says follow from another?
+// `geminga-ontology entails`: whether every axiom of one ontology follows from another.
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <memory>
 
-#include "command.hpp"
-#include "conclusion.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/loading/argument.hpp"
+#include "ontology/verdict.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/reasoner/ill_typed.hpp"
-#include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -21,7 +23,7 @@ struct EntailsRequest {
   bool as_json = false;
 };
 
-/// One axiom of the conclusion.
+/// One axiom of the conclusion, and whether it follows.
 struct Finding {
   std::string axiom;
   std::string place;
@@ -30,7 +32,7 @@ struct Finding {
   Answer answer;
 };
 
-/// Of all axioms together: no where one does not follow, unknown where one is not known to.
+/// The answer for all axioms together: no where one does not follow, else unknown where one is undecided.
 Answer join(const std::vector<Finding>& findings, const Argument& argument) {
   Answer all{Verdict::yes, {}};
   for (const Finding& finding : findings) {
@@ -52,7 +54,7 @@ std::vector<Finding> decide(Argument& argument, base::Budget& budget) {
     const std::string& file = source.files()[static_cast<std::size_t>(axiom.file)].path;
     Finding finding{owl::print(source, axiom, short_name), file, file, axiom.line, answers[at]};
     if (axiom.line != 0) finding.place += ':' + std::to_string(axiom.line);
-    // What was not understood of the premise might be what is missing.
+    // The axiom may follow from a part of the premise that was not understood.
     if (finding.answer.verdict == Verdict::no && argument.unread_premise)
       finding.answer = {Verdict::unknown, *argument.unread_premise};
     findings.push_back(std::move(finding));
@@ -60,20 +62,15 @@ std::vector<Finding> decide(Argument& argument, base::Budget& budget) {
   return findings;
 }
 
-boost::json::value as_json(Verdict verdict) {
-  if (verdict == Verdict::unknown) return nullptr;
-  return verdict == Verdict::yes;
-}
-
 std::string as_json(const std::vector<Finding>& findings, const Answer& all) {
-  boost::json::object document{{"entailed", as_json(all.verdict)}};
+  boost::json::object document{{"entailed", verdict_as_json(all.verdict)}};
   if (!all.reason.empty()) document["reason"] = all.reason;
   boost::json::array& axioms = document["axioms"].emplace_array();
   for (const Finding& finding : findings) {
     boost::json::object entry{{"axiom", finding.axiom},
                               {"file", finding.file},
                               {"line", finding.line},
-                              {"entailed", as_json(finding.answer.verdict)}};
+                              {"entailed", verdict_as_json(finding.answer.verdict)}};
     if (!finding.answer.reason.empty()) entry["reason"] = finding.answer.reason;
     axioms.push_back(std::move(entry));
   }
@@ -105,12 +102,8 @@ Exit entails(const EntailsRequest& request, const WorkLimits& limits) {
   const Answer all = join(findings, *argument);
   progress.clear();
   say_unresolved(argument->loaded);
-  if (!print(request.as_json ? as_json(findings, all) : as_text(findings, all)))
-    return say_error("standard output cannot be written");
-  if (all.verdict == Verdict::unknown)
-    return say_error("it cannot be decided whether all of it follows: " + all.reason,
-                     budget.is_spent() ? Exit::timed_out : Exit::usage);
-  return all.verdict == Verdict::yes ? Exit::yes : Exit::no;
+  if (!print(request.as_json ? as_json(findings, all) : as_text(findings, all))) return say_unwritten();
+  return exit_of(all, "whether all of it follows", budget);
 }
 
 }  // namespace
@@ -133,8 +126,7 @@ void add_entails(CLI::App& program, Choice& choice) {
       "An axiom with a literal that is not of its datatype is left out. What may hang on it, whichever value of the\n"
       "datatype was meant, cannot be decided; all else can.\n"
       "\nExample:\n  geminga-ontology entails team/ expected.ttl");
-  command->callback(
-      [request, &choice] { choice.run = [request, &choice] { return entails(*request, choice.limits); }; });
+  run_when_named(*command, choice, request, entails);
 }
 
 }  // namespace geminga::ontology

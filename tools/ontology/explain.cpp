@@ -1,12 +1,13 @@
-// `geminga-ontology explain`: which axioms entail that one class is subsumed by another, and what is missing where they
-// do not?
+// `geminga-ontology explain`: the axioms that entail a subsumption, or what is missing for it.
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "command.hpp"
-#include "explain_output.hpp"
-#include "knowledge.hpp"
-#include "words.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/explain_output.hpp"
+#include "ontology/loading/class_names.hpp"
+#include "ontology/loading/compiled_form.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -27,7 +28,7 @@ struct ExplainRequest {
 
 Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto ontology = learn_ontology_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
+  const auto ontology = open_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!ontology) return Exit::usage;
   const bool is_plain = !request.is_about_contradiction;
   const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(owl::owl_thing), request.as_json);
@@ -57,7 +58,7 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   std::string text =
       request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);
   if (!is_plain && !explained.is_entailed && !request.as_json) text = "The ontology does not contradict itself\n";
-  if (!print(text)) return say_error("standard output cannot be written");
+  if (!print(text)) return say_unwritten();
   if (explained.is_entailed) return Exit::yes;
   return budget.is_spent() ? say_error(*budget.reason() + ": raise it", Exit::timed_out) : Exit::no;
 }

@@ -1,21 +1,14 @@
-// The words and the fields.
-#include "explain_output.hpp"
+#include "ontology/explain_output.hpp"
 
 #include <boost/json.hpp>
 
-#include "words.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/findings/axioms.hpp"
 
 namespace geminga::ontology {
 namespace {
 
 using explanation::ExplainedAxiom;
-
-std::string as_line(const ExplainedAxiom& axiom) {
-  std::string text = axiom.text;
-  if (!axiom.file.empty())
-    text += "   [" + axiom.file + (axiom.line == 0 ? "" : ':' + std::to_string(axiom.line)) + ']';
-  return text + '\n';
-}
 
 /// "1", "1 and 2", "1, 2 and 3".
 std::string listed(const std::vector<std::uint32_t>& numbers) {
@@ -35,7 +28,8 @@ std::string proof_as_text(const explanation::Proof& proof, const explanation::Ex
     const std::string digits = std::to_string(++number);
     return indent + std::string(digits.size() < 2 ? 1 : 0, ' ') + digits + ". ";
   };
-  for (const std::uint32_t axiom : proof.axioms) text += numbered() + as_line(explainer.module().explained(axiom));
+  for (const std::uint32_t axiom : proof.axioms)
+    text += numbered() + axiom_line(explainer.module().explained(axiom)) + '\n';
   if (!proof.steps.empty()) text += indent + "so\n";
   for (const explanation::ProofStep& step : proof.steps) {
     text += numbered() + step.text + "   from " + listed(step.from);
@@ -49,7 +43,8 @@ std::string set_as_text(const Explained& explained, std::size_t at, const explan
                         const std::string& indent) {
   if (at < explained.proofs.size()) return proof_as_text(explained.proofs[at], explainer, indent);
   std::string text;
-  for (const ExplainedAxiom& axiom : explainer.explained(explained.sets.sets[at])) text += indent + as_line(axiom);
+  for (const ExplainedAxiom& axiom : explainer.explained(explained.sets.sets[at]))
+    text += indent + axiom_line(axiom) + '\n';
   return text;
 }
 
@@ -60,7 +55,7 @@ std::string why_not_as_text(const compiled::Ontology& ontology, const Explained&
   return text;
 }
 
-/// "a:A is subsumed by a:B", or what that means where one of them is nothing or everything.
+/// "a:A is subsumed by a:B", or its meaning where one of them is owl:Nothing or owl:Thing.
 std::string statement(const compiled::Ontology& ontology, const Explained& explained) {
   const bool is_nothing = ontology.iri(explained.super) == owl::owl_nothing;
   if (is_nothing && ontology.iri(explained.sub) == owl::owl_thing) return "The ontology contradicts itself";
@@ -68,21 +63,14 @@ std::string statement(const compiled::Ontology& ontology, const Explained& expla
   return ontology.short_name(explained.sub) + " is subsumed by " + ontology.short_name(explained.super);
 }
 
-boost::json::array as_array(const std::vector<ExplainedAxiom>& axioms) {
-  boost::json::array list;
-  for (const ExplainedAxiom& axiom : axioms)
-    list.push_back(boost::json::object{{"axiom", axiom.text}, {"file", axiom.file}, {"line", axiom.line}});
-  return list;
-}
-
 boost::json::object as_object(const explanation::Proof& proof, const explanation::Explainer& explainer) {
   boost::json::object object;
   boost::json::array& axioms = object["axioms"].emplace_array();
   std::uint32_t number = 0;
   for (const std::uint32_t axiom : proof.axioms) {
-    const ExplainedAxiom explained = explainer.module().explained(axiom);
-    axioms.push_back(boost::json::object{
-        {"number", ++number}, {"axiom", explained.text}, {"file", explained.file}, {"line", explained.line}});
+    boost::json::object one{{"number", ++number}};
+    for (const auto& member : axiom_object(explainer.module().explained(axiom))) one.insert(member);
+    axioms.push_back(std::move(one));
   }
   boost::json::array& steps = object["steps"].emplace_array();
   for (const explanation::ProofStep& step : proof.steps)
@@ -99,10 +87,8 @@ boost::json::object as_object(const compiled::Ontology& ontology, const explanat
   for (const taxonomy::ClassNumber number : why_not.common) common.emplace_back(ontology.iri(number));
   boost::json::array& ways = object["ways"].emplace_array();
   for (const explanation::Way& way : why_not.ways) {
-    boost::json::object one{{"axiom", way.axiom.text},
-                            {"file", way.axiom.file},
-                            {"line", way.axiom.line},
-                            {"sufficient", way.is_sufficient}};
+    boost::json::object one = axiom_object(way.axiom);
+    one["sufficient"] = way.is_sufficient;
     boost::json::array& requirements = one["requirements"].emplace_array();
     for (const explanation::Requirement& requirement : way.requirements)
       requirements.push_back(boost::json::object{
@@ -110,7 +96,7 @@ boost::json::object as_object(const compiled::Ontology& ontology, const explanat
     ways.push_back(std::move(one));
   }
   object["excluded"] = why_not.is_excluded;
-  object["exclusion"] = as_array(why_not.exclusion);
+  object["exclusion"] = axiom_array(why_not.exclusion);
   object["may_be_incomplete"] = why_not.may_be_incomplete;
   return object;
 }
@@ -145,10 +131,10 @@ std::string as_json(const compiled::Ontology& ontology, const Explained& explain
                                {"entailed", explained.is_entailed}};
   boost::json::array& first = document["axioms"].emplace_array();
   const auto& sets = explained.sets.sets;
-  if (explainer != nullptr && !sets.empty()) first = as_array(explainer->explained(sets.front()));
+  if (explainer != nullptr && !sets.empty()) first = axiom_array(explainer->explained(sets.front()));
   if (explainer != nullptr && explained.is_all) {
     boost::json::array& all = document["sets"].emplace_array();
-    for (const explanation::AxiomSet& set : sets) all.push_back(as_array(explainer->explained(set)));
+    for (const explanation::AxiomSet& set : sets) all.push_back(axiom_array(explainer->explained(set)));
     document["may_have_more"] = explained.sets.may_have_more;
   }
   if (explainer != nullptr && !explained.proofs.empty()) {

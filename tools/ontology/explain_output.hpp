@@ -1,4 +1,4 @@
-// What `geminga-ontology explain` found, in text and in JSON.
+// The answers of `geminga-ontology explain`, in text and in JSON.
 #ifndef GEMINGA_ONTOLOGY_EXPLAIN_OUTPUT_HPP
 #define GEMINGA_ONTOLOGY_EXPLAIN_OUTPUT_HPP
 
@@ -18,13 +18,13 @@ struct Explained {
   taxonomy::ClassNumber sub{};
   taxonomy::ClassNumber super{};
   bool is_entailed = false;
-  bool is_all = false;                         ///< all sets were asked for
-  explanation::AllSets sets;                   ///< one set where not
-  std::vector<explanation::Proof> proofs;      ///< of each set, where they were asked for
+  bool is_all = false;                         ///< all sets are wanted
+  explanation::AllSets sets;                   ///< one set, unless all are wanted
+  std::vector<explanation::Proof> proofs;      ///< of each set, where they are wanted
   std::optional<explanation::WhyNot> why_not;  ///< where it is not entailed
 };
 
-/// `explainer` is the one that found the sets; null where it is not entailed.
+/// `explainer` found the sets; null where the subsumption is not entailed.
 [[nodiscard]] std::string as_text(const compiled::Ontology& ontology, const Explained& explained,
                                   const explanation::Explainer* explainer);
 /// One document on one line.

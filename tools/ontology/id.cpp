@@ -1,13 +1,14 @@
-// `geminga-ontology id`: the 32-bit identity of a concept and, perhaps, a representation (src/identity/IDENTITY.md).
+// `geminga-ontology id`: the 32-bit identity of a concept, with or without a representation (src/identity/IDENTITY.md).
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <memory>
 
 #include "base/text.hpp"
-#include "command.hpp"
 #include "geminga/identity.hpp"
-#include "knowledge.hpp"
-#include "words.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/loading/class_names.hpp"
+#include "ontology/loading/compiled_form.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -19,14 +20,14 @@ struct IdRequest {
   bool as_json = false;
 };
 
-/// The IRI that a name is by itself: `<IRI>`, or one with a scheme that nobody takes for a prefix.
+/// The IRI of a name that is one: `<IRI>`, or with a scheme that is no prefix.
 std::optional<std::string> plain_iri(const std::string& name) {
   if (name.size() > 2 && name.front() == '<' && name.back() == '>') return name.substr(1, name.size() - 2);
   if (name.find("://") != std::string::npos || name.starts_with("urn:")) return name;
   return std::nullopt;
 }
 
-/// Resolves names, and loads the ontologies when the first one needs them.
+/// Resolves names. Loads the ontologies when the first name needs them.
 class Resolver {
  public:
   explicit Resolver(const IdRequest& request) : request_(request) {}
@@ -47,9 +48,9 @@ class Resolver {
 
  private:
   bool open() {
-    const auto knowledge =
-        learn_or_say(request_.files.empty() ? std::vector{shipped_ontologies().string()} : request_.files);
-    if (knowledge) ontology_ = open_or_say(*knowledge);
+    const auto classified =
+        classify_or_say(request_.files.empty() ? std::vector{shipped_ontologies().string()} : request_.files);
+    if (classified) ontology_ = compile_or_say(*classified);
     return ontology_.has_value();
   }
 
@@ -57,7 +58,7 @@ class Resolver {
   std::optional<compiled::Ontology> ontology_;
 };
 
-Exit print_id(const IdRequest& request) {
+Exit print_id(const IdRequest& request, const WorkLimits&) {
   Resolver resolver(request);
   const auto concept_iri = resolver.resolve(request.concept_name);
   if (!concept_iri) return Exit::usage;
@@ -77,7 +78,7 @@ Exit print_id(const IdRequest& request) {
                                        {"representation", identity.representation_iri}};
     text = boost::json::serialize(document) + '\n';
   }
-  return print(text) ? Exit::yes : say_error("standard output cannot be written");
+  return print_or_say(text);
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ void add_id(CLI::App& program, Choice& choice) {
   command->footer(
       "\nExamples:\n  geminga-ontology id soccer:BallInfo soccer:CartesianFieldFrame\n"
       "  geminga-ontology id '<http://example.org/a>' --json");
-  command->callback([request, &choice] { choice.run = [request] { return print_id(*request); }; });
+  run_when_named(*command, choice, request, print_id);
 }
 
 }  // namespace geminga::ontology

@@ -1,13 +1,15 @@
-// `geminga-ontology infer`: the ontology with what follows from it, for other tools.
+// `geminga-ontology infer`: the ontology with the relations that follow from it, for other tools.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <span>
 
-#include "command.hpp"
-#include "inferences.hpp"
-#include "output.hpp"
-#include "triples.hpp"
-#include "words.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/output.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/format.hpp"
+#include "ontology/graph/asserted.hpp"
+#include "ontology/graph/inferred.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -20,15 +22,15 @@ struct InferRequest {
   bool as_closure = false;
 };
 
-/// Says what may be missing, and whether anything can be said at all.
-Exit judge(const std::expected<Knowledge, NoKnowledge>& knowledge) {
-  if (!knowledge) return say_error(knowledge.error().text);
-  if (!knowledge->classification.is_consistent)
+/// Says that relations may be missing. An error or a contradiction ends the command with its exit status.
+Exit judge(const std::expected<ClassifiedFiles, LoadFailure>& classified) {
+  if (!classified) return say_error(classified.error().text);
+  if (!classified->classification.is_consistent)
     return say_error("the ontology contradicts itself, so that everything follows from it: see geminga-ontology check",
                      Exit::no);
-  // Where a limit was reached, more is said when all is written.
-  const auto why = why_incomplete(*knowledge);
-  if (why && !knowledge->classification.is_cut_off) say_error("more may follow: " + *why);
+  // exit_of() tells of a limit that was reached.
+  const auto why = why_incomplete(*classified);
+  if (why && !classified->classification.is_cut_off) say_error("more may follow: " + *why);
   return Exit::yes;
 }
 
@@ -38,29 +40,28 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   Progress progress(true);
   auto loaded = load(request.files, progress, {.keeps_annotations = true});
   if (!loaded) return say_error(loaded.error().text);
-  if (is_source(request.out, request.files, loaded->source))
-    return say_error(request.out + " is one of the sources: name another file behind -o");
+  if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
   graph::Graph asserted;
   if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem);
   base::Budget budget = budget_of(limits);
-  const auto knowledge = learn_types(std::move(*loaded), progress, {.budget = &budget});
+  const auto classified = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
   progress.clear();
-  if (const Exit exit = judge(knowledge); exit != Exit::yes) return exit;
+  if (const Exit exit = judge(classified); exit != Exit::yes) return exit;
   graph::Graph alone;
   graph::Graph& graph = request.only_inferred ? alone : asserted;
-  add_inferred(*knowledge, request.as_closure, graph);
+  add_inferred(*classified, request.as_closure, graph);
   if (graph.problem()) return say_error(*graph.problem());
   graph.sort();
   if (request.only_inferred) {
     asserted.sort();
     alone.remove(asserted);
-    add_declarations(*knowledge, alone);
+    add_declarations(*classified, alone);
     alone.sort();
   }
-  const auto text = graph.write(*format, prefixes_of(knowledge->loaded.source));
+  const auto text = graph.write(*format, prefixes_of(classified->loaded.source));
   if (!text) return say_error(text.error());
   const Exit exit = put(request.out, std::as_bytes(std::span(*text)));
-  return exit == Exit::yes ? exit_of(*knowledge, exit) : exit;
+  return exit == Exit::yes ? exit_of(*classified, exit) : exit;
 }
 
 }  // namespace
@@ -82,10 +83,7 @@ void add_infer(CLI::App& program, Choice& choice) {
       "is written follows, and standard error says what is not decided.\n"
       "\nExamples:\n  geminga-ontology infer team/ -o inferred.owl\n"
       "  geminga-ontology infer team/ --only-inferred --closure -o - --to ntriples");
-  command->callback([request, &choice] {
-    if (request->out != to_standard_output) choice.outputs.push_back(request->out);
-    choice.run = [request, &choice] { return infer(*request, choice.limits); };
-  });
+  run_when_named(*command, choice, request, infer);
 }
 
 }  // namespace geminga::ontology

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "base/text.hpp"
-#include "command.hpp"
-#include "confinement.hpp"
 #include "manual/describe.hpp"
-#include "sandbox.hpp"
-#include "words.hpp"
+#include "ontology/cage.hpp"
+#include "ontology/command/process_limits.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
 
 namespace {
 
@@ -40,7 +40,7 @@ FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester synt
 files that are named. Names are prefix:Name, <IRI>, a label, or, where it is unique, Name alone.
 Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 a limit was reached.)";
 
-/// CLI11 ends its messages in line ends, and some run over several lines.
+/// Joins the lines of a message of CLI11.
 std::string in_one_line(std::string words) {
   while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
   for (char& c : words) {
@@ -83,15 +83,15 @@ int run(int argc, char** argv) {
   if (choice.prepare) {
     if (const Exit prepared = choice.prepare(); prepared != Exit::yes) return static_cast<int>(prepared);
   }
-  shut_in(*program.get_subcommands().front(), choice.outputs, choice.readable);
+  close_cage(*program.get_subcommands().front(), choice);
   return static_cast<int>(choice.run());
 }
 
 }  // namespace
 
 #ifdef __SANITIZE_ADDRESS__
-// The search for leaks at the end traces the process itself, which the cage does not let it. The tests of what this
-// program is made of search for them.
+// The search for leaks at the end traces the process itself, which the cage forbids. The tests of the modules search
+// for leaks.
 extern "C" int __lsan_is_turned_off() { return 1; }  // NOLINT(bugprone-reserved-identifier)
 #endif
 

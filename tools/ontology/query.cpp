@@ -1,23 +1,26 @@
-// `geminga-ontology query`: SPARQL over what the files say and what follows from it.
+// `geminga-ontology query`: SPARQL over the triples that the files assert and those that follow.
+
 #include "reasoning/syntax/graph/query.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "base/text.hpp"
-#include "command.hpp"
-#include "inferences.hpp"
-#include "output.hpp"
-#include "query_output.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/output.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/format.hpp"
+#include "ontology/graph/asserted.hpp"
+#include "ontology/graph/inferred.hpp"
+#include "ontology/query_output.hpp"
 #include "reasoning/syntax/files.hpp"
-#include "triples.hpp"
-#include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
 
 struct QueryRequest {
-  std::vector<std::string> words;  ///< files, and the query behind them
+  std::vector<std::string> words;  ///< the files, and last the query
   std::string rows = "table";
   std::string format;
   bool as_json = false;
@@ -25,7 +28,7 @@ struct QueryRequest {
   unsigned most_rows = 100'000;
 };
 
-/// The text itself, or that of the file that it names.
+/// The query itself, or that in the file that the word names.
 std::expected<std::string, std::string> query_of(const std::string& word) {
   if (!word.ends_with(".rq") && !word.ends_with(".sparql")) return word;
   syntax::Limits limits;
@@ -35,49 +38,48 @@ std::expected<std::string, std::string> query_of(const std::string& word) {
   return std::string(bytes->view());
 }
 
-/// The graph that is asked, and how its names are written.
+/// The graph that is asked, and the short forms of its names.
 struct Asked {
   graph::Graph graph;
   graph::Prefixes prefixes;
   std::function<std::string(std::string_view)> short_name;
 };
 
-/// Fills it, or says what is wrong.
+/// Fills the graph, or says what is wrong.
 Exit fill(const std::vector<std::string>& files, const QueryRequest& request, base::Budget& budget, Asked& asked,
-          std::optional<Knowledge>& knowledge) {
+          std::optional<ClassifiedFiles>& classified) {
   Progress progress(!request.as_json);
   auto loaded = load(files, progress, {.keeps_annotations = true});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   if (const auto problem = add_asserted(*loaded, asked.graph)) return say_failure(*problem, request.as_json);
   asked.prefixes = prefixes_of(loaded->source);
   if (request.only_asserted) {
-    knowledge.emplace(std::move(*loaded), reasoner::Classified{}, 0, 0);
+    classified.emplace(std::move(*loaded), reasoner::Classified{}, 0, 0);
   } else {
-    auto learned = learn_types(std::move(*loaded), progress, {.budget = &budget});
+    auto learned = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
     if (!learned) return say_failure(learned.error().text, request.as_json);
-    knowledge.emplace(std::move(*learned));
-    if (!knowledge->classification.is_consistent)
+    classified.emplace(std::move(*learned));
+    if (!classified->classification.is_consistent)
       return say_failure(
           "the ontology contradicts itself, so that everything follows from it: ask --asserted only, or "
           "see geminga-ontology check",
           request.as_json);
-    add_inferred(*knowledge, true, asked.graph);
-    // Where a limit was reached, more is said behind the answer.
-    const auto why = why_incomplete(*knowledge);
-    if (why && !knowledge->classification.is_cut_off) say_error("more may follow: " + *why);
+    add_inferred(*classified, true, asked.graph);
+    // exit_of() tells of a limit that was reached.
+    const auto why = why_incomplete(*classified);
+    if (why && !classified->classification.is_cut_off) say_error("more may follow: " + *why);
   }
   progress.clear();
   if (asked.graph.problem()) return say_failure(*asked.graph.problem(), request.as_json);
   asked.graph.sort();
-  asked.short_name = short_names(knowledge->loaded.source);
+  asked.short_name = short_names(classified->loaded.source);
   return Exit::yes;
 }
 
-/// Writes the answer; the exit status tells what it is.
+/// Writes the answer. The exit status says whether there are rows, or whether the answer is yes.
 Exit write(const graph::Answer& answer, const QueryRequest& request, Rows rows, const Asked& asked) {
   const bool are_triples = answer.kind == graph::Answer::Kind::triples;
-  if (!print(are_triples ? answer.text : written(answer, rows, asked.short_name)))
-    return say_error("standard output cannot be written");
+  if (!print(are_triples ? answer.text : written(answer, rows, asked.short_name))) return say_unwritten();
   if (answer.is_cut)
     return say_error("there are more than " + std::to_string(request.most_rows) +
                      " rows, which were written: raise --rows, or write LIMIT");
@@ -94,14 +96,14 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   const auto text = query_of(request.words.back());
   if (!text) return say_failure(text.error(), request.as_json);
   Asked asked;
-  std::optional<Knowledge> knowledge;
+  std::optional<ClassifiedFiles> classified;
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
   base::Budget budget = budget_of(limits);
-  if (const Exit exit = fill(files, request, budget, asked, knowledge); exit != Exit::yes) return exit;
+  if (const Exit exit = fill(files, request, budget, asked, classified); exit != Exit::yes) return exit;
   const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, {.rows = request.most_rows});
   if (!answer) return say_failure(answer.error(), request.as_json);
   const Exit exit = write(*answer, request, *rows, asked);
-  return exit == Exit::usage ? exit : exit_of(*knowledge, exit);
+  return exit == Exit::usage ? exit : exit_of(*classified, exit);
 }
 
 }  // namespace
@@ -132,7 +134,7 @@ void add_query(CLI::App& program, Choice& choice) {
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query pizza.owl unnamed.rq --format csv");
-  command->callback([request, &choice] { choice.run = [request, &choice] { return query(*request, choice.limits); }; });
+  run_when_named(*command, choice, request, query);
 }
 
 }  // namespace geminga::ontology

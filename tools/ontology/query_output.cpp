@@ -1,4 +1,4 @@
-#include "query_output.hpp"
+#include "ontology/query_output.hpp"
 
 #include <algorithm>
 #include <boost/json.hpp>
@@ -13,11 +13,11 @@ using graph::Answer;
 using graph::Node;
 
 constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string";
-/// A column of a table is no wider, whatever its longest text is.
-constexpr std::size_t widest = 80;
+/// The greatest width of a column that is aligned.
+constexpr std::size_t max_column_width = 80;
 
-/// As N-Triples and TSV write it.
-std::string as_triples_do(const Node& node) {
+/// Writes a node as N-Triples and TSV do.
+std::string as_ntriples(const Node& node) {
   if (node.kind == Node::Kind::iri) return '<' + node.text + '>';
   if (node.kind == Node::Kind::blank) return "_:" + node.text;
   std::string text = "\"";
@@ -46,7 +46,7 @@ std::string as_triples_do(const Node& node) {
   return node.datatype.empty() || node.datatype == xsd_string ? text : text + "^^<" + node.datatype + '>';
 }
 
-/// RFC 4180: a text with a comma, a quotation mark or a line end stands in quotation marks.
+/// Quotes a text with a comma, a quotation mark or a line end (RFC 4180).
 std::string as_csv(const Node& node) {
   std::string text = node.kind == Node::Kind::blank ? "_:" + node.text : node.text;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -100,7 +100,7 @@ std::string separated(const Answer& answer, bool by_commas) {
   for (const auto& row : answer.rows) {
     for (std::size_t at = 0; at < row.size(); ++at) {
       text.append(at == 0 ? "" : separator);
-      if (row[at]) text.append(by_commas ? as_csv(*row[at]) : as_triples_do(*row[at]));
+      if (row[at]) text.append(by_commas ? as_csv(*row[at]) : as_ntriples(*row[at]));
     }
     text += end;
   }
@@ -122,7 +122,7 @@ std::string table(const Answer& answer, const std::function<std::string(std::str
   std::vector<std::size_t> widths(answer.variables.size(), 0);
   for (const auto& line : cells) {
     for (std::size_t at = 0; at < line.size(); ++at)
-      widths[at] = std::max(widths[at], std::min(base::count_characters(line[at]), widest));
+      widths[at] = std::max(widths[at], std::min(base::count_characters(line[at]), max_column_width));
   }
   std::string text;
   for (const auto& line : cells) {

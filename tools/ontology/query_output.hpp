@@ -1,4 +1,4 @@
-// Rows of an answer as a table, JSON, CSV or TSV.
+// The rows of a SPARQL answer as a table, JSON, CSV or TSV.
 #ifndef GEMINGA_ONTOLOGY_QUERY_OUTPUT_HPP
 #define GEMINGA_ONTOLOGY_QUERY_OUTPUT_HPP
 
@@ -21,7 +21,7 @@ enum class Rows : std::uint8_t {
 
 [[nodiscard]] std::optional<Rows> find_rows(std::string_view name);
 
-/// The rows, or the truth, of an answer.
+/// Writes the rows, or the truth, of an answer.
 [[nodiscard]] std::string written(const graph::Answer& answer, Rows rows,
                                   const std::function<std::string(std::string_view)>& short_name);
 

@@ -1,14 +1,14 @@
-// `geminga-ontology rank`: which services of a collection suit which requests, by their inputs and outputs.
+// `geminga-ontology rank`: the services of a collection in the order in which they suit each request.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
 #include "base/text.hpp"
-#include "command.hpp"
-#include "output.hpp"
-#include "rank_collection.hpp"
-#include "rank_output.hpp"
-#include "words.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/ranking/rank_writer.hpp"
+#include "ontology/ranking/ranked_collection.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -21,7 +21,7 @@ struct RankRequest {
   unsigned most = 0;
 };
 
-/// What is wrong and what could be better, on standard error.
+/// Says problems and remarks on standard error.
 void say_all(const RankedCollection& collection) {
   constexpr std::size_t most_lines = 20;
   const std::vector<std::string>& problems = collection.problems();
@@ -54,8 +54,7 @@ Exit rank(const RankRequest& request, const WorkLimits& limits) {
     if (request.most != 0 && ranked.size() > request.most) ranked.resize(request.most);
     is_written = is_written && print(writer.request(described, ranked));
   }
-  if (!is_written || !print(writer.end())) return say_error("standard output cannot be written");
-  return Exit::yes;
+  return is_written ? print_or_say(writer.end()) : say_unwritten();
 }
 
 void add_folders(CLI::App& command, const std::string& flag, std::vector<std::string>& folders,

@@ -1,16 +1,19 @@
-// `geminga-ontology subsumes`: is one class, or class expression, subsumed by another?
+// `geminga-ontology subsumes`: whether one class or class expression is subsumed by another.
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <memory>
 
 #include "base/text.hpp"
-#include "command.hpp"
-#include "knowledge.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/loading/class_names.hpp"
+#include "ontology/loading/compiled_form.hpp"
+#include "ontology/verdict.hpp"
 #include "reasoning/compiled/entity_names.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "reasoning/syntax/manchester/parse.hpp"
-#include "words.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -22,10 +25,10 @@ struct SubsumesRequest {
   bool as_json = false;
 };
 
-/// The class expression that a text is, one name being the simplest; nothing after saying what is wrong.
+/// Reads a class expression, of which a name is the simplest; nothing after saying what is wrong.
 std::optional<manchester::Expression> read_or_say(const compiled::Ontology& ontology, const owl::Names& names,
                                                   const std::string& text, bool as_json) {
-  // A label may hold words that are those of an expression.
+  // A label may hold words that are operators of an expression.
   if (find_class(ontology, text) || !manchester::is_compound(text)) {
     const auto number = find_or_say(ontology, text, as_json);
     if (!number) return std::nullopt;
@@ -43,9 +46,9 @@ std::string words(const compiled::Ontology& ontology, const manchester::Expressi
   return owl::print(expression.source, expression.term, [&](std::string_view iri) { return ontology.short_name(iri); });
 }
 
-/// The taxonomy answers for two classes. Of expressions it is derived by the engines together.
-reasoner::Answer decide(Knowledge& knowledge, const compiled::Ontology& ontology, const manchester::Expression& sub,
-                        const manchester::Expression& super, base::Budget& budget) {
+/// Decides by the taxonomy for two classes, by the engines for expressions.
+reasoner::Answer decide(ClassifiedFiles& classified, const compiled::Ontology& ontology,
+                        const manchester::Expression& sub, const manchester::Expression& super, base::Budget& budget) {
   const auto class_of = [&](const manchester::Expression& expression) {
     const bool is_class = expression.source.kind(expression.term) == owl::TermKind::named_class;
     return is_class ? ontology.find_iri(expression.source.name_of(expression.term)) : std::nullopt;
@@ -54,25 +57,24 @@ reasoner::Answer decide(Knowledge& knowledge, const compiled::Ontology& ontology
   const auto super_class = class_of(super);
   if (sub_class && super_class) {
     const bool holds =
-        is_unsatisfiable(knowledge.classification, *sub_class) || ontology.is_subsumed(*sub_class, *super_class);
+        is_unsatisfiable(classified.classification, *sub_class) || ontology.is_subsumed(*sub_class, *super_class);
     if (holds) return {.verdict = reasoner::Verdict::yes, .reason = {}};
-    if (!is_undecided(knowledge.classification, *sub_class)) return {.verdict = reasoner::Verdict::no, .reason = {}};
-    return {.verdict = reasoner::Verdict::unknown, .reason = describe_undecided(knowledge).value_or("")};
+    if (!is_undecided(classified.classification, *sub_class)) return {.verdict = reasoner::Verdict::no, .reason = {}};
+    return {.verdict = reasoner::Verdict::unknown, .reason = describe_undecided(classified).value_or("")};
   }
-  owl::Ontology& source = knowledge.loaded.source;
+  owl::Ontology& source = classified.loaded.source;
   const owl::TermId below = source.copy(sub.source, sub.term);
   const owl::TermId above = source.copy(super.source, super.term);
   return reasoner::entails(source, std::nullopt, below, above, &budget);
 }
 
 std::string as_json(const std::string& sub, const std::string& super, const reasoner::Answer& answer) {
-  boost::json::object document{{"sub", sub}, {"super", super}, {"subsumed", nullptr}};
-  if (answer.verdict != reasoner::Verdict::unknown) document["subsumed"] = answer.verdict == reasoner::Verdict::yes;
+  boost::json::object document{{"sub", sub}, {"super", super}, {"subsumed", verdict_as_json(answer.verdict)}};
   if (!answer.reason.empty()) document["reason"] = answer.reason;
   return boost::json::serialize(document) + '\n';
 }
 
-/// Yes is certain whatever limit was reached.
+/// The exit status of an answer. Yes is certain whatever limit was reached.
 Exit exit_of(const reasoner::Answer& answer, const base::Budget& budget) {
   if (answer.verdict == reasoner::Verdict::yes) return Exit::yes;
   return answer.verdict == reasoner::Verdict::unknown && budget.is_spent() ? Exit::timed_out : Exit::no;
@@ -80,26 +82,22 @@ Exit exit_of(const reasoner::Answer& answer, const base::Budget& budget) {
 
 Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  auto knowledge = learn_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
-  if (!knowledge) return Exit::usage;
-  const auto ontology = open_or_say(*knowledge);
+  auto classified = classify_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
+  if (!classified) return Exit::usage;
+  const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
   const compiled::EntityNames names(*ontology);
   const auto sub = read_or_say(*ontology, names, request.sub, request.as_json);
   const auto super = sub ? read_or_say(*ontology, names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;
-  const reasoner::Answer answer = decide(*knowledge, *ontology, *sub, *super, budget);
+  const reasoner::Answer answer = decide(*classified, *ontology, *sub, *super, budget);
   const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;
-  if (request.as_json) {
-    if (!print(as_json(words(*ontology, *sub), words(*ontology, *super), answer)))
-      return say_error("standard output cannot be written");
-    return exit_of(answer, budget);
-  }
+  if (request.as_json)
+    return print_or_say(as_json(words(*ontology, *sub), words(*ontology, *super), answer), exit_of(answer, budget));
   std::string text = words(*ontology, *sub) + (is_subsumed ? " is subsumed by " : " is not subsumed by ");
   if (answer.verdict == reasoner::Verdict::unknown) text = words(*ontology, *sub) + " is not known to be subsumed by ";
   text += words(*ontology, *super) + (answer.reason.empty() ? "" : ": " + answer.reason);
-  if (!print(text + '\n')) return say_error("standard output cannot be written");
-  return exit_of(answer, budget);
+  return print_or_say(text + '\n', exit_of(answer, budget));
 }
 
 }  // namespace
@@ -121,8 +119,7 @@ void add_subsumes(CLI::App& program, Choice& choice) {
       "\nExamples:\n"
       "  geminga-ontology subsumes team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super 'soccer:BallInfo or soccer:GoalInfo'");
-  command->callback(
-      [request, &choice] { choice.run = [request, &choice] { return subsumes(*request, choice.limits); }; });
+  run_when_named(*command, choice, request, subsumes);
 }
 
 }  // namespace geminga::ontology

@@ -1,4 +1,4 @@
-// What main() and the commands of geminga-query know of each other.
+// The commands of geminga-query, and the settings that all of them share.
 #ifndef GEMINGA_QUERY_COMMAND_HPP
 #define GEMINGA_QUERY_COMMAND_HPP
 
@@ -15,19 +15,19 @@ namespace geminga::query {
 
 inline constexpr std::string_view program = "geminga-query";
 
-/// What holds for every command.
+/// The settings that hold for every command.
 struct Context {
   shell::CommonOptions common;
   bool is_watching = false;
-  bool has_timestamps = false;  ///< of lines; objects of --watch always have them
+  bool has_timestamps = false;  ///< lines of --watch begin with the time; its objects always have it
   shell::Terminal terminal;
 };
 
-/// Asks the daemon, prints the answer, and says how it went. Has read its own flags before it is called.
+/// Asks the daemon and prints the answer. The flags of the command have been read.
 using Run = std::function<shell::ExitStatus(const Context&, Client&)>;
 
-/// One a command: adds it to the program. When the command line names it, its Run is put into `selected`, which lives
-/// as long as `app`. May throw CLI::ValidationError while the command line is read.
+/// Each function adds one command to the program. When the command line names the command, its Run is put into
+/// `selected`, which lives as long as `app`. May throw CLI::ValidationError while the command line is read.
 void add_participants(CLI::App& app, Run& selected);
 void add_services(CLI::App& app, Run& selected);
 void add_requests(CLI::App& app, Run& selected);

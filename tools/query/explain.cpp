@@ -1,4 +1,4 @@
-// geminga-query explain: whether one concept is subsumed by another, and the axioms that say so.
+// geminga-query explain: whether one concept is subsumed by another, and the axioms that entail it.
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <iostream>
@@ -23,7 +23,7 @@ void print_json(const Names& names, const Answer& answer, bool is_subsumed) {
                              {"super", names.super},
                              {"subsumed", is_subsumed},
                              {"axioms", shell::to_json(answer.records)}};
-  // What is nearest, where it is not.
+  // Where it is not subsumed, the end of the answer has the nearest common superclasses.
   for (const auto& member : shell::to_json(answer.end)) {
     if (member.key() == "common" || member.key() == "text") object[member.key()] = member.value();
   }
@@ -70,16 +70,16 @@ void add_explain(CLI::App& app, Run& selected) {
       "Exit status 0: it is; 1: it is not; 2: a name is unknown.");
   command->callback([names, &selected] {
     selected = [names](const Context& context, Client& client) {
-      if (refuses_watch(context, "explain")) return shell::ExitStatus::wrong_use;
-      const auto answer = client.query("explain", {{"sub", names->sub}, {"super", names->super}});
-      if (!answer) return shell::report(program, answer.error());
-      const bool is_subsumed = answer->end["subsumed"] == "1";
-      if (context.common.is_json) {
-        print_json(*names, *answer, is_subsumed);
-      } else {
-        print_words(context, *names, *answer, is_subsumed);
-      }
-      return is_subsumed ? shell::ExitStatus::found : shell::ExitStatus::nothing;
+      const Parameters parameters{{"sub", names->sub}, {"super", names->super}};
+      return show_once(context, client, "explain", parameters, [&](const Answer& answer) {
+        const bool is_subsumed = answer.end["subsumed"] == "1";
+        if (context.common.is_json) {
+          print_json(*names, answer, is_subsumed);
+        } else {
+          print_words(context, *names, answer, is_subsumed);
+        }
+        return is_subsumed ? shell::ExitStatus::found : shell::ExitStatus::nothing;
+      });
     };
   });
 }

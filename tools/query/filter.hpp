@@ -1,4 +1,4 @@
-// The FILTER words of services and requests.
+// The FILTER words of the commands services and requests.
 #ifndef GEMINGA_QUERY_FILTER_HPP
 #define GEMINGA_QUERY_FILTER_HPP
 
@@ -11,25 +11,25 @@
 
 namespace geminga::query {
 
-/// For --help: what a FILTER is.
+/// The meaning of FILTER, for --help.
 inline constexpr const char* filter_meaning =
     "Words that must all hold: KEY=VALUE compares a column or attribute (concept=C also finds what C subsumes), "
     "prefix:Name finds what it subsumes and where it occurs, any other text must occur in a name, identity, address or "
     "attribute";
 
 struct Filter {
-  /// What the daemon decides: concept, representation, id, text, mode, provider.
+  /// Parameters for the daemon: concept, representation, id, text, mode, provider.
   std::vector<std::pair<std::string, std::string>> parameters;
-  /// Columns or attributes and what they must be.
+  /// Values that columns or attributes must have.
   std::vector<std::pair<std::string, std::string>> values;
-  /// What must occur somewhere.
+  /// Texts that must occur in a column or attribute.
   std::vector<std::string> texts;
-  /// Each stands for what the concept subsumes and for where the name occurs.
+  /// Names of concepts. A record is kept where the concept subsumes its own, or where the name occurs.
   std::vector<std::string> names;
 
-  /// Whether values and texts hold.
+  /// Whether a record has the values and texts.
   [[nodiscard]] bool keeps(const Record& record) const;
-  /// The first key of values that none of the records has, or nothing.
+  /// The first key of `values` that no record has; empty: there is none.
   [[nodiscard]] std::string unknown_key(const std::vector<Record>& records) const;
 };
 

@@ -22,8 +22,8 @@ std::expected<Records, ClientError> ask_daemon(Client& client, const Listing& li
   return std::move(answer->records);
 }
 
-/// Leaves the records that serve the concept of this name or in which the name occurs. An error where nothing is left
-/// and the name is none that the daemon knows.
+/// Keeps the records that serve the concept of this name or in which the name occurs. An error where none is left and
+/// the daemon does not know the name.
 std::expected<void, ClientError> keep_named(Client& client, const Listing& listing, const std::string& name,
                                             Records& records) {
   const auto meant = ask_daemon(client, listing, name);
@@ -38,7 +38,7 @@ std::expected<void, ClientError> keep_named(Client& client, const Listing& listi
   return {};
 }
 
-/// What to say where a key is compared that nothing has; empty where there is none.
+/// An error where the filter compares a key that no record has; empty where there is no such key.
 std::string complaint_about_keys(const Listing& listing, const Records& all) {
   const std::string key = listing.filter.unknown_key(all);
   if (key.empty() || all.empty()) return {};
@@ -93,6 +93,20 @@ bool refuses_watch(const Context& context, std::string_view command) {
   shell::complain(program, "--watch does not go with " + std::string(command) +
                                ": it goes with participants, services, requests and match");
   return true;
+}
+
+shell::ExitStatus show_once(const Context& context, Client& client, const std::string& kind,
+                            const Parameters& parameters,
+                            const std::function<shell::ExitStatus(const Answer&)>& print) {
+  if (refuses_watch(context, kind)) return shell::ExitStatus::wrong_use;
+  const auto answer = client.query(kind, parameters);
+  return answer ? print(*answer) : shell::report(program, answer.error());
+}
+
+std::vector<Record> with_field(const Answer& answer, std::string_view key) {
+  std::vector<Record> records = answer.records;
+  std::erase_if(records, [&](const Record& record) { return record[key].empty(); });
+  return records;
 }
 
 }  // namespace geminga::query

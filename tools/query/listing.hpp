@@ -1,4 +1,4 @@
-// A command that lists records: once as a table or document, or on and on as changes.
+// The answers of commands: a listing of records, printed once or as changes with --watch, or a single answer.
 #ifndef GEMINGA_QUERY_LISTING_HPP
 #define GEMINGA_QUERY_LISTING_HPP
 
@@ -14,33 +14,43 @@
 
 namespace geminga::query {
 
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
 struct Listing {
   std::string kind;
-  std::vector<std::pair<std::string, std::string>> parameters;
-  /// Which records of the answer are shown.
+  Parameters parameters;
+  /// Selects the records that are shown.
   Filter filter;
-  /// The field that names a record for as long as it is there.
+  /// The field that names a record for its whole life.
   std::string key;
   std::function<shell::Table(const std::vector<Record>&)> table;
   /// One record as one line, for --watch.
   std::function<std::string(const Record&)> line;
-  /// What to say where there is nothing, and what to do.
+  /// An error for an empty listing, with advice.
   std::string nothing;
-  /// The same as the daemon knows it; empty where it does not.
+  /// Asks the daemon for a better error; empty where it has none.
   std::function<std::string(Client&)> reason{};
 };
 
-/// The records of the listing as they are now.
+/// Asks for the records of the listing.
 [[nodiscard]] std::expected<std::vector<Record>, ClientError> ask(Client& client, const Listing& listing);
 
 /// Prints the listing, or with --watch its changes until the end.
 [[nodiscard]] shell::ExitStatus show(const Context& context, Client& client, const Listing& listing);
 
-/// Prints what is there and every change until a signal (found) or the daemon's end (no_daemon).
+/// Prints the records and every change until a signal (found) or the daemon's end (no_daemon).
 [[nodiscard]] shell::ExitStatus watch(const Context& context, Client& client, const Listing& listing);
 
 /// Refuses --watch for a command that answers once.
 [[nodiscard]] bool refuses_watch(const Context& context, std::string_view command);
+
+/// Asks once and gives the answer to `print`, which returns the exit status. Refuses --watch.
+[[nodiscard]] shell::ExitStatus show_once(const Context& context, Client& client, const std::string& kind,
+                                          const Parameters& parameters,
+                                          const std::function<shell::ExitStatus(const Answer&)>& print);
+
+/// The records that have this field.
+[[nodiscard]] std::vector<Record> with_field(const Answer& answer, std::string_view key);
 
 }  // namespace geminga::query
 

@@ -1,4 +1,4 @@
-// geminga-query match: who could serve an identity, best first.
+// geminga-query match: the publications that match an identity, best first.
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -37,12 +37,11 @@ shell::Table table(const std::vector<Record>& records) {
                       {"VIA", false, 16, 8},
                       {"ATTRIBUTES", false, 10, 5}});
   for (const auto& record : records) {
-    shown.add({std::string(record["degree"]), std::string(record["distance"]),
+    shown.add({record["degree"], record["distance"],
                shell::who(record["provider"], record["name"], record["participant_name"]),
-               shell::identity_words(record), std::string(record["mode"]),
-               shell::place(record["address"], record["port"]), std::string(record["priority"]),
-               shell::duration_words(record["age"]), std::string(record["service"]), std::string(record["convert"]),
-               std::string(record["cost"]), std::string(record["via"]), shell::attribute_words(record.attributes)});
+               shell::identity_words(record), record["mode"], shell::place(record["address"], record["port"]),
+               record["priority"], shell::duration_words(record["age"]), record["service"], record["convert"],
+               record["cost"], record["via"], shell::attribute_words(record.attributes)});
   }
   return shown;
 }
@@ -66,8 +65,8 @@ void read_words(Flags& flags) {
   }
 }
 
-/// What comes nearest, what stands in its way, and what would mend it.
-std::string reason_of(Client& client, std::vector<std::pair<std::string, std::string>> asked) {
+/// The nearest service, why it does not match, and what would mend that.
+std::string reason_of(Client& client, Parameters asked) {
   for (auto& [key, value] : asked) {
     if (key == "degree") key = "match";
   }

@@ -1,4 +1,4 @@
-// geminga-query ontology: what the daemon has loaded, and who on the air has something else.
+// geminga-query ontology: the ontology that the daemon has loaded, and participants with another one.
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <iostream>
@@ -13,34 +13,45 @@
 namespace geminga::query {
 namespace {
 
-/// The lines of the answer by what they tell (src/discovery/participant/QUERIES.md).
+/// The lines of the answer by kind (src/discovery/participant/QUERIES.md).
 struct Parts {
   Record head;
   std::vector<Record> files;
   std::vector<Record> left_out;
   std::vector<Record> gaps;
   std::vector<Record> others;
-  std::vector<Record> failures;  ///< why the last reading failed
+  std::vector<Record> failures;  ///< errors of the last reading
 };
 
 Parts parts_of(const Answer& answer) {
-  Parts parts;
-  for (const auto& record : answer.records) {
-    if (!record["loaded"].empty()) {
-      parts.head = record;
-    } else if (!record["file"].empty()) {
-      parts.files.push_back(record);
-    } else if (!record["other"].empty()) {
-      parts.others.push_back(record);
-    } else if (!record["left_out"].empty()) {
-      parts.left_out.push_back(record);
-    } else if (!record["gap"].empty()) {
-      parts.gaps.push_back(record);
-    } else if (!record["failed"].empty()) {
-      parts.failures.push_back(record);
-    }
-  }
+  const std::vector<Record> heads = with_field(answer, "loaded");
+  Parts parts{heads.empty() ? Record{} : heads.front(),
+              with_field(answer, "file"),
+              with_field(answer, "left_out"),
+              with_field(answer, "gap"),
+              with_field(answer, "other"),
+              with_field(answer, "failed")};
+  // The head counts what is left out under the same key.
+  std::erase_if(parts.left_out, [](const Record& record) { return !record["loaded"].empty(); });
   return parts;
+}
+
+/// The records as objects in which the key `from` is called `to`.
+boost::json::array renamed(const std::vector<Record>& records, std::string_view from, std::string_view to) {
+  boost::json::array rows;
+  for (const auto& record : records) {
+    auto row = shell::to_json(record);
+    row[to] = row[from];
+    row.erase(from);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+boost::json::array values(const std::vector<Record>& records, std::string_view key) {
+  boost::json::array texts;
+  for (const auto& record : records) texts.push_back(boost::json::string(record[key]));
+  return texts;
 }
 
 void print_json(const Parts& parts) {
@@ -51,30 +62,12 @@ void print_json(const Parts& parts) {
   }
   if (!parts.head["complete"].empty()) object["complete"] = parts.head["complete"] == "1";
   object["contradiction"] = parts.head["contradiction"] == "1";
-  boost::json::array left_out;
-  for (const auto& record : parts.left_out) {
-    auto row = shell::to_json(record);
-    row["construct"] = row["left_out"];
-    row.erase("left_out");
-    left_out.push_back(std::move(row));
-  }
-  boost::json::array others;
-  for (const auto& record : parts.others) {
-    auto row = shell::to_json(record);
-    row["participant"] = row["other"];
-    row.erase("other");
-    others.push_back(std::move(row));
-  }
   object["files"] = shell::to_json(parts.files);
-  object["left_out"] = std::move(left_out);
-  boost::json::array gaps;
-  for (const auto& record : parts.gaps) gaps.push_back(boost::json::string(record["gap"]));
-  object["gaps"] = std::move(gaps);
-  object["others"] = std::move(others);
+  object["left_out"] = renamed(parts.left_out, "left_out", "construct");
+  object["gaps"] = values(parts.gaps, "gap");
+  object["others"] = renamed(parts.others, "other", "participant");
   object["loading"] = parts.head["loading"] == "1";
-  boost::json::array failures;
-  for (const auto& record : parts.failures) failures.push_back(boost::json::string(record["failed"]));
-  object["failed"] = std::move(failures);
+  object["failed"] = values(parts.failures, "failed");
   shell::print(std::cout, object);
 }
 
@@ -87,7 +80,6 @@ void print_failures(const Context& context, const Parts& parts) {
   std::cout << '\n';
 }
 
-/// `geminga-ontology check` finds out which axioms it is.
 void print_contradiction(const Context& context, const Parts& parts) {
   if (parts.head["contradiction"] != "1") return;
   std::cout << coloured(context.terminal, shell::Colour::red, "Contradiction: ")
@@ -107,28 +99,22 @@ void print_words(const Context& context, const Parts& parts) {
     std::cout << shell::printable(parts.head["classes"]) << " classes, digest "
               << shell::printable(parts.head["digest"]) << "\n\n";
     shell::Table files({{"FILE", false, 20}, {"ONTOLOGY", false, 20, 1}});
-    for (const auto& record : parts.files) files.add({std::string(record["file"]), std::string(record["iri"])});
-    if (!files.is_empty()) files.print(std::cout, context.terminal);
+    for (const auto& record : parts.files) files.add({record["file"], record["iri"]});
+    files.print(std::cout, context.terminal);
   }
   shell::Table left_out({{"LEFT OUT", false, 20}, {"COUNT", true}, {"FIRST", false, 20}});
   for (const auto& record : parts.left_out) {
-    left_out.add({std::string(record["left_out"]), std::string(record["count"]), std::string(record["first"])});
+    left_out.add({record["left_out"], record["count"], record["first"]});
   }
-  if (!left_out.is_empty()) {
-    std::cout << "\nNot used by the reasoner:\n";
-    left_out.print(std::cout, context.terminal);
-  }
+  left_out.print(std::cout, context.terminal, "\nNot used by the reasoner:\n");
   if (!parts.gaps.empty()) std::cout << "\nNot searched to the end:\n";
   for (const auto& record : parts.gaps) std::cout << "  " << shell::printable(record["gap"]) << '\n';
   if (parts.head["complete"] == "1") std::cout << "\nComplete: everything that follows from these files was found.\n";
   shell::Table others({{"PARTICIPANT"}, {"NAME", false, 8}, {"ONTOLOGY"}});
   for (const auto& record : parts.others) {
-    others.add({std::string(record["other"]), std::string(record["name"]), std::string(record["ontology"])});
+    others.add({record["other"], record["name"], record["ontology"]});
   }
-  if (!others.is_empty()) {
-    std::cout << "\nParticipants with another ontology:\n";
-    others.print(std::cout, context.terminal);
-  }
+  others.print(std::cout, context.terminal, "\nParticipants with another ontology:\n");
 }
 
 }  // namespace
@@ -138,16 +124,15 @@ void add_ontology(CLI::App& app, Run& selected) {
   command->footer("Example: geminga-query ontology\nExit status 0: one is loaded; 1: none is.");
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {
-      if (refuses_watch(context, "ontology")) return shell::ExitStatus::wrong_use;
-      const auto answer = client.query("ontology");
-      if (!answer) return shell::report(program, answer.error());
-      const Parts parts = parts_of(*answer);
-      if (context.common.is_json) {
-        print_json(parts);
-      } else {
-        print_words(context, parts);
-      }
-      return parts.head["loaded"] == "1" ? shell::ExitStatus::found : shell::ExitStatus::nothing;
+      return show_once(context, client, "ontology", {}, [&](const Answer& answer) {
+        const Parts parts = parts_of(answer);
+        if (context.common.is_json) {
+          print_json(parts);
+        } else {
+          print_words(context, parts);
+        }
+        return parts.head["loaded"] == "1" ? shell::ExitStatus::found : shell::ExitStatus::nothing;
+      });
     };
   });
 }

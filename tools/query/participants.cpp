@@ -1,4 +1,4 @@
-// geminga-query participants: everybody who is known.
+// geminga-query participants: every known participant.
 #include <cmath>
 
 #include "query/command.hpp"
@@ -26,10 +26,9 @@ shell::Table table_of_participants(const std::vector<Record>& records) {
       const double share = std::strtod(loss.c_str(), nullptr);
       loss = std::to_string(std::lround(share * 100)) + " %";
     }
-    shown.add({std::string(record["id"]), std::string(record["name"]), std::string(record["addresses"]),
-               shell::duration_words(record["heard"]), shell::duration_words(record["interval"]), loss,
-               std::string(record["publications"]), std::string(record["subscriptions"]),
-               std::string(record["ontology"]),
+    shown.add({record["id"], record["name"], record["addresses"], shell::duration_words(record["heard"]),
+               shell::duration_words(record["interval"]), loss, record["publications"], record["subscriptions"],
+               record["ontology"],
                is_self                     ? "(this host)"
                : record["hears_us"] == "0" ? "(does not hear us)"
                                            : " "});

@@ -1,4 +1,4 @@
-// geminga-query requests: every known subscription, or what is missing and what is left over.
+// geminga-query requests: every known subscription, those without a provider, or publications without a subscription.
 #include <memory>
 
 #include "query/command.hpp"
@@ -30,10 +30,9 @@ shell::Table table_of_requests(const std::vector<Record>& records) {
   for (const auto& record : records) {
     const auto limit = record["limit"] == "0" ? "" : std::string(record["limit"]);
     shown.add({shell::who(record["consumer"], record["name"], record["participant_name"]),
-               shell::identity_words(record), std::string(record["match"]), std::string(record["mode"]),
-               record["served"] == "1" ? "yes" : "no", std::string(record["provider"]), std::string(record["where"]),
-               request_words(record), limit, shell::duration_words(record["age"]), std::string(record["because"]),
-               std::string(record["subscription"])});
+               shell::identity_words(record), record["match"], record["mode"], record["served"] == "1" ? "yes" : "no",
+               record["provider"], record["where"], request_words(record), limit, shell::duration_words(record["age"]),
+               record["because"], record["subscription"]});
   }
   return shown;
 }

@@ -1,4 +1,5 @@
-// geminga-query security: what is on the air by mode and key, what was rejected and why, and who lacks which key.
+// geminga-query security: datagrams by mode and key, rejected datagrams with the reason, and the keys that participants
+// lack.
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <iostream>
@@ -13,7 +14,7 @@
 namespace geminga::query {
 namespace {
 
-/// The lines of the answer by what they tell (src/discovery/participant/QUERIES.md).
+/// The lines of the answer by kind (src/discovery/participant/QUERIES.md).
 struct Security {
   Record head;
   std::vector<Record> datagrams;
@@ -22,19 +23,9 @@ struct Security {
 };
 
 Security security_of(const Answer& answer) {
-  Security security;
-  for (const auto& record : answer.records) {
-    if (!record["mode"].empty()) {
-      security.head = record;
-    } else if (!record["datagrams"].empty()) {
-      security.datagrams.push_back(record);
-    } else if (!record["participant"].empty()) {
-      security.participants.push_back(record);
-    } else if (!record["source"].empty()) {
-      security.rejected.push_back(record);
-    }
-  }
-  return security;
+  const std::vector<Record> heads = with_field(answer, "mode");
+  return {heads.empty() ? Record{} : heads.front(), with_field(answer, "datagrams"), with_field(answer, "participant"),
+          with_field(answer, "source")};
 }
 
 void print_security_json(const Security& security) {
@@ -63,38 +54,27 @@ void print_own_sealing(const Security& security) {
             << shell::printable(keys.substr(0, keys.find(','))) << " seals, all of them open\n";
 }
 
-std::string dash(std::string_view text) { return text.empty() ? "-" : std::string(text); }
+std::string_view dash(std::string_view text) { return text.empty() ? "-" : text; }
 
 void print_security(const Context& context, const Security& security) {
   print_own_sealing(security);
   shell::Table participants({{"PARTICIPANT"}, {"NAME", false, 8}, {"SAYS"}, {"SEALS WITH"}, {"OPENS WITH"}, {"LACKS"}});
   for (const auto& record : security.participants) {
-    participants.add({std::string(record["participant"]), std::string(record["name"]),
-                      std::string(record["protection"]), dash(record["key"]), dash(record["keys"]),
-                      dash(record["lacks"])});
+    participants.add({record["participant"], record["name"], record["protection"], dash(record["key"]),
+                      dash(record["keys"]), dash(record["lacks"])});
   }
-  if (!participants.is_empty()) {
-    std::cout << '\n';
-    participants.print(std::cout, context.terminal);
-  }
+  participants.print(std::cout, context.terminal, "\n");
   shell::Table datagrams({{"DATAGRAMS", true}, {"SEALED"}, {"KEY"}, {"REJECTED"}});
   for (const auto& record : security.datagrams) {
-    datagrams.add({std::string(record["datagrams"]), std::string(record["protection"]), dash(record["key"]),
-                   dash(record["rejected"])});
+    datagrams.add({record["datagrams"], record["protection"], dash(record["key"]), dash(record["rejected"])});
   }
-  if (!datagrams.is_empty()) {
-    std::cout << "\nThe last datagrams, a thousand at most:\n";
-    datagrams.print(std::cout, context.terminal);
-  }
+  datagrams.print(std::cout, context.terminal, "\nThe last datagrams, a thousand at most:\n");
   shell::Table rejected({{"FROM", false, 12}, {"SEALED"}, {"KEY"}, {"REJECTED"}, {"COUNT", true}, {"LAST", true}});
   for (const auto& record : security.rejected) {
-    rejected.add({std::string(record["source"]), std::string(record["protection"]), dash(record["key"]),
-                  std::string(record["rejected"]), std::string(record["count"]), shell::duration_words(record["age"])});
+    rejected.add({record["source"], record["protection"], dash(record["key"]), record["rejected"], record["count"],
+                  shell::duration_words(record["age"])});
   }
-  if (!rejected.is_empty()) {
-    std::cout << "\nNot heard:\n";
-    rejected.print(std::cout, context.terminal);
-  }
+  rejected.print(std::cout, context.terminal, "\nNot heard:\n");
 }
 
 }  // namespace
@@ -109,16 +89,15 @@ void add_security(CLI::App& app, Run& selected) {
       "when the old one can go.");
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {
-      if (refuses_watch(context, "security")) return shell::ExitStatus::wrong_use;
-      const auto answer = client.query("security");
-      if (!answer) return shell::report(program, answer.error());
-      const Security security = security_of(*answer);
-      if (context.common.is_json) {
-        print_security_json(security);
-      } else {
-        print_security(context, security);
-      }
-      return shell::ExitStatus::found;
+      return show_once(context, client, "security", {}, [&](const Answer& answer) {
+        const Security security = security_of(answer);
+        if (context.common.is_json) {
+          print_security_json(security);
+        } else {
+          print_security(context, security);
+        }
+        return shell::ExitStatus::found;
+      });
     };
   });
 }

@@ -1,4 +1,4 @@
-// How publications are listed; requests --unused shows them, too.
+// The listing of publications, which requests --unused shows, too.
 #ifndef GEMINGA_QUERY_SERVICES_HPP
 #define GEMINGA_QUERY_SERVICES_HPP
 
@@ -6,13 +6,13 @@
 
 namespace geminga::query {
 
-/// The publications that the FILTER words leave, with `unused` those of them that nobody asks for.
+/// The publications that the FILTER words keep; with `unused` only those that no subscription asks for.
 [[nodiscard]] Listing services_listing(const std::vector<std::string>& words, bool unused);
 
-/// What a subscription says beside its identity, mode, providers and condition: `convert=yes scope=team`.
+/// The keys of a subscription beside its identity, mode, providers and condition: `convert=yes scope=team`.
 [[nodiscard]] std::string request_words(const Record& record);
 
-/// Who, what and where of a publication or subscription, for --watch.
+/// The line of a publication or subscription for --watch.
 [[nodiscard]] std::string service_line(const Record& record);
 
 }  // namespace geminga::query

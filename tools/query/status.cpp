@@ -21,6 +21,14 @@ std::string words_of(const std::string& key, const std::string& value) {
   return shell::number_words(std::strtod(value.c_str(), nullptr) / (1024.0 * 1024.0), "MiB");
 }
 
+void print_json(const Answer& answer) {
+  boost::json::object object;
+  for (const auto& record : answer.records) {
+    for (const auto& member : shell::to_json(record)) object[member.key()] = member.value();
+  }
+  shell::print(std::cout, object);
+}
+
 void print_words(const Context& context, const Answer& answer) {
   shell::Table table({{"WHAT"}, {"VALUE", false, 20}});
   for (const auto& record : answer.records) {
@@ -40,19 +48,14 @@ void add_status(CLI::App& app, Run& selected) {
   command->footer("Examples:\n  geminga-query status\n  geminga-query --json status | jq .uptime");
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {
-      if (refuses_watch(context, "status")) return shell::ExitStatus::wrong_use;
-      const auto answer = client.query("status");
-      if (!answer) return shell::report(program, answer.error());
-      if (context.common.is_json) {
-        boost::json::object object;
-        for (const auto& record : answer->records) {
-          for (const auto& member : shell::to_json(record)) object[member.key()] = member.value();
+      return show_once(context, client, "status", {}, [&](const Answer& answer) {
+        if (context.common.is_json) {
+          print_json(answer);
+        } else {
+          print_words(context, answer);
         }
-        shell::print(std::cout, object);
-      } else {
-        print_words(context, *answer);
-      }
-      return shell::ExitStatus::found;
+        return shell::ExitStatus::found;
+      });
     };
   });
 }

@@ -1,4 +1,4 @@
-// geminga-query --watch: asks again and again, and prints what is different.
+// geminga-query --watch: asks again and again, and prints the differences.
 #include <array>
 #include <boost/json/object.hpp>
 #include <iostream>
@@ -15,15 +15,16 @@
 namespace geminga::query {
 namespace {
 
-/// Shorter: changes are seen sooner, more work for the daemon. Longer: the reverse. A reader sees no delay below this.
+/// The pause between two questions. Shorter: changes are shown sooner, and the daemon has more work. Longer: the
+/// reverse. A reader notices no shorter delay.
 constexpr std::chrono::milliseconds pause{250};
 
-/// Fields that change with every announcement and tell nothing by it.
+/// Fields that change with every announcement, which is not shown.
 constexpr std::array<std::string_view, 3> restless{"age", "heard", "loss"};
 
 using Known = std::map<std::string, Record, std::less<>>;
 
-/// The record as an object without these.
+/// The record as an object without the restless fields.
 boost::json::object steady(const Record& record) {
   auto object = shell::to_json(record);
   for (const auto key : restless) object.erase(key);
@@ -67,7 +68,7 @@ class Printer {
   const Listing& listing_;
 };
 
-/// Why records are not in the listing any more, asked once a round and only where something is gone.
+/// Reasons why records left the listing. The daemon is asked once a round, and only where a record is gone.
 class Reasons {
  public:
   Reasons(Client& client, const Listing& listing) : client_(client), listing_(listing) {}
@@ -82,7 +83,7 @@ class Reasons {
 
  private:
   void ask() {
-    // What cannot be told now (the daemon is going, say) is gone; the next round says what is wrong.
+    // Without an answer (the daemon may be ending) the reason is "gone", and the next round reports the error.
     if (const auto all = client_.query(listing_.key == "service" ? "services" : "requests")) {
       for (const Record& record : all->records) there_.emplace(record[listing_.key]);
     }

@@ -1,4 +1,5 @@
-// geminga-query why: why a request and a service match or do not, or why nobody answers a request or takes a service.
+// geminga-query why: why a request and a service match or do not, or why a request has no provider, or a service no
+// consumer.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -19,9 +20,7 @@
 namespace geminga::query {
 namespace {
 
-using Parameters = std::vector<std::pair<std::string, std::string>>;
-
-/// What is asked: the parameters of `query why` (src/discovery/participant/QUERIES.md).
+/// The parameters of `query why` (src/discovery/participant/QUERIES.md).
 struct Question {
   std::string subscription;
   std::string service;
@@ -119,7 +118,7 @@ void add_attributes(CLI::App& command, const std::shared_ptr<Question>& question
       ->group(group);
 }
 
-/// Throws CLI::ValidationError where it is not one question.
+/// Throws CLI::ValidationError where the flags do not make one question.
 void check(const Question& question) {
   const bool is_imagined = question.has_any({"concept", "id", "text"});
   const bool is_offer_alone = question.has_service() && !question.has_request();
@@ -146,10 +145,10 @@ void check(const Question& question) {
   }
 }
 
-/// A pair that fits, whose consumer has better ones.
+/// Whether the pair fits and the consumer has better providers.
 bool is_outranked(const Answer& answer) { return answer.end["outranked"] == "1"; }
 
-/// What an answer is about.
+/// The subject of an answer.
 enum class About : std::uint8_t { pair, request, service };
 
 About about(const Question& question) {
@@ -157,7 +156,7 @@ About about(const Question& question) {
   return question.has_request() ? About::pair : About::service;
 }
 
-/// Those of the record, the axioms one by one.
+/// The fields of a record, with the axioms of the proof one by one.
 boost::json::object object_of(const Record& record) {
   auto object = shell::to_json(record);
   if (record["proof"].empty()) return object;
@@ -174,7 +173,7 @@ boost::json::array array_of(const std::vector<Record>& records) {
   return array;
 }
 
-/// What was asked about: the words of those that are there, and what somebody might state.
+/// The question: the words of existing requests and services, and the fields of hypothetical ones.
 boost::json::object asked(const Question& question) {
   boost::json::object object;
   boost::json::object request;
@@ -231,9 +230,9 @@ void print_pair(const Context& context, const Answer& answer) {
   std::cout << '\n';
   shell::Table table({{"CHECK"}, {"OK"}, {"WHY", false, 20}});
   for (const auto& record : answer.records) {
-    table.add({std::string(record["check"]), record["ok"] == "1" ? "yes" : "no", std::string(record["text"])});
+    table.add({record["check"], record["ok"] == "1" ? "yes" : "no", record["text"]});
   }
-  if (!table.is_empty()) table.print(std::cout, context.terminal);
+  table.print(std::cout, context.terminal);
   for (const auto& record : answer.records) {
     if (!record["proof"].empty()) {
       std::cout << "because\n";
@@ -266,11 +265,10 @@ void print_request(const Context& context, const Answer& answer) {
                       {"WHY", false, 20},
                       {"SERVICE", false, 0, 2}});
   for (const auto& record : answer.records) {
-    table.add({shell::who(record["provider"], record["name"], record["participant_name"]),
-               std::string(record["offered"]), std::string(record["mode"]), record["ok"] == "1" ? "yes" : "no",
-               std::string(record["text"]), std::string(record["service"])});
+    table.add({shell::who(record["provider"], record["name"], record["participant_name"]), record["offered"],
+               record["mode"], record["ok"] == "1" ? "yes" : "no", record["text"], record["service"]});
   }
-  if (!table.is_empty()) table.print(std::cout, context.terminal);
+  table.print(std::cout, context.terminal);
 }
 
 void print_service(const Context& context, const Answer& answer) {
@@ -294,11 +292,10 @@ void print_service(const Context& context, const Answer& answer) {
                       {"WHY", false, 20},
                       {"REQUEST", false, 0, 2}});
   for (const auto& record : answer.records) {
-    table.add({shell::who(record["consumer"], record["name"], record["participant_name"]), std::string(record["asked"]),
-               std::string(record["mode"]), record["ok"] == "1" ? "yes" : "no", std::string(record["text"]),
-               std::string(record["subscription"])});
+    table.add({shell::who(record["consumer"], record["name"], record["participant_name"]), record["asked"],
+               record["mode"], record["ok"] == "1" ? "yes" : "no", record["text"], record["subscription"]});
   }
-  if (!table.is_empty()) table.print(std::cout, context.terminal);
+  table.print(std::cout, context.terminal);
 }
 
 std::expected<Answer, ClientError> ask(Client& client, const Question& question) {
@@ -317,7 +314,7 @@ shell::ExitStatus answer_to(const Context& context, Client& client, Question que
   if (refuses_watch(context, "why")) return shell::ExitStatus::wrong_use;
   auto answer = ask(client, question);
   if (is_not_there(answer) && !question.subscription.empty() && !question.has_service()) {
-    // One word, which may as well be that of a service: the two share their numbers.
+    // The one word may be that of a service: requests and services share their numbers.
     Question other = question;
     std::swap(other.subscription, other.service);
     auto of_service = ask(client, other);

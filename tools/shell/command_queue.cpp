@@ -16,7 +16,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// What an event is called on standard error.
+/// The name of an event on standard error.
 std::string name_of_event(const boost::json::object& event) {
   std::string name;
   for (const char* key : {"event", "service", "subscription"}) {
@@ -28,7 +28,7 @@ std::string name_of_event(const boost::json::object& event) {
   return name;
 }
 
-/// How a command ended; empty: well.
+/// The bad end of a command in words; empty: it ended well.
 std::string trouble(int status) {
   if (WIFSIGNALED(status)) return "killed by signal " + std::to_string(WTERMSIG(status));
   return WEXITSTATUS(status) == 0 ? "" : "exit status " + std::to_string(WEXITSTATUS(status));

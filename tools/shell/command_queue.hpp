@@ -1,4 +1,4 @@
-// Runs the user's command once an event, one after the other.
+// Runs the user's command once for each event, one after the other.
 #ifndef GEMINGA_SHELL_COMMAND_QUEUE_HPP
 #define GEMINGA_SHELL_COMMAND_QUEUE_HPP
 
@@ -17,24 +17,24 @@
 
 namespace geminga::shell {
 
-/// Events that wait for the command before them. Beyond either limit has_room() is false, and the daemon's next events
-/// stay with it.
+/// The most events that wait for a command, and their octets. Beyond either has_room() is false, and the daemon keeps
+/// its next events.
 inline constexpr std::size_t max_waiting_commands = 4096;
 inline constexpr std::size_t max_waiting_octets = std::size_t{16} * 1024 * 1024;
-/// How long a command may run unless told.
+/// The most time of a command, unless the user gives another.
 inline constexpr std::chrono::seconds usual_command_time{60};
-/// How long a command that is to end has before it is killed.
+/// The time between the signal that ends a command and the one that kills it.
 inline constexpr std::chrono::seconds command_grace{2};
 
 struct CommandOptions {
-  std::string command;  ///< for /bin/sh -c
-  /// How long it may run; nothing: without end.
+  std::string command;  ///< of /bin/sh -c
+  /// The most time that it may run; nothing: no limit.
   std::optional<std::chrono::milliseconds> time = usual_command_time;
-  std::string connect;  ///< where the daemon is, as --connect told it; empty: it did not
+  std::string connect;  ///< the daemon's address as in --connect; empty: not given
 };
 
-/// Not thread-safe. Neither copies nor moves. Whoever has one calls process() when descriptor() is readable or
-/// time_left() is over. What goes wrong with a command is told on standard error, and the next event goes on.
+/// Its owner calls process() when descriptor() is readable or time_left() is over. Failures of a command are reported
+/// on standard error, and the next event goes on. Not thread-safe. Neither copies nor moves.
 class CommandQueue {
  public:
   CommandQueue(std::string_view program, CommandOptions options);
@@ -42,28 +42,28 @@ class CommandQueue {
   CommandQueue(const CommandQueue&) = delete;
   CommandQueue& operator=(const CommandQueue&) = delete;
 
-  /// Runs the command for this event, as to_json() gives it, once those before it have ended.
+  /// Runs the command for this event, an object of to_json(), after the commands of earlier events.
   void add(const boost::json::object& event);
   [[nodiscard]] bool has_room() const;
-  /// Of the events that wait.
+  /// The octets of the waiting events.
   [[nodiscard]] std::size_t waiting_octets() const { return waiting_octets_; }
-  /// No command runs and none waits.
+  /// Whether no command runs and none waits.
   [[nodiscard]] bool is_idle() const { return running_ == nullptr && waiting_.empty(); }
 
-  /// Readable when the running command has ended; -1 where none runs.
+  /// Readable when the running command has ended; -1: none runs.
   [[nodiscard]] int descriptor() const { return running_ ? running_->descriptor() : -1; }
-  /// Until the running command has run too long; nothing where none can.
+  /// The time until the running command has run too long; nothing: it has no limit, or none runs.
   [[nodiscard]] std::optional<std::chrono::milliseconds> time_left() const;
   void process();
 
-  /// Sends the running command this signal, waits for its end, kills it after command_grace, and runs none of those
-  /// that wait.
+  /// Sends the running command this signal, waits for its end, kills it after command_grace, and drops the waiting
+  /// ones.
   void stop(int signal);
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Run {
-    std::string name;  ///< what it is for, e.g. `add 5d0c1f32/2/7`
+    std::string name;  ///< of the event, e.g. `add 5d0c1f32/2/7`
     std::vector<std::string> environment;
     std::string input;
     [[nodiscard]] std::size_t octets() const;
@@ -81,7 +81,7 @@ class CommandQueue {
   std::unique_ptr<RunningCommand> running_;
   std::string running_name_;
   std::optional<Clock::time_point> deadline_;  ///< of the running command
-  std::string told_to_end_;                    ///< why it was; empty: it was not
+  std::string told_to_end_;                    ///< why it was signalled; empty: it was not
 };
 
 }  // namespace geminga::shell

@@ -24,7 +24,7 @@ std::string sign(Change change) {
 
 std::string port_word(std::uint16_t port) { return port == 0 ? "" : std::to_string(port); }
 
-/// What both kinds of events say behind who it is.
+/// The words of both kinds of events behind the peer's name.
 template <typename Event, typename Service>
 std::string details(const Event& event, const Service& service) {
   std::string line = "  " + identity_words(service.identity) + "  " + std::string(to_string(event.degree)) + ' ' +

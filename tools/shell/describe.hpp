@@ -1,4 +1,4 @@
-// Services and their parts in words, the same in every table and line.
+// The words for services and their parts, the same in every table and line.
 #ifndef GEMINGA_SHELL_DESCRIBE_HPP
 #define GEMINGA_SHELL_DESCRIBE_HPP
 
@@ -12,14 +12,14 @@
 
 namespace geminga::shell {
 
-/// `vision@robot2`; without a peer's name `3@robot2`, from the word PARTICIPANT/PEER; without a participant's name its
+/// `vision@robot2`. Without a peer's name `3@robot2`, from the word PARTICIPANT/PEER; without a participant's name its
 /// id.
 [[nodiscard]] std::string who(std::string_view peer_word, std::string_view peer_name,
                               std::string_view participant_name);
 /// `soccer:BallInfo in soccer:FieldFrame`, `4711`, `"text"`
 [[nodiscard]] std::string identity_words(const NamedIdentity& identity);
 [[nodiscard]] std::string identity_words(const Record& record);
-/// `10.0.0.2:5000`, `[fe80::1]:5000`, `:5000` where no address is known, or nothing
+/// `10.0.0.2:5000`, `[fe80::1]:5000`, `:5000` without an address, or an empty text
 [[nodiscard]] std::string place(std::string_view address, std::string_view port);
 /// `frame=map rate=30`
 [[nodiscard]] std::string attribute_words(const Attributes& attributes);
@@ -32,10 +32,11 @@ namespace geminga::shell {
 /// One line of an event, e.g. `+ vision@robot2  soccer:BallInfo  narrower 1  otm/stream  10.0.0.2:5000`.
 [[nodiscard]] std::string line_of(const ServiceEvent& event);
 [[nodiscard]] std::string line_of(const ConsumerEvent& event);
-/// Who it is about and what, e.g. `vision@robot2  soccer:BallInfo`; not after `del`, which carries neither.
+/// The peer and the identity of an event, e.g. `vision@robot2  soccer:BallInfo`. An event `del` has neither.
 [[nodiscard]] std::string name_of(const ServiceEvent& event);
 [[nodiscard]] std::string name_of(const ConsumerEvent& event);
-/// The line of what is gone: `- NAME  PARTICIPANT/PEER/NUMBER  reason`; without a name where none is known.
+/// The line for a service or request that is gone: `- NAME  PARTICIPANT/PEER/NUMBER  reason`, without NAME where none
+/// is known.
 [[nodiscard]] std::string gone_line(std::string_view name, const ServiceKey& key, std::string_view reason);
 
 }  // namespace geminga::shell

@@ -1,5 +1,5 @@
-// Prints the events of one kind as lines for a reader or as JSON, or gives them to a command, and remembers who is
-// there, so that what changes and what goes can be named.
+// Prints events as lines or as JSON, or gives them to a command. Remembers earlier events, so that changes and
+// departures can be described.
 #ifndef GEMINGA_SHELL_EVENT_PRINTER_HPP
 #define GEMINGA_SHELL_EVENT_PRINTER_HPP
 
@@ -25,7 +25,7 @@
 
 namespace geminga::shell {
 
-/// Why something is gone that was told before the daemon went and was not told again when it was back.
+/// The reason of a departure when the daemon went and, back again, did not report the service or request again.
 inline constexpr std::string_view unconfirmed = "unconfirmed";
 
 [[nodiscard]] inline const ServiceKey& key_of(const ServiceEvent& event) { return event.service; }
@@ -33,8 +33,8 @@ inline constexpr std::string_view unconfirmed = "unconfirmed";
 
 struct PrinterOptions {
   bool is_json = false;
-  bool has_timestamps = false;       ///< of lines; objects always have them
-  CommandQueue* commands = nullptr;  ///< what events go to instead of standard output; borrowed, null: nothing
+  bool has_timestamps = false;       ///< lines begin with the time; objects always have it
+  CommandQueue* commands = nullptr;  ///< takes the events instead of standard output; borrowed, null: none
 };
 
 /// Told is ServiceEvent or ConsumerEvent. Events go to standard output, errors to standard error. Not thread-safe.
@@ -55,7 +55,7 @@ class EventPrinter final : public EventView {
   }
 
   void doubt() override {
-    for (auto& [place, known] : known_) known.is_in_doubt = true;
+    for (auto& [key, known] : known_) known.is_in_doubt = true;
   }
 
   bool drop_doubted() override {
@@ -64,19 +64,19 @@ class EventPrinter final : public EventView {
     Told gone = found->second.told;
     gone.change = Change::del;
     gone.reason = unconfirmed;
-    tell(Place(found->first), gone);
+    tell(Key(found->first), gone);
     return true;
   }
 
  private:
-  using Place = std::pair<std::uint32_t, std::string>;  ///< the request, and the key of what was told about it
+  using Key = std::pair<std::uint32_t, std::string>;  ///< the request, and the key of the service or subscription
   struct Known {
     Told told;
     bool is_in_doubt = false;
   };
 
-  void tell(const Place& place, const Told& told) {
-    const auto known = known_.find(place);
+  void tell(const Key& key, const Told& told) {
+    const auto known = known_.find(key);
     const Told* before = known == known_.end() ? nullptr : &known->second.told;
     if (options_.commands != nullptr) {
       options_.commands->add(stamped(object(told, before)));
@@ -87,13 +87,13 @@ class EventPrinter final : public EventView {
       std::cout << stamp << printable(line(told, before)) << '\n' << std::flush;
     }
     if (told.change == Change::del) {
-      known_.erase(place);
+      known_.erase(key);
     } else {
-      known_.insert_or_assign(place, Known{told});
+      known_.insert_or_assign(key, Known{told});
     }
   }
 
-  /// What the event before had otherwise.
+  /// The fields that the earlier event had otherwise.
   static boost::json::object changed(const Told& told, const Told& before) {
     auto object = to_json(before);
     object["event"] = to_string(told.change);
@@ -105,7 +105,7 @@ class EventPrinter final : public EventView {
     if (before == nullptr) return object;
     if (told.change == Change::modify) object["former"] = changed(told, *before);
     if (told.change == Change::del) {
-      // The daemon says nothing but the key of what is gone.
+      // The daemon reports only the key of what is gone.
       for (const auto& member : to_json(*before)) object.insert(member);
     }
     return object;
@@ -122,7 +122,7 @@ class EventPrinter final : public EventView {
 
   std::string_view program_;
   PrinterOptions options_;
-  std::map<Place, Known> known_;  ///< what is there
+  std::map<Key, Known> known_;  ///< the last event of each service or request that is not gone
 };
 
 }  // namespace geminga::shell

@@ -21,7 +21,7 @@ bool may_be_in_a_name(char c) {
 
 char in_upper_case(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// The text of a value; nothing where it is an object, a list or nothing that a variable can hold.
+/// The text of a value; nothing where a variable cannot hold it, as an object or a list.
 std::optional<std::string> text_of(const json::value& value) {
   if (value.is_number() || value.is_bool()) return json::serialize(value);
   if (!value.is_string()) return std::nullopt;

@@ -1,4 +1,4 @@
-// An event as variables of the environment, for a command.
+// An event as environment variables for a command.
 #ifndef GEMINGA_SHELL_EVENT_VARIABLES_HPP
 #define GEMINGA_SHELL_EVENT_VARIABLES_HPP
 
@@ -9,7 +9,7 @@
 
 namespace geminga::shell {
 
-/// How the variables are called, for --help.
+/// The names of the variables, for --help.
 inline constexpr std::string_view exec_words =
     R"(With --exec nothing is printed: COMMAND runs by /bin/sh -c once an event, one after the other in the order of the events. What
 comes from others never becomes part of COMMAND. The event is one line of JSON on its standard input, as --json prints it, and in
@@ -36,8 +36,8 @@ then stays with the daemon.)";
 /// for each attribute whose name has only letters, digits and `_`. A value with an octet 0 is left out.
 [[nodiscard]] std::vector<std::string> event_variables(const boost::json::object& event);
 
-/// This program's own environment without its variables GEMINGA_..., but with GEMINGA_CONNECT (`connect`, where that is
-/// not empty), and these.
+/// These variables, and this program's own environment without its variables GEMINGA_..., but with GEMINGA_CONNECT
+/// (`connect`, unless empty).
 [[nodiscard]] std::vector<std::string> environment_with(const std::vector<std::string>& variables,
                                                         const std::string& connect);
 

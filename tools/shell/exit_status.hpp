@@ -1,4 +1,4 @@
-// The exit statuses of every program, the same in all of them.
+// The exit statuses, the same in every program.
 #ifndef GEMINGA_SHELL_EXIT_STATUS_HPP
 #define GEMINGA_SHELL_EXIT_STATUS_HPP
 

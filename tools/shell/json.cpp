@@ -36,11 +36,11 @@ bool contains(const Keys& keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
-/// In a status every value is a measure but these.
+/// The keys of a status whose values are no measures.
 constexpr auto words_of_status =
     std::to_array<std::string_view>({"version", "state", "participant", "name", "group", "ontology"});
 
-/// The number that the whole text is in decimal, or nothing.
+/// The decimal number that the whole text is, or nothing.
 std::optional<json::value> as_number(std::string_view text) {
   if (const auto integer = base::parse_number<std::int64_t>(text)) return json::value(*integer);
   if (text.find_first_not_of("0123456789.-") != std::string_view::npos) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<json::value> as_number(std::string_view text) {
 
 bool is_measure(std::string_view key, std::string_view kind) {
   if (kind == "status") return !contains(words_of_status, key);
-  // The id of a participant is a word of hexadecimal digits, even where it has decimal ones only.
+  // The id of a participant is a word of hexadecimal digits, even if all of them are decimal ones.
   return contains(number_keys, key) && !(kind == "participants" && key == "id");
 }
 
@@ -89,7 +89,7 @@ void append_identity(json::object& object, const NamedIdentity& identity) {
   }
 }
 
-/// What both kinds of events have; `role` is what the other side is: provider or consumer.
+/// Appends the fields of both kinds of events. `role` is that of the other side: provider or consumer.
 template <typename Event, typename Service>
 void append_common(json::object& object, const Event& event, const ServiceKey& key, std::string_view role,
                    const Service& service) {
@@ -165,8 +165,8 @@ json::object stamped(const json::object& event) {
 
 namespace {
 
-/// A string in JSON. Boost.JSON escapes what RFC 8259 demands (C0); what else a terminal could obey becomes an escape,
-/// too.
+/// A string in JSON. Boost.JSON escapes the characters that RFC 8259 names (C0); this escapes all others that a
+/// terminal could obey, too.
 std::string quoted(const json::string& text) {
   std::string valid;
   utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
@@ -186,7 +186,7 @@ std::string quoted(const json::string& text) {
   return safe;
 }
 
-/// Boost.JSON would write 0.25 as 2.5E-1.
+/// Writes 0.25 as such; Boost.JSON would write 2.5E-1.
 std::string plain(double number) {
   std::array<char, 400> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);

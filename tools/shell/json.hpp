@@ -1,4 +1,4 @@
-// What the daemon says, as JSON (RFC 8259).
+// The daemon's records and events as JSON (RFC 8259).
 #ifndef GEMINGA_SHELL_JSON_HPP
 #define GEMINGA_SHELL_JSON_HPP
 
@@ -23,7 +23,7 @@ namespace geminga::shell {
 [[nodiscard]] boost::json::object to_json(const ServiceEvent& event);
 [[nodiscard]] boost::json::object to_json(const ConsumerEvent& event);
 
-/// The object of an event with `time`, now as RFC 3339 has it, behind its first member.
+/// Adds `time`, the present time in the form of RFC 3339, behind the first member of an event.
 [[nodiscard]] boost::json::object stamped(const boost::json::object& event);
 
 /// Writes one document and a line end. Characters that could steer a terminal are written as \u escapes.

@@ -13,7 +13,7 @@
 namespace geminga::shell {
 namespace {
 
-/// What is wrong with a --timeout; empty: nothing. (CLI::Range would let NaN pass.)
+/// The error in a --timeout; empty: none. (CLI::Range would accept NaN.)
 std::string complaint_about_seconds(const std::string& text) {
   double seconds = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);

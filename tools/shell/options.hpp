@@ -1,4 +1,4 @@
-// The flags that the programs share, and how a wrong one is told.
+// The flags that the programs share.
 #ifndef GEMINGA_SHELL_OPTIONS_HPP
 #define GEMINGA_SHELL_OPTIONS_HPP
 
@@ -19,7 +19,7 @@
 
 namespace geminga::shell {
 
-/// The longest --timeout, so that no sum of times can overflow: a year.
+/// The longest --timeout: a year, so that no sum of times can overflow.
 inline constexpr double max_timeout_seconds = 366.0 * 24 * 3600;
 
 /// --connect, --json, --timeout, --version.
@@ -43,22 +43,23 @@ struct IdentityOptions {
   /// Takes a word `id=N`, `text=NAME` or `representation=R` as the flag of that name; false where it is none of these.
   /// Throws CLI::ValidationError where it was given already.
   bool takes(const std::string& word);
-  /// The identity with this concept (empty: none); nothing where none is given. Throws CLI::ValidationError where two
-  /// are given or one cannot be read.
+  /// The identity with this concept (empty: none); nothing where no identity is given. Throws CLI::ValidationError
+  /// where two are given or one cannot be read.
   [[nodiscard]] std::optional<NamedIdentity> identity(const std::string& concept_name) const;
   [[nodiscard]] bool needs_no_concept() const { return id.has_value() || text.has_value(); }
 };
 
-/// A check for a flag with a whole number that must be one of these.
+/// A check that a flag's value is a whole number between these.
 [[nodiscard]] std::function<std::string(const std::string&)> whole_number(std::int64_t least, std::int64_t most);
 
 /// Adds a flag with a time of at most max_timeout_seconds, e.g. `--timeout SECONDS`.
 CLI::Option* add_seconds(CLI::App& app, const std::string& flag, std::optional<double>& seconds,
                          const std::string& meaning);
-/// Rounded up, so that only 0 is 0.
+/// Rounds up, so that only 0 becomes 0.
 [[nodiscard]] std::chrono::milliseconds in_milliseconds(double seconds);
 
-/// `key` and `value` of a word `KEY=VALUE`; nothing where the word is none, as class expressions never are.
+/// `key` and `value` of a word `KEY=VALUE`; nothing where the word has another form. Class expressions never have this
+/// one.
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(const std::string& word);
 
 /// Adds `--mode M` (oto, otm/stream, otm/pubsub).
@@ -66,8 +67,8 @@ void add_mode(CLI::App& app, std::optional<ChannelMode>& mode, const std::string
 /// Adds `--degree D` (exact, equivalent, narrower, broader, overlapping).
 void add_degree(CLI::App& app, Degree& degree);
 
-/// Reads the command line. Returns the exit status where the program ends here (--help, --version, --describe, a
-/// mistake), after having printed what is to be said: help on standard output, a mistake on standard error.
+/// Reads the command line. Returns the exit status where the program ends here: after printing help, version or
+/// description on standard output, or a mistake on standard error.
 [[nodiscard]] std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv);
 
 }  // namespace geminga::shell

@@ -20,15 +20,15 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// How soon a line that nobody could be sent is tried again.
+/// The pause before a line that could not be sent is tried again.
 constexpr milliseconds between_sends{20};
-/// How much of standard input is read at once.
+/// The octets of standard input that are read at once.
 constexpr std::size_t read_bytes = std::size_t{64} * 1024;
 
-/// Standard input as lines.
+/// Reads standard input as lines.
 class Lines {
  public:
-  /// The next line, if all of it is there.
+  /// The next line, where all of it has been read.
   [[nodiscard]] std::optional<std::string_view> next() const {
     const auto end = text_.find('\n', taken_);
     if (end == std::string::npos) return is_over_ && taken_ < text_.size() ? rest() : std::nullopt;
@@ -38,7 +38,7 @@ class Lines {
   [[nodiscard]] bool is_over() const { return is_over_ && taken_ == text_.size(); }
   [[nodiscard]] bool is_too_long() const { return text_.size() - taken_ > max_piped_bytes && !next(); }
 
-  /// Reads some; waits where there is nothing.
+  /// Reads once; waits where there is nothing to read.
   void read() {
     text_.erase(0, std::exchange(taken_, 0));
     const std::size_t before = text_.size();
@@ -52,11 +52,11 @@ class Lines {
   [[nodiscard]] std::optional<std::string_view> rest() const { return std::string_view(text_).substr(taken_); }
 
   std::string text_;
-  std::size_t taken_ = 0;  ///< octets of it that are taken
+  std::size_t taken_ = 0;  ///< octets at its front that are taken
   bool is_over_ = false;
 };
 
-/// What both directions share: the node, and when to end.
+/// The node and the conditions of the end, which both directions share.
 class Piping {
  public:
   Piping(const Pipe& pipe, Node node) : pipe_(pipe), node_(std::move(node)), begin_(Clock::now()) {
@@ -66,14 +66,14 @@ class Piping {
   [[nodiscard]] Node& node() { return node_; }
   [[nodiscard]] std::optional<ExitStatus> ended() const { return ended_; }
 
-  /// All is said.
+  /// Ends well: there is no more input.
   void finish() { ended_ = ended_.value_or(ExitStatus::found); }
-  /// One message more.
+  /// Counts a message.
   void count() {
     if (++messages_ == pipe_.count) ended_ = ExitStatus::found;
   }
-  /// Waits for something to do at `descriptor`, so long at most, and does what the node has to do. What has come before
-  /// is to be taken first.
+  /// Waits at most so long until `descriptor` is readable, and lets the node work. Events that came earlier are to be
+  /// taken first.
   void wait(int descriptor, std::optional<milliseconds> at_most = {}) {
     auto left = at_most;
     if (pipe_.timeout) {
@@ -119,7 +119,7 @@ class Piping {
   std::optional<ExitStatus> ended_;
 };
 
-/// A node whose daemon is there.
+/// A node that is connected to its daemon.
 Result<Node, ClientError> open(const Pipe& pipe) {
   ClientOptions probe = pipe.connection;
   probe.name.clear();
@@ -127,12 +127,12 @@ Result<Node, ClientError> open(const Pipe& pipe) {
   return Node::open(pipe.connection);
 }
 
-/// Standard input and a node, as one thing to wait for.
+/// One descriptor for standard input and a node.
 class Both {
  public:
   explicit Both(int node) {
     add(node);
-    // A file is always readable, and cannot be waited for.
+    // epoll refuses a file, which is always readable.
     is_file_ = !add(STDIN_FILENO);
   }
   ~Both() { ::close(epoll_); }

@@ -1,4 +1,4 @@
-// A channel as standard input or output, so that a service needs no code.
+// A channel of messages as standard input or output, so that a service needs no code.
 #ifndef GEMINGA_SHELL_PIPE_HPP
 #define GEMINGA_SHELL_PIPE_HPP
 
@@ -13,27 +13,28 @@
 
 namespace geminga::shell {
 
-/// The longest line of standard input that is one message, without its end.
+/// The most octets of a line of standard input, without its end. A line is one message.
 inline constexpr std::size_t max_piped_bytes = std::size_t{16} * 1024 * 1024;
 
 struct Pipe {
   std::string_view program;
   ClientOptions connection;
-  /// How long altogether; nothing: without end.
+  /// The most time altogether; nothing: no limit.
   std::optional<std::chrono::milliseconds> timeout;
-  /// Ends after so many messages; 0: never.
+  /// The messages after which it ends; 0: it goes on.
   std::uint64_t count = 0;
-  /// Ends when the daemon goes, as it does where it is not there at first. Else channels go on, and it is looked for.
+  /// With false, ends when the daemon goes or is not there at first. With true, channels go on, and the program
+  /// connects again.
   bool is_kept = false;
 };
 
-/// Writes each message that comes for one of these to standard output, and a line end behind it, until a signal
-/// (found), `count` messages (found), the timeout (found where a message came and no count was asked for, else
-/// timed_out), or the daemon's end (no_daemon). Who comes and goes is told on standard error.
+/// Writes each message for one of these subscriptions to standard output as a line. Ends at a signal (found), after
+/// `count` messages (found), at the timeout (found where a message came and no count was asked for, else timed_out), or
+/// with the daemon (no_daemon). Says on standard error which peers come and go.
 [[nodiscard]] ExitStatus listen(const Pipe& pipe, const std::vector<NamedSubscription>& subscriptions);
 
-/// Sends each line of standard input, without its end, as one message; a line waits until somebody listens and has
-/// room. Ends with its end (found, and the consumers have all of it), or as listen() does.
+/// Sends each line of standard input, without its end, as one message. A line waits until a consumer has room. Ends
+/// with standard input (found, and the consumers have all messages), or as listen() does.
 [[nodiscard]] ExitStatus send(const Pipe& pipe, const NamedPublication& publication);
 
 }  // namespace geminga::shell

@@ -31,7 +31,7 @@ ExitStatus report(std::string_view program, const ClientError& error) {
 
 ExitStatus written(std::string_view program, ExitStatus status) {
   if (std::cout.flush()) return status;
-  std::cout.clear();  // or complain() could not flush it
+  std::cout.clear();  // so that complain() can flush it
   complain(program, "standard output cannot be written: is the disk full?");
   return ExitStatus::wrong_use;
 }

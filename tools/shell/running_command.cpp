@@ -21,7 +21,7 @@ constexpr const char* shell_path = "/bin/sh";
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// What posix_spawn() does in the child before it becomes the shell.
+/// The actions of posix_spawn() in the child before it becomes the shell.
 class Preparation {
  public:
   explicit Preparation(int input) {
@@ -52,7 +52,7 @@ class Preparation {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// A file that holds this and is read from its beginning.
+/// A file with this content, at its beginning.
 std::expected<base::PrivateFile, std::string> file_of(std::string_view text) {
   auto file = base::PrivateFile::in_memory();
   if (!file) return file;
@@ -65,7 +65,7 @@ std::expected<base::PrivateFile, std::string> file_of(std::string_view text) {
   return file;
 }
 
-/// posix_spawn() takes texts that may be written to, and writes to none.
+/// Pointers to the texts. posix_spawn() asks for writable ones and writes to none.
 char* borrowed(const std::string& text) { return const_cast<char*>(text.c_str()); }
 
 }  // namespace
@@ -119,7 +119,7 @@ void RunningCommand::signal(int number) {
 
 int RunningCommand::reap() {
   if (was_signalled_) {
-    // Until it is reaped its number, and so that of its group, is nobody else's.
+    // No other process or group gets its number before it is reaped.
     siginfo_t end{};
     while (::waitid(P_PID, static_cast<id_t>(pid_), &end, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
     }

@@ -1,4 +1,4 @@
-// One command of the user's that the shell runs, as a child of this program.
+// One command of the user, run by a shell as a child of this program.
 #ifndef GEMINGA_SHELL_RUNNING_COMMAND_HPP
 #define GEMINGA_SHELL_RUNNING_COMMAND_HPP
 
@@ -13,12 +13,12 @@
 
 namespace geminga::shell {
 
-/// Lives at most as long as this object: the destructor kills what is left of it. Neither copies nor moves.
+/// The destructor kills the rest of the command. Neither copies nor moves.
 class RunningCommand {
  public:
   /// Starts `/bin/sh -c command` with exactly this environment, as the leader of a process group of its own, with no
-  /// signal blocked or ignored. Its standard input is a file that holds `input`, so that nobody ever waits for it to
-  /// read; it has this program's standard output and error, and no other descriptor. The error says what failed.
+  /// signal blocked or ignored. Its standard input is a file with `input`, so that this program never waits for it to
+  /// read. It has this program's standard output and error, and no other descriptor. The error says what failed.
   [[nodiscard]] static std::expected<std::unique_ptr<RunningCommand>, std::string> start(
       const std::string& command, const std::vector<std::string>& environment, std::string_view input);
 
@@ -26,14 +26,14 @@ class RunningCommand {
   RunningCommand(const RunningCommand&) = delete;
   RunningCommand& operator=(const RunningCommand&) = delete;
 
-  /// For poll(): readable when the command has ended. Owned by this.
+  /// A descriptor for poll(), readable when the command has ended. Owned by this object.
   [[nodiscard]] int descriptor() const { return process_; }
-  /// Waits so long for its end; whether it has ended.
+  /// Waits at most so long for the end. Returns whether the command has ended.
   [[nodiscard]] bool has_ended(std::chrono::milliseconds patience = std::chrono::milliseconds(0)) const;
-  /// To all processes of its group; one that is stopped goes on, so that it can end.
+  /// Sends a signal to all processes of its group, and continues stopped ones, so that they can end.
   void signal(int number);
-  /// What waitpid(2) says of its end, for which it waits. What a signal() was sent to and outlived the command is
-  /// killed. To be called once.
+  /// Waits for the end and returns the status of waitpid(2). After a signal(), kills the processes of the group that
+  /// outlive the command. To be called once.
   [[nodiscard]] int reap();
 
  private:

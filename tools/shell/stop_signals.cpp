@@ -31,7 +31,7 @@ StopSignals::StopSignals() {
 }
 
 StopSignals::~StopSignals() {
-  take_pending();  // or it would end the program as soon as it is unblocked
+  take_pending();  // a pending signal would end the program when it is unblocked
   if (signals_ >= 0) close(signals_);
   const sigset_t set = stopping();
   sigprocmask(SIG_UNBLOCK, &set, nullptr);

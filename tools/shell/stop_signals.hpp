@@ -1,4 +1,4 @@
-// Waits for the daemon, a time and Ctrl-C together.
+// Waits for a descriptor, a time and Ctrl-C together.
 #ifndef GEMINGA_SHELL_STOP_SIGNALS_HPP
 #define GEMINGA_SHELL_STOP_SIGNALS_HPP
 
@@ -7,8 +7,8 @@
 
 namespace geminga::shell {
 
-/// While it lives SIGINT, SIGTERM and SIGHUP do not end the program but are waited for. One at a time, made before any
-/// thread. Neither copies nor moves.
+/// For its life SIGINT, SIGTERM and SIGHUP do not end the program; wait() returns instead. Only one may exist, made
+/// before any thread. Neither copies nor moves.
 class StopSignals {
  public:
   enum class Woken { stopped, readable, timed_out };
@@ -18,10 +18,10 @@ class StopSignals {
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// Waits until a signal has come (then every later call says so, too), `descriptor` or `other` (-1: none) is readable
-  /// or the time is over; nothing: without end.
+  /// Waits for a signal, for `descriptor` or `other` (-1: none) to be readable, or for the end of the time (nothing: no
+  /// end). After a signal every call returns `stopped`.
   [[nodiscard]] Woken wait(int descriptor, std::optional<std::chrono::milliseconds> timeout, int other = -1) const;
-  /// The signal that has come; 0: none.
+  /// The pending signal; 0: none.
   [[nodiscard]] static int pending();
 
  private:

@@ -12,7 +12,7 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// Between two attempts to reach a daemon that went: as long as gemingad's own announcements are apart.
+/// The pause between two attempts to reach a daemon that went: the interval of gemingad's announcements.
 constexpr milliseconds between_attempts{1000};
 
 class Runner {
@@ -32,14 +32,14 @@ class Runner {
       }
       const ClientError lost = client ? follow(*client) : client.error();
       if (end_) return *end_;
-      // Only a daemon that was there once is waited for: a wrong address is told at once.
+      // A daemon that was never reached is an error at once: its address may be wrong.
       if (!stream_.is_kept || !was_connected_ || !is_gone(lost)) return report(stream_.program, lost);
       complain(stream_.program, lost.text + "; trying again");
       if (!pause()) return *end_;
     }
   }
 
-  /// Lets commands end, or ends them, once run() has ended with this.
+  /// Lets the commands end, or ends them, after run() has returned `status`.
   ExitStatus finish(ExitStatus status) {
     if (stream_.commands == nullptr) return status;
     let_commands_end();
@@ -63,13 +63,13 @@ class Runner {
     return events_ > 0 && stream_.count == 0 ? ExitStatus::found : ExitStatus::timed_out;
   }
 
-  /// Counts an event; whether it was the last one.
+  /// Counts an event. True: it was the last one.
   bool is_last() { return ++events_ == stream_.count; }
 
   [[nodiscard]] bool has_room() const { return stream_.commands == nullptr || stream_.commands->has_room(); }
 
-  /// Waits for the descriptor (-1: none), for so long at most, for a command that ends, and for what ends the program:
-  /// then end_ is set.
+  /// Waits at most so long for the descriptor (-1: none), for a command that ends, or for the end of the program, which
+  /// sets end_.
   void wait(int descriptor, std::optional<milliseconds> at_most) {
     CommandQueue* const commands = stream_.commands;
     const auto earlier = [&](std::optional<milliseconds> time) {
@@ -96,12 +96,12 @@ class Runner {
     if (commands != nullptr) commands->process();
   }
 
-  /// Until all have run, or something ends the program before.
+  /// Waits until all commands have run or the program is to end.
   void let_commands_end() {
     while (ending_signal_ == 0 && stream_.commands != nullptr && !stream_.commands->is_idle()) wait(-1, {});
   }
 
-  /// Until the next attempt to reach a daemon that went. False: the program ends, end_ says how.
+  /// Waits before the next attempt to reach a daemon that went. False: the program is to end, and end_ says how.
   bool pause() {
     const auto until = Clock::now() + between_attempts;
     while (!end_) {
@@ -112,9 +112,9 @@ class Runner {
     return false;
   }
 
-  /// Tells events until end_ is set, or until the daemon goes.
+  /// Prints events until end_ is set or the daemon goes.
   ClientError follow(Client& client) {
-    // Each request has been answered by a pong, so the events that are true at this moment are there already.
+    // The pong has come after the requests, so their present events have been read.
     bool is_settled = false;
     while (!end_) {
       if (!has_room()) {
@@ -133,7 +133,7 @@ class Runner {
         wait(client.file_descriptor(), {});
       }
     }
-    let_commands_end();  // while what was stated still holds, since commands may be about it
+    let_commands_end();  // commands may need the statements, which the end withdraws
     return {};
   }
 
@@ -144,7 +144,7 @@ class Runner {
   std::uint64_t events_ = 0;
   bool was_connected_ = false;
   std::optional<ExitStatus> end_;
-  int ending_signal_ = 0;  ///< for the running command; 0: nothing ends it
+  int ending_signal_ = 0;  ///< for the running command; 0: it runs to its end
   bool is_out_of_time_ = false;
 };
 
@@ -152,7 +152,7 @@ class Runner {
 
 ExitStatus run(const Stream& stream, EventView& view) {
   Runner runner(stream, view);
-  const ExitStatus status = runner.run();  // what was stated is withdrawn by now
+  const ExitStatus status = runner.run();  // its client has withdrawn its statements
   return written(stream.program, runner.finish(status));
 }
 

@@ -1,4 +1,4 @@
-// A client whose events are told until a signal, a time, a count or the daemon's end.
+// Prints the events of a client until a signal, a time, a count or the daemon's end.
 #ifndef GEMINGA_SHELL_STREAM_HPP
 #define GEMINGA_SHELL_STREAM_HPP
 
@@ -17,37 +17,37 @@
 
 namespace geminga::shell {
 
-/// Tells a reader of events and keeps in mind what is there.
+/// Shows events to a reader, and remembers which services or requests are there.
 class EventView {
  public:
   virtual ~EventView() = default;
-  /// Tells one event; returns whether it counts.
+  /// Shows one event. Returns whether it counts.
   virtual bool tell(const Event& event) = 0;
-  /// The daemon that knew it all went: what was told is in doubt until it is told again.
+  /// Doubts everything until it is shown again, because the daemon went.
   virtual void doubt() = 0;
-  /// Tells of one thing in doubt that it is gone; false where there is none.
+  /// Shows one service or request in doubt as gone; false where there is none.
   virtual bool drop_doubted() = 0;
 };
 
 struct Stream {
   std::string_view program;
   ClientOptions connection;
-  /// States what is offered or asked for, on a fresh connection.
+  /// Offers and asks on a fresh connection.
   std::function<std::expected<void, ClientError>(Client&)> begin;
-  /// How long altogether; nothing: without end.
+  /// The most time altogether; nothing: no limit.
   std::optional<std::chrono::milliseconds> timeout;
-  /// Ends after this many events; 0: never.
+  /// The events after which it ends; 0: it goes on.
   std::uint64_t count = 0;
-  /// Connects again, and again, when the daemon goes. Once everything is stated again, what was told before and not
-  /// again is dropped.
+  /// Connects again when the daemon goes. Services and requests that the daemon then does not report again are shown as
+  /// gone.
   bool is_kept = false;
-  /// Where the view gives its events to; borrowed, null: nowhere. Events are taken while it has room.
+  /// The queue to which the view gives its events; borrowed, null: none. Events are taken while it has room.
   CommandQueue* commands = nullptr;
 };
 
 /// Runs until a signal (found), `count` events (found), the timeout (found where an event came and no count was asked
-/// for, else timed_out) or the daemon's end (no_daemon, unless it is kept). What is refused ends it. A signal and the
-/// timeout withdraw what was stated and stop the commands; else those of all events are run first.
+/// for, else timed_out), the daemon's end (no_daemon, unless it is kept) or a refusal. A signal and the timeout
+/// withdraw all statements and stop the commands; else the commands of all events run first.
 [[nodiscard]] ExitStatus run(const Stream& stream, EventView& view);
 
 }  // namespace geminga::shell

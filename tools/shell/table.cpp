@@ -8,15 +8,14 @@ namespace {
 
 constexpr std::size_t gap = 2;
 
-/// What a table of these widths takes in all; a width of 0 is a column that is not shown.
+/// The width of a table with these columns; a width of 0 is a column that is not shown.
 std::size_t total(const std::vector<std::size_t>& widths) {
   std::size_t sum = 0;
   for (const std::size_t width : widths) sum += width == 0 ? 0 : width + (sum == 0 ? 0 : gap);
   return sum;
 }
 
-/// Leaves out the columns of the greatest ranks until the rest fits with these least widths. Returns the titles that
-/// went.
+/// Leaves out the columns of the greatest ranks until the rest fits with these least widths. Returns their titles.
 std::vector<std::string> leave_out(std::vector<std::size_t>& widths, const std::vector<std::size_t>& least,
                                    const std::vector<Column>& columns, std::size_t available) {
   std::vector<std::string> titles;
@@ -34,7 +33,7 @@ std::vector<std::string> leave_out(std::vector<std::size_t>& widths, const std::
   }
 }
 
-/// Takes from the widest column that is above its least width, until the line fits or nothing more can be taken.
+/// Narrows the widest column that is above its least width, until the line fits or none can be narrowed.
 void narrow(std::vector<std::size_t>& widths, const std::vector<std::size_t>& least, std::size_t available) {
   for (std::size_t sum = total(widths); sum > available; --sum) {
     std::size_t widest = widths.size();
@@ -47,13 +46,13 @@ void narrow(std::vector<std::size_t>& widths, const std::vector<std::size_t>& le
   }
 }
 
-/// Behind these a text may be broken, as behind a space.
+/// The characters behind which a text may be broken, as behind a space.
 constexpr std::string_view marks = "/,;|=";
 
-/// Longer words are broken rather than that a column goes for them.
+/// The longest word that is kept whole though a column is left out for it.
 constexpr std::size_t longest_whole_word = 32;
 
-/// The longest part of a printable text that has no place to break it.
+/// The longest part of a printable text that cannot be broken.
 std::size_t longest_word(std::string_view text) {
   std::size_t longest = 0;
   while (!text.empty()) {
@@ -81,7 +80,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t columns) {
   std::vector<std::string> lines;
   while (width(text) > columns) {
     const auto [line, behind] = split(text, columns);
-    // A space may be the first character that does not fit: nothing is lost with it.
+    // A space may be the first character that does not fit, since it is not printed.
     const auto space = behind.starts_with(' ') ? line.size() : line.rfind(' ');
     const auto mark = line.find_last_of(marks);
     std::size_t end = line.size();
@@ -98,9 +97,9 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t columns) {
   return lines;
 }
 
-void Table::add(std::vector<std::string> cells) {
-  for (auto& cell : cells) cell = printable(cell);
-  rows_.push_back(std::move(cells));
+void Table::add(std::initializer_list<std::string_view> cells) {
+  auto& row = rows_.emplace_back();
+  for (const std::string_view cell : cells) row.push_back(printable(cell));
 }
 
 std::vector<std::size_t> Table::natural_widths() const {
@@ -125,7 +124,9 @@ std::vector<std::size_t> Table::word_widths(const std::vector<std::size_t>& natu
   return widths;
 }
 
-void Table::print(std::ostream& out, const Terminal& terminal) const {
+void Table::print(std::ostream& out, const Terminal& terminal, std::string_view above) const {
+  if (rows_.empty()) return;
+  out << above;
   std::vector<std::size_t> widths = natural_widths();
   std::vector<std::string> left_out;
   if (terminal.columns > 0) {
@@ -167,7 +168,7 @@ void Table::print_row(std::ostream& out, const Terminal& terminal, const std::ve
   }
   for (std::size_t row = 0; row < height; ++row) {
     std::string text;
-    std::size_t behind = 0;  // spaces that are owed before the next cell
+    std::size_t behind = 0;  // spaces to print before the next cell
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       if (widths[i] == 0) continue;
       const std::string cell = row < parts[i].size() ? parts[i][row] : "";

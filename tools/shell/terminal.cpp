@@ -13,22 +13,22 @@
 namespace geminga::shell {
 namespace {
 
-/// What a variable of the environment holds; nothing where it is not set.
+/// The value of an environment variable; nothing where it is not set.
 std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string_view() : value;
 }
 
-/// A terminal beyond this is a mistake of COLUMNS; it would only cost memory for spaces.
+/// The widest terminal. A greater value of COLUMNS is a mistake, and would cost memory for spaces.
 constexpr std::size_t most_columns = 10'000;
 
-/// The number in COLUMNS, or 0 where it is none that makes sense.
+/// The number in COLUMNS, or 0 where it is none or too great.
 std::size_t columns_of_the_environment() {
   const std::size_t columns = base::parse_number<std::size_t>(variable("COLUMNS")).value_or(0);
   return columns <= most_columns ? columns : 0;
 }
 
-/// Whether the user's locale has UTF-8 by its name; where none is named it is taken to, as terminals do.
+/// Whether the name of the user's locale says UTF-8. Without a name UTF-8 is assumed, as terminals do.
 bool locale_has_utf8() {
   for (const char* category : {"LC_ALL", "LC_CTYPE", "LANG"}) {
     const std::string name = base::in_lower_case(variable(category));

@@ -37,7 +37,7 @@ bool LineBuffer::write(std::size_t size) {
       done += static_cast<std::size_t>(written);
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
       pollfd room{.fd = descriptor_, .events = POLLOUT, .revents = 0};
-      ::poll(&room, 1, -1);  // a terminal that another program has made non-blocking
+      ::poll(&room, 1, -1);  // another program has made the terminal non-blocking
     } else if (errno != EINTR) {
       waiting_.erase(0, size);
       return false;

@@ -1,5 +1,5 @@
-// Writes standard output and standard error in whole lines, so that those of several programs on one terminal do not
-// mix.
+// Writes standard output and standard error in whole lines, so that the lines of several programs on one terminal do
+// not mix.
 #ifndef GEMINGA_SHELL_WHOLE_LINES_HPP
 #define GEMINGA_SHELL_WHOLE_LINES_HPP
 
@@ -10,14 +10,14 @@
 
 namespace geminga::shell {
 
-/// What waits for the end of its line, of standard output: more is written without waiting further.
+/// The most octets that wait for the end of their line. More are written at once.
 inline constexpr std::size_t max_waiting_bytes = 65'536;
 
-/// Collects what a stream is given. Flushing writes it all in one call of the system, and so does what comes when
-/// enough has come, up to the end of a line. Where it cannot be written, the stream fails as any other.
+/// Collects the output of a stream. Flushing writes all of it in one system call; without flushing, full lines are
+/// written when there are many. Where they cannot be written, the stream fails as any other.
 class LineBuffer : public std::streambuf {
  public:
-  /// With `waits`, lines wait until they are flushed or are many; without, each is written at its end.
+  /// With `waits`, lines wait until they are flushed or there are many; without, each is written at its end.
   LineBuffer(int descriptor, bool waits) : descriptor_(descriptor), waits_(waits) {}
 
  protected:
@@ -26,7 +26,7 @@ class LineBuffer : public std::streambuf {
   int sync() override;
 
  private:
-  /// So many octets from the front. False: not all could be written; then nothing is kept of them.
+  /// Writes so many octets from the front and drops them. False: not all could be written.
   bool write(std::size_t size);
   bool write_lines();
 
@@ -35,7 +35,7 @@ class LineBuffer : public std::streambuf {
   std::string waiting_;
 };
 
-/// Has std::cout and std::cerr write whole lines for as long as it lives. One at a time.
+/// Makes std::cout and std::cerr write whole lines for its life. Only one may exist.
 class WholeLines {
  public:
   WholeLines();

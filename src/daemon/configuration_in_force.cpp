@@ -1,0 +1,36 @@
+#include "daemon/configuration_in_force.hpp"
+
+#include <utility>
+
+namespace geminga::daemon {
+namespace {
+
+/// Keeps in `read` one setting of `current` that only a start can change. Gives whether they differ.
+template <typename Setting>
+bool keep(Setting& read, const Setting& current) {
+  return std::exchange(read, current) != current;
+}
+
+}  // namespace
+
+std::expected<ConfigurationChange, std::vector<std::string>> ConfigurationInForce::reload() {
+  auto read = read_();
+  if (!read) {
+    failure_ = read.error().empty() ? "unknown" : read.error().front();
+    return std::unexpected(std::move(read.error()));
+  }
+  failure_.clear();
+  ConfigurationChange change;
+  for (const bool differs :
+       {keep(read->name, current_.name), keep(read->group, current_.group), keep(read->gcnp, current_.gcnp),
+        keep(read->gcnp_socket, current_.gcnp_socket), keep(read->interval, current_.interval),
+        keep(read->state_folder, current_.state_folder)}) {
+    change.awaits_a_start = change.awaits_a_start || differs;
+  }
+  change.air = read->air != current_.air;
+  change.sealing = read->sealing != current_.sealing;
+  current_ = std::move(*read);
+  return change;
+}
+
+}  // namespace geminga::daemon

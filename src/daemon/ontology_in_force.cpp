@@ -1,0 +1,109 @@
+#include "daemon/ontology_in_force.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+using base::LogLevel;
+
+/// The ontology of these files, or an error where it contradicts itself.
+OntologyInForce::Loaded without_contradiction(OntologyInForce::Loaded loaded, const std::vector<std::string>& files) {
+  if (!loaded) return loaded;
+  auto contradiction = contradiction_in(*loaded, files);
+  if (!contradiction) return loaded;
+  return std::unexpected(std::vector<std::string>{std::move(*contradiction)});
+}
+
+}  // namespace
+
+void OntologyInForce::load_consistent(const Configuration& configuration, std::function<void(Loaded)> done) {
+  load(configuration, [done = std::move(done), files = configuration.ontologies](Loaded loaded) {
+    done(without_contradiction(std::move(loaded), files));
+  });
+}
+
+void OntologyInForce::start(const Configuration& configuration, std::function<void()> done) {
+  load(configuration, [this, done = std::move(done)](Loaded loaded) {
+    if (is_stopped_) return;
+    if (participant_ != nullptr) return change_to(std::move(loaded));
+    if (loaded) vocabulary_ = vocabulary::Vocabulary(std::move(loaded->ontology));
+    done();
+    if (!loaded) change_to(std::move(loaded));
+  });
+}
+
+void OntologyInForce::reload(const Configuration& configuration) {
+  if (std::exchange(is_next_in_preparation_, false)) preparation_.cancel();  // what is read now is newer
+  env_.event([&] { participant_->ontology_begun(); });
+  load_consistent(configuration, [this](Loaded loaded) {
+    if (!is_stopped_) change_to(std::move(loaded));
+  });
+}
+
+void OntologyInForce::serve(participant::Participant& participant) {
+  participant_ = &participant;
+  if (is_loading()) participant.ontology_begun();
+}
+
+void OntologyInForce::prepare_if_wanted() {
+  const vocabulary::Vocabulary* wanted = participant_->wants_prepared();
+  if (wanted == nullptr || !wanted->has_ontology_of(vocabulary_) || is_next_in_preparation_) return;
+  if (preparation_.is_preparing(*wanted)) return;
+  preparation_.start(*wanted, [this](vocabulary::Vocabulary prepared) {
+    env_.event([&] { participant_->on_prepared(std::move(prepared)); });
+    after_event_();
+  });
+}
+
+/// A load that is under way is given up.
+void OntologyInForce::load(const Configuration& configuration, std::function<void(Loaded)> done) {
+  const auto began = std::chrono::steady_clock::now();
+  loader_.load(configuration.ontologies, configuration.prefixes, [this, done = std::move(done), began](Loaded loaded) {
+    if (loaded) {
+      load_time_ = std::chrono::steady_clock::now() - began;
+      for (const std::string& remark : loaded->remarks) log_.write(LogLevel::warning, "ontology: " + remark);
+    }
+    done(std::move(loaded));
+  });
+}
+
+void OntologyInForce::change_to(Loaded loaded) {
+  if (!loaded) {
+    report_failure(loaded.error());
+  } else if (loaded->ontology != nullptr && participant_->uses_expressions()) {
+    // The one in force stays until this one can place expressions, so that nobody loses a match meanwhile.
+    is_next_in_preparation_ = true;
+    preparation_.start(vocabulary::Vocabulary(std::move(loaded->ontology)), [this](vocabulary::Vocabulary prepared) {
+      if (is_stopped_) return;
+      is_next_in_preparation_ = false;
+      put_in_force(std::move(prepared));
+      after_event_();
+    });
+  } else {
+    put_in_force(vocabulary::Vocabulary(std::move(loaded->ontology)));
+  }
+  after_event_();
+}
+
+void OntologyInForce::report_failure(const std::vector<std::string>& lines) {
+  log_.write_failed_reading(lines, vocabulary_.is_loaded() ? "the ontology in force is kept: " + digest_of(vocabulary_)
+                                                           : "serving without an ontology: mend it and send SIGHUP");
+  env_.event([&] { participant_->ontology_failed(lines); });
+}
+
+void OntologyInForce::put_in_force(vocabulary::Vocabulary vocabulary) {
+  preparation_.cancel();
+  vocabulary_ = std::move(vocabulary);
+  env_.event([&] { participant_->set_vocabulary(vocabulary_); });
+  log_.write(LogLevel::info, "ontology: " + digest_of(vocabulary_) + " is in force");
+}
+
+std::string digest_of(const vocabulary::Vocabulary& vocabulary) {
+  return vocabulary.is_loaded() ? base::to_hex(vocabulary.digest(), 16) : "none";
+}
+
+}  // namespace geminga::daemon

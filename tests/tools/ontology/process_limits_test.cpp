@@ -1,0 +1,48 @@
+#include "ontology/command/process_limits.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <functional>
+
+#include "ontology/command/exit_status.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+/// The exit status of a child that runs this and exits with the result.
+int in_child(const std::function<int()>& deed) {
+  const pid_t child = fork();
+  if (child == 0) _exit(deed());
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+TEST(ProcessLimits, TheTimeLimitEndsTheProgramWithItsOwnStatus) {
+  EXPECT_EQ(in_child([] {
+              limit_time(1);
+              // A call into a library, without which ThreadSanitizer never hands the signal on.
+              for (;;) (void)std::chrono::steady_clock::now();
+              return 0;
+            }),
+            static_cast<int>(Exit::timed_out));
+}
+
+TEST(ProcessLimits, TheMemoryLimitIsSet) {
+  EXPECT_EQ(in_child([] {
+              limit_memory(4096);
+              rlimit limit{};
+              getrlimit(RLIMIT_AS, &limit);
+              return limit.rlim_cur == rlim_t{4096} << 20U ? 0 : 1;
+            }),
+            0);
+}
+
+}  // namespace
+}  // namespace geminga::ontology

@@ -1,0 +1,33 @@
+// Options that several commands have.
+#ifndef GEMINGA_ONTOLOGY_COMMAND_OPTIONS_HPP
+#define GEMINGA_ONTOLOGY_COMMAND_OPTIONS_HPP
+
+#include <string>
+#include <vector>
+
+#include "ontology/command/choice.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace geminga::ontology {
+
+/// Adds the positional FILES, required.
+CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files);
+/// Adds `-o OUT`, required.
+void add_output(CLI::App& command, std::string& out);
+/// Adds an option that takes a decimal number between two bounds and nothing else.
+CLI::Option* add_number(CLI::App& command, const std::string& flag, unsigned& number, unsigned low, unsigned high,
+                        const std::string& description);
+/// Adds `--memory-limit`.
+void add_memory_limit(CLI::App& command, Choice& choice);
+/// Adds `--time-limit` and `--steps`, for a command that searches.
+void add_work_limits(CLI::App& command, WorkLimits& limits);
+/// Adds `--memory-limit`, and a `--time-limit` beyond which nothing is written, for a command without a search.
+void add_run_limits(CLI::App& command, Choice& choice);
+
+}  // namespace geminga::ontology
+
+#endif

@@ -1,0 +1,79 @@
+#include "ontology/command/output.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "ontology/command/words.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+/// The most draft files that killed programs with the process number of this one can have left.
+constexpr unsigned max_left_over = 100;
+
+bool write_all(int file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+/// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. The
+/// file is not forced to the disk, which would take most of the time: a file that a power cut damaged fails its
+/// checksum.
+Exit replace(const std::string& target, std::span<const std::byte> bytes) {
+  struct stat status{};
+  if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    return say_error(target + " is not a regular file: name another one behind -o");
+  const std::filesystem::path folder = std::filesystem::path(target).parent_path();
+  std::string temporary;
+  const auto fail = [&](int error) {
+    unlink(temporary.c_str());
+    return say_error(target + " cannot be written: " + std::generic_category().message(error));
+  };
+  // For writing only: the folder of the output need not be one that may be read.
+  int file = -1;
+  errno = EEXIST;
+  for (unsigned number = 0; file < 0 && errno == EEXIST && number < max_left_over; ++number) {
+    temporary = (folder / (".geminga-ontology-" + std::to_string(getpid()) + '-' + std::to_string(number))).string();
+    file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  }
+  if (file < 0) return say_error(target + " cannot be written: " + std::generic_category().message(errno));
+  const mode_t mask = umask(0);
+  umask(mask);
+  const bool is_written = write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0;
+  const int error = errno;
+  if (close(file) != 0 || !is_written) return fail(error);
+  if (std::rename(temporary.c_str(), target.c_str()) != 0) return fail(errno);
+  return Exit::yes;
+}
+
+}  // namespace
+
+Exit put(const std::string& out, std::span<const std::byte> bytes) {
+  if (out != to_standard_output) return replace(out, bytes);
+  return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_unwritten();
+}
+
+bool would_destroy_source(const std::string& out, const std::vector<std::string>& files, const owl::Ontology& source) {
+  const auto is_same = [&](const std::string& path) {
+    std::error_code missing;
+    return std::filesystem::equivalent(out, path, missing);
+  };
+  if (std::ranges::none_of(files, is_same) && std::ranges::none_of(source.files(), is_same, &owl::LoadedFile::path))
+    return false;
+  say_error(out + " is one of the sources: name another file behind -o");
+  return true;
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,200 @@
+#include "ontology/findings/findings.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "ontology/command/words.hpp"
+#include "ontology/findings/axioms.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/compiled_view.hpp"
+#include "reasoning/explanation/explain_module.hpp"
+#include "reasoning/owl/print.hpp"
+#include "reasoning/reasoner/excerpt.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+/// The most constructs and gaps that the line of the verdict names.
+constexpr std::size_t max_reasons = 4;
+
+void sort_axioms(std::vector<LeftOutGroup>& groups) {
+  for (LeftOutGroup& entry : groups) {
+    std::ranges::sort(entry.axioms, {}, [](const explanation::ExplainedAxiom& axiom) {
+      return std::tie(axiom.file, axiom.line, axiom.text);
+    });
+  }
+}
+
+std::vector<LeftOutGroup> group(const ClassifiedFiles& classified) {
+  const owl::Ontology& source = classified.loaded.source;
+  const auto short_name = short_names(source);
+  std::vector<LeftOutGroup> groups;
+  std::map<std::string_view, std::size_t> place;
+  for (owl::LeftOut& summary : taxonomy::left_out(source, classified.classification)) {
+    groups.push_back({std::move(summary), {}});
+  }
+  for (std::size_t at = 0; at < groups.size(); ++at) place.emplace(groups[at].summary.construct, at);
+  for (const taxonomy::UnusedAxiom& unused : classified.classification.unused) {
+    const auto found = place.find(unused.construct);
+    if (found == place.end()) continue;
+    const owl::Axiom axiom = source.axiom(unused.axiom);
+    groups[found->second].axioms.push_back(
+        {owl::print(source, axiom, short_name), source.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line});
+  }
+  sort_axioms(groups);
+  return groups;
+}
+
+std::vector<LeftOutGroup> group(const compiled::Ontology& ontology) {
+  std::vector<LeftOutGroup> groups;
+  for (owl::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}});
+  const taxonomy::ClassifiedView& view = ontology.axioms();
+  explanation::Module module(ontology, {});
+  for (std::size_t at = 0; at < view.unused_axiom.size(); ++at) {
+    groups[view.unused_group[at]].axioms.push_back(module.explained_original(view.unused_axiom[at]));
+  }
+  sort_axioms(groups);
+  return groups;
+}
+
+Open find_open(const ClassifiedFiles& classified, const compiled::Ontology& ontology) {
+  const reasoner::Undecided& undecided = classified.classification.undecided;
+  Open open;
+  open.consistency = undecided.consistency;
+  for (const taxonomy::ClassNumber of : undecided.classes) open.classes.push_back(ontology.short_name(of));
+  if (undecided.held_up_by) open.held_up_by = ontology.short_name(*undecided.held_up_by);
+  return open;
+}
+
+/// The steps of a budget that one unit of an explanation's work counts for.
+constexpr std::uint64_t steps_per_work = 10;
+
+struct Reason {
+  std::vector<explanation::ExplainedAxiom> axioms;
+  bool was_hard = false;  ///< a question on the way was left undecided
+};
+
+Reason reason_of(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
+                 base::Budget& budget, explanation::Patience patience) {
+  if (!budget.spend(1)) return {};
+  explanation::Explainer explainer(ontology, sub, super, patience);
+  const auto found = explainer.find_one();
+  static_cast<void>(budget.spend(steps_per_work * explainer.oracle().work()));
+  Reason reason{{}, explainer.oracle().undecided_count() > 0};
+  if (found) reason.axioms = explainer.explained(*found);
+  return reason;
+}
+
+/// Requires an ontology without a contradiction. There may be many reasons to find: only easy ones are looked for, and
+/// none after a hard one, since the others would be hard, too. `explain` takes the time for those.
+std::vector<Unsatisfiable> find_unsatisfiable(const compiled::Ontology& ontology, base::Budget& budget) {
+  std::vector<Unsatisfiable> found;
+  bool was_hard = false;
+  const auto nothing = ontology.find_iri(owl::owl_nothing);
+  for (std::uint32_t number = 0; number < ontology.class_count() && nothing; ++number) {
+    const taxonomy::ClassNumber named{number};
+    if (named == *nothing || ontology.is_satisfiable(named)) continue;
+    Unsatisfiable& one = found.emplace_back(ontology.short_name(named), std::vector<explanation::ExplainedAxiom>());
+    if (found.size() > max_explained_classes || was_hard) continue;
+    Reason reason = reason_of(ontology, named, *nothing, budget, explanation::Patience::of_a_daemon);
+    one.reason = std::move(reason.axioms);
+    was_hard = reason.was_hard;
+  }
+  return found;
+}
+
+/// Adds the findings that files and compiled ontologies have alike: unsatisfiable classes, reasons and collisions.
+void find_problems(const compiled::Ontology& ontology, Findings& findings, base::Budget& budget) {
+  findings.is_consistent = ontology.is_consistent();
+  findings.collisions = find_collisions(ontology);
+  if (findings.is_consistent) {
+    findings.unsatisfiable = find_unsatisfiable(ontology, budget);
+    return;
+  }
+  const auto thing = ontology.find_iri(owl::owl_thing);
+  const auto nothing = ontology.find_iri(owl::owl_nothing);
+  if (thing && nothing)
+    findings.contradiction = reason_of(ontology, *thing, *nothing, budget, explanation::Patience::of_a_person).axioms;
+}
+
+/// Classifies the terminology without the facts. The commonest contradiction is an instance of a class that can have
+/// none, and only without facts does the ontology show which class that is.
+void find_unsatisfiable_without_facts(const owl::Ontology& source, Findings& findings, base::Budget& budget) {
+  std::vector<std::uint32_t> terminology;
+  for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
+    if (source.axiom(number).kind < owl::AxiomKind::same_individual) terminology.push_back(number);
+  }
+  if (terminology.size() == source.axiom_count()) return;
+  reasoner::Excerpt excerpt(source, terminology);
+  for (const owl::Ontology::Prefix& prefix : source.prefixes())
+    excerpt.source.add_prefix(source.name(prefix.prefix), source.name(prefix.iri));
+  const auto classified = reasoner::classify(excerpt.source, {.budget = &budget});
+  if (!classified || !classified->is_consistent) return;
+  const auto ontology = compiled::Ontology::from_bytes(compiled::compile(excerpt.source, *classified));
+  if (ontology) findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
+}
+
+void find_units(const compiled::Ontology& ontology, Sources& sources) {
+  sources.units = ontology.units().size();
+  sources.units_left_out = ontology.units_left_out();
+}
+
+}  // namespace
+
+Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontology, base::Budget& budget) {
+  const rdf::Loaded& loaded = classified.loaded;
+  Findings findings;
+  findings.sources.files.assign(loaded.source.files().begin(), loaded.source.files().end());
+  findings.sources.triples = loaded.triples;
+  findings.sources.classes = class_count(classified);
+  findings.sources.axioms = classified.classification.counts.axioms;
+  findings.sources.unresolved = loaded.unresolved;
+  findings.sources.conflicts = loaded.conflicts;
+  find_units(ontology, findings.sources);
+  findings.left_out = group(classified);
+  findings.gaps = classified.classification.gaps;
+  findings.open = find_open(classified, ontology);
+  findings.names = find_doubtful_names(loaded);
+  find_problems(ontology, findings, budget);
+  if (!findings.is_consistent) find_unsatisfiable_without_facts(loaded.source, findings, budget);
+  return findings;
+}
+
+Findings find(const compiled::Ontology& ontology, base::Budget& budget) {
+  Findings findings;
+  findings.sources.files = ontology.files();
+  findings.sources.classes = std::max(ontology.class_count(), 2U) - 2;  // without owl:Thing and owl:Nothing
+  findings.sources.axioms = ontology.axiom_count();
+  findings.sources.outgrown = ontology.stale_source();
+  find_units(ontology, findings.sources);
+  findings.left_out = group(ontology);
+  findings.gaps = ontology.gaps();
+  find_problems(ontology, findings, budget);
+  return findings;
+}
+
+std::string verdict(const Findings& findings) {
+  if (!findings.is_consistent)
+    return "Contradiction: no robot's world can be as these files say, so everything follows from them.";
+  if (findings.is_complete()) return "Complete: everything that follows from these files was found.";
+  std::vector<std::string> reasons;
+  for (const LeftOutGroup& entry : findings.left_out)
+    reasons.push_back(entry.summary.construct + " (" + std::to_string(entry.summary.count) + ')');
+  reasons.insert(reasons.end(), findings.gaps.begin(), findings.gaps.end());
+  std::string text = "Incomplete: every answer is right, but some may be missing, because of ";
+  for (std::size_t at = 0; at < std::min(reasons.size(), max_reasons); ++at)
+    text += (at == 0 ? "" : ", ") + reasons[at];
+  if (reasons.size() > max_reasons) text += " and " + std::to_string(reasons.size() - max_reasons) + " more";
+  return text + '.';
+}
+
+std::string unresolved_as_text(const std::vector<rdf::UnresolvedImport>& unresolved) {
+  if (unresolved.empty()) return {};
+  std::string text = "Imports that no given file answers (nothing is fetched: name the files, too):\n";
+  for (const rdf::UnresolvedImport& import : unresolved)
+    text += "  <" + import.iri + "> at " + place(import.file, import.line) + '\n';
+  return text;
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,92 @@
+// The findings of check: completeness, omissions, classes that can have no instance, names that collide or are
+// doubtful.
+#ifndef GEMINGA_ONTOLOGY_FINDINGS_FINDINGS_HPP
+#define GEMINGA_ONTOLOGY_FINDINGS_FINDINGS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ontology/findings/collisions.hpp"
+#include "ontology/findings/doubtful_names.hpp"
+#include "ontology/loading/classified_files.hpp"
+#include "reasoning/explanation/explain.hpp"
+
+namespace geminga::ontology {
+
+/// Omissions of the reader or of the reasoner because of one construct.
+struct LeftOutGroup {
+  owl::LeftOut summary;
+  std::vector<explanation::ExplainedAxiom> axioms;  ///< by file and line; omissions of the reader are no axioms
+};
+
+/// A class that can have no instance.
+struct Unsatisfiable {
+  std::string name;
+  std::vector<explanation::ExplainedAxiom> reason;  ///< a minimal set; empty: none was looked for or found
+};
+
+/// The most classes that get a reason. `explain` gives those of the others.
+inline constexpr std::size_t max_explained_classes = 100;
+
+/// Questions that were not decided; see reasoner::Undecided.
+struct Open {
+  std::vector<std::string> classes;
+  bool consistency = false;
+  std::optional<std::string> held_up_by;
+};
+
+/// The files that were checked.
+struct Sources {
+  std::vector<owl::LoadedFile> files;
+  std::optional<std::size_t> triples;  ///< nothing: a compiled ontology does not keep their number
+  std::size_t classes = 0;
+  std::size_t axioms = 0;
+  std::size_t units = 0;                     ///< units that can stand behind a number in a condition
+  std::vector<owl::LeftOut> units_left_out;  ///< why other units cannot; the taxonomy is complete without them
+  std::vector<rdf::UnresolvedImport> unresolved;
+  std::vector<rdf::PrefixConflict> conflicts;
+  /// Of a compiled ontology: the file that has changed since, in one line.
+  std::optional<std::string> outgrown;
+};
+
+struct Findings {
+  Sources sources;
+  std::vector<LeftOutGroup> left_out;  ///< by construct
+  std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
+  Open open;                           ///< of sources; a compiled ontology has it among its gaps
+  bool is_consistent = true;
+  /// A minimal set of axioms that contradict each other; empty where there is no contradiction or none was found.
+  std::vector<explanation::ExplainedAxiom> contradiction;
+  /// Where there is a contradiction, the classes that can have no instance even if all facts are left aside.
+  std::vector<Unsatisfiable> unsatisfiable;
+  Collisions collisions;
+  NameFindings names;  ///< of sources; a compiled ontology does not keep declarations
+
+  [[nodiscard]] bool is_complete() const { return left_out.empty() && gaps.empty(); }
+  [[nodiscard]] bool has_problem() const {
+    return !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent || sources.outgrown ||
+           names.has_problem();
+  }
+};
+
+/// Gathers the findings. Where the budget is spent, no more reasons are looked for.
+[[nodiscard]] Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontology,
+                            base::Budget& budget);
+/// Gathers the findings of a compiled ontology, whose axioms have been verified.
+[[nodiscard]] Findings find(const compiled::Ontology& ontology, base::Budget& budget);
+
+/// One line: whether every answer is there, and why not.
+[[nodiscard]] std::string verdict(const Findings& findings);
+
+/// The imports that no given file answers, a line each; nothing where there are none.
+[[nodiscard]] std::string unresolved_as_text(const std::vector<rdf::UnresolvedImport>& unresolved);
+
+/// One JSON document.
+[[nodiscard]] std::string as_json(const Findings& findings);
+
+}  // namespace geminga::ontology
+
+#endif

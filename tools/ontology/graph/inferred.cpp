@@ -1,0 +1,196 @@
+#include "ontology/graph/inferred.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+
+#include "ontology/loading/hierarchy.hpp"
+#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/vocabulary.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using graph::iri;
+using graph::Node;
+
+/// The named individuals of the axioms.
+std::vector<owl::TermId> individuals_of(const owl::Ontology& source) {
+  std::vector<bool> is_found(source.term_count(), false);
+  std::vector<owl::TermId> roots;
+  for (std::size_t number = 0; number < source.axiom_count(); ++number) {
+    for (const owl::TermId id : source.axiom(number).arguments) roots.push_back(id);
+  }
+  std::vector<owl::TermId> found;
+  for (const owl::TermId id : owl::terms_in(source, roots)) {
+    if (source.kind(id) != owl::TermKind::individual || is_found[static_cast<std::size_t>(id)]) continue;
+    is_found[static_cast<std::size_t>(id)] = true;
+    found.push_back(id);
+  }
+  return found;
+}
+
+/// The predicates of one hierarchy.
+struct Predicates {
+  std::string below;
+  std::string equal;
+};
+
+class Writer {
+ public:
+  Writer(bool as_closure, graph::Graph& graph) : as_closure_(as_closure), graph_(graph) {}
+
+  void write(const Hierarchy& hierarchy, const Predicates& words) {
+    for (std::uint32_t node = 0; node < hierarchy.members.size() && !graph_.problem(); ++node) {
+      if (hierarchy.members[node].empty()) continue;
+      if (node == hierarchy.representative[hierarchy.bottom]) {
+        write_empty(hierarchy, words);
+      } else {
+        write_node(hierarchy, node, words);
+      }
+    }
+  }
+
+ private:
+  static bool is_individual(std::string_view name) { return name.starts_with(only_individual); }
+
+  /// The names of a node: those of individuals, or all others.
+  static std::vector<std::string_view> names(const Hierarchy& hierarchy, std::uint32_t node, bool are_individuals) {
+    std::vector<std::string_view> found;
+    for (const std::uint32_t member : hierarchy.members[node]) {
+      const std::string_view name = hierarchy.iris[member];
+      if (is_individual(name) == are_individuals)
+        found.push_back(are_individuals ? name.substr(only_individual.size()) : name);
+    }
+    return found;
+  }
+
+  /// The nodes with class names right above a node, or all above it; without the top one.
+  std::vector<std::uint32_t> above(const Hierarchy& hierarchy, std::uint32_t node) {
+    std::vector<std::uint32_t> found;
+    std::set<std::uint32_t> seen{node};
+    std::vector<std::uint32_t> stack{node};
+    while (!stack.empty()) {
+      const std::uint32_t at = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t parent : hierarchy.parents_of(at)) {
+        if (!seen.insert(parent).second || parent == hierarchy.representative[hierarchy.top]) continue;
+        const bool is_named = !names(hierarchy, parent, false).empty();
+        if (is_named) found.push_back(parent);
+        if (!is_named || as_closure_) stack.push_back(parent);
+      }
+    }
+    std::ranges::sort(found);
+    return found;
+  }
+
+  void link(std::string_view subject, std::string_view predicate, std::string_view object) {
+    graph_.add(iri(subject), iri(predicate), iri(object));
+  }
+
+  /// Links equal names: each with the next, or each with each.
+  void write_equal(const std::vector<std::string_view>& names, std::string_view predicate) {
+    for (std::size_t a = 0; a < names.size(); ++a) {
+      for (std::size_t b = 0; b < names.size(); ++b) {
+        if (a != b && (as_closure_ || b == a + 1)) link(names[a], predicate, names[b]);
+      }
+    }
+  }
+
+  void write_node(const Hierarchy& hierarchy, std::uint32_t node, const Predicates& words) {
+    const auto classes = names(hierarchy, node, false);
+    const auto individuals = names(hierarchy, node, true);
+    write_equal(classes, words.equal);
+    write_equal(individuals, std::string(syntax::owl_namespace) + "sameAs");
+    const auto type_all = [&](std::string_view type) {
+      if (type == owl::owl_thing) return;
+      for (const std::string_view individual : individuals) link(individual, graph::rdf_type, type);
+    };
+    for (const std::string_view type : classes) type_all(type);
+    for (const std::uint32_t parent : above(hierarchy, node)) {
+      const auto supers = names(hierarchy, parent, false);
+      // Of equivalent superclasses one is enough where only direct relations are written.
+      const std::size_t count = as_closure_ ? supers.size() : std::min<std::size_t>(supers.size(), 1);
+      for (std::size_t at = 0; at < count; ++at) {
+        for (const std::string_view name : classes) link(name, words.below, supers[at]);
+      }
+      // The types of an individual include the superclasses of a class that holds it alone.
+      if (classes.empty() || as_closure_) {
+        for (const std::string_view super : supers) type_all(super);
+      }
+    }
+  }
+
+  /// Writes the names that can have no instance.
+  void write_empty(const Hierarchy& hierarchy, const Predicates& words) {
+    const std::string_view bottom = hierarchy.iris[hierarchy.bottom];
+    for (const std::uint32_t member : hierarchy.members[hierarchy.representative[hierarchy.bottom]]) {
+      if (member != hierarchy.bottom) link(hierarchy.iris[member], words.below, bottom);
+    }
+  }
+
+  const bool as_closure_;
+  graph::Graph& graph_;
+};
+
+}  // namespace
+
+std::expected<ClassifiedFiles, LoadFailure> classify_with_individuals(rdf::Loaded loaded, Progress& progress,
+                                                                      const LoadOptions& how) {
+  owl::Ontology& source = loaded.source;
+  for (const owl::TermId individual : individuals_of(source)) {
+    const owl::TermId itself =
+        source.named_class(std::string(only_individual) + std::string(source.name_of(individual)));
+    const owl::TermId one = source.term(owl::TermKind::object_one_of, {individual});
+    source.add(owl::AxiomKind::equivalent_classes, {itself, one}, owl::FileId{0}, 0);
+  }
+  if (const auto& problem = source.problem()) return std::unexpected(LoadFailure{*problem, false});
+  return classify_files(std::move(loaded), 0, progress, how);
+}
+
+void add_inferred(const ClassifiedFiles& classified, bool as_closure, graph::Graph& graph) {
+  const owl::Ontology& source = classified.loaded.source;
+  const taxonomy::Classification& classification = classified.classification;
+  const std::string owl(syntax::owl_namespace);
+  Writer writer(as_closure, graph);
+  writer.write(class_hierarchy(source, classification),
+               {std::string(graph::rdfs_sub_class_of), owl + "equivalentClass"});
+  const auto properties = [&](const taxonomy::PropertyTaxonomy& taxonomy) {
+    writer.write(property_hierarchy(source, taxonomy, classification.is_consistent),
+                 {std::string(graph::rdfs_sub_property_of), owl + "equivalentProperty"});
+  };
+  properties(classification.object_properties);
+  properties(classification.data_properties);
+}
+
+void add_declarations(const ClassifiedFiles& classified, graph::Graph& graph) {
+  const owl::Ontology& source = classified.loaded.source;
+  std::set<std::string, std::less<>> of_data;
+  for (const owl::NameId name : classified.classification.data_properties.properties)
+    of_data.emplace(source.name(name));
+  std::set<std::pair<std::string, owl::TermKind>> declared;
+  const std::string same = std::string(syntax::owl_namespace) + "sameAs";
+  const std::string equal_property = std::string(syntax::owl_namespace) + "equivalentProperty";
+  graph.for_each([&](const Node& subject, const Node& predicate, const Node& object) {
+    const bool is_fact = predicate.text == graph::rdf_type;
+    for (const Node* node : {&subject, &object}) {
+      owl::TermKind kind = owl::TermKind::named_class;
+      if (predicate.text == same || (is_fact && node == &subject)) kind = owl::TermKind::individual;
+      if (predicate.text == graph::rdfs_sub_property_of || predicate.text == equal_property)
+        kind = of_data.contains(node->text) ? owl::TermKind::data_property : owl::TermKind::object_property;
+      if (!node->text.starts_with(syntax::owl_namespace)) declared.emplace(node->text, kind);
+    }
+  });
+  for (const auto& [name, kind] : declared) graph.add(iri(name), iri(graph::rdf_type), graph::type_of_entity(kind));
+}
+
+std::optional<std::string> why_incomplete(const ClassifiedFiles& classified) {
+  const auto& classification = classified.classification;
+  const auto left_out = taxonomy::left_out(classified.loaded.source, classification);
+  if (!left_out.empty()) return left_out.front().construct + " was not used, first at " + left_out.front().first;
+  if (!classification.gaps.empty()) return classification.gaps.front();
+  return std::nullopt;
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,30 @@
+// The triples that follow from an ontology: the hierarchies of classes and properties, and the types of individuals.
+#ifndef GEMINGA_ONTOLOGY_GRAPH_INFERRED_HPP
+#define GEMINGA_ONTOLOGY_GRAPH_INFERRED_HPP
+
+#include <expected>
+#include <optional>
+#include <string>
+
+#include "ontology/loading/classified_files.hpp"
+#include "reasoning/syntax/graph/graph.hpp"
+
+namespace geminga::ontology {
+
+/// Classifies with one more class for each individual, which holds it alone, so that the taxonomy has the types of the
+/// individuals. add_inferred() writes no such class.
+[[nodiscard]] std::expected<ClassifiedFiles, LoadFailure> classify_with_individuals(rdf::Loaded loaded,
+                                                                                    Progress& progress,
+                                                                                    const LoadOptions& how = {});
+
+/// Adds the relations that follow, all of them or the direct ones. Requires a consistent ontology.
+void add_inferred(const ClassifiedFiles& classified, bool as_closure, graph::Graph& graph);
+/// Adds the declaration of each name in these relations, for readers of nothing else.
+void add_declarations(const ClassifiedFiles& classified, graph::Graph& graph);
+
+/// The reason why relations may be missing, in one line; nothing where none is missing.
+[[nodiscard]] std::optional<std::string> why_incomplete(const ClassifiedFiles& classified);
+
+}  // namespace geminga::ontology
+
+#endif

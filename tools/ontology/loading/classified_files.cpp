@@ -1,0 +1,171 @@
+#include "ontology/loading/classified_files.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/loading/readers.hpp"
+#include "reasoning/compiled/compile.hpp"
+#include "reasoning/owl/print.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+/// Sizes from which progress is shown at once. Smaller files are done in a moment.
+constexpr std::uintmax_t large_octets = std::uintmax_t{8} << 20U;
+constexpr std::size_t large_axioms = 50'000;
+/// The most files in folders that are named because they are no ontologies.
+constexpr std::size_t max_skipped_shown = 3;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The octets of the files, and of those in the folders.
+std::uintmax_t size_of(const std::vector<std::string>& files) {
+  std::uintmax_t octets = 0;
+  const auto listing = syntax::list_files(files, {});
+  if (!listing) return octets;  // load() says why
+  for (const std::string& file : listing->files) {
+    std::error_code error;
+    const std::uintmax_t size =
+        std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
+    if (!error) octets += size;
+  }
+  return octets;
+}
+
+/// The files that the folders hold, in one line.
+std::string folders_line(const rdf::Loaded& loaded) {
+  std::map<std::string_view, std::size_t> by_syntax;
+  for (const syntax::Syntax syntax : loaded.syntaxes) ++by_syntax[syntax::to_string(syntax)];
+  const syntax::Listing& listing = loaded.listing;
+  std::string text = "read " + counted(listing.files.size(), "file", "files") + " in " +
+                     counted(listing.folders.size(), "folder", "folders") + ':';
+  std::string_view separator = " ";
+  for (const auto& [syntax, count] : by_syntax) {
+    text.append(separator).append(std::to_string(count)).append(" ").append(syntax);
+    separator = ", ";
+  }
+  if (listing.skipped.empty()) return text;
+  text += "; skipped " + counted(listing.skipped.size(), "other", "others") + ": ";
+  separator = "";
+  for (std::size_t at = 0; at < std::min(listing.skipped.size(), max_skipped_shown); ++at) {
+    text.append(separator).append(base::printable(listing.skipped[at], 200));
+    separator = ", ";
+  }
+  return listing.skipped.size() > max_skipped_shown ? text + ", ..." : text;
+}
+
+}  // namespace
+
+std::expected<rdf::Loaded, LoadFailure> load(const std::vector<std::string>& files, Progress& progress,
+                                             const LoadOptions& options) {
+  if (const std::uintmax_t octets = size_of(files); octets >= large_octets)
+    progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
+  Readers readers(options.keeps_annotations);
+  auto loaded = rdf::load(files, {}, &readers, options.threads);
+  if (!loaded) return std::unexpected(LoadFailure{syntax::to_string(loaded.error()), loaded.error().is_unreadable});
+  if (options.says_files && !loaded->listing.folders.empty()) {
+    progress.clear();
+    say_error(folders_line(*loaded));
+  }
+  return std::move(*loaded);
+}
+
+std::expected<ClassifiedFiles, LoadFailure> classify_files(const std::vector<std::string>& files,
+                                                           const LoadOptions& options) {
+  Progress progress(!options.as_json);
+  const auto start = std::chrono::steady_clock::now();
+  auto loaded = load(files, progress, options);
+  if (!loaded) return std::unexpected(std::move(loaded.error()));
+  return classify_files(std::move(*loaded), milliseconds_since(start), progress, options);
+}
+
+std::expected<ClassifiedFiles, LoadFailure> classify_files(rdf::Loaded loaded, double load_ms, Progress& progress,
+                                                           const LoadOptions& options) {
+  const auto read = std::chrono::steady_clock::now();
+  const bool is_long = loaded.source.axiom_count() >= large_axioms;
+  const auto show = [&](std::string_view phase, double done) { progress.show(phase, done, is_long && done == 0); };
+  auto classification =
+      reasoner::classify(loaded.source, {.threads = options.threads, .budget = options.budget, .progress = show});
+  if (!classification) return std::unexpected(LoadFailure{classification.error().text, false});
+  return ClassifiedFiles{std::move(loaded), std::move(*classification), load_ms, milliseconds_since(read)};
+}
+
+std::optional<ClassifiedFiles> classify_or_say(const std::vector<std::string>& files, const LoadOptions& options) {
+  auto classified = classify_files(files, options);
+  if (classified) return std::move(*classified);
+  say_failure(classified.error().text, options.as_json);
+  return std::nullopt;
+}
+
+std::optional<std::string> describe_undecided(const ClassifiedFiles& classified) {
+  const reasoner::Undecided& undecided = classified.classification.undecided;
+  const std::size_t count = undecided.classes.size();
+  if (count == 0 && !undecided.consistency) return std::nullopt;
+  const auto short_name = short_names(classified.loaded.source);
+  const auto iri = [&](taxonomy::ClassNumber of) {
+    return classified.loaded.source.name(classified.classification.classes[static_cast<std::size_t>(of)]);
+  };
+  const auto is_individual = [&](taxonomy::ClassNumber of) { return iri(of).starts_with(only_individual); };
+  const auto name = [&](taxonomy::ClassNumber of) {
+    return short_name(is_individual(of) ? iri(of).substr(only_individual.size()) : iri(of));
+  };
+  const auto individuals = static_cast<std::size_t>(std::ranges::count_if(undecided.classes, is_individual));
+  std::string line(compiled::undecided_words);
+  if (count > individuals) line += counted(count - individuals, "class", "classes");
+  if (individuals > 0) line += (count > individuals ? " and " : "") + counted(individuals, "individual", "individuals");
+  if (count > 0) line += " (" + name(undecided.classes.front()) + (count == 1 ? ")" : ", ...)");
+  if (undecided.consistency) line += std::string(count > 0 ? ", and " : "") + "whether there is a contradiction";
+  if (undecided.held_up_by) line += "; held up by " + name(*undecided.held_up_by);
+  return line;
+}
+
+std::vector<std::string> gaps_of(const ClassifiedFiles& classified) {
+  std::vector<std::string> gaps = classified.classification.gaps;
+  if (auto line = describe_undecided(classified)) gaps.push_back(std::move(*line));
+  return gaps;
+}
+
+Exit exit_of(const ClassifiedFiles& classified, Exit exit) {
+  if (!classified.classification.is_cut_off) return exit;
+  return say_error(base::joined(classified.classification.gaps, ", ") + ", and what is settled by then counts: " +
+                       describe_undecided(classified).value_or("everything is decided") + ": raise the limit",
+                   Exit::timed_out);
+}
+
+std::function<std::string(std::string_view)> short_names(const owl::Ontology& source) {
+  std::vector<std::pair<std::string_view, std::string_view>> prefixes;
+  for (const owl::Ontology::Prefix& prefix : source.prefixes())
+    prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
+  std::ranges::sort(prefixes);
+  return [prefixes = std::move(prefixes)](std::string_view iri) { return owl::shorten(iri, prefixes); };
+}
+
+std::size_t class_count(const ClassifiedFiles& classified) { return classified.classification.class_count() - 2; }
+
+bool is_unsatisfiable(const taxonomy::Classification& classification, taxonomy::ClassNumber number) {
+  const auto representative = [&](taxonomy::ClassNumber c) {
+    return classification.representative[static_cast<std::size_t>(c)];
+  };
+  return !classification.is_consistent || representative(number) == representative(classification.nothing);
+}
+
+bool is_undecided(const reasoner::Classified& classification, taxonomy::ClassNumber number) {
+  const reasoner::Undecided& undecided = classification.undecided;
+  return undecided.consistency || std::ranges::binary_search(undecided.classes, number);
+}
+
+std::filesystem::path shipped_ontologies() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  return program.parent_path().parent_path() / "share" / "geminga" / "ontology";
+}
+
+}  // namespace geminga::ontology

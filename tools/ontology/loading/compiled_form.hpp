@@ -1,0 +1,30 @@
+// The compiled form of ontologies: of classified files, or as `compile` wrote it.
+#ifndef GEMINGA_ONTOLOGY_LOADING_COMPILED_FORM_HPP
+#define GEMINGA_ONTOLOGY_LOADING_COMPILED_FORM_HPP
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ontology/loading/classified_files.hpp"
+#include "reasoning/compiled/ontology.hpp"
+
+namespace geminga::ontology {
+
+/// Compiles in memory, for names and explanations; nothing after saying what is wrong.
+[[nodiscard]] std::optional<compiled::Ontology> compile_or_say(const ClassifiedFiles& classified);
+
+/// Whether these files are a single one that `compile` wrote.
+[[nodiscard]] bool is_compiled(const std::vector<std::string>& files);
+/// Opens that file and verifies all of it.
+[[nodiscard]] std::expected<compiled::Ontology, compiled::CompiledError> open_compiled(const std::string& file);
+
+/// Opens a single compiled file whose sources are unchanged, or compiles the files in memory; nothing after saying what
+/// is wrong.
+[[nodiscard]] std::optional<compiled::Ontology> open_or_say(const std::vector<std::string>& files,
+                                                            const LoadOptions& options = {});
+
+}  // namespace geminga::ontology
+
+#endif
