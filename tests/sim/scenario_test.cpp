@@ -153,7 +153,7 @@ std::pair<std::uint64_t, std::uint64_t> clashing_seeds() {
   }
 }
 
-/// The second draw of a participant seeds its claim (participant/announcer.cpp).
+/// The second draw of a participant seeds its claim (participant/air/announcer.cpp).
 void force_claim(Host& host, std::uint64_t claim_seed) { host.forced_bits = {host.random_bits(), claim_seed}; }
 
 /// Asks every daemon who it is, so that the checker of identifiers knows.

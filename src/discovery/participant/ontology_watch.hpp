@@ -7,11 +7,11 @@
 #include <map>
 
 #include "base/time.hpp"
+#include "discovery/membership/neighbour_table.hpp"
+#include "env/env.hpp"
 #include "geminga/service.hpp"
 
 namespace geminga::participant {
-
-struct Core;
 
 /// How often it looks, and so how often it writes a line at most. Longer: a team that reloads one by one says less.
 /// Shorter: a difference is in the log sooner.
@@ -22,9 +22,9 @@ inline constexpr std::size_t max_named_others = 8;
 /// A line a change, never one a second: whoever is at the robot reads it once, and queries show what still differs.
 class OntologyWatch {
  public:
-  /// To be called at the end of any event; does nothing before its interval has gone by, or while nobody comes, goes or
-  /// says anything else. O(participants).
-  void look(Core& core);
+  /// To be called at the end of any event, with the digest of our own ontology; does nothing before its interval has
+  /// gone by, or while nobody comes, goes or says anything else. O(participants).
+  void look(const membership::NeighbourTable& neighbours, std::uint64_t own_digest, env::Env& env);
 
  private:
   using Others = std::map<ParticipantId, std::uint64_t>;  ///< the digest of each that differs

@@ -1,221 +1,386 @@
 #include "discovery/participant/participant.hpp"
 
 #include <algorithm>
+#include <expected>
+#include <optional>
 #include <set>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "discovery/participant/announcer.hpp"
-#include "discovery/participant/core.hpp"
-#include "discovery/participant/neighbour_feed.hpp"
-#include "discovery/participant/own_services.hpp"
-#include "discovery/participant/sessions.hpp"
-#include "discovery/participant/telling.hpp"
-#include "discovery/participant/turns.hpp"
+#include "discovery/participant/air/air.hpp"
+#include "discovery/participant/clients/clients.hpp"
+#include "discovery/participant/knowledge/knowledge.hpp"
+#include "discovery/participant/ontology_watch.hpp"
+#include "discovery/participant/queries/queries.hpp"
+#include "discovery/participant/status.hpp"
 
 namespace geminga::participant {
-/// Handles one event at a time; settle() ends each of them.
-class Participant::State {
- public:
-  State(env::Env& env, Settings settings, Vocabulary vocabulary)
-      : core(env, std::move(settings), std::move(vocabulary)), announcer(core) {}
+namespace {
 
-  Core core;
-  Announcer announcer;
-  std::set<env::InterfaceIndex> interfaces;
-
-  void start() {
-    GEMINGA_ASSERT(core.phase == Phase::created);
-    core.started = core.env.now();
-    core.phase = Phase::claiming;
-    core.seal.adopt(core.settings.sealing, core.env.now());
-    remember_interfaces();
-    core.neighbours.set_secret(core.env.random_bits());
-    announcer.start();
-    settle();
-  }
-
-  void stop() {
-    if (is_over() || core.phase == Phase::stopping) return;
-    const Phase was = std::exchange(core.phase, Phase::stopping);
-    close_all_sessions(core, was == Phase::ready
-                                 ? std::nullopt
-                                 : std::optional(Error{ErrorCode::not_ready, "not ready: the daemon is stopping"}));
-    announcer.stop();
-    settle();
-  }
-
-  [[nodiscard]] bool is_over() const { return core.phase == Phase::stopped || core.phase == Phase::failed; }
-
-  void open(env::StreamId stream, std::string_view user) {
-    open_session(core, stream, user);
-    settle();
-  }
-
-  void read(env::StreamId stream, std::string_view bytes) {
-    hear_session(core, stream, bytes);
-    settle();
-  }
-
-  void closed(env::StreamId stream) {
-    lose_session(core, stream);
-    settle();
-  }
-
-  /// A client has room again: its turn may be due.
-  void drained() { settle(); }
-
-  void timer() {
-    if (is_over() || core.phase == Phase::created) return;
-    proceed_feed(core, work_in_turn);
-    core.ontology_change.proceed(core, work_in_turn);
-    // Only here, and not when a client's bytes come in: whoever has spoken meanwhile is heard before the next turn.
-    if (core.phase == Phase::ready) take_turn(core);
-    settle();
-  }
-
-  void datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> bytes) {
-    if (core.phase != Phase::claiming && core.phase != Phase::ready) return;
-    if (hear(core, announcer, interface, source, bytes) == Announcer::Consequence::failed) fail();
-    if (const auto complaint = core.seal.take_complaint()) core.log(base::LogLevel::warning, *complaint);
-    settle();
-  }
-
-  void interfaces_changed() {
-    if (core.phase == Phase::created || is_over()) return;
-    const std::set<env::InterfaceIndex> before = interfaces;
-    remember_interfaces();
-    for (const env::InterfaceIndex index : before) {
-      if (!interfaces.contains(index)) core.neighbours.forget_interface(index);
-    }
-    feed(core);
-    core.is_changed = true;
-    settle();
-  }
-
-  void set_sealing(const sealing::Policy& policy) {
-    if (core.phase == Phase::created || is_over()) return;
-    core.seal.adopt(policy, core.env.now());
-    announcer.show();
-    settle();
-  }
-
-  void set_vocabulary(Vocabulary vocabulary) {
-    core.ontology_change.begin(core, std::move(vocabulary));
-    change_ontology();
-  }
-
-  void prepared(Vocabulary prepared) {
-    if (!core.matcher.take_prepared(std::move(prepared))) return;
-    core.ontology_change.take_up_expressions();
-    change_ontology();
-  }
-
-  void ontology_failed(const std::vector<std::string>& lines) {
-    core.ontology_state.fail(lines, core.env.now());
-    core.ontology_change.give_up(core);
-    change_ontology();
-  }
-
- private:
-  /// Begins at once, so that a small team has changed when this event is over.
-  void change_ontology() {
-    if (is_over()) return;
-    core.ontology_change.proceed(core, work_in_turn);
-    if (core.phase != Phase::created) settle();
-  }
-
-  void remember_interfaces() {
-    interfaces.clear();
-    for (const env::Interface& interface : core.env.interfaces()) interfaces.insert(interface.index);
-  }
-
-  void claimed() {
-    if (core.phase == Phase::ready) {
-      change_identifier(core, announcer.id());
-    } else {
-      core.id = announcer.id();  // nobody has stated anything: statements wait for it
-    }
-    core.phase = Phase::ready;
-    core.is_changed = true;
-    core.log(base::LogLevel::info,
-             "participant " + to_string(core.id) + " (" + base::printable(core.name()) + ") is ready");
-    proceed_feed(core, work_in_turn);
-    take_turn(core);  // what waited for the identifier is announced with it
-  }
-
-  void fail() {
-    core.log(base::LogLevel::error, announcer.failure());
-    core.phase = Phase::failed;
-    close_all_sessions(core, Error{ErrorCode::not_ready, "not ready: no identifier could be claimed, the daemon ends"});
-  }
-
-  /// Ends an event: everything that follows from it is handed to Env, and the timer is set.
-  void settle() {
-    if (core.phase == Phase::claiming || core.phase == Phase::ready) {
-      expire(core, announcer);
-      announcer.end_contest();
-      switch (announcer.step_claim()) {
-        case Announcer::Step::nothing:
-          break;
-        case Announcer::Step::claimed:
-          claimed();
-          break;
-        case Announcer::Step::failed:
-          fail();
-          break;
-      }
-      core.ontology_watch.look(core);
-      if (core.overlaps.take_waiting(core.env.now())) core.ontology_change.place_again();
-      close_due_sessions(core);
-      deliver_events(core);
-      write_sessions(core);
-    }
-    if (!is_over()) announcer.announce();
-    if (core.phase == Phase::stopping && announcer.is_finished()) core.phase = Phase::stopped;
-    core.env.wake_at(is_over() ? base::never : std::min(announcer.due(), deadline()));
-  }
-
-  [[nodiscard]] base::Instant deadline() {
-    if (core.phase == Phase::stopping) return base::never;
-    if (is_turn_due(core) || is_feed_due(core) || core.ontology_change.is_under_way()) return core.env.now();
-    return std::min(core.neighbours.next_deadline(), session_deadline(core));
-  }
+/// How far a participant has come.
+enum class Phase : std::uint8_t {
+  created,   ///< start() has not been called
+  claiming,  ///< no identifier has been held: statements wait
+  ready,     ///< peers are served; after a clash under the old identifier, until another is claimed
+  stopping,  ///< goodbyes are being said
+  stopped,   ///< may be destroyed
+  failed,    ///< no identifier could be claimed: may be destroyed
 };
 
+std::string_view to_string(Phase phase) {
+  switch (phase) {
+    case Phase::created:
+      return "created";
+    case Phase::claiming:
+      return "claiming";
+    case Phase::ready:
+      return "ready";
+    case Phase::stopping:
+      return "stopping";
+    case Phase::stopped:
+      return "stopped";
+    case Phase::failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+}  // namespace
+
+struct Participant::Owners {
+  Owners(env::Env& the_env, Settings the_settings, Vocabulary vocabulary)
+      : env(the_env),
+        settings(std::move(the_settings)),
+        knowledge(env, settings.name, std::move(vocabulary)),
+        clients(env, settings.limits,
+                {.self = knowledge.self,
+                 .matcher = knowledge.matcher,
+                 .resolver = knowledge.resolver,
+                 .expressions = knowledge.expressions,
+                 .overlaps = knowledge.overlaps,
+                 .work = knowledge.work},
+                [this](const gcnp::Request& query) { return ask(query); }),
+        air(env, settings,
+            {.ontology_digest = [this] { return knowledge.vocabulary().digest(); },
+             .peers = [this] { return clients.own().announced(); }}) {}
+
+  env::Env& env;
+  const Settings settings;
+  Knowledge knowledge;
+  Clients clients;
+  Air air;
+  OntologyWatch ontology_watch;
+  Phase phase = Phase::created;
+  base::Instant started{};
+  std::set<env::InterfaceIndex> interfaces;
+  StatusSource status_source;
+
+  /// Hands each query the parts that it reads.
+  std::expected<Answering, Error> ask(const gcnp::Request& query);
+};
+
+std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& query) {
+  const Listed listed{
+      .env = env, .matcher = knowledge.matcher, .neighbours = air.neighbours(), .resolver = knowledge.resolver};
+  return std::visit(
+      [&](const auto& one) -> std::expected<Answering, Error> {
+        using Query = std::decay_t<decltype(one)>;
+        const Sessions& sessions = clients.sessions();
+        if constexpr (std::is_same_v<Query, gcnp::QueryServices> || std::is_same_v<Query, gcnp::QueryRequests>) {
+          return begin_list(listed, one);
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryMatch>) {
+          return begin_match(listed, knowledge.overlaps, knowledge.self, one);
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryWhy>) {
+          return begin_why(
+              knowledge.matcher, knowledge.overlaps, air.neighbours(),
+              {.matcher = knowledge.matcher, .resolver = knowledge.resolver, .self = knowledge.self, .now = env.now()},
+              one);
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryExplain>) {
+          auto answer = answer_explain(knowledge.vocabulary(), knowledge.resolver, one);
+          if (!answer) return std::unexpected(std::move(answer.error()));
+          return telling(std::move(*answer));
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryParticipants>) {
+          return telling(answer_participants(env, knowledge.self, settings.interval, knowledge.vocabulary().digest(),
+                                             sessions, air.neighbours()));
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryOntology>) {
+          return telling(answer_ontology(knowledge.vocabulary(), knowledge.reading, air.neighbours(), env.now()));
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryInterfaces>) {
+          return telling(answer_interfaces(env, air));
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryPeers>) {
+          return telling(answer_peers(sessions));
+        } else if constexpr (std::is_same_v<Query, gcnp::QuerySecurity>) {
+          return telling(answer_security(air.seal(), air.neighbours(), env.now()));
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryStatus>) {
+          Course course{.phase = to_string(phase), .uptime = env.now() - started, .of_owner = {}};
+          if (status_source) course.of_owner = status_source();
+          return telling(answer_status(settings, std::move(course), knowledge, air, sessions, env.now()));
+        } else {
+          GEMINGA_ASSERT(false);  // not a query: handled where clients are
+          return {};
+        }
+      },
+      query);
+}
+
 Participant::Participant(env::Env& env, Settings settings, Vocabulary vocabulary)
-    : state_(std::make_unique<State>(env, std::move(settings), std::move(vocabulary))) {}
+    : owners_(std::make_unique<Owners>(env, std::move(settings), std::move(vocabulary))) {}
 
 Participant::~Participant() = default;
 
-void Participant::start() { state_->start(); }
-void Participant::stop() { state_->stop(); }
-bool Participant::is_stopped() const { return state_->is_over(); }
-std::string Participant::failure() const {
-  return state_->core.phase == Phase::failed ? state_->announcer.failure() : std::string();
+void Participant::start() {
+  Owners& all = *owners_;
+  GEMINGA_ASSERT(all.phase == Phase::created);
+  all.started = all.env.now();
+  all.phase = Phase::claiming;
+  remember_interfaces();
+  all.air.start();
+  settle();
 }
-bool Participant::is_ready() const { return state_->core.phase == Phase::ready; }
-void Participant::on_timer() { state_->timer(); }
+
+void Participant::stop() {
+  Owners& all = *owners_;
+  if (is_over() || all.phase == Phase::stopping) return;
+  const Phase was = std::exchange(all.phase, Phase::stopping);
+  all.clients.close_all(was == Phase::ready
+                            ? std::nullopt
+                            : std::optional(Error{ErrorCode::not_ready, "not ready: the daemon is stopping"}));
+  all.air.announcer().stop();
+  settle();
+}
+
+bool Participant::is_over() const { return owners_->phase == Phase::stopped || owners_->phase == Phase::failed; }
+
+bool Participant::is_stopped() const { return is_over(); }
+
+bool Participant::is_ready() const { return owners_->phase == Phase::ready; }
+
+std::string Participant::failure() const {
+  return owners_->phase == Phase::failed ? owners_->air.announcer().failure() : std::string();
+}
+
+void Participant::on_stream_opened(env::StreamId stream, std::string_view user) {
+  if (is_over() || owners_->phase == Phase::stopping) {
+    owners_->clients.refuse(stream, {ErrorCode::not_ready, "not ready: the daemon is stopping"});
+  } else {
+    owners_->clients.open(stream, user);
+  }
+  settle();
+}
+
+void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) {
+  owners_->clients.hear(stream, bytes);
+  settle();
+}
+
+void Participant::on_stream_closed(env::StreamId stream) {
+  owners_->clients.lose(stream);
+  settle();
+}
+
+/// The client has room again: its turn may be due.
+void Participant::on_stream_drained(env::StreamId) { settle(); }
+
+void Participant::on_timer() {
+  Owners& all = *owners_;
+  if (is_over() || all.phase == Phase::created) return;
+  proceed_feed();
+  proceed_ontology_change();
+  // Only here, and not when a client's octets come in: a client that has spoken meanwhile is heard before the next
+  // turn.
+  if (all.phase == Phase::ready) all.clients.turns().take();
+  settle();
+}
+
 void Participant::on_datagram(env::InterfaceIndex interface, std::string_view source,
                               std::span<const std::byte> datagram) {
-  state_->datagram(interface, source, datagram);
+  Owners& all = *owners_;
+  if (all.phase != Phase::claiming && all.phase != Phase::ready) return;
+  const auto consequence = all.air.hear(interface, source, datagram, all.knowledge.self.id);
+  if (consequence) {
+    feed();
+    all.knowledge.resume_postponed_expressions();
+  }
+  if (consequence == Announcer::Consequence::failed) fail();
+  settle();
 }
-void Participant::on_interfaces_changed() { state_->interfaces_changed(); }
-void Participant::on_stream_opened(env::StreamId stream, std::string_view user) { state_->open(stream, user); }
-void Participant::on_stream_bytes(env::StreamId stream, std::string_view bytes) { state_->read(stream, bytes); }
-void Participant::on_stream_drained(env::StreamId) { state_->drained(); }
-void Participant::on_stream_closed(env::StreamId stream) { state_->closed(stream); }
-void Participant::set_sealing(const sealing::Policy& policy) { state_->set_sealing(policy); }
-void Participant::set_vocabulary(Vocabulary vocabulary) { state_->set_vocabulary(std::move(vocabulary)); }
+
+void Participant::on_interfaces_changed() {
+  Owners& all = *owners_;
+  if (all.phase == Phase::created || is_over()) return;
+  const std::set<env::InterfaceIndex> before = all.interfaces;
+  remember_interfaces();
+  for (const env::InterfaceIndex index : before) {
+    if (!all.interfaces.contains(index)) all.air.forget_interface(index);
+  }
+  feed();
+  all.air.announcer().changed();
+  settle();
+}
+
+void Participant::set_sealing(const sealing::Policy& policy) {
+  if (owners_->phase == Phase::created || is_over()) return;
+  owners_->air.adopt(policy);
+  settle();
+}
+
+void Participant::set_vocabulary(Vocabulary vocabulary) {
+  owners_->knowledge.ontology_change.begin(std::move(vocabulary));
+  change_ontology();
+}
+
 const vocabulary::Vocabulary* Participant::wants_prepared() const {
-  const Core& core = state_->core;
-  return core.expressions.is_waiting(core.vocabulary()) ? &core.vocabulary() : nullptr;
+  const Knowledge& knowledge = owners_->knowledge;
+  return knowledge.resolver.is_waiting() ? &knowledge.vocabulary() : nullptr;
 }
-bool Participant::uses_expressions() const { return state_->core.expressions.is_used(state_->core.vocabulary()); }
-void Participant::on_prepared(Vocabulary prepared) { state_->prepared(std::move(prepared)); }
-void Participant::ontology_begun() { state_->core.ontology_state.begin(state_->core.env.now()); }
-void Participant::ontology_failed(const std::vector<std::string>& lines) { state_->ontology_failed(lines); }
-void Participant::set_status_source(StatusSource source) { state_->core.status_source = std::move(source); }
+
+bool Participant::uses_expressions() const {
+  return owners_->knowledge.expressions.is_used(owners_->knowledge.vocabulary());
+}
+
+void Participant::on_prepared(Vocabulary prepared) {
+  if (!owners_->knowledge.matcher.take_prepared(std::move(prepared))) return;
+  owners_->knowledge.ontology_change.take_up_expressions();
+  change_ontology();
+}
+
+void Participant::ontology_begun() { owners_->knowledge.reading.begin(owners_->env.now()); }
+
+void Participant::ontology_failed(const std::vector<std::string>& lines) {
+  owners_->knowledge.reading.fail(lines, owners_->env.now());
+  owners_->knowledge.ontology_change.give_up();
+  change_ontology();
+}
+
+void Participant::set_status_source(StatusSource source) { owners_->status_source = std::move(source); }
+
+void Participant::change_ontology() {
+  if (is_over()) return;
+  proceed_ontology_change();
+  if (owners_->phase != Phase::created) settle();
+}
+
+void Participant::remember_interfaces() {
+  owners_->interfaces.clear();
+  for (const env::Interface& interface : owners_->env.interfaces()) owners_->interfaces.insert(interface.index);
+}
+
+void Participant::claimed() {
+  Owners& all = *owners_;
+  Knowledge& knowledge = all.knowledge;
+  if (all.phase == Phase::ready) {
+    // All that our peers have stated leaves under the former identifier and returns under this one.
+    knowledge.matcher.begin_departure(knowledge.self.id, matching::Reason::renamed);
+    all.clients.own().list_returning();
+  }
+  knowledge.self.id = all.air.announcer().id();
+  all.phase = Phase::ready;
+  all.air.announcer().changed();
+  all.env.log().write(base::LogLevel::info, "participant " + to_string(knowledge.self.id) + " (" +
+                                                base::printable(knowledge.self.name()) + ") is ready");
+  proceed_feed();
+  all.clients.turns().take();  // what waited for the identifier is announced with it
+}
+
+void Participant::fail() {
+  Owners& all = *owners_;
+  all.env.log().write(base::LogLevel::error, all.air.announcer().failure());
+  all.phase = Phase::failed;
+  all.clients.close_all(Error{ErrorCode::not_ready, "not ready: no identifier could be claimed, the daemon ends"});
+}
+
+bool Participant::is_feed_due() const {
+  return owners_->knowledge.is_behind() || owners_->clients.own().has_returning();
+}
+
+void Participant::feed() {
+  const bool is_behind = is_feed_due();
+  owners_->knowledge.queue(owners_->air.take_changes());
+  // A feed that is behind already goes on in turns. Else a flood of datagrams would leave no time for the turns of
+  // clients.
+  if (!is_behind) proceed_feed();
+}
+
+void Participant::proceed_feed() {
+  Knowledge& knowledge = owners_->knowledge;
+  Clients& clients = owners_->clients;
+  const Work begin = knowledge.work.done();
+  while (is_feed_due() && knowledge.work.done() - begin < work_in_turn) {
+    knowledge.overlaps.begin_step();
+    if (!knowledge.continue_matching() && !clients.own().return_next()) knowledge.take_next_change();
+    clients.telling().deliver_events();
+    knowledge.work.add(cost_of_entry);
+  }
+}
+
+void Participant::proceed_ontology_change() {
+  Owners& all = *owners_;
+  OntologyChange& change = all.knowledge.ontology_change;
+  WorkMeter& work = all.knowledge.work;
+  const Work begin = work.done();
+  while (change.is_under_way() && work.done() - begin < work_in_turn) {
+    all.knowledge.overlaps.begin_step();
+    switch (change.step()) {
+      case OntologyChange::Due::nothing:
+        break;
+      case OntologyChange::Due::came_into_force:
+        all.clients.end_answers();
+        all.air.announcer().changed();  // the digest is announced
+        break;
+      case OntologyChange::Due::list_all:
+        all.clients.own().list_for_restating(true);
+        break;
+      case OntologyChange::Due::list_awaited:
+        all.clients.own().list_for_restating(false);
+        break;
+      case OntologyChange::Due::restate_next:
+        if (!all.clients.own().restate_next()) change.end_restating();
+        break;
+    }
+    all.clients.telling().deliver_events();
+    work.add(cost_of_entry);
+  }
+}
+
+void Participant::settle() {
+  Owners& all = *owners_;
+  if (all.phase == Phase::claiming || all.phase == Phase::ready) {
+    all.air.expire();
+    feed();
+    all.air.announcer().end_contest();
+    switch (all.air.announcer().step_claim()) {
+      case Announcer::Step::nothing:
+        break;
+      case Announcer::Step::claimed:
+        claimed();
+        break;
+      case Announcer::Step::failed:
+        fail();
+        break;
+    }
+    const vocabulary::Vocabulary& ours = all.knowledge.vocabulary();
+    const bool is_ours_to_come = !ours.is_loaded() && all.knowledge.reading.is_loading;
+    if (!is_ours_to_come) all.ontology_watch.look(all.air.neighbours(), ours.digest(), all.env);
+    all.knowledge.resume_postponed_overlaps();
+    all.clients.close_due();
+    all.clients.telling().deliver_events();
+    all.clients.write();
+  }
+  const bool is_changed = all.clients.own().take_change();
+  if (all.knowledge.matcher.take_choice_change() || is_changed) all.air.announcer().changed();
+  if (!is_over()) all.air.announcer().announce();
+  if (all.phase == Phase::stopping && all.air.announcer().is_finished()) all.phase = Phase::stopped;
+  all.env.wake_at(is_over() ? base::never : std::min(all.air.announcer().due(), deadline()));
+}
+
+base::Instant Participant::deadline() const {
+  Owners& all = *owners_;
+  if (all.phase == Phase::stopping) return base::never;
+  const bool is_turn_due = all.phase == Phase::ready && all.clients.turns().is_due();
+  if (is_turn_due || is_feed_due() || all.knowledge.ontology_change.is_under_way()) return all.env.now();
+  return std::min(all.air.neighbours().next_deadline(), all.clients.deadline());
+}
 
 }  // namespace geminga::participant

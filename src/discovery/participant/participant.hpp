@@ -94,8 +94,26 @@ class Participant {
   void set_status_source(StatusSource source);
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  /// The three owners, and what routing between them needs. Hidden, so that a program which runs a participant includes
+  /// no header of theirs.
+  struct Owners;
+
+  [[nodiscard]] bool is_over() const;
+  /// Ends an event: all that follows from it is handed to Env, and the timer is set.
+  void settle();
+  void claimed();
+  void fail();
+  /// Brings what neighbours have changed into the registry: a little at once, the rest in turns.
+  void feed();
+  void proceed_feed();
+  void proceed_ontology_change();
+  /// Begins a change of ontology at once, so that a small team has changed when this event is over.
+  void change_ontology();
+  void remember_interfaces();
+  [[nodiscard]] bool is_feed_due() const;
+  [[nodiscard]] base::Instant deadline() const;
+
+  std::unique_ptr<Owners> owners_;
 };
 
 }  // namespace geminga::participant

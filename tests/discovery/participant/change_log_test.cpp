@@ -1,5 +1,5 @@
 // What is told of a change: enough for all who know an earlier state, and no more.
-#include "discovery/participant/change_log.hpp"
+#include "discovery/participant/air/change_log.hpp"
 
 #include <gmock/gmock.h>
 

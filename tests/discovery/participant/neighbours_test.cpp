@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "discovery/participant/neighbour_queue.hpp"
-#include "discovery/participant/work.hpp"
+#include "discovery/participant/knowledge/neighbour_queue.hpp"
+#include "discovery/participant/knowledge/work.hpp"
 #include "sim/client.hpp"
 #include "sim/host.hpp"
 #include "sim/world.hpp"

@@ -1,5 +1,5 @@
 // How many questions to the reasoner are decided, and when those that wait may be asked again.
-#include "discovery/participant/overlaps.hpp"
+#include "discovery/participant/knowledge/overlaps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -75,9 +75,9 @@ TEST_F(OverlapsTest, DecidesSoManyForOneParticipantInASecond) {
   EXPECT_EQ(decided, max_overlaps_of_participant);
   EXPECT_TRUE(asks(200, "C0", ParticipantId{8})) << "others are not held up";
   EXPECT_TRUE(asks(201)) << "neither are our own";
-  EXPECT_FALSE(overlaps.take_waiting(now + AirTurns::second - base::Duration(1)));
-  EXPECT_TRUE(overlaps.take_waiting(now + AirTurns::second));
-  now += AirTurns::second;
+  EXPECT_FALSE(overlaps.take_waiting(now + RemoteQuota::second - base::Duration(1)));
+  EXPECT_TRUE(overlaps.take_waiting(now + RemoteQuota::second));
+  now += RemoteQuota::second;
   EXPECT_TRUE(asks(static_cast<std::uint32_t>(max_overlaps_of_participant + 1), "C0", other));
 }
 

@@ -1,4 +1,4 @@
-#include "discovery/participant/rate_gate.hpp"
+#include "discovery/participant/clients/rate_gate.hpp"
 
 #include <gtest/gtest.h>
 

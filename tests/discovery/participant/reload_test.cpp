@@ -1,7 +1,7 @@
 // Another ontology for a host that is full of services: in turns, beside its clients, counted and not timed.
 #include <gtest/gtest.h>
 
-#include "discovery/participant/work.hpp"
+#include "discovery/participant/knowledge/work.hpp"
 #include "sim/client.hpp"
 #include "sim/host.hpp"
 #include "sim/small_ontology.hpp"

@@ -135,7 +135,7 @@ void Transcript::expect_logged(sim::Host& host, std::string_view pattern, bool i
 }
 
 void Transcript::set_limit(sim::Host& host, const std::string& name, std::size_t value) {
-  Limits& limits = host.settings.limits;
+  ClientLimits& limits = host.settings.limits;
   const std::map<std::string, std::size_t*> known{{"peers", &limits.peers},
                                                   {"services_per_peer", &limits.services_per_peer},
                                                   {"room_per_peer", &limits.room_per_peer},

@@ -1,7 +1,7 @@
 // Clients take turns: what one of them asks for costs another one a bounded part of it, counted and not timed.
 #include <gtest/gtest.h>
 
-#include "discovery/participant/work.hpp"
+#include "discovery/participant/knowledge/work.hpp"
 #include "sim/client.hpp"
 #include "sim/host.hpp"
 #include "sim/world.hpp"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "discovery/matching/state.hpp"
+#include "discovery/participant/knowledge/work.hpp"
 #include "discovery/participant/queries/demand.hpp"
 #include "discovery/participant/why.hpp"
-#include "discovery/participant/work.hpp"
 
 namespace geminga::participant {
 namespace {

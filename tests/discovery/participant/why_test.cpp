@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "discovery/matching/obstacle.hpp"
+#include "discovery/participant/knowledge/work.hpp"
 #include "discovery/participant/queries/survey.hpp"
-#include "discovery/participant/work.hpp"
 
 namespace geminga::participant {
 namespace {

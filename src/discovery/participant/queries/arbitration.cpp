@@ -32,27 +32,27 @@ std::string mend_of(std::size_t place) {
 }
 
 /// How many that the consumer has keep their places against one with this rank, though they rank behind it.
-std::size_t kept_behind(const Core& core, const Asked& asked, const matching::Rank& rank) {
+std::size_t kept_behind(const matching::Matcher& matcher, const Asked& asked, const matching::Rank& rank) {
   auto chosen = asked.entry.subscription.chosen;
-  if (chosen.empty()) chosen = core.matcher.chosen(asked.entry.key);
+  if (chosen.empty()) chosen = matcher.chosen(asked.entry.key);
   return static_cast<std::size_t>(std::ranges::count_if(chosen, [&](const ServiceKey& key) {
-    const auto* incumbent = core.matcher.find_publication(key);
-    const auto match =
-        incumbent == nullptr ? std::nullopt : core.matcher.meets(asked.entry, *asked.request, *incumbent);
+    const auto* incumbent = matcher.find_publication(key);
+    const auto match = incumbent == nullptr ? std::nullopt : matcher.meets(asked.entry, *asked.request, *incumbent);
     return match && matching::BestFirst{}(rank, asked.request->rank(*incumbent, *match));
   }));
 }
 
 /// By its identity; the rest of an offer that meets the request does not matter here.
-std::optional<matching::Match> match_of(const Core& core, const Asked& asked, const PublicationEntry& offer) {
-  return core.matcher.examine(asked.entry, *asked.request, offer).match;
+std::optional<matching::Match> match_of(const matching::Matcher& matcher, const Asked& asked,
+                                        const PublicationEntry& offer) {
+  return matcher.examine(asked.entry, *asked.request, offer).match;
 }
 
 /// By what the rival is ahead; empty where it is by its key alone.
-std::string lead_of(const Core& core, const Asked& asked, const PublicationEntry& rival,
+std::string lead_of(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& rival,
                     const PublicationEntry& offer) {
-  const auto better = match_of(core, asked, rival);
-  const auto worse = match_of(core, asked, offer);
+  const auto better = match_of(matcher, asked, rival);
+  const auto worse = match_of(matcher, asked, offer);
   if (!better || !worse) return "";
   return asked.request->preferences.lead(rival, *better, offer, *worse);
 }
@@ -61,8 +61,8 @@ Check refused(Obstacle obstacle, std::string text, std::size_t place) {
   return {"arbitration", obstacle, std::move(text), mend_of(place)};
 }
 
-Check outranked_known(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing,
-                      std::size_t place, std::string text) {
+Check outranked_known(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
+                      const Standing& standing, std::size_t place, std::string text) {
   const bool is_by_consumer = standing.decided == Standing::Decided::by_consumer;
   if (standing.rival == nullptr) {
     text += is_by_consumer ? ": the consumer's host has chosen another" : ": it is not used";
@@ -76,7 +76,7 @@ Check outranked_known(const Core& core, const Asked& asked, const PublicationEnt
     text += ", which was there first, and it is not better by as much as prefer asks for";
     return refused(Obstacle::incumbent, std::move(text), place);
   }
-  if (const std::string lead = lead_of(core, asked, *standing.rival, offer); !lead.empty()) {
+  if (const std::string lead = lead_of(matcher, asked, *standing.rival, offer); !lead.empty()) {
     return refused(Obstacle::outranked, text.append(", ").append(lead), place);
   }
   if (standing.decided == Standing::Decided::elsewhere) {
@@ -90,9 +90,9 @@ Check outranked_known(const Core& core, const Asked& asked, const PublicationEnt
 }
 
 /// Against what a consumer has already. The last that it has must be pushed out.
-Check against_incumbent(const Core& core, const Asked& asked, const PublicationEntry& offer, const matching::Rank& rank,
-                        const PublicationEntry& incumbent, RankWords words_of_rank) {
-  const auto match = match_of(core, asked, incumbent);
+Check against_incumbent(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
+                        const matching::Rank& rank, const PublicationEntry& incumbent, RankWords words_of_rank) {
+  const auto match = match_of(matcher, asked, incumbent);
   const auto& preferences = asked.request->preferences;
   if (!match) return {"arbitration", Obstacle::none, words_of_rank.text()};
   const matching::Rank other = asked.request->rank(incumbent, *match);
@@ -100,7 +100,7 @@ Check against_incumbent(const Core& core, const Asked& asked, const PublicationE
     return {"arbitration", Obstacle::none,
             words_of_rank.text() + ": it takes the place of " + to_string(incumbent.key)};
   }
-  const std::size_t place = words_of_rank.place + kept_behind(core, asked, rank);
+  const std::size_t place = words_of_rank.place + kept_behind(matcher, asked, rank);
   words_of_rank.settled = place;
   std::string text = words_of_rank.text() + ": outranked by " + to_string(incumbent.key);
   if (matching::is_strictly_better(rank, other)) {
@@ -113,14 +113,14 @@ Check against_incumbent(const Core& core, const Asked& asked, const PublicationE
 }
 
 /// Of two that are known to the matcher.
-Check check_known(const Core& core, const Asked& asked, const PublicationEntry& offer, const Standing& standing,
-                  const matching::Rank& rank) {
+Check check_known(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
+                  const Standing& standing, const matching::Rank& rank) {
   RankWords words_of_rank{
       .place = standing.rank, .candidates = standing.candidates, .limit = asked.entry.subscription.limit};
   if (words_of_rank.limit == 0) return {"arbitration", Obstacle::none, words_of_rank.text()};
   if (!standing.is_chosen) {
-    words_of_rank.settled = words_of_rank.place + kept_behind(core, asked, rank);
-    return outranked_known(core, asked, offer, standing, words_of_rank.settled, words_of_rank.text());
+    words_of_rank.settled = words_of_rank.place + kept_behind(matcher, asked, rank);
+    return outranked_known(matcher, asked, offer, standing, words_of_rank.settled, words_of_rank.text());
   }
   std::string text = words_of_rank.text();
   if (standing.decided == Standing::Decided::by_incumbent) {
@@ -131,46 +131,47 @@ Check check_known(const Core& core, const Asked& asked, const PublicationEntry& 
 }
 
 /// Where at least one side is stated by nobody.
-Check check_imagined(const Core& core, const Survey& survey, const PublicationEntry& offer, const matching::Rank& rank,
-                     bool is_offer_living) {
+Check check_imagined(const matching::Matcher& matcher, const Survey& survey, const PublicationEntry& offer,
+                     const matching::Rank& rank, bool is_offer_living) {
   const Asked& asked = survey.asked();
   const std::uint32_t limit = asked.entry.subscription.limit;
   const std::size_t place = survey.ahead() + 1;
   const std::size_t candidates = survey.matching() + (is_offer_living ? 0 : 1);
   const RankWords words_of_rank{.place = place, .candidates = candidates, .limit = limit};
   if (limit == 0) return {"arbitration", Obstacle::none, words_of_rank.text()};
-  const auto chosen = asked.is_living ? core.matcher.chosen(asked.entry.key) : std::vector<ServiceKey>();
+  const auto chosen = asked.is_living ? matcher.chosen(asked.entry.key) : std::vector<ServiceKey>();
   if (!chosen.empty() && chosen.size() >= limit) {
-    const auto* incumbent = core.matcher.find_publication(chosen.back());
+    const auto* incumbent = matcher.find_publication(chosen.back());
     if (incumbent != nullptr) {
-      return against_incumbent(core, asked, offer, rank, *incumbent, words_of_rank);
+      return against_incumbent(matcher, asked, offer, rank, *incumbent, words_of_rank);
     }
   }
   if (place <= limit) return {"arbitration", Obstacle::none, words_of_rank.text()};
   const auto at = std::next(survey.best().begin(),
                             static_cast<std::ptrdiff_t>(std::min<std::size_t>(limit, survey.best().size()) - 1));
-  return outranked(core, asked, offer, {.place = place, .settled = place, .candidates = candidates},
-                   core.matcher.find_publication(at->key));
+  return outranked(matcher, asked, offer, {.place = place, .settled = place, .candidates = candidates},
+                   matcher.find_publication(at->key));
 }
 
 }  // namespace
 
-Check check_arbitration(Core& core, const Survey& survey, const Offered& offer, const matching::Rank& rank) {
+Check check_arbitration(matching::Matcher& matcher, const Survey& survey, const Offered& offer,
+                        const matching::Rank& rank) {
   const Asked& asked = survey.asked();
-  if (!asked.is_living || !offer.is_living) return check_imagined(core, survey, offer.entry, rank, offer.is_living);
+  if (!asked.is_living || !offer.is_living) return check_imagined(matcher, survey, offer.entry, rank, offer.is_living);
   matching::Place place{.rank = survey.ahead() + 1, .candidates = survey.matching()};
   const std::size_t limit = matching::Matcher::counted_limit(asked.entry);
   if (limit != 0 && place.rank > limit && limit <= survey.best().size()) {
     const auto last = std::next(survey.best().begin(), static_cast<std::ptrdiff_t>(limit) - 1);
-    place.last = core.matcher.find_publication(last->key);
+    place.last = matcher.find_publication(last->key);
   }
-  const auto standing = core.matcher.standing(asked.entry.key, offer.entry.key, place);
+  const auto standing = matcher.standing(asked.entry.key, offer.entry.key, place);
   if (!standing) return {"arbitration", Obstacle::none, "one of them has gone"};
-  return check_known(core, asked, offer.entry, *standing, rank);
+  return check_known(matcher, asked, offer.entry, *standing, rank);
 }
 
-Check outranked(const Core& core, const Asked& asked, const PublicationEntry& offer, const Outranking& among,
-                const PublicationEntry* rival) {
+Check outranked(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
+                const Outranking& among, const PublicationEntry* rival) {
   const RankWords words_of_rank{.place = among.place,
                                 .candidates = among.candidates,
                                 .limit = asked.entry.subscription.limit,
@@ -179,7 +180,7 @@ Check outranked(const Core& core, const Asked& asked, const PublicationEntry& of
   std::string text = words_of_rank.text();
   if (rival == nullptr) return refused(Obstacle::outranked, text + ": it is not used", place);
   text += ": outranked by " + to_string(rival->key);
-  const std::string lead = lead_of(core, asked, *rival, offer);
+  const std::string lead = lead_of(matcher, asked, *rival, offer);
   if (!lead.empty()) return refused(Obstacle::outranked, text.append(", ").append(lead), place);
   if (among.settled <= among.place) {
     return refused(Obstacle::incumbent, text + ", which is as good and was there first or has the smaller key", place);

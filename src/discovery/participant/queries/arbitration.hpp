@@ -11,7 +11,7 @@ namespace geminga::participant {
 
 /// Of a pair that meets, after a survey for the request by the rank of the offer, whether somebody has stated them or
 /// not.
-[[nodiscard]] Check check_arbitration(Core& core, const Survey& survey, const Offered& offer,
+[[nodiscard]] Check check_arbitration(matching::Matcher& matcher, const Survey& survey, const Offered& offer,
                                       const matching::Rank& rank);
 /// Where an offer stands of which others take the places.
 struct Outranking {
@@ -21,8 +21,9 @@ struct Outranking {
 };
 
 /// Where the request is given others: `rival` is the last that is chosen.
-[[nodiscard]] Check outranked(const Core& core, const Asked& asked, const registry::PublicationEntry& offer,
-                              const Outranking& among, const registry::PublicationEntry* rival);
+[[nodiscard]] Check outranked(const matching::Matcher& matcher, const Asked& asked,
+                              const registry::PublicationEntry& offer, const Outranking& among,
+                              const registry::PublicationEntry* rival);
 
 }  // namespace geminga::participant
 

@@ -6,7 +6,7 @@
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
 #include "discovery/matching/representation.hpp"
-#include "discovery/participant/naming.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/mending.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
@@ -62,11 +62,11 @@ Check check_mode(const Asked& asked, const PublicationEntry& offer) {
 }
 
 /// What is missing where two known concepts do not match; empty where that is not what is wrong.
-std::string nearest(const Core& core, const SubscriptionEntry& request, const PublicationEntry& offer) {
+std::string nearest(const matching::Matcher& matcher, const SubscriptionEntry& request, const PublicationEntry& offer) {
   const auto* asked = semantic(request.subscription.identity);
   const auto* offered = semantic(offer.publication.identity);
   if (asked == nullptr || offered == nullptr) return "";
-  const auto& vocabulary = core.vocabulary();
+  const auto& vocabulary = matcher.vocabulary();
   const auto sub = vocabulary.find_iri(offered->concept_iri);
   const auto super = vocabulary.find_iri(asked->concept_iri);
   if (!sub || !super || vocabulary.is_subsumed(*sub, *super)) return "";
@@ -81,9 +81,10 @@ void append_axiom(const std::string& axiom, std::string& proof) {
 }
 
 /// Adds the axioms by which the first name is below the second; nothing where they are one, or it is not.
-void add_proof(const Core& core, const std::string& sub_iri, const std::string& super_iri, std::string& proof) {
+void add_proof(const matching::Matcher& matcher, const std::string& sub_iri, const std::string& super_iri,
+               std::string& proof) {
   if (sub_iri == super_iri) return;
-  const auto& vocabulary = core.vocabulary();
+  const auto& vocabulary = matcher.vocabulary();
   const auto sub = vocabulary.find_iri(sub_iri);
   const auto super = vocabulary.find_iri(super_iri);
   if (!sub || !super || !vocabulary.is_subsumed(*sub, *super)) return;
@@ -93,15 +94,15 @@ void add_proof(const Core& core, const std::string& sub_iri, const std::string& 
 }
 
 /// Why the degree is what it is: below what is asked for, or for a broader one above.
-std::string proof_of(const Core& core, const Identity& offered, const Identity& requested) {
+std::string proof_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested) {
   const auto* offer = semantic(offered);
   const auto* request = semantic(requested);
   std::string proof;
-  if (offer == nullptr || request == nullptr || !core.vocabulary().is_loaded()) return proof;
+  if (offer == nullptr || request == nullptr || !matcher.vocabulary().is_loaded()) return proof;
   const auto add = [&](const std::string& one, const std::string& other) {
     const std::size_t before = proof.size();
-    add_proof(core, one, other, proof);
-    if (proof.size() == before) add_proof(core, other, one, proof);
+    add_proof(matcher, one, other, proof);
+    if (proof.size() == before) add_proof(matcher, other, one, proof);
   };
   add(offer->concept_iri, request->concept_iri);
   if (!offer->representation_iri.empty() && !request->representation_iri.empty()) {
@@ -111,9 +112,9 @@ std::string proof_of(const Core& core, const Identity& offered, const Identity& 
 }
 
 /// The axioms by which nothing can be both.
-std::string exclusion_of(const Core& core, const Identity& offered, const Identity& requested,
+std::string exclusion_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
                          const matching::Request& request) {
-  const auto& vocabulary = core.vocabulary();
+  const auto& vocabulary = matcher.vocabulary();
   const auto offer = matching::classes_of(offered, vocabulary).concept_class;
   std::vector<std::string> axioms;
   if (offer && request.classes.concept_class) {
@@ -128,64 +129,66 @@ std::string exclusion_of(const Core& core, const Identity& offered, const Identi
 }
 
 /// Whether a request that does not ask for overlapping concepts would be met if it did.
-bool may_overlap(const Core& core, const Identity& offered, const Identity& requested,
+bool may_overlap(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
                  const matching::Request& request) {
-  const auto offer = matching::classes_of(offered, core.vocabulary()).concept_class;
+  const auto offer = matching::classes_of(offered, matcher.vocabulary()).concept_class;
   if (!offer || (!request.classes.concept_class && !request.classes.place)) return false;
-  const auto answer = core.matcher.overlap(*offer, *semantic(requested), request.classes);
+  const auto answer = matcher.overlap(*offer, *semantic(requested), request.classes);
   return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
 /// ", by A>B, cost 1" and who does it where the representation is converted.
-std::string conversion_of(const Core& core, const vocabulary::Chain* chain, const matching::Match& match) {
+std::string conversion_of(const matching::Matcher& matcher, const vocabulary::Chain* chain,
+                          const matching::Match& match) {
   if (match.cost == 0) return "";
-  return ", by " + matching::chain_words(chain, core.vocabulary()) + ", cost " + std::to_string(match.cost) +
+  return ", by " + matching::chain_words(chain, matcher.vocabulary()) + ", cost " + std::to_string(match.cost) +
          (chain == nullptr || chain->via.empty() ? "" : ", via " + chain->via);
 }
 
 /// What inputs and outputs make of it, where the request states any and they suit.
-std::string with_signature(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+std::string with_signature(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   if (!asked.request->signature) return "";
-  const auto finding = core.matcher.examine(asked.entry, *asked.request, offer);
+  const auto finding = matcher.examine(asked.entry, *asked.request, offer);
   if (!finding.match || !finding.is_signature_met) return "";
   return "; with inputs and outputs " + std::string(to_string(finding.match->degree)) + ", distance " +
          std::to_string(finding.match->distance);
 }
 
-Check check_identity(const Core& core, const Asked& asked, const PublicationEntry& offer, Depth depth) {
+Check check_identity(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer, Depth depth) {
   const Identity& offered = offer.publication.identity;
   const Identity& requested = asked.entry.subscription.identity;
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.identity = requested;
   one.subscription.weakest = asked.entry.subscription.weakest;
-  const auto match = core.matcher.why(one, for_all(offer), asked.request->chains);
-  const auto chain = chain_of(core, asked, offer);
-  const std::string pair = "offered is " + words(core, offered) + ", asked for is " + words(core, requested) + ": ";
+  const auto match = matcher.why(one, for_all(offer), asked.request->chains);
+  const auto chain = chain_of(matcher, asked, offer);
+  const std::string pair = "offered is " + words(matcher.vocabulary(), offered) + ", asked for is " +
+                           words(matcher.vocabulary(), requested) + ": ";
   if (match) {
     return {"identity", Obstacle::none,
             pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance) +
-                conversion_of(core, chain.get(), *match) + with_signature(core, asked, offer),
-            "", depth == Depth::search ? proof_of(core, offered, requested) : ""};
+                conversion_of(matcher, chain.get(), *match) + with_signature(matcher, asked, offer),
+            "", depth == Depth::search ? proof_of(matcher, offered, requested) : ""};
   }
-  const auto finding = core.matcher.examine(one, *asked.request, offer);
+  const auto finding = matcher.examine(one, *asked.request, offer);
   // An expression may have found its place since.
   const Obstacle obstacle = finding.identity == Obstacle::none ? Obstacle::unclassified : finding.identity;
   Check check{"identity", obstacle, match.error(),
-              mend_of_identity(core, asked, offer, obstacle, finding.match, chain.get())};
+              mend_of_identity(matcher, asked, offer, obstacle, finding.match, chain.get())};
   if (depth == Depth::search) {
     check.text.insert(0, pair);
   } else if (obstacle == Obstacle::broader || obstacle == Obstacle::degree) {
     const std::string degree(to_string(finding.match ? finding.match->degree : Degree::broader));
-    check.text = words(core, offered) + " is " + degree + ", but at least " +
+    check.text = words(matcher.vocabulary(), offered) + " is " + degree + ", but at least " +
                  std::string(to_string(one.subscription.weakest)) + " is asked for";
   }
   if (depth == Depth::search) {
     const bool is_told = obstacle == Obstacle::disjoint || obstacle == Obstacle::undecided;
-    if (!is_told) check.text += nearest(core, asked.entry, offer);
-    check.proof = obstacle == Obstacle::disjoint ? exclusion_of(core, offered, requested, *asked.request)
-                                                 : proof_of(core, offered, requested);
+    if (!is_told) check.text += nearest(matcher, asked.entry, offer);
+    check.proof = obstacle == Obstacle::disjoint ? exclusion_of(matcher, offered, requested, *asked.request)
+                                                 : proof_of(matcher, offered, requested);
     const bool is_apart = obstacle == Obstacle::unrelated || obstacle == Obstacle::incomplete;
-    if (is_apart && may_overlap(core, offered, requested, *asked.request)) {
+    if (is_apart && may_overlap(matcher, offered, requested, *asked.request)) {
       check.mend += ", or ask with match=overlapping: something can be both";
     }
   }
@@ -215,12 +218,12 @@ Check check_protocol(const Subscription& asked, const PublicationEntry& offer) {
           is_ok ? "" : "ask with protocol=" + offered + " too, or without protocol"};
 }
 
-Check check_where(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+Check check_where(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   const std::string& where = asked.entry.subscription.where;
   if (where.empty()) return {"where", Obstacle::none, "there is no filter"};
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.where = where;
-  const auto match = core.matcher.why(one, for_all(offer));
+  const auto match = matcher.why(one, for_all(offer));
   if (match) return {"where", Obstacle::none, "the attributes meet " + where};
   const bool is_readable = asked.request->where.has_value();
   return {"where", is_readable ? Obstacle::where : Obstacle::unreadable, match.error(),
@@ -228,12 +231,12 @@ Check check_where(const Core& core, const Asked& asked, const PublicationEntry& 
 }
 
 /// The scopes of both.
-Check check_scope(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+Check check_scope(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.scope = asked.entry.subscription.scope;
   PublicationEntry other = offer;
   other.publication.for_whom.clear();
-  const auto match = core.matcher.why(one, other);
+  const auto match = matcher.why(one, other);
   if (match) return {"scope", Obstacle::none, "each is in the scope of the other"};
   const bool is_readable = asked.request->scope && matching::Scope::of(offer.publication.scope);
   return {"scope", is_readable ? Obstacle::scope : Obstacle::unreadable, match.error(),
@@ -241,23 +244,23 @@ Check check_scope(const Core& core, const Asked& asked, const PublicationEntry& 
 }
 
 /// The provider's condition.
-Check check_for(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+Check check_for(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   PublicationEntry other = offer;
   other.publication.scope.clear();
-  const auto match = core.matcher.why(only(asked.entry, offer), other);
+  const auto match = matcher.why(only(asked.entry, offer), other);
   if (match) return {"for", Obstacle::none, "the consumer meets " + offer.publication.for_whom};
-  const bool is_readable = matching::Where::parse(offer.publication.for_whom, core.vocabulary().units()).has_value();
+  const bool is_readable = matching::Where::parse(offer.publication.for_whom, matcher.vocabulary().units()).has_value();
   return {
       "for", is_readable ? Obstacle::for_whom : Obstacle::unreadable, match.error(),
       is_readable ? "state in the request what the provider asks for, or ask for less in its for" : newer_elsewhere};
 }
 
 /// Only where the request states what it gives or needs.
-Check check_signature(const Core& core, const Asked& asked, const PublicationEntry& offer) {
+Check check_signature(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.attributes = asked.entry.subscription.attributes;
   one.subscription.weakest = asked.entry.subscription.weakest;
-  const auto match = core.matcher.why(one, for_all(offer));
+  const auto match = matcher.why(one, for_all(offer));
   if (!match) {
     return {"signature", Obstacle::signature, match.error(),
             "state in inputs all that the service needs, and in outputs no more than it produces"};
@@ -269,31 +272,33 @@ Check check_signature(const Core& core, const Asked& asked, const PublicationEnt
 
 }  // namespace
 
-std::shared_ptr<const vocabulary::Chain> chain_of(const Core& core, const Asked& asked, const PublicationEntry& offer) {
-  const auto offered = matching::classes_of(offer.publication.identity, core.vocabulary());
+std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& matcher, const Asked& asked,
+                                                  const PublicationEntry& offer) {
+  const auto offered = matching::classes_of(offer.publication.identity, matcher.vocabulary());
   return matching::chain_between(offered.representation_class, asked.request->classes.representation_class,
-                                 core.vocabulary(), asked.request->chains);
+                                 matcher.vocabulary(), asked.request->chains);
 }
 
-std::string words(const Core& core, const Identity& identity) {
+std::string words(const vocabulary::Vocabulary& vocabulary, const Identity& identity) {
   Line line;
-  gcnp::append_identity(line, named(core.vocabulary(), identity));
+  gcnp::append_identity(line, named(vocabulary, identity));
   std::string text;
   for (const gcnp::Parameter& one : line) text += (text.empty() ? "" : " ") + one.key + "=" + one.value.value_or("");
   return text;
 }
 
-std::vector<Check> checks_of(const Core& core, const Asked& asked, const PublicationEntry& offer, Depth depth) {
-  std::vector<Check> checks{check_mode(asked, offer), check_identity(core, asked, offer, depth),
+std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
+                             Depth depth) {
+  std::vector<Check> checks{check_mode(asked, offer), check_identity(matcher, asked, offer, depth),
                             check_provider(asked, offer), check_protocol(asked.entry.subscription, offer),
-                            check_where(core, asked, offer)};
+                            check_where(matcher, asked, offer)};
   const Publication& offered = offer.publication;
   if (!asked.entry.subscription.scope.empty() || !offered.scope.empty()) {
-    checks.push_back(check_scope(core, asked, offer));
+    checks.push_back(check_scope(matcher, asked, offer));
   }
-  if (!offered.for_whom.empty()) checks.push_back(check_for(core, asked, offer));
+  if (!offered.for_whom.empty()) checks.push_back(check_for(matcher, asked, offer));
   if (matching::has_signature(asked.entry.subscription.attributes)) {
-    checks.push_back(check_signature(core, asked, offer));
+    checks.push_back(check_signature(matcher, asked, offer));
   }
   return checks;
 }
@@ -307,7 +312,8 @@ const Check* first_obstacle(const std::vector<Check>& checks) {
   return nullptr;
 }
 
-Check misfit_of(const Core& core, const Asked& asked, const PublicationEntry& offer, Obstacle obstacle) {
+Check misfit_of(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
+                Obstacle obstacle) {
   switch (obstacle) {
     case Obstacle::mode:
       return check_mode(asked, offer);
@@ -316,22 +322,22 @@ Check misfit_of(const Core& core, const Asked& asked, const PublicationEntry& of
     case Obstacle::provider:
       return check_provider(asked, offer);
     case Obstacle::scope:
-      return check_scope(core, asked, offer);
+      return check_scope(matcher, asked, offer);
     case Obstacle::where:
-      return check_where(core, asked, offer);
+      return check_where(matcher, asked, offer);
     case Obstacle::for_whom:
-      return check_for(core, asked, offer);
+      return check_for(matcher, asked, offer);
     case Obstacle::signature:
-      return check_signature(core, asked, offer);
+      return check_signature(matcher, asked, offer);
     case Obstacle::unreadable: {
       for (Check check :
-           {check_scope(core, asked, offer), check_where(core, asked, offer), check_for(core, asked, offer)}) {
+           {check_scope(matcher, asked, offer), check_where(matcher, asked, offer), check_for(matcher, asked, offer)}) {
         if (check.obstacle == Obstacle::unreadable) return check;
       }
-      return check_where(core, asked, offer);
+      return check_where(matcher, asked, offer);
     }
     default:
-      return check_identity(core, asked, offer, Depth::words);
+      return check_identity(matcher, asked, offer, Depth::words);
   }
 }
 

@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "discovery/matching/matcher.hpp"
 #include "discovery/matching/obstacle.hpp"
-#include "discovery/participant/queries/queries.hpp"
+#include "discovery/matching/request.hpp"
+#include "discovery/participant/clients/answering.hpp"
 
 namespace geminga::participant {
 
@@ -44,21 +46,21 @@ inline constexpr std::size_t cost_of_proof = 2000;
 inline constexpr std::size_t max_proof_bytes = 4096;
 
 /// The identity as a user would write it.
-[[nodiscard]] std::string words(const Core& core, const Identity& identity);
+[[nodiscard]] std::string words(const vocabulary::Vocabulary& vocabulary, const Identity& identity);
 
 /// How what is offered is turned into what is asked for, whether that is accepted or not; null where nothing does.
-[[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const Core& core, const Asked& asked,
+[[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& matcher, const Asked& asked,
                                                                 const registry::PublicationEntry& offer);
 
 /// Mode, identity, provider, protocol, condition, and where there are any the scopes and the provider's condition.
-[[nodiscard]] std::vector<Check> checks_of(const Core& core, const Asked& asked,
+[[nodiscard]] std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& asked,
                                            const registry::PublicationEntry& offer, Depth depth);
 /// The first of them that stands in the way: identity, mode, protocol, provider, scope, condition, the provider's
 /// condition. Nothing where none does.
 [[nodiscard]] const Check* first_obstacle(const std::vector<Check>& checks);
 /// What was found about a pair that does not meet, with the sentence of its first obstacle.
-[[nodiscard]] Check misfit_of(const Core& core, const Asked& asked, const registry::PublicationEntry& offer,
-                              matching::Obstacle obstacle);
+[[nodiscard]] Check misfit_of(const matching::Matcher& matcher, const Asked& asked,
+                              const registry::PublicationEntry& offer, matching::Obstacle obstacle);
 
 /// Appends `check ok text`, and where they say something `code mend proof`.
 void append_check(Line& line, const Check& check);

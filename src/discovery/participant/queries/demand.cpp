@@ -23,51 +23,50 @@ matching::Rank rank_of(const Asked& asked, const Offered& offer, const matching:
   return rank;
 }
 
-Demand::Demand(Offered offer) : offer_(std::move(offer)) {}
-
 PublicationEntry Demand::offer_for(const SubscriptionEntry& request) const {
   PublicationEntry offer = offer_.entry;
   if (offer_.is_any_mode) offer.publication.mode = request.subscription.mode;
   return offer;
 }
 
-bool Demand::proceed(Core& core, Piece& piece) {
+bool Demand::proceed(Piece& piece) {
   if (!is_walked_) {
-    std::uint64_t postponed = core.overlaps.counts().postponed;
-    is_walked_ = core.matcher.examine_requests(
-        last_, offer_.entry, [&](const SubscriptionEntry& request, const matching::Finding& finding) {
-          piece.look_at_one();
-          if (std::exchange(postponed, core.overlaps.counts().postponed) != postponed) return false;
-          look(core, request, finding);
-          last_ = request.key;
-          return !piece.is_full();
-        });
+    std::uint64_t postponed = overlaps_.counts().postponed;
+    is_walked_ = matcher_.examine_requests(last_, offer_.entry,
+                                           [&](const SubscriptionEntry& request, const matching::Finding& finding) {
+                                             piece.look_at_one();
+                                             if (std::exchange(postponed, overlaps_.counts().postponed) != postponed)
+                                               return false;
+                                             look(request, finding);
+                                             last_ = request.key;
+                                             return !piece.is_full();
+                                           });
     if (!is_walked_) return false;
   }
   for (; !undecided_.empty(); undecided_.pop_back()) {
     if (piece.is_full()) return false;
-    const auto* request = core.matcher.find_subscription(undecided_.back());
+    const auto* request = matcher_.find_subscription(undecided_.back());
     if (request == nullptr) continue;
     if (!survey_) {
-      Asked asked{.entry = *request, .request = core.matcher.prepare(*request)};
-      const auto finding = core.matcher.examine(asked.entry, *asked.request, offer_for(*request));
+      Asked asked{.entry = *request, .request = matcher_.prepare(*request)};
+      const auto finding = matcher_.examine(asked.entry, *asked.request, offer_for(*request));
       if (!finding.match) continue;
       const matching::Rank rank = rank_of(asked, offer_, *finding.match);
-      survey_.emplace(core, std::move(asked), rank);
+      survey_.emplace(matcher_, overlaps_, std::move(asked), rank);
     }
-    if (!survey_->proceed(core, piece)) return false;
+    if (!survey_->proceed(piece)) return false;
     note(request->key, survey_->ahead() < matching::Matcher::counted_limit(*request));
     survey_.reset();
   }
   return true;
 }
 
-void Demand::look(const Core& core, const SubscriptionEntry& request, matching::Finding finding) {
+void Demand::look(const SubscriptionEntry& request, matching::Finding finding) {
   ++seen_;
   if (offer_.is_any_mode) finding.is_mode_met = true;
   if (finding.meets()) {
     ++matching_;
-    const Taking answer = taking(core, request, finding.match.value_or(matching::Match{}));
+    const Taking answer = taking(request, finding.match.value_or(matching::Match{}));
     if (answer != Taking::unknown) {
       note(request.key, answer == Taking::yes);
     } else if (undecided_.size() < max_ranked_requests) {
@@ -84,24 +83,24 @@ void Demand::look(const Core& core, const SubscriptionEntry& request, matching::
 }
 
 /// A newcomer must be better than the last that is chosen.
-Demand::Taking Demand::taking(const Core& core, const SubscriptionEntry& request, const matching::Match& match) const {
+Demand::Taking Demand::taking(const SubscriptionEntry& request, const matching::Match& match) const {
   const std::size_t limit = matching::Matcher::counted_limit(request);
   if (limit == 0) return Taking::yes;
-  const auto chosen = core.matcher.known_choice(request);
+  const auto chosen = matcher_.known_choice(request);
   if (!chosen) return Taking::unknown;
   if (offer_.is_living) {
     return std::ranges::find(*chosen, offer_.entry.key) != chosen->end() ? Taking::yes : Taking::no;
   }
   if (chosen->size() < limit) return Taking::yes;
-  const Asked asked{.entry = request, .request = core.matcher.prepare(request)};
+  const Asked asked{.entry = request, .request = matcher_.prepare(request)};
   const matching::Rank rank = rank_of(asked, offer_, match);
   // Here the best is first; what another host has announced is in no such order.
   const bool is_ranked = request.is_local || request.subscription.chosen.empty();
   const std::span<const ServiceKey> last(is_ranked ? std::prev(chosen->end()) : chosen->begin(), chosen->end());
   const bool is_pushed_out = std::ranges::any_of(last, [&](const ServiceKey& key) {
-    const auto* incumbent = core.matcher.find_publication(key);
+    const auto* incumbent = matcher_.find_publication(key);
     if (incumbent == nullptr) return true;
-    const auto other = core.matcher.meets(request, *asked.request, *incumbent);
+    const auto other = matcher_.meets(request, *asked.request, *incumbent);
     return !other ||
            matching::is_better_by(asked.request->preferences.margins(), rank, asked.request->rank(*incumbent, *other));
   });

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "discovery/participant/queries/sides.hpp"
@@ -20,10 +21,12 @@ inline constexpr std::size_t max_ranked_requests = 64;
 /// Walks all subscriptions piece by piece, one judgement each, then the offers for those whose choice is not known.
 class Demand {
  public:
-  explicit Demand(Offered offer);
+  /// Borrows both for its life.
+  Demand(const matching::Matcher& matcher, const Overlaps& overlaps, Offered offer)
+      : matcher_(matcher), overlaps_(overlaps), offer_(std::move(offer)) {}
 
   /// Whether all have been looked at.
-  bool proceed(Core& core, Piece& piece);
+  bool proceed(Piece& piece);
 
   [[nodiscard]] const Offered& offer() const { return offer_; }
   /// The offer as this request is to be compared with it.
@@ -43,11 +46,12 @@ class Demand {
  private:
   enum class Taking : std::uint8_t { yes, no, unknown };
 
-  void look(const Core& core, const registry::SubscriptionEntry& request, matching::Finding finding);
-  [[nodiscard]] Taking taking(const Core& core, const registry::SubscriptionEntry& request,
-                              const matching::Match& match) const;
+  void look(const registry::SubscriptionEntry& request, matching::Finding finding);
+  [[nodiscard]] Taking taking(const registry::SubscriptionEntry& request, const matching::Match& match) const;
   void note(const ServiceKey& request, bool is_taken);
 
+  const matching::Matcher& matcher_;
+  const Overlaps& overlaps_;
   Offered offer_;
   std::optional<ServiceKey> last_;
   bool is_walked_ = false;

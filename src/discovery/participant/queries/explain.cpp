@@ -1,7 +1,7 @@
 // `query explain`: whether one class is subsumed by another, and the axioms that say so.
 #include "base/text.hpp"
-#include "discovery/participant/identities.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/queries.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
 
 namespace geminga::participant {
@@ -12,17 +12,18 @@ constexpr std::size_t explanation_work = 2000;
 /// Of `text`; a line of GCNP holds more.
 constexpr std::size_t max_reason_bytes = 16'384;
 
-std::expected<vocabulary::ClassNumber, Error> find(const Core& core, std::string_view key, const std::string& name) {
-  auto found = core.vocabulary().find(name);
+std::expected<vocabulary::ClassNumber, Error> find(const vocabulary::Vocabulary& vocabulary, std::string_view key,
+                                                   const std::string& name) {
+  auto found = vocabulary.find(name);
   if (found) return *found;
   return std::unexpected(
       Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + found.error()});
 }
 
 /// What is nearest, and what is missing.
-void append_reason(Line& line, const Core& core, const vocabulary::Explanation& explanation) {
+void append_nearest(Line& line, const vocabulary::Vocabulary& vocabulary, const vocabulary::Explanation& explanation) {
   std::vector<std::string> common;
-  for (const auto number : explanation.common) common.push_back(core.vocabulary().short_name(number));
+  for (const auto number : explanation.common) common.push_back(vocabulary.short_name(number));
   append(line, "common", base::joined(common, ","));
   std::string text;
   for (const std::string& one : explanation.missing) {
@@ -34,13 +35,14 @@ void append_reason(Line& line, const Core& core, const vocabulary::Explanation& 
 
 }  // namespace
 
-Answered answer(Core& core, const gcnp::QueryExplain& query) {
-  if (!core.vocabulary().is_loaded()) return std::unexpected(no_ontology(core));
-  const auto sub = find(core, "sub", query.sub);
+std::expected<Answer, Error> answer_explain(const vocabulary::Vocabulary& vocabulary, const Resolver& resolver,
+                                            const gcnp::QueryExplain& query) {
+  if (!vocabulary.is_loaded()) return std::unexpected(resolver.no_ontology());
+  const auto sub = find(vocabulary, "sub", query.sub);
   if (!sub) return std::unexpected(sub.error());
-  const auto super = find(core, "super", query.super);
+  const auto super = find(vocabulary, "super", query.super);
   if (!super) return std::unexpected(super.error());
-  const auto explanation = core.vocabulary().explain(*sub, *super);
+  const auto explanation = vocabulary.explain(*sub, *super);
   if (!explanation) return std::unexpected(explanation.error());
   Answer answer{.kind = "explain", .lines = {}, .end = {}};
   answer.looked_through = explanation_work;
@@ -52,9 +54,9 @@ Answered answer(Core& core, const gcnp::QueryExplain& query) {
     answer.lines.push_back(std::move(line));
   }
   append_flag(answer.end, "subsumed", explanation->is_subsumed);
-  append(answer.end, "sub", core.vocabulary().short_name(*sub));
-  append(answer.end, "super", core.vocabulary().short_name(*super));
-  if (!explanation->is_subsumed) append_reason(answer.end, core, *explanation);
+  append(answer.end, "sub", vocabulary.short_name(*sub));
+  append(answer.end, "super", vocabulary.short_name(*super));
+  if (!explanation->is_subsumed) append_nearest(answer.end, vocabulary, *explanation);
   return answer;
 }
 

@@ -4,18 +4,28 @@
 
 #include "base/text.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/queries.hpp"
 
 namespace geminga::participant {
+namespace {
 
-Answered answer(Core& core, const gcnp::QueryInterfaces&) {
+InterfaceCounters counters_of(const Air& air, env::InterfaceIndex index) {
+  const auto& all = air.counters().interfaces;
+  const auto found = all.find(index);
+  return found == all.end() ? InterfaceCounters{} : found->second;
+}
+
+}  // namespace
+
+Answer answer_interfaces(const env::Env& env, Air& air) {
   Answer answer{.kind = "interfaces", .lines = {}, .end = {}};
-  const auto& interfaces = core.env.interfaces();
+  const auto& interfaces = env.interfaces();
   for (const env::Interface& interface : interfaces) {
     if (interface.twin_of) continue;
-    InterfaceCounters counters = core.counters.interfaces[interface.index];
+    InterfaceCounters counters = counters_of(air, interface.index);
     const auto twin = std::ranges::find(interfaces, std::optional(interface.index), &env::Interface::twin_of);
     if (twin != interfaces.end()) {
-      const InterfaceCounters& there = core.counters.interfaces[twin->index];
+      const InterfaceCounters there = counters_of(air, twin->index);
       counters.sent += there.sent;
       counters.received += there.received;
     }
@@ -25,15 +35,15 @@ Answered answer(Core& core, const gcnp::QueryInterfaces&) {
     append_stated(line, "addresses", base::joined(interface.addresses, ","));
     append(line, "sent", counters.sent);
     append(line, "received", counters.received);
-    if (twin != interfaces.end()) append(line, "ipv6", core.speaks_on(*twin) ? "spoken" : "silent");
+    if (twin != interfaces.end()) append(line, "ipv6", air.speaks_on(*twin) ? "spoken" : "silent");
     answer.lines.push_back(std::move(line));
   }
   return answer;
 }
 
-Answered answer(Core& core, const gcnp::QueryPeers&) {
+Answer answer_peers(const Sessions& sessions) {
   Answer answer{.kind = "peers", .lines = {}, .end = {}};
-  for (const Session* session : core.peers()) {
+  for (const Session* session : sessions.peers()) {
     Line line;
     append(line, "peer", static_cast<std::uint32_t>(session->peer()));
     append(line, "name", session->name);

@@ -4,8 +4,6 @@
 #include <cstdio>
 
 #include "base/text.hpp"
-#include "discovery/participant/identities.hpp"
-#include "discovery/participant/naming.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -64,24 +62,23 @@ void append_channel(Line& line, const Publication& publication) {
   append(line, "priority", publication.priority);
 }
 
-std::expected<Sieve, Error> Sieve::make(Core& core, const gcnp::ListFilter& filter) {
+std::expected<Sieve, Error> Sieve::make(Resolver& resolver, const gcnp::ListFilter& filter) {
   Sieve sieve(filter);
   if (filter.identity) {
-    auto identity = resolve_asked(core, *filter.identity);
+    auto identity = resolver.resolve_asked(*filter.identity);
     if (!identity) return std::unexpected(identity.error());
     sieve.identity_ = std::move(*identity);
     if (has_expression(*sieve.identity_)) {
-      const auto& text = std::get<SemanticIdentity>(*sieve.identity_).concept_iri;
-      sieve.place_ = core.expressions.place(core.vocabulary(), text, std::nullopt, core.env.now());
+      sieve.place_ = resolver.place(std::get<SemanticIdentity>(*sieve.identity_).concept_iri);
     }
   }
   return sieve;
 }
 
-bool Sieve::passes(const Core& core, const ServiceKey& key, const std::string& participant_name,
+bool Sieve::passes(const vocabulary::Vocabulary& vocabulary, const ServiceKey& key, const std::string& participant_name,
                    const std::string& peer_name, const Identity& identity, ChannelMode mode) const {
   if (filter_.mode && *filter_.mode != mode) return false;
-  if (identity_ && !is_same_or_narrower(core.vocabulary(), identity, *identity_, place_.get())) return false;
+  if (identity_ && !is_same_or_narrower(vocabulary, identity, *identity_, place_.get())) return false;
   return filter_.providers.empty() || std::ranges::any_of(filter_.providers, [&](const ProviderFilter& one) {
            return is_accepted(one, key, participant_name, peer_name);
          });

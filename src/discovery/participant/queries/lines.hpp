@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "discovery/gcnp/parameters.hpp"
-#include "discovery/participant/queries/queries.hpp"
+#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/participant/clients/answering.hpp"
+#include "discovery/participant/knowledge/resolver.hpp"
 
 namespace geminga::participant {
 
@@ -24,10 +26,10 @@ inline void append_flag(Line& line, std::string_view key, bool value) { append(l
 
 /// How long ago an entry was last heard; 0 for one of our own.
 template <typename Entry>
-[[nodiscard]] std::string age(const Core& core, const Entry& entry) {
+[[nodiscard]] std::string age(const membership::NeighbourTable& neighbours, base::Instant now, const Entry& entry) {
   if (entry.is_local) return "0.000";
-  const auto affirmed = core.neighbours.affirmed(entry.key.participant);
-  return seconds(core.env.now() - std::max(entry.updated, affirmed.value_or(entry.updated)));
+  const auto affirmed = neighbours.affirmed(entry.key.participant);
+  return seconds(now - std::max(entry.updated, affirmed.value_or(entry.updated)));
 }
 
 /// `mode address port protocol priority`, as in events.
@@ -36,10 +38,11 @@ void append_channel(Line& line, const Publication& publication);
 /// Decides what passes a FILTER. Names are resolved by the vocabulary that is in force when it is made.
 class Sieve {
  public:
-  [[nodiscard]] static std::expected<Sieve, Error> make(Core& core, const gcnp::ListFilter& filter);
+  [[nodiscard]] static std::expected<Sieve, Error> make(Resolver& resolver, const gcnp::ListFilter& filter);
   /// Whether an entry by this peer, with this identity and mode, is let through.
-  [[nodiscard]] bool passes(const Core& core, const ServiceKey& key, const std::string& participant_name,
-                            const std::string& peer_name, const Identity& identity, ChannelMode mode) const;
+  [[nodiscard]] bool passes(const vocabulary::Vocabulary& vocabulary, const ServiceKey& key,
+                            const std::string& participant_name, const std::string& peer_name, const Identity& identity,
+                            ChannelMode mode) const;
   /// Whether the finished line is let through.
   [[nodiscard]] bool passes(const Line& line) const;
 

@@ -7,9 +7,9 @@
 #include "discovery/matching/arbitration.hpp"
 #include "discovery/matching/representation.hpp"
 #include "discovery/matching/request.hpp"
-#include "discovery/participant/identities.hpp"
-#include "discovery/participant/naming.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/queries.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -18,19 +18,19 @@ namespace {
 /// walked, which can be interrupted.
 constexpr std::size_t max_candidates = 256;
 
-Line line_of(const Core& core, const registry::PublicationEntry& entry, const matching::Match& match,
+Line line_of(const Listed& by, const registry::PublicationEntry& entry, const matching::Match& match,
              const matching::Request& request) {
   Line line;
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
   append_stated(line, "name", entry.peer_name);
-  gcnp::append_identity(line, named(core.vocabulary(), entry.publication.identity));
+  gcnp::append_identity(line, named(by.matcher.vocabulary(), entry.publication.identity));
   append(line, "degree", std::string(to_string(match.degree)));
   append(line, "distance", match.distance);
   append_channel(line, entry.publication);
-  append(line, "age", age(core, entry));
+  append(line, "age", age(by.neighbours, by.env.now(), entry));
   append_stated(line, "participant_name", entry.participant_name);
-  const auto& vocabulary = core.vocabulary();
+  const auto& vocabulary = by.matcher.vocabulary();
   const auto classes = matching::classes_of(entry.publication.identity, vocabulary);
   const auto chain = match.cost == 0
                          ? nullptr
@@ -44,28 +44,31 @@ Line line_of(const Core& core, const registry::PublicationEntry& entry, const ma
 /// Looks at everything that may meet the request, ranks what does, and tells it in that order.
 class Ranking {
  public:
-  Ranking(const Core& core, Subscription asked, const gcnp::QueryMatch& query)
-      : asked_{.key = {.participant = core.id, .peer = {}},
+  Ranking(const Listed& by, const Overlaps& overlaps, const Self& self, Subscription asked,
+          const gcnp::QueryMatch& query)
+      : by_(by),
+        overlaps_(overlaps),
+        asked_{.key = {.participant = self.id, .peer = {}},
                .subscription = std::move(asked),
                .peer_name = {},
-               .participant_name = core.name(),
+               .participant_name = self.name(),
                .is_local = true,
                .updated = {}},
-        request_(core.matcher.prepare(asked_)),
+        request_(by.matcher.prepare(asked_)),
         is_any_identity_(!query.identity),
         mode_(query.mode),
         limit_(query.limit) {
     // Each may be a question to the reasoner: then all are walked, a few at a time.
     if (!is_any_identity_ && asked_.subscription.weakest != Degree::overlapping)
-      candidates_ = core.matcher.candidates(asked_.subscription, *request_, max_candidates);
+      candidates_ = by.matcher.candidates(asked_.subscription, *request_, max_candidates);
   }
 
-  bool operator()(Core& core, Piece& piece) {
-    if (!is_ranked_ && !look(core, piece)) return false;
+  bool operator()(Piece& piece) {
+    if (!is_ranked_ && !look(piece)) return false;
     while (next_ < found_.size() && !piece.is_full()) {
       const matching::Rank& one = found_[next_++];
-      if (const auto* entry = core.matcher.find_publication(one.key)) {
-        piece.tell(line_of(core, *entry, one.match, *request_));
+      if (const auto* entry = by_.matcher.find_publication(one.key)) {
+        piece.tell(line_of(by_, *entry, one.match, *request_));
       }
     }
     if (next_ < found_.size()) return false;
@@ -77,20 +80,20 @@ class Ranking {
 
  private:
   /// Whether all have been looked at.
-  bool look(Core& core, Piece& piece) {
+  bool look(Piece& piece) {
     const auto judge_one = [&](const registry::PublicationEntry& entry) {
-      const std::uint64_t postponed = core.overlaps.counts().postponed;
+      const std::uint64_t postponed = overlaps_.counts().postponed;
       piece.look_at_one();
-      judge(core, entry);
-      if (core.overlaps.counts().postponed != postponed) return false;  // it is the first of the next piece
+      judge(entry);
+      if (overlaps_.counts().postponed != postponed) return false;  // it is the first of the next piece
       last_ = entry.key;
       return !piece.is_full();
     };
     if (candidates_) {
       for (const ServiceKey& key : *candidates_) {
-        if (const auto* entry = core.matcher.find_publication(key)) judge_one(*entry);
+        if (const auto* entry = by_.matcher.find_publication(key)) judge_one(*entry);
       }
-    } else if (!core.matcher.walk_publications(last_, judge_one)) {
+    } else if (!by_.matcher.walk_publications(last_, judge_one)) {
       return false;
     }
     std::ranges::sort(found_, matching::BestFirst{});
@@ -99,16 +102,18 @@ class Ranking {
     return true;
   }
 
-  void judge(const Core& core, const registry::PublicationEntry& entry) {
+  void judge(const registry::PublicationEntry& entry) {
     if (mode_ && *mode_ != entry.publication.mode) return;
     asked_.subscription.mode = entry.publication.mode;
     // Without an identity each is asked for by its own, so that the rest of the request decides.
     if (is_any_identity_) asked_.subscription.identity = entry.publication.identity;
-    if (const auto match = core.matcher.meets(asked_, *request_, entry)) {
+    if (const auto match = by_.matcher.meets(asked_, *request_, entry)) {
       found_.push_back({entry.publication.priority, *match, entry.key});
     }
   }
 
+  Listed by_;
+  const Overlaps& overlaps_;
   registry::SubscriptionEntry asked_;  ///< as of a peer of this host that has no name
   std::shared_ptr<const matching::Request> request_;
   bool is_any_identity_;
@@ -123,9 +128,10 @@ class Ranking {
 
 }  // namespace
 
-std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query) {
+std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
+                                            const gcnp::QueryMatch& query) {
   if (!query.where.empty()) {
-    if (auto error = matching::check_where(query.where, "where", core.vocabulary().units()))
+    if (auto error = matching::check_where(query.where, "where", by.matcher.vocabulary().units()))
       return std::unexpected(std::move(*error));
   }
   Subscription asked;
@@ -134,11 +140,11 @@ std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query)
   asked.where = query.where;
   asked.convert = query.convert;
   if (query.identity) {
-    auto identity = resolve_asked(core, *query.identity);
+    auto identity = by.resolver.resolve_asked(*query.identity);
     if (!identity) return std::unexpected(identity.error());
     asked.identity = std::move(*identity);
   }
-  return Answering{.kind = "match", .proceed = Ranking(core, std::move(asked), query)};
+  return Answering{.kind = "match", .proceed = Ranking(by, overlaps, self, std::move(asked), query)};
 }
 
 }  // namespace geminga::participant

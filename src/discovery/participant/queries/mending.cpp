@@ -4,7 +4,7 @@
 #include "discovery/gcnp/parameters.hpp"
 #include "discovery/matching/consumer.hpp"
 #include "discovery/matching/representation.hpp"
-#include "discovery/participant/naming.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::participant {
@@ -15,18 +15,19 @@ using matching::Obstacle;
 constexpr std::size_t max_name_bytes = 400;
 
 /// Names and expressions as a client writes them.
-std::string asked_name(const Core& core, const std::string& name) {
-  const auto& vocabulary = core.vocabulary();
+std::string asked_name(const matching::Matcher& matcher, const std::string& name) {
+  const auto& vocabulary = matcher.vocabulary();
   return base::printable(name.find('<') == std::string::npos ? vocabulary.short_name(std::string_view(name))
                                                              : vocabulary.short_expression(name),
                          max_name_bytes);
 }
 
 /// What else the concept needs once the representation fits: " and match=broader", or nothing.
-std::string match_beside(const Core& core, const Asked& asked, const SemanticIdentity& offer,
+std::string match_beside(const matching::Matcher& matcher, const Asked& asked, const SemanticIdentity& offer,
                          const SemanticIdentity& request) {
-  const auto classes = matching::classes_of(offer, core.vocabulary());
-  const auto degree = matching::degree_of_concept(offer, classes, request, asked.request->classes, core.vocabulary());
+  const auto classes = matching::classes_of(offer, matcher.vocabulary());
+  const auto degree =
+      matching::degree_of_concept(offer, classes, request, asked.request->classes, matcher.vocabulary());
   const bool is_met = !degree || !is_weaker(degree->degree, asked.entry.subscription.weakest);
   return is_met ? "" : " and match=" + std::string(to_string(degree->degree));
 }
@@ -40,23 +41,23 @@ std::string narrowed_by(const Subscription& asked) {
   return words.empty() ? "the scope or the condition of that service" : base::joined(words, " or ");
 }
 
-std::string mend_of_representation(const Core& core, const Asked& asked, const SemanticIdentity& offer,
+std::string mend_of_representation(const matching::Matcher& matcher, const Asked& asked, const SemanticIdentity& offer,
                                    const SemanticIdentity& request, const vocabulary::Chain* chain) {
-  const std::string beside = match_beside(core, asked, offer, request);
+  const std::string beside = match_beside(matcher, asked, offer, request);
   if (chain != nullptr) {
     return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for" +
            (beside.empty() ? "" : "," + beside);
   }
-  const std::string other = asked_name(core, offer.representation_iri);
+  const std::string other = asked_name(matcher, offer.representation_iri);
   const std::string as_it_is = "ask with representation=" + other + beside + ", or without";
-  const auto offered = matching::classes_of(offer, core.vocabulary()).representation_class;
+  const auto offered = matching::classes_of(offer, matcher.vocabulary()).representation_class;
   const auto requested = asked.request->classes.representation_class;
   const auto of_others = offered && requested && asked.request->chains_of_all
                              ? asked.request->chains_of_all(*offered, *requested)
                              : nullptr;
   if (of_others == nullptr) {
-    const std::size_t waiting = core.matcher.waiting_converters();
-    return as_it_is + ": nothing converts " + other + " to " + asked_name(core, request.representation_iri) +
+    const std::size_t waiting = matcher.waiting_converters();
+    return as_it_is + ": nothing converts " + other + " to " + asked_name(matcher, request.representation_iri) +
            " in at most " + std::to_string(vocabulary::max_chain_conversions) + " steps" +
            (waiting == 0 ? ""
                          : "; or withdraw what converts and is not needed: of one participant at most " +
@@ -71,8 +72,8 @@ std::string mend_of_representation(const Core& core, const Asked& asked, const S
 
 }  // namespace
 
-std::string mend_by_provider(const Core& core, const Asked& asked, const registry::PublicationEntry& offer,
-                             const Check& check) {
+std::string mend_by_provider(const matching::Matcher& matcher, const Asked& asked,
+                             const registry::PublicationEntry& offer, const Check& check) {
   const auto* requested = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
   const auto* offered = std::get_if<SemanticIdentity>(&offer.publication.identity);
   const auto either = [&check](const std::string& by_provider) { return by_provider + "; or " + check.mend; };
@@ -93,8 +94,8 @@ std::string mend_by_provider(const Core& core, const Asked& asked, const registr
       break;
   }
   if (requested == nullptr || offered == nullptr) return check.mend;
-  const std::string concept_name = asked_name(core, requested->concept_iri);
-  const std::string representation = asked_name(core, requested->representation_iri);
+  const std::string concept_name = asked_name(matcher, requested->concept_iri);
+  const std::string representation = asked_name(matcher, requested->representation_iri);
   switch (check.obstacle) {
     case Obstacle::broader:
       return either("offer " + concept_name + " or what is below it");
@@ -102,19 +103,19 @@ std::string mend_by_provider(const Core& core, const Asked& asked, const registr
       return either("offer " + concept_name + " itself");
     case Obstacle::unrelated:
       return "offer " + concept_name + " or what is below it, or say in the ontology that " +
-             asked_name(core, offered->concept_iri) + " is";
+             asked_name(matcher, offered->concept_iri) + " is";
     case Obstacle::representation:
     case Obstacle::unknown_representation:
       return either("offer it with representation=" + representation + ", too, or offer what converts=" +
-                    asked_name(core, offered->representation_iri) + ">" + representation);
+                    asked_name(matcher, offered->representation_iri) + ">" + representation);
     default:
       return check.mend;
   }
 }
 
-std::string mend_of_identity(const Core& core, const Asked& asked, const registry::PublicationEntry& offered,
-                             Obstacle obstacle, const std::optional<matching::Match>& match,
-                             const vocabulary::Chain* chain) {
+std::string mend_of_identity(const matching::Matcher& matcher, const Asked& asked,
+                             const registry::PublicationEntry& offered, Obstacle obstacle,
+                             const std::optional<matching::Match>& match, const vocabulary::Chain* chain) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered.publication.identity);
   const auto* request = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
   switch (obstacle) {
@@ -144,13 +145,14 @@ std::string mend_of_identity(const Core& core, const Asked& asked, const registr
     case Obstacle::incomplete:
       return std::string(mend_of_gaps);
     case Obstacle::unrelated:
-      return "ask for " + (offer == nullptr ? "" : asked_name(core, offer->concept_iri)) +
+      return "ask for " + (offer == nullptr ? "" : asked_name(matcher, offer->concept_iri)) +
              " or for something above it, or say in the ontology that it is subsumed";
     case Obstacle::representation_unstated:
-      return "state representation=" + (request == nullptr ? "" : asked_name(core, request->representation_iri)) +
+      return "state representation=" + (request == nullptr ? "" : asked_name(matcher, request->representation_iri)) +
              " in the offer, or ask without a representation";
     case Obstacle::representation:
-      return offer == nullptr || request == nullptr ? "" : mend_of_representation(core, asked, *offer, *request, chain);
+      return offer == nullptr || request == nullptr ? ""
+                                                    : mend_of_representation(matcher, asked, *offer, *request, chain);
     case Obstacle::broader:
     case Obstacle::degree:
       // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.

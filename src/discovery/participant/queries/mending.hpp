@@ -16,12 +16,12 @@ inline constexpr std::string_view mend_of_gaps =
 
 /// What would mend an identity that does not fit. `match` is that of the pair where it is too weak, `chain` what would
 /// turn its representation into what is asked for, or null.
-[[nodiscard]] std::string mend_of_identity(const Core& core, const Asked& asked,
+[[nodiscard]] std::string mend_of_identity(const matching::Matcher& matcher, const Asked& asked,
                                            const registry::PublicationEntry& offered, matching::Obstacle obstacle,
                                            const std::optional<matching::Match>& match, const vocabulary::Chain* chain);
 
 /// Of a check that is not well: what its `mend` says to the consumer, said to the provider first.
-[[nodiscard]] std::string mend_by_provider(const Core& core, const Asked& asked,
+[[nodiscard]] std::string mend_by_provider(const matching::Matcher& matcher, const Asked& asked,
                                            const registry::PublicationEntry& offer, const Check& check);
 
 }  // namespace geminga::participant

@@ -1,8 +1,9 @@
 // `query ontology`: what is loaded, what the reasoner does not use, and who on the air has loaded something else.
 #include "base/text.hpp"
-#include "discovery/participant/naming.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "reasoning/vocabulary/sources.hpp"
+#include "discovery/participant/queries/queries.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -12,11 +13,11 @@ constexpr std::uint32_t unnamed_classes = 2;
 
 }  // namespace
 
-Answered answer(Core& core, const gcnp::QueryOntology&) {
+Answer answer_ontology(const vocabulary::Vocabulary& vocabulary, const OntologyReading& reading,
+                       const membership::NeighbourTable& neighbours, base::Instant now) {
   Answer answer{.kind = "ontology", .lines = {{}}, .end = {}};
-  const auto& vocabulary = core.vocabulary();
   append_flag(answer.lines.front(), "loaded", vocabulary.is_loaded());
-  append(answer.lines.front(), "digest", digest_word(core.digest()));
+  append(answer.lines.front(), "digest", digest_word(vocabulary.digest()));
   if (vocabulary.is_loaded()) {
     const auto files = vocabulary.files();
     const auto left_out = vocabulary.left_out();
@@ -46,15 +47,15 @@ Answered answer(Core& core, const gcnp::QueryOntology&) {
       answer.lines.push_back(std::move(line));
     }
   }
-  if (core.ontology_state.is_loading) append_flag(answer.lines.front(), "loading", true);
-  for (const std::string& failure : core.ontology_state.failure) {
+  if (reading.is_loading) append_flag(answer.lines.front(), "loading", true);
+  for (const std::string& failure : reading.failure) {
     Line line;
     append(line, "failed", failure);
-    append(line, "age", seconds(core.env.now() - core.ontology_state.failed_at));
+    append(line, "age", seconds(now - reading.failed_at));
     answer.lines.push_back(std::move(line));
   }
-  core.neighbours.for_each([&](const membership::Neighbour& neighbour) {
-    if (neighbour.ontology_digest == core.digest()) return;
+  neighbours.for_each([&](const membership::Neighbour& neighbour) {
+    if (neighbour.ontology_digest == vocabulary.digest()) return;
     Line line;
     append(line, "other", to_string(neighbour.id));
     append(line, "name", neighbour.name);

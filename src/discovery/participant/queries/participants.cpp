@@ -2,8 +2,9 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "discovery/participant/naming.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/queries.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -18,38 +19,33 @@ std::string addresses_of(const membership::Neighbour& neighbour) {
   return base::joined(addresses, ",");
 }
 
-Line ourselves(const Core& core) {
-  std::size_t publications = 0;
-  std::size_t subscriptions = 0;
-  for (const auto& [stream, session] : core.sessions) {
-    publications += session->publications.size();
-    subscriptions += session->subscriptions.size();
-  }
+Line ourselves(const env::Env& env, const Self& self, base::Duration interval, std::uint64_t digest,
+               const Sessions& sessions) {
   std::vector<std::string> addresses;
-  for (const env::Interface& interface : core.env.interfaces()) {
+  for (const env::Interface& interface : env.interfaces()) {
     if (interface.twin_of) continue;
     addresses.insert(addresses.end(), interface.addresses.begin(), interface.addresses.end());
   }
   Line line;
-  append(line, "id", to_string(core.id));
-  append(line, "name", core.name());
+  append(line, "id", to_string(self.id));
+  append(line, "name", self.name());
   append_stated(line, "addresses", base::joined(addresses, ","));
   append(line, "heard", "0.000");
-  append(line, "interval", seconds(core.settings.interval));
+  append(line, "interval", seconds(interval));
   append(line, "loss", "0.000");
-  append(line, "ontology", digest_word(core.digest()));
-  append(line, "publications", publications);
-  append(line, "subscriptions", subscriptions);
+  append(line, "ontology", digest_word(digest));
+  append(line, "publications", sessions.publication_count());
+  append(line, "subscriptions", sessions.subscription_count());
   append_flag(line, "self", true);
   return line;
 }
 
-Line line_of(const Core& core, const membership::Neighbour& neighbour) {
+Line line_of(base::Instant now, const membership::Neighbour& neighbour) {
   Line line;
   append(line, "id", to_string(neighbour.id));
   append(line, "name", neighbour.name);
   append_stated(line, "addresses", addresses_of(neighbour));
-  append(line, "heard", seconds(core.env.now() - neighbour.heard));
+  append(line, "heard", seconds(now - neighbour.heard));
   append(line, "interval", seconds(neighbour.interval));
   append(line, "loss", decimal(neighbour.loss));
   append(line, "ontology", digest_word(neighbour.ontology_digest));
@@ -62,9 +58,10 @@ Line line_of(const Core& core, const membership::Neighbour& neighbour) {
 
 }  // namespace
 
-Answered answer(Core& core, const gcnp::QueryParticipants&) {
-  Answer answer{.kind = "participants", .lines = {ourselves(core)}, .end = {}};
-  core.neighbours.for_each([&](const membership::Neighbour& one) { answer.lines.push_back(line_of(core, one)); });
+Answer answer_participants(const env::Env& env, const Self& self, base::Duration interval, std::uint64_t digest,
+                           const Sessions& sessions, const membership::NeighbourTable& neighbours) {
+  Answer answer{.kind = "participants", .lines = {ourselves(env, self, interval, digest, sessions)}, .end = {}};
+  neighbours.for_each([&](const membership::Neighbour& one) { answer.lines.push_back(line_of(env.now(), one)); });
   // All identifiers have the same number of digits, so that they are in the order of their texts.
   std::ranges::sort(answer.lines, {}, [](const Line& line) { return *line.front().value; });
   return answer;

@@ -4,52 +4,55 @@
 
 #include <cstdint>
 #include <expected>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
+#include "base/time.hpp"
 #include "discovery/gcnp/request.hpp"
-#include "discovery/gcnp/statement.hpp"
-#include "discovery/participant/core.hpp"
-#include "discovery/participant/queries/answering.hpp"
+#include "discovery/matching/matcher.hpp"
+#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/participant/air/air.hpp"
+#include "discovery/participant/clients/answering.hpp"
+#include "discovery/participant/clients/sessions.hpp"
+#include "discovery/participant/knowledge/ontology_reading.hpp"
+#include "discovery/participant/knowledge/overlaps.hpp"
+#include "discovery/participant/knowledge/resolver.hpp"
+#include "discovery/participant/knowledge/self.hpp"
+#include "discovery/participant/queries/sides.hpp"
+#include "discovery/sealing/seal.hpp"
+#include "env/env.hpp"
 #include "geminga/error.hpp"
 
 namespace geminga::participant {
 
-/// `N msg KIND ...` for each line, and what `N msg end count=K` says beside the count.
-struct Answer {
-  std::string kind;
-  std::vector<Line> lines;
-  Line end;
-  /// Entries that were looked through for it: what the query cost, found or not.
-  std::size_t looked_through = 0;
+// Answers that are ready at once. Their cost is linear in what they look through, which is little.
+[[nodiscard]] Answer answer_participants(const env::Env& env, const Self& self, base::Duration interval,
+                                         std::uint64_t digest, const Sessions& sessions,
+                                         const membership::NeighbourTable& neighbours);
+[[nodiscard]] std::expected<Answer, Error> answer_explain(const vocabulary::Vocabulary& vocabulary,
+                                                          const Resolver& resolver, const gcnp::QueryExplain& query);
+[[nodiscard]] Answer answer_ontology(const vocabulary::Vocabulary& vocabulary, const OntologyReading& reading,
+                                     const membership::NeighbourTable& neighbours, base::Instant now);
+[[nodiscard]] Answer answer_interfaces(const env::Env& env, Air& air);
+[[nodiscard]] Answer answer_peers(const Sessions& sessions);
+[[nodiscard]] Answer answer_security(const sealing::Seal& seal, const membership::NeighbourTable& neighbours,
+                                     base::Instant now);
+
+/// The parts that a list of services or requests reads. They outlive the answer.
+struct Listed {
+  const env::Env& env;
+  const matching::Matcher& matcher;
+  const membership::NeighbourTable& neighbours;
+  Resolver& resolver;
 };
-using Answered = std::expected<Answer, Error>;
 
-// None of these changes anything. Cost: linear in what they look through, which is little.
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryParticipants& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryExplain& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryOntology& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryStatus& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryInterfaces& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QueryPeers& query);
-[[nodiscard]] Answered answer(Core& core, const gcnp::QuerySecurity& query);
-
-// Those that go through the registry do so piece by piece.
-[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryServices& query);
-[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryRequests& query);
-[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryMatch& query);
-[[nodiscard]] std::expected<Answering, Error> begin(Core& core, const gcnp::QueryWhy& query);
-/// An answer that is ready, to be told piece by piece.
-[[nodiscard]] Answering telling(Answer answer);
-
-/// Begins to tell an answer to the peer: the first piece at once, the others by proceed_answer(). An error is the
-/// caller's to write.
-[[nodiscard]] std::optional<Error> reply(Core& core, Session& session, std::uint32_t id,
-                                         std::expected<Answering, Error> answering);
-/// Tells the next piece of the answer under way, which there must be.
-void proceed_answer(Core& core, Session& session);
+// Answers that go through the registry piece by piece. All that they borrow outlives them.
+[[nodiscard]] std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryServices& query);
+[[nodiscard]] std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryRequests& query);
+[[nodiscard]] std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
+                                                          const gcnp::QueryMatch& query);
+/// The matcher judges a subscription that it is asked about where that is still to be done.
+[[nodiscard]] std::expected<Answering, Error> begin_why(matching::Matcher& matcher, const Overlaps& overlaps,
+                                                        const membership::NeighbourTable& neighbours, const Stating& by,
+                                                        const gcnp::QueryWhy& query);
 
 }  // namespace geminga::participant
 

@@ -1,9 +1,11 @@
 #include "discovery/participant/queries/reasons.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "base/text.hpp"
-#include "discovery/participant/naming.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/mending.hpp"
 
@@ -15,24 +17,15 @@ using registry::PublicationEntry;
 
 constexpr std::size_t max_shown_bytes = 400;
 
-std::string shown(const Core& core, const std::string& iri) {
-  return base::printable(core.vocabulary().short_name(std::string_view(iri)), max_shown_bytes);
-}
+constexpr const char* load_the_same =
+    "load the same ontologies on every host: geminga-query ontology says who has others";
 
-/// A participant where it is another one with another ontology.
-std::optional<membership::Neighbour> other_ontology(const Core& core, ParticipantId user) {
-  auto other = core.neighbours.find(user);
-  return other && other->ontology_digest != core.digest() ? std::move(other) : std::nullopt;
-}
-
-std::string digests(const Core& core, const membership::Neighbour& other) {
-  return base::printable(other.name) + " has the ontology " + digest_word(other.ontology_digest) + ", this host has " +
-         digest_word(core.digest());
+std::string shown(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
+  return base::printable(vocabulary.short_name(std::string_view(iri)), max_shown_bytes);
 }
 
 /// A name that is asked for and that the ontology does not know.
-const std::string* unknown_name(const Core& core, const SemanticIdentity& asked) {
-  const auto& vocabulary = core.vocabulary();
+const std::string* unknown_name(const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& asked) {
   if (!has_expression(asked) && !vocabulary.find_iri(asked.concept_iri)) return &asked.concept_iri;
   const bool is_stated = !asked.representation_iri.empty();
   return is_stated && !vocabulary.find_iri(asked.representation_iri) ? &asked.representation_iri : nullptr;
@@ -44,65 +37,17 @@ std::string gaps_of(const Asked& asked) {
   return matching::gap_words(asked.request->classes);
 }
 
-Reason of_nobody(const Core& core, const Asked& asked) {
-  const Identity& identity = asked.entry.subscription.identity;
-  const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
-  Reason reason{Obstacle::nobody,
-                "nobody offers " + words(core, identity) +
-                    (!is_concept ? ""
-                     : asked.entry.subscription.weakest == Degree::overlapping
-                         ? ", nor anything that can have instances in common with it"
-                         : ", nor anything below or above it"),
-                "start who offers it; geminga-query services shows what is there"};
-  if (const auto consumer = is_concept ? other_ontology(core, asked.entry.key.participant) : std::nullopt) {
-    reason.text += "; " + digests(core, *consumer);
-  }
-  return reason;
-}
-
-Reason of_nobody(const Core& core, const PublicationEntry& offer) {
-  const Identity& identity = offer.publication.identity;
-  const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
-  Reason reason{Obstacle::nobody,
-                "nobody asks for " + words(core, identity) + (is_concept ? ", nor for anything below or above it" : ""),
-                "start who asks for it; geminga-query requests shows what is there"};
-  if (const auto provider = is_concept ? other_ontology(core, offer.key.participant) : std::nullopt) {
-    reason.text += "; " + digests(core, *provider);
-  }
-  return reason;
-}
-
-/// Where something is offered that is unknown here: that may be what is asked for.
-std::optional<Reason> of_unknown_offers(const Core& core, const Asked& asked, const Nearest& nearest) {
-  const auto* offer = nearest.unknown ? core.matcher.find_publication(*nearest.unknown) : nullptr;
-  if (offer == nullptr) return std::nullopt;
-  const auto& offered = std::get<SemanticIdentity>(offer->publication.identity);
-  const std::string count = nearest.unknown_count == 1
-                                ? "one service has a concept that is"
-                                : std::to_string(nearest.unknown_count) + " services have concepts that are";
-  Reason reason{Obstacle::unknown_offer,
-                "nobody offers " + words(core, asked.entry.subscription.identity) +
-                    ", nor anything that is known to be below or above it, but " + count +
-                    " unknown to the ontology here: " + to_string(offer->key) + " offers " +
-                    shown(core, offered.concept_iri),
-                "load the same ontologies on every host: geminga-query ontology says who has others"};
-  if (const auto provider = other_ontology(core, offer->key.participant)) {
-    reason.text += "; " + digests(core, *provider);
-  }
-  return reason;
-}
-
 /// Whether somebody on the air has another ontology, by which concepts may be offered that are unknown here.
-bool has_other_ontologies(const Core& core) {
+bool has_other_ontologies(const membership::NeighbourTable& neighbours, std::uint64_t digest) {
   bool has_others = false;
-  core.neighbours.for_each(
-      [&](const membership::Neighbour& one) { has_others = has_others || one.ontology_digest != core.digest(); });
+  neighbours.for_each(
+      [&](const membership::Neighbour& one) { has_others = has_others || one.ontology_digest != digest; });
   return has_others;
 }
 
-std::string told_representations(const Core& core, const Nearest& nearest) {
+std::string told_representations(const vocabulary::Vocabulary& vocabulary, const Nearest& nearest) {
   std::vector<std::string> names;
-  for (const std::string& iri : nearest.representations) names.push_back(shown(core, iri));
+  for (const std::string& iri : nearest.representations) names.push_back(shown(vocabulary, iri));
   return base::joined(names, ", ");
 }
 
@@ -120,84 +65,145 @@ void Nearest::consider(const ServiceKey& key, const Identity& identity, const ma
   }
 }
 
-Reason Reasons::of_unknown_name(Core& core, Piece& piece, ParticipantId user, const std::string& iri,
-                                Obstacle obstacle) {
-  Reason reason{obstacle, shown(core, iri) + " is unknown to the ontology",
+void append_reason(Line& line, const Reason& reason) {
+  gcnp::append(line, "code", std::string(to_string(reason.obstacle)));
+  gcnp::append(line, "text", reason.text);
+  gcnp::append_stated(line, "mend", reason.mend);
+}
+
+void append_because(Line& line, const Reason& reason) {
+  gcnp::append(line, "why", std::string(to_string(reason.obstacle)));
+  gcnp::append(line, "because", reason.text + (reason.mend.empty() ? "" : ": " + reason.mend));
+}
+
+/// Names the participant's ontology where that is another one than ours, to stand behind a sentence; else empty.
+std::string Reasons::beside_other_ontology(ParticipantId user) const {
+  const auto other = neighbours_.find(user);
+  const std::uint64_t own = matcher_.vocabulary().digest();
+  if (!other || other->ontology_digest == own) return "";
+  return "; " + base::printable(other->name) + " has the ontology " + digest_word(other->ontology_digest) +
+         ", this host has " + digest_word(own);
+}
+
+Reason Reasons::of_nobody(const Asked& asked) const {
+  const Identity& identity = asked.entry.subscription.identity;
+  const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
+  Reason reason{Obstacle::nobody,
+                "nobody offers " + words(matcher_.vocabulary(), identity) +
+                    (!is_concept ? ""
+                     : asked.entry.subscription.weakest == Degree::overlapping
+                         ? ", nor anything that can have instances in common with it"
+                         : ", nor anything below or above it"),
+                "start who offers it; geminga-query services shows what is there"};
+  if (is_concept) reason.text += beside_other_ontology(asked.entry.key.participant);
+  return reason;
+}
+
+Reason Reasons::of_nobody(const PublicationEntry& offer) const {
+  const Identity& identity = offer.publication.identity;
+  const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
+  Reason reason{Obstacle::nobody,
+                "nobody asks for " + words(matcher_.vocabulary(), identity) +
+                    (is_concept ? ", nor for anything below or above it" : ""),
+                "start who asks for it; geminga-query requests shows what is there"};
+  if (is_concept) reason.text += beside_other_ontology(offer.key.participant);
+  return reason;
+}
+
+/// Where something is offered that is unknown here: that may be what is asked for.
+std::optional<Reason> Reasons::of_unknown_offers(const Asked& asked, const Nearest& nearest) const {
+  const auto* offer = nearest.unknown ? matcher_.find_publication(*nearest.unknown) : nullptr;
+  if (offer == nullptr) return std::nullopt;
+  const auto& offered = std::get<SemanticIdentity>(offer->publication.identity);
+  const std::string count = nearest.unknown_count == 1
+                                ? "one service has a concept that is"
+                                : std::to_string(nearest.unknown_count) + " services have concepts that are";
+  Reason reason{Obstacle::unknown_offer,
+                "nobody offers " + words(matcher_.vocabulary(), asked.entry.subscription.identity) +
+                    ", nor anything that is known to be below or above it, but " + count +
+                    " unknown to the ontology here: " + to_string(offer->key) + " offers " +
+                    shown(matcher_.vocabulary(), offered.concept_iri),
+                load_the_same};
+  reason.text += beside_other_ontology(offer->key.participant);
+  return reason;
+}
+
+Reason Reasons::of_unknown_name(Piece& piece, ParticipantId user, const std::string& iri, Obstacle obstacle) {
+  Reason reason{obstacle, shown(matcher_.vocabulary(), iri) + " is unknown to the ontology",
                 "correct the name, or load an ontology that has it"};
   if (searches_left_ > 0) {
     --searches_left_;
-    core.worked += cost_of_unknown_name;
+    piece.add_work(cost_of_unknown_name);
     piece.look_at(cost_of_searched_name);
-    const auto found = core.vocabulary().find(core.vocabulary().short_name(std::string_view(iri)));
+    const auto found = matcher_.vocabulary().find(matcher_.vocabulary().short_name(std::string_view(iri)));
     if (!found) reason.text = base::printable(found.error(), max_shown_bytes);
   }
-  if (const auto other = other_ontology(core, user)) {
+  if (const std::string other = beside_other_ontology(user); !other.empty()) {
     reason.obstacle = Obstacle::ontology_differs;
-    reason.text += "; " + digests(core, *other);
-    reason.mend = "load the same ontologies on every host: geminga-query ontology says who has others";
+    reason.text += other;
+    reason.mend = load_the_same;
   }
   return reason;
 }
 
 /// What is wrong with the request itself, whatever is offered.
-std::optional<Reason> Reasons::of_request(Core& core, Piece& piece, const Asked& asked) {
+std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
   if (!asked.request->where || !asked.request->scope) {
-    const std::string problem = matching::unit_problem(asked.entry.subscription.where, core.vocabulary().units());
+    const std::string problem = matching::unit_problem(asked.entry.subscription.where, matcher_.vocabulary().units());
     if (!problem.empty()) {
-      return Reason{Obstacle::unreadable, "its condition cannot be read here: " + problem,
-                    "load the same ontologies on every host: geminga-query ontology says who has others"};
+      return Reason{Obstacle::unreadable, "its condition cannot be read here: " + problem, load_the_same};
     }
     return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
                   "its consumer's host knows more of conditions than this one: update a whole team"};
   }
   const auto* semantic = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
   if (semantic == nullptr) return std::nullopt;
-  if (!core.vocabulary().is_loaded()) {
+  if (!matcher_.vocabulary().is_loaded()) {
     return Reason{Obstacle::no_ontology, "no ontology is loaded here, and nobody offers the very same names",
                   "start gemingad with --ontology"};
   }
-  if (const std::string* unknown = unknown_name(core, *semantic)) {
+  if (const std::string* unknown = unknown_name(matcher_.vocabulary(), *semantic)) {
     const bool is_concept = unknown == &semantic->concept_iri;
-    return of_unknown_name(core, piece, asked.entry.key.participant, *unknown,
+    return of_unknown_name(piece, asked.entry.key.participant, *unknown,
                            is_concept ? Obstacle::unknown_concept : Obstacle::unknown_representation);
   }
   if (has_expression(*semantic) && !asked.request->classes.place) {
     Reason reason{Obstacle::unclassified,
                   "the expression is unknown to the ontology, unsatisfiable, or waits to be classified",
                   "ask again in a second, or ask for a named concept"};
-    if (const auto consumer = other_ontology(core, asked.entry.key.participant))
-      reason.text += "; " + digests(core, *consumer);
+    reason.text += beside_other_ontology(asked.entry.key.participant);
     return reason;
   }
   if (!has_expression(*semantic) && !asked.request->classes.concept_class) {
-    return Reason{Obstacle::unsatisfiable, shown(core, semantic->concept_iri) + " is unsatisfiable: nothing can be one",
+    return Reason{Obstacle::unsatisfiable,
+                  shown(matcher_.vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
                   "mend the ontology: geminga-ontology check says why"};
   }
   if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
     return Reason{Obstacle::incomplete,
                   "nothing that is offered is known to be below or above " +
-                      words(core, asked.entry.subscription.identity) +
+                      words(matcher_.vocabulary(), asked.entry.subscription.identity) +
                       ", but not all is found of an expression that no class is defined by: " + gaps,
                   std::string(mend_of_gaps)};
   }
   return std::nullopt;
 }
 
-Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& nearest) {
+Reason Reasons::of(Piece& piece, const Asked& asked, const Nearest& nearest) {
   // What may have been missed says less of one offer than of the request.
   const bool is_near =
       nearest.misfit && nearest.misfit->finding.is_near() && nearest.misfit->finding.identity != Obstacle::incomplete;
-  const auto* offer = is_near ? core.matcher.find_publication(nearest.misfit->key) : nullptr;
+  const auto* offer = is_near ? matcher_.find_publication(nearest.misfit->key) : nullptr;
   if (offer == nullptr) {
-    auto reason = of_request(core, piece, asked);
+    auto reason = of_request(piece, asked);
     const bool is_general = !reason || reason->obstacle == Obstacle::incomplete;
-    if (auto unknown = is_general ? of_unknown_offers(core, asked, nearest) : std::nullopt) return std::move(*unknown);
-    return reason ? std::move(*reason) : of_nobody(core, asked);
+    if (auto unknown = is_general ? of_unknown_offers(asked, nearest) : std::nullopt) return std::move(*unknown);
+    return reason ? std::move(*reason) : of_nobody(asked);
   }
-  const Check check = misfit_of(core, asked, *offer, nearest.misfit->finding.first());
+  const Check check = misfit_of(matcher_, asked, *offer, nearest.misfit->finding.first());
   Reason reason{check.obstacle, to_string(offer->key) + ": " + check.text, check.mend};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
-    reason.text += "; offered are " + told_representations(core, nearest);
+    reason.text += "; offered are " + told_representations(matcher_.vocabulary(), nearest);
   }
   if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
     reason.text += "; not all is found of an expression that no class is defined by: " + gaps;
@@ -206,93 +212,95 @@ Reason Reasons::of(Core& core, Piece& piece, const Asked& asked, const Nearest& 
   return reason;
 }
 
-Reason Reasons::likely(Core& core, Piece& piece, const registry::SubscriptionEntry& request) {
-  Asked asked{.entry = request, .request = core.matcher.prepare(request)};
+Reason Reasons::likely(Piece& piece, const registry::SubscriptionEntry& request) {
+  Asked asked{.entry = request, .request = matcher_.prepare(request)};
   Subscription wider = request.subscription;
   if (wider.weakest != Degree::overlapping) wider.weakest = Degree::broader;
   Nearest nearest;
   const auto consider = [&](const PublicationEntry& offer) {
-    nearest.consider(offer.key, offer.publication.identity, core.matcher.examine(asked.entry, *asked.request, offer));
+    nearest.consider(offer.key, offer.publication.identity, matcher_.examine(asked.entry, *asked.request, offer));
   };
-  for (const ServiceKey& key : core.matcher.some_candidates(wider, *asked.request, max_examined_offers)) {
-    if (const auto* offer = core.matcher.find_publication(key)) consider(*offer);
+  for (const ServiceKey& key : matcher_.some_candidates(wider, *asked.request, max_examined_offers)) {
+    if (const auto* offer = matcher_.find_publication(key)) consider(*offer);
   }
   const bool is_text = std::holds_alternative<TextIdentity>(request.subscription.identity);
   const bool may_be_unknown = std::holds_alternative<SemanticIdentity>(request.subscription.identity) &&
-                              core.vocabulary().is_loaded() && has_other_ontologies(core);
+                              matcher_.vocabulary().is_loaded() &&
+                              has_other_ontologies(neighbours_, matcher_.vocabulary().digest());
   if (!nearest.misfit && (is_text || may_be_unknown)) {
     std::size_t left = max_compared_offers;
-    core.matcher.walk_publications(std::nullopt, [&](const PublicationEntry& offer) {
-      core.worked += cost_of_entry;
+    matcher_.walk_publications(std::nullopt, [&](const PublicationEntry& offer) {
+      piece.add_work(cost_of_entry);
       consider(offer);
       return --left > 0;
     });
   }
-  return of(core, piece, asked, nearest);
+  return of(piece, asked, nearest);
 }
 
 /// What is wrong with the offer itself, whatever is asked for.
-std::optional<Reason> Reasons::of_offer(Core& core, Piece& piece, const PublicationEntry& offer) {
+std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& offer) {
   if (!matching::Scope::of(offer.publication.scope) || !matching::Where::parse(offer.publication.for_whom)) {
     return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
                   "its provider's host knows more of conditions than this one: update a whole team"};
   }
   const auto* semantic = std::get_if<SemanticIdentity>(&offer.publication.identity);
   if (semantic == nullptr) return std::nullopt;
-  const auto& vocabulary = core.vocabulary();
+  const auto& vocabulary = matcher_.vocabulary();
   if (!vocabulary.is_loaded()) {
     return Reason{Obstacle::no_ontology, "no ontology is loaded here, and nobody asks for the very same names",
                   "start gemingad with --ontology"};
   }
   const auto concept_class = vocabulary.find_iri(semantic->concept_iri);
   if (!concept_class) {
-    return of_unknown_name(core, piece, offer.key.participant, semantic->concept_iri, Obstacle::unknown_offer);
+    return of_unknown_name(piece, offer.key.participant, semantic->concept_iri, Obstacle::unknown_offer);
   }
   if (!vocabulary.is_satisfiable(*concept_class)) {
-    return Reason{Obstacle::unsatisfiable, shown(core, semantic->concept_iri) + " is unsatisfiable: nothing can be one",
+    return Reason{Obstacle::unsatisfiable,
+                  shown(matcher_.vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
                   "mend the ontology: geminga-ontology check says why"};
   }
   if (!semantic->representation_iri.empty() && !vocabulary.find_iri(semantic->representation_iri)) {
-    return of_unknown_name(core, piece, offer.key.participant, semantic->representation_iri,
+    return of_unknown_name(piece, offer.key.participant, semantic->representation_iri,
                            Obstacle::unknown_representation);
   }
   return std::nullopt;
 }
 
-Reason Reasons::of(Core& core, Piece& piece, const PublicationEntry& offer, const Nearest& nearest) {
+Reason Reasons::of(Piece& piece, const PublicationEntry& offer, const Nearest& nearest) {
   const bool is_near = nearest.misfit && nearest.misfit->finding.is_near();
-  const auto* request = is_near ? core.matcher.find_subscription(nearest.misfit->key) : nullptr;
+  const auto* request = is_near ? matcher_.find_subscription(nearest.misfit->key) : nullptr;
   if (request == nullptr) {
-    auto reason = of_offer(core, piece, offer);
-    return reason ? std::move(*reason) : of_nobody(core, offer);
+    auto reason = of_offer(piece, offer);
+    return reason ? std::move(*reason) : of_nobody(offer);
   }
-  const Asked asked{.entry = *request, .request = core.matcher.prepare(*request)};
-  const Check check = misfit_of(core, asked, offer, nearest.misfit->finding.first());
+  const Asked asked{.entry = *request, .request = matcher_.prepare(*request)};
+  const Check check = misfit_of(matcher_, asked, offer, nearest.misfit->finding.first());
   Reason reason{check.obstacle, to_string(request->key) + ": " + check.text,
-                mend_by_provider(core, asked, offer, check)};
+                mend_by_provider(matcher_, asked, offer, check)};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
-    reason.text += "; asked for are " + told_representations(core, nearest);
+    reason.text += "; asked for are " + told_representations(matcher_.vocabulary(), nearest);
   }
   return reason;
 }
 
-Reason Reasons::likely(Core& core, Piece& piece, const PublicationEntry& offer) {
+Reason Reasons::likely(Piece& piece, const PublicationEntry& offer) {
   Nearest nearest;
   const auto consider = [&](const registry::SubscriptionEntry& request, const matching::Finding& finding) {
     nearest.consider(request.key, request.subscription.identity, finding);
     return true;
   };
-  core.worked += cost_of_entry * core.matcher.examine_near(offer, max_examined_requests, consider);
+  piece.add_work(cost_of_entry * matcher_.examine_near(offer, max_examined_requests, consider));
   if (!nearest.misfit && std::holds_alternative<TextIdentity>(offer.publication.identity)) {
     std::size_t left = max_compared_requests;
-    core.matcher.examine_requests(std::nullopt, offer,
-                                  [&](const registry::SubscriptionEntry& request, const matching::Finding& finding) {
-                                    core.worked += cost_of_entry;
-                                    consider(request, finding);
-                                    return --left > 0;
-                                  });
+    matcher_.examine_requests(std::nullopt, offer,
+                              [&](const registry::SubscriptionEntry& request, const matching::Finding& finding) {
+                                piece.add_work(cost_of_entry);
+                                consider(request, finding);
+                                return --left > 0;
+                              });
   }
-  return of(core, piece, offer, nearest);
+  return of(piece, offer, nearest);
 }
 
 }  // namespace geminga::participant

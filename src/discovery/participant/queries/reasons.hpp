@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "discovery/matching/matcher.hpp"
+#include "discovery/membership/neighbour_table.hpp"
 #include "discovery/participant/queries/checks.hpp"
 
 namespace geminga::participant {
@@ -57,25 +59,41 @@ struct Reason {
   std::string mend;
 };
 
+/// Appends `code text mend`.
+void append_reason(Line& line, const Reason& reason);
+/// Appends `why because`, the same in one sentence.
+void append_because(Line& line, const Reason& reason);
+
 /// Finds the reasons of one answer.
 class Reasons {
  public:
+  /// Borrows both for its life.
+  Reasons(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours)
+      : matcher_(matcher), neighbours_(neighbours) {}
+
   /// From what is known already; the nearest offer may be gone since.
-  [[nodiscard]] Reason of(Core& core, Piece& piece, const Asked& asked, const Nearest& nearest);
+  [[nodiscard]] Reason of(Piece& piece, const Asked& asked, const Nearest& nearest);
   /// From a bounded look at what may come near, all in one piece. It counts as work, and towards the statements of the
   /// client no more than the request itself does.
-  [[nodiscard]] Reason likely(Core& core, Piece& piece, const registry::SubscriptionEntry& request);
+  [[nodiscard]] Reason likely(Piece& piece, const registry::SubscriptionEntry& request);
   // The same why nobody takes an offer.
-  [[nodiscard]] Reason of(Core& core, Piece& piece, const registry::PublicationEntry& offer, const Nearest& nearest);
-  [[nodiscard]] Reason likely(Core& core, Piece& piece, const registry::PublicationEntry& offer);
+  [[nodiscard]] Reason of(Piece& piece, const registry::PublicationEntry& offer, const Nearest& nearest);
+  [[nodiscard]] Reason likely(Piece& piece, const registry::PublicationEntry& offer);
 
  private:
-  [[nodiscard]] std::optional<Reason> of_request(Core& core, Piece& piece, const Asked& asked);
-  [[nodiscard]] std::optional<Reason> of_offer(Core& core, Piece& piece, const registry::PublicationEntry& offer);
+  [[nodiscard]] std::optional<Reason> of_request(Piece& piece, const Asked& asked);
+  [[nodiscard]] std::optional<Reason> of_offer(Piece& piece, const registry::PublicationEntry& offer);
   /// Of a name that somebody of this participant uses.
-  [[nodiscard]] Reason of_unknown_name(Core& core, Piece& piece, ParticipantId user, const std::string& iri,
+  [[nodiscard]] Reason of_unknown_name(Piece& piece, ParticipantId user, const std::string& iri,
                                        matching::Obstacle obstacle);
 
+  [[nodiscard]] Reason of_nobody(const Asked& asked) const;
+  [[nodiscard]] Reason of_nobody(const registry::PublicationEntry& offer) const;
+  [[nodiscard]] std::optional<Reason> of_unknown_offers(const Asked& asked, const Nearest& nearest) const;
+  [[nodiscard]] std::string beside_other_ontology(ParticipantId user) const;
+
+  const matching::Matcher& matcher_;
+  const membership::NeighbourTable& neighbours_;
   std::size_t searches_left_ = max_searched_names;
 };
 

@@ -5,7 +5,6 @@
 #include "base/text.hpp"
 #include "discovery/matching/preferences.hpp"
 #include "discovery/matching/scope.hpp"
-#include "discovery/participant/identities.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -15,40 +14,40 @@ Error unknown(const std::string& what, const ServiceKey& key, const std::string&
           "there is no " + what + " " + to_string(key) + ": geminga-query " + command + " lists them"};
 }
 
-std::expected<Asked, Error> stated(const Core& core, const ServiceKey& key) {
-  const auto* entry = core.matcher.find_subscription(key);
+std::expected<Asked, Error> stated(const matching::Matcher& matcher, const ServiceKey& key) {
+  const auto* entry = matcher.find_subscription(key);
   if (entry == nullptr) return std::unexpected(unknown("subscription", key, "requests"));
-  return Asked{.entry = *entry, .request = core.matcher.prepare(*entry)};
+  return Asked{.entry = *entry, .request = matcher.prepare(*entry)};
 }
 
 /// As if a peer of this participant asked for it.
-std::expected<Asked, Error> imagined(Core& core, const gcnp::HypotheticalRequest& request) {
-  auto identity = resolve_asked(core, request.subscription.identity);
+std::expected<Asked, Error> imagined(const Stating& by, const gcnp::HypotheticalRequest& request) {
+  auto identity = by.resolver.resolve_asked(request.subscription.identity);
   if (!identity) return std::unexpected(identity.error());
   Asked asked{.entry = {}, .request = {}, .is_any_mode = request.is_any_mode, .is_living = false};
   NamedSubscription named = request.subscription;
   if (request.is_any_mode && !named.limit) named.limit = 0;
-  asked.entry.key.participant = core.id;
-  asked.entry.participant_name = core.name();
+  asked.entry.key.participant = by.self.id;
+  asked.entry.participant_name = by.self.name();
   asked.entry.is_local = true;
-  asked.entry.updated = core.env.now();
+  asked.entry.updated = by.now;
   asked.entry.subscription = gcnp::with_identity(named, std::move(*identity));
-  if (auto error = matching::check_where(named.where, "where", core.vocabulary().units()))
+  if (auto error = matching::check_where(named.where, "where", by.matcher.vocabulary().units()))
     return std::unexpected(std::move(*error));
-  if (auto error = matching::check_preferences(asked.entry.subscription, core.vocabulary().units()))
+  if (auto error = matching::check_preferences(asked.entry.subscription, by.matcher.vocabulary().units()))
     return std::unexpected(std::move(*error));
   if (auto error = matching::check_scope(named.scope)) return std::unexpected(std::move(*error));
-  asked.request = core.matcher.prepare(asked.entry);
+  asked.request = by.matcher.prepare(asked.entry);
   return asked;
 }
 
 /// As if the provider that it names offered it, else a peer of this participant.
-std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer& offer,
+std::expected<Offered, Error> imagined(const Stating& by, const gcnp::HypotheticalOffer& offer,
                                        const std::optional<Asked>& asked) {
-  auto identity = resolve_offered(core, offer.publication.identity);
+  auto identity = by.resolver.resolve_offered(offer.publication.identity);
   if (!identity) return std::unexpected(Error{identity.error().code, "offer: " + identity.error().text});
   if (auto error = matching::check_scope(offer.publication.scope)) return std::unexpected(std::move(*error));
-  if (auto error = matching::check_where(offer.publication.for_whom, "for", core.vocabulary().units()))
+  if (auto error = matching::check_where(offer.publication.for_whom, "for", by.matcher.vocabulary().units()))
     return std::unexpected(std::move(*error));
   Offered offered{.entry = {}, .is_living = false};
   auto& entry = offered.entry;
@@ -56,33 +55,33 @@ std::expected<Offered, Error> imagined(Core& core, const gcnp::HypotheticalOffer
   offered.is_any_mode = offer.is_any_mode && !asked;
   if (offer.is_any_mode && asked) entry.publication.mode = asked->entry.subscription.mode;
   const ProviderFilter& provider = offer.provider;
-  entry.key.participant = provider.participant.empty() ? core.id : ParticipantId{};
-  entry.participant_name = provider.participant.empty() ? core.name() : provider.participant;
+  entry.key.participant = provider.participant.empty() ? by.self.id : ParticipantId{};
+  entry.participant_name = provider.participant.empty() ? by.self.name() : provider.participant;
   if (const auto id = participant_id(provider.participant)) entry.key.participant = *id;
   entry.key.peer = PeerId{base::parse_number<std::uint32_t>(provider.peer).value_or(0)};
   entry.peer_name = provider.peer;
-  entry.is_local = entry.key.participant == core.id;
-  entry.updated = core.env.now();
+  entry.is_local = entry.key.participant == by.self.id;
+  entry.updated = by.now;
   return offered;
 }
 
 }  // namespace
 
-std::expected<std::optional<Asked>, Error> asked_of(Core& core, const gcnp::QueryWhy& query) {
-  if (const auto* key = std::get_if<ServiceKey>(&query.request)) return stated(core, *key);
-  if (const auto* request = std::get_if<gcnp::HypotheticalRequest>(&query.request)) return imagined(core, *request);
+std::expected<std::optional<Asked>, Error> asked_of(const Stating& by, const gcnp::QueryWhy& query) {
+  if (const auto* key = std::get_if<ServiceKey>(&query.request)) return stated(by.matcher, *key);
+  if (const auto* request = std::get_if<gcnp::HypotheticalRequest>(&query.request)) return imagined(by, *request);
   return std::nullopt;
 }
 
-std::expected<std::optional<Offered>, Error> offered_of(Core& core, const gcnp::QueryWhy& query,
+std::expected<std::optional<Offered>, Error> offered_of(const Stating& by, const gcnp::QueryWhy& query,
                                                         const std::optional<Asked>& asked) {
   if (const auto* key = std::get_if<ServiceKey>(&query.offer)) {
-    const auto* entry = core.matcher.find_publication(*key);
+    const auto* entry = by.matcher.find_publication(*key);
     if (entry == nullptr) return std::unexpected(unknown("service", *key, "services"));
     return Offered{.entry = *entry};
   }
   if (const auto* offer = std::get_if<gcnp::HypotheticalOffer>(&query.offer)) {
-    auto offered = imagined(core, *offer, asked);
+    auto offered = imagined(by, *offer, asked);
     if (!offered) return std::unexpected(std::move(offered.error()));
     return std::move(*offered);
   }

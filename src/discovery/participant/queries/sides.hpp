@@ -5,6 +5,10 @@
 #include <expected>
 #include <optional>
 
+#include "base/time.hpp"
+#include "discovery/gcnp/request.hpp"
+#include "discovery/participant/knowledge/resolver.hpp"
+#include "discovery/participant/knowledge/self.hpp"
 #include "discovery/participant/queries/checks.hpp"
 
 namespace geminga::participant {
@@ -16,10 +20,18 @@ struct Offered {
   bool is_any_mode = false;  ///< it takes that of each request
 };
 
+/// By what a side that nobody has stated is made up.
+struct Stating {
+  const matching::Matcher& matcher;
+  Resolver& resolver;
+  const Self& self;
+  base::Instant now;
+};
+
 /// Nothing where no request is asked about; 404 where there is none, 422 where a name or a text cannot be understood.
-[[nodiscard]] std::expected<std::optional<Asked>, Error> asked_of(Core& core, const gcnp::QueryWhy& query);
+[[nodiscard]] std::expected<std::optional<Asked>, Error> asked_of(const Stating& by, const gcnp::QueryWhy& query);
 /// Nothing where no offer is asked about. One without mode has the mode of the request, or any where there is none.
-[[nodiscard]] std::expected<std::optional<Offered>, Error> offered_of(Core& core, const gcnp::QueryWhy& query,
+[[nodiscard]] std::expected<std::optional<Offered>, Error> offered_of(const Stating& by, const gcnp::QueryWhy& query,
                                                                       const std::optional<Asked>& asked);
 
 }  // namespace geminga::participant

@@ -7,39 +7,41 @@ namespace geminga::participant {
 
 using registry::PublicationEntry;
 
-Survey::Survey(const Core& core, Asked asked, matching::Rank offer)
-    : asked_(std::move(asked)),
+Survey::Survey(const matching::Matcher& matcher, const Overlaps& overlaps, Asked asked, matching::Rank offer)
+    : matcher_(matcher),
+      overlaps_(overlaps),
+      asked_(std::move(asked)),
       offer_(std::move(offer)),
       candidates_(asked_.entry.subscription.weakest == Degree::overlapping  // each may be a question to the reasoner
                       ? std::nullopt
-                      : core.matcher.candidates(asked_.entry.subscription, *asked_.request, max_ranked_at_once)) {}
+                      : matcher_.candidates(asked_.entry.subscription, *asked_.request, max_ranked_at_once)) {}
 
-bool Survey::proceed(Core& core, Piece& piece) {
+bool Survey::proceed(Piece& piece) {
   if (candidates_) {
     for (const ServiceKey& key : *candidates_) {
       piece.look_at_one();
-      if (const auto* offer = core.matcher.find_publication(key)) look(core, *offer);
+      if (const auto* offer = matcher_.find_publication(key)) look(*offer);
     }
     return true;
   }
-  return core.matcher.walk_publications(last_, [&](const PublicationEntry& offer) {
+  return matcher_.walk_publications(last_, [&](const PublicationEntry& offer) {
     piece.look_at_one();
-    if (!look(core, offer)) return false;
+    if (!look(offer)) return false;
     last_ = offer.key;
     ++seen_;
     return !piece.is_full();
   });
 }
 
-bool Survey::look(Core& core, const PublicationEntry& offer) {
+bool Survey::look(const PublicationEntry& offer) {
   registry::SubscriptionEntry& asked = asked_.entry;
   if (asked_.is_any_mode) asked.subscription.mode = offer.publication.mode;
-  const std::uint64_t postponed = core.overlaps.counts().postponed;
-  const auto finding = core.matcher.examine(asked, *asked_.request, offer);
-  if (core.overlaps.counts().postponed != postponed) return false;
+  const std::uint64_t postponed = overlaps_.counts().postponed;
+  const auto finding = matcher_.examine(asked, *asked_.request, offer);
+  if (overlaps_.counts().postponed != postponed) return false;
   if (finding.meets()) {
     // One that is about to be gone meets nothing any more.
-    const auto match = core.matcher.meets(asked, *asked_.request, offer);
+    const auto match = matcher_.meets(asked, *asked_.request, offer);
     if (match) take(asked_.request->rank(offer, *match));
     return true;
   }

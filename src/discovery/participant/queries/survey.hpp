@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "discovery/matching/arbitration.hpp"
+#include "discovery/participant/knowledge/overlaps.hpp"
 #include "discovery/participant/queries/reasons.hpp"
 
 namespace geminga::participant {
@@ -27,12 +28,13 @@ inline constexpr std::size_t max_ranked_at_once = 256;
 class Survey {
  public:
   /// Of everything, for what meets and what comes near.
-  explicit Survey(Asked asked) : asked_(std::move(asked)) {}
+  Survey(const matching::Matcher& matcher, const Overlaps& overlaps, Asked asked)
+      : matcher_(matcher), overlaps_(overlaps), asked_(std::move(asked)) {}
   /// Of what meets alone, for the place of an offer with this rank; it need not be in the registry.
-  Survey(const Core& core, Asked asked, matching::Rank offer);
+  Survey(const matching::Matcher& matcher, const Overlaps& overlaps, Asked asked, matching::Rank offer);
 
   /// Whether all have been looked at.
-  bool proceed(Core& core, Piece& piece);
+  bool proceed(Piece& piece);
 
   [[nodiscard]] const Asked& asked() const { return asked_; }
   /// How many were looked at.
@@ -49,9 +51,11 @@ class Survey {
 
  private:
   /// False: it waits for the reasoner, and is to be looked at again.
-  bool look(Core& core, const registry::PublicationEntry& offer);
+  bool look(const registry::PublicationEntry& offer);
   void take(const matching::Rank& rank);
 
+  const matching::Matcher& matcher_;
+  const Overlaps& overlaps_;
   Asked asked_;
   std::optional<matching::Rank> offer_;
   std::optional<std::vector<ServiceKey>> candidates_;  ///< nothing: everything is walked

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "discovery/matching/converter.hpp"
-#include "discovery/participant/core.hpp"
+#include "discovery/matching/matcher.hpp"
 
 namespace geminga::participant {
 
@@ -15,13 +15,13 @@ namespace geminga::participant {
 class Use {
  public:
   /// Whether somebody asks for it, or a chain for somebody goes through it.
-  [[nodiscard]] bool is_of(const Core& core, const registry::PublicationEntry& entry) {
-    return core.matcher.is_used(entry) || is_in_chain(core, entry);
+  [[nodiscard]] bool is_of(const matching::Matcher& matcher, const registry::PublicationEntry& entry) {
+    return matcher.is_used(entry) || is_in_chain(matcher, entry);
   }
 
-  [[nodiscard]] bool is_in_chain(const Core& core, const registry::PublicationEntry& entry) {
+  [[nodiscard]] bool is_in_chain(const matching::Matcher& matcher, const registry::PublicationEntry& entry) {
     if (!matching::is_converter(entry.publication.attributes)) return false;
-    if (!converters_) converters_ = core.matcher.converters_in_use();
+    if (!converters_) converters_ = matcher.converters_in_use();
     return converters_->contains(matching::place_of(entry));
   }
 

@@ -23,13 +23,14 @@ using registry::PublicationEntry;
 /// One request and one offer, aspect by aspect.
 class PairAnswer {
  public:
-  PairAnswer(Asked asked, Offered offer) : asked_(std::move(asked)), offer_(std::move(offer)) {}
+  PairAnswer(matching::Matcher& matcher, const Overlaps& overlaps, Asked asked, Offered offer)
+      : matcher_(matcher), overlaps_(overlaps), asked_(std::move(asked)), offer_(std::move(offer)) {}
 
-  bool operator()(Core& core, Piece& piece) {
-    if (checks_.empty()) begin(core, piece);
+  bool operator()(Piece& piece) {
+    if (checks_.empty()) begin(piece);
     if (survey_) {
-      if (!survey_->proceed(core, piece)) return false;
-      checks_.push_back(check_arbitration(core, *survey_, offer_, *rank_));
+      if (!survey_->proceed(piece)) return false;
+      checks_.push_back(check_arbitration(matcher_, *survey_, offer_, *rank_));
       survey_.reset();
     }
     for (; told_ < checks_.size(); ++told_) {
@@ -38,23 +39,23 @@ class PairAnswer {
       append_check(line, checks_[told_]);
       piece.tell(std::move(line));
     }
-    piece.conclude(end(core));
+    piece.conclude(end());
     return true;
   }
 
  private:
-  void begin(Core& core, Piece& piece) {
-    checks_ = checks_of(core, asked_, offer_.entry, Depth::search);
+  void begin(Piece& piece) {
+    checks_ = checks_of(matcher_, asked_, offer_.entry, Depth::search);
     if (std::ranges::any_of(checks_, [](const Check& one) { return !one.proof.empty(); })) piece.look_at(cost_of_proof);
-    const auto finding = core.matcher.examine(asked_.entry, *asked_.request, offer_.entry);
+    const auto finding = matcher_.examine(asked_.entry, *asked_.request, offer_.entry);
     match_ = finding.match;
     if (first_obstacle(checks_) != nullptr) return;
     if (!match_) return;  // cannot be: all fits
     rank_ = rank_of(asked_, offer_, *match_);
-    survey_.emplace(core, asked_, *rank_);
+    survey_.emplace(matcher_, overlaps_, asked_, *rank_);
   }
 
-  [[nodiscard]] Line end(const Core& core) const {
+  [[nodiscard]] Line end() const {
     const Check* obstacle = first_obstacle(checks_);
     const bool is_outranked = obstacle != nullptr && obstacle->what == "arbitration";
     Line line;
@@ -63,8 +64,8 @@ class PairAnswer {
       append(line, "degree", std::string(to_string(match_->degree)));
       append(line, "distance", match_->distance);
       if (match_->cost != 0) {
-        const auto chain = chain_of(core, asked_, offer_.entry);
-        append(line, "convert", matching::chain_words(chain.get(), core.vocabulary()));
+        const auto chain = chain_of(matcher_, asked_, offer_.entry);
+        append(line, "convert", matching::chain_words(chain.get(), matcher_.vocabulary()));
         append(line, "cost", match_->cost);
         if (chain != nullptr) append_stated(line, "via", chain->via);
       }
@@ -74,6 +75,8 @@ class PairAnswer {
     return line;
   }
 
+  matching::Matcher& matcher_;
+  const Overlaps& overlaps_;
   Asked asked_;
   Offered offer_;
   std::vector<Check> checks_;
@@ -86,20 +89,22 @@ class PairAnswer {
 /// Everybody who answers a request or comes near.
 class RequestAnswer {
  public:
-  explicit RequestAnswer(Asked asked) : survey_(std::move(asked)) {}
+  RequestAnswer(const matching::Matcher& matcher, const Overlaps& overlaps,
+                const membership::NeighbourTable& neighbours, Asked asked)
+      : matcher_(matcher), neighbours_(neighbours), survey_(matcher, overlaps, std::move(asked)) {}
 
-  bool operator()(Core& core, Piece& piece) {
+  bool operator()(Piece& piece) {
     if (!is_surveyed_) {
-      if (!survey_.proceed(core, piece)) return false;
-      sort(core);
+      if (!survey_.proceed(piece)) return false;
+      sort();
       is_surveyed_ = true;
     }
     for (; told_ < list_.size(); ++told_) {
       if (piece.is_full()) return false;
-      if (const auto* offer = core.matcher.find_publication(list_[told_].key)) tell(core, piece, *offer, list_[told_]);
+      if (const auto* offer = matcher_.find_publication(list_[told_].key)) tell(piece, *offer, list_[told_]);
     }
     if (piece.is_full()) return false;
-    piece.conclude(end(core, piece));
+    piece.conclude(end(piece));
     return true;
   }
 
@@ -113,7 +118,7 @@ class RequestAnswer {
   };
 
   /// Whom it is given, then who is outranked, then what comes nearest; the best few of each.
-  void sort(const Core& core) {
+  void sort() {
     const Asked& asked = survey_.asked();
     std::vector<ServiceKey> ranked;
     for (const matching::Rank& rank : survey_.best()) ranked.push_back(rank.key);
@@ -122,7 +127,7 @@ class RequestAnswer {
       return at == ranked.end() ? 0 : static_cast<std::size_t>(at - ranked.begin()) + 1;
     };
     chosen_ = asked.entry.subscription.chosen;  // as the consumer's host has announced
-    if (chosen_.empty() && asked.is_living) chosen_ = core.matcher.chosen(asked.entry.key);
+    if (chosen_.empty() && asked.is_living) chosen_ = matcher_.chosen(asked.entry.key);
     if (chosen_.empty()) {  // asked by nobody, or at a host that is not asked whom it has chosen
       const std::size_t limit = asked.entry.subscription.limit;
       chosen_.assign(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(
@@ -141,17 +146,17 @@ class RequestAnswer {
     for (const Misfit& one : survey_.misfits()) list_.push_back({.key = one.key, .misfit = one.finding.first()});
   }
 
-  void tell(Core& core, Piece& piece, const PublicationEntry& offer, const Entry& entry) const {
+  void tell(Piece& piece, const PublicationEntry& offer, const Entry& entry) const {
     const Asked& asked = survey_.asked();
     Check check;
     if (entry.misfit != Obstacle::none) {
-      check = misfit_of(core, asked, offer, entry.misfit);
+      check = misfit_of(matcher_, asked, offer, entry.misfit);
     } else if (entry.is_chosen) {
-      check = checks_of(core, asked, offer, Depth::search)[1];
+      check = checks_of(matcher_, asked, offer, Depth::search)[1];
       if (!check.proof.empty()) piece.look_at(cost_of_proof);
     } else {
-      const auto* rival = chosen_.empty() ? nullptr : core.matcher.find_publication(chosen_.back());
-      check = outranked(core, asked, offer,
+      const auto* rival = chosen_.empty() ? nullptr : matcher_.find_publication(chosen_.back());
+      check = outranked(matcher_, asked, offer,
                         {.place = entry.place, .settled = entry.settled, .candidates = survey_.matching()}, rival);
     }
     Line line;
@@ -159,13 +164,13 @@ class RequestAnswer {
     append(line, "provider", peer_word(offer.key));
     append_stated(line, "name", offer.peer_name);
     append_stated(line, "participant_name", offer.participant_name);
-    append(line, "offered", words(core, offer.publication.identity));
+    append(line, "offered", words(matcher_.vocabulary(), offer.publication.identity));
     append(line, "mode", std::string(to_string(offer.publication.mode)));
     append_check(line, check);
     piece.tell(std::move(line));
   }
 
-  [[nodiscard]] Line end(Core& core, Piece& piece) const {
+  [[nodiscard]] Line end(Piece& piece) const {
     Line line;
     append_flag(line, "served", survey_.matching() > 0);
     append(line, "offers", survey_.seen());
@@ -175,14 +180,14 @@ class RequestAnswer {
       append_stated(line, "gaps", gaps);
       return line;
     }
-    const Reason reason = Reasons().of(core, piece, survey_.asked(), survey_.nearest());
-    append(line, "code", std::string(to_string(reason.obstacle)));
-    append(line, "text", reason.text);
-    append_stated(line, "mend", reason.mend);
+    const Reason reason = Reasons(matcher_, neighbours_).of(piece, survey_.asked(), survey_.nearest());
+    append_reason(line, reason);
     append_stated(line, "gaps", gaps);
     return line;
   }
 
+  const matching::Matcher& matcher_;
+  const membership::NeighbourTable& neighbours_;
   Survey survey_;
   bool is_surveyed_ = false;
   std::vector<ServiceKey> chosen_;
@@ -192,14 +197,17 @@ class RequestAnswer {
 
 }  // namespace
 
-std::expected<Answering, Error> begin(Core& core, const gcnp::QueryWhy& query) {
-  auto asked = asked_of(core, query);
+std::expected<Answering, Error> begin_why(matching::Matcher& matcher, const Overlaps& overlaps,
+                                          const membership::NeighbourTable& neighbours, const Stating& by,
+                                          const gcnp::QueryWhy& query) {
+  auto asked = asked_of(by, query);
   if (!asked) return std::unexpected(std::move(asked.error()));
-  auto offered = offered_of(core, query, *asked);
+  auto offered = offered_of(by, query, *asked);
   if (!offered) return std::unexpected(std::move(offered.error()));
-  if (!*asked) return explaining(std::move(**offered));
-  if (!*offered) return Answering{.kind = "why", .proceed = RequestAnswer(std::move(**asked))};
-  return Answering{.kind = "why", .proceed = PairAnswer(std::move(**asked), std::move(**offered))};
+  if (!*asked) return explaining(matcher, overlaps, neighbours, std::move(**offered));
+  if (!*offered)
+    return Answering{.kind = "why", .proceed = RequestAnswer(matcher, overlaps, neighbours, std::move(**asked))};
+  return Answering{.kind = "why", .proceed = PairAnswer(matcher, overlaps, std::move(**asked), std::move(**offered))};
 }
 
 }  // namespace geminga::participant

@@ -1,0 +1,73 @@
+// The air: datagrams out and in, and the other participants that are heard.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_AIR_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_AIR_AIR_HPP
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/participant/air/announcer.hpp"
+#include "discovery/participant/air/counters.hpp"
+#include "discovery/participant/air/dual_stack.hpp"
+#include "discovery/participant/air/presence.hpp"
+#include "discovery/sealing/seal.hpp"
+#include "env/env.hpp"
+
+namespace geminga::participant {
+
+/// Owns the table of neighbours, the seal, the dual stack and the announcer. It knows neither clients nor the registry:
+/// what is announced comes from OwnState, and what is heard is given by take_changes().
+class Air {
+ public:
+  /// Borrows `env` and `settings` for its life.
+  Air(env::Env& env, const TeamSettings& settings, OwnState own);
+  Air(const Air&) = delete;
+  Air& operator=(const Air&) = delete;
+
+  /// Begins to claim an identifier.
+  void start();
+  void adopt(const sealing::Policy& policy);
+  /// Takes in one datagram, whatever is in it. `served` is the identifier that our services have at present; it differs
+  /// from the announcer's while another one is claimed. The result says what follows for our own identifier;
+  /// nothing where the datagram was not heard.
+  [[nodiscard]] std::optional<Announcer::Consequence> hear(env::InterfaceIndex interface, std::string_view source,
+                                                           std::span<const std::byte> datagram, ParticipantId served);
+  /// Gives up each neighbour that was not heard before its deadline.
+  void expire();
+  void forget_interface(env::InterfaceIndex interface) { neighbours_.forget_interface(interface); }
+  /// What neighbours have changed since the last call, in the order in which it must be done to the registry.
+  [[nodiscard]] std::vector<membership::Change> take_changes() { return neighbours_.take_changes(); }
+  /// Whether all that we say is said on this interface, too.
+  [[nodiscard]] bool speaks_on(const env::Interface& interface) {
+    return dual_stack_.speaks_on(interface, seal_, env_.now());
+  }
+
+  [[nodiscard]] Announcer& announcer() { return announcer_; }
+  [[nodiscard]] const Announcer& announcer() const { return announcer_; }
+  [[nodiscard]] const membership::NeighbourTable& neighbours() const { return neighbours_; }
+  [[nodiscard]] const sealing::Seal& seal() const { return seal_; }
+  [[nodiscard]] const AirCounters& counters() const { return counters_; }
+
+ private:
+  [[nodiscard]] std::optional<Announcer::Consequence> take_in(env::InterfaceIndex interface, std::string_view source,
+                                                              std::span<const std::byte> datagram,
+                                                              ParticipantId served);
+  void speak_to(const env::Interface& on, membership::Hearing hearing, bool is_sealed);
+
+  env::Env& env_;
+  const TeamSettings& settings_;
+  OwnState own_;
+  AirCounters counters_;
+  membership::NeighbourTable neighbours_;
+  sealing::Seal seal_;  ///< all that goes out or comes in passes it
+  DualStack dual_stack_;
+  announcement::Announcement heard_;  ///< the last one; its memory is used again
+  Announcer announcer_;
+};
+
+}  // namespace geminga::participant
+
+#endif

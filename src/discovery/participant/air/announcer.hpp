@@ -1,0 +1,135 @@
+// Speaks for a participant on the air: claims its identifier, announces its state when it is due, says goodbye.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_ANNOUNCER_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_AIR_ANNOUNCER_HPP
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "discovery/announcement/announcement.hpp"
+#include "discovery/membership/identifier_claim.hpp"
+#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/schedule.hpp"
+#include "discovery/membership/search.hpp"
+#include "discovery/participant/air/change_log.hpp"
+#include "discovery/participant/air/contest.hpp"
+#include "discovery/participant/air/counters.hpp"
+#include "discovery/participant/air/dual_stack.hpp"
+#include "discovery/participant/air/presence.hpp"
+#include "discovery/participant/air/sent_datagrams.hpp"
+#include "discovery/sealing/seal.hpp"
+#include "env/env.hpp"
+
+namespace geminga::participant {
+
+/// One announcement that came in. Everything is borrowed for the call.
+struct Heard {
+  const announcement::Announcement& announcement;
+  membership::Hearing hearing;
+  std::span<const std::byte> datagram;
+  std::string_view source;
+  const env::Interface& on;
+};
+
+/// Between two lines in the log about copies of our disk.
+inline constexpr base::Duration copy_report_spacing = std::chrono::minutes(10);
+
+class Announcer {
+ public:
+  /// What it speaks by and for. All are borrowed for its life.
+  struct Means {
+    env::Env& env;
+    const TeamSettings& settings;
+    const OwnState& own;
+    membership::NeighbourTable& neighbours;
+    sealing::Seal& seal;
+    DualStack& dual_stack;
+    AirCounters& counters;
+  };
+  /// Draws its boot nonce and its seeds from Env.
+  explicit Announcer(const Means& means);
+
+  /// Begins to claim an identifier.
+  void start();
+  /// From now on only goodbyes are due, if there is an identifier to give up.
+  void stop();
+  /// Whether nothing is left to say after stop().
+  [[nodiscard]] bool is_finished() const;
+
+  /// What a step of the claim came to.
+  enum class Step : std::uint8_t { nothing, claimed, failed };
+  /// Sends the claims that are due. Says `claimed` once for each identifier, which id() then is.
+  [[nodiscard]] Step step_claim();
+  /// Something that is announced is not what was announced last.
+  void changed() { is_changed_ = true; }
+  /// Announces what has changed or is due; after stop() says goodbye.
+  void announce();
+  /// Our presence is due, since something goes with it.
+  void show();
+  /// The deadlines of so many have passed who may come back into reach.
+  void lost(std::size_t participants) { search_.begin(means_.neighbours.size() + participants, means_.env.now()); }
+  /// When step_claim() or announce() has something to do, or base::never.
+  [[nodiscard]] base::Instant due() const;
+
+  /// What was heard, so that newcomers are answered, claims contested and lies about us contradicted.
+  /// Where an identifier is given up, another one is claimed: step_claim() says when it is held.
+  enum class Consequence : std::uint8_t { nothing, failed };
+  [[nodiscard]] Consequence heard(const Heard& heard);
+  /// Says in the log that a contest is over; to be called now and then.
+  void end_contest();
+  /// After `failed`: why, with what to do.
+  [[nodiscard]] std::string failure() const;
+
+  [[nodiscard]] ParticipantId id() const { return claim_.id(); }
+  [[nodiscard]] const Contest& contest() const { return contest_; }
+
+ private:
+  /// Sends on all interfaces that we speak on; returns the most datagrams that one of them took.
+  std::size_t send(const announcement::Announcement& announcement);
+  /// Nothing is owed where we do not speak.
+  void be_silent_on_twins();
+  [[nodiscard]] bool is_new_to_others();
+  /// Takes down what is announced at present. Done when it is sent and not with every change.
+  void update_log(base::Instant now);
+  [[nodiscard]] announcement::Announcement whole_state() const;
+  [[nodiscard]] announcement::Announcement change() const;
+  [[nodiscard]] bool seems_next_life(const Heard& heard) const;
+  [[nodiscard]] bool has_our_lasting_identity(const Heard& heard) const;
+  void report_copy(const Heard& heard);
+  void heard_presence(const Heard& heard);
+  Consequence heard_clash(const Heard& heard);
+  void heard_own(const Heard& heard);
+  void report(const Heard& heard);
+  /// That others are told of.
+  [[nodiscard]] base::Duration interval() const;
+  [[nodiscard]] announcement::Announcement header(announcement::Kind kind, ParticipantId id) const;
+  [[nodiscard]] announcement::Announcement presence();
+  [[nodiscard]] announcement::Announcement state() const;
+
+  Means means_;
+  announcement::BootNonce boot_;
+  membership::IdentifierClaim claim_;
+  membership::Schedule schedule_;
+  membership::Search search_;
+  bool is_changed_ = false;
+  std::uint64_t revision_ = 0;
+  base::Instant changed_{};     ///< when that came
+  std::uint8_t doublings_ = 0;  ///< of the interval
+  ChangeLog log_;
+  std::vector<env::Interface> announced_on_;  ///< the interfaces that the state was last told of
+  std::map<env::InterfaceIndex, std::uint64_t> sequences_;
+  SentDatagrams sent_;
+  Contest contest_;
+  std::string clash_from_;                      ///< where the last clash was heard
+  std::optional<base::Instant> copy_reported_;  ///< when somebody else with our lasting identity was told of last
+  bool is_stopping_ = false;
+  ParticipantId farewell_{};  ///< whose goodbye is said after stop(); 0: nobody knows us
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,81 @@
+#include "discovery/participant/clients/admission.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace geminga::participant {
+
+Refusal Admission::check_new(const Session& session, std::uint32_t id) {
+  if (!session.publications.contains(id) && !session.subscriptions.contains(id)) return std::nullopt;
+  return Error{ErrorCode::already_exists,
+               std::to_string(id) + " is in use already: choose another number, or modify it"};
+}
+
+Refusal Admission::check_count(std::size_t of_its_kind) const {
+  if (of_its_kind < limits_.services_per_peer) return std::nullopt;
+  return Error{ErrorCode::too_many,
+               "too many: a peer may have " + std::to_string(limits_.services_per_peer) + " of each kind"};
+}
+
+Refusal Admission::check_publications(const Session& session) const { return check_count(session.publications.size()); }
+
+Refusal Admission::check_subscriptions(const Session& session, bool is_quiet) const {
+  if (!is_quiet) return check_count(session.subscriptions.size() - session.quiet);
+  if (session.quiet < session.room) return std::nullopt;
+  return Error{ErrorCode::too_many, "too many: this peer has asked for room for " + std::to_string(session.room) +
+                                        " subscriptions of mode otm/stream"};
+}
+
+Refusal Admission::make_room(const Session& session) {
+  if (sessions_.shared_count() < limits_.services || take_back_one(session)) return std::nullopt;
+  return Error{ErrorCode::too_many, "too many: the peers of one host may have " + std::to_string(limits_.services) +
+                                        " publications and subscriptions together"};
+}
+
+/// Takes one service back from the peer that has the most, if that peer then still has at least as many as the one that
+/// asks will have. So a peer may use room that is free, and no peer is kept from its fair share. False where no peer
+/// has so many more.
+bool Admission::take_back_one(const Session& asking) {
+  const auto most = std::ranges::max_element(sessions_.all, {}, [](const auto& entry) {
+    // What is on its way out goes first.
+    return std::pair(entry.second->is_leaving && entry.second->shared_count() > 0, entry.second->shared_count());
+  });
+  Session& greediest = *most->second;
+  if (greediest.is_leaving && greediest.shared_count() > 0) {
+    own_.withdraw_one(greediest);
+    return true;
+  }
+  if (greediest.shared_count() < asking.shared_count() + 2) return false;
+  const auto shared = std::find_if(greediest.subscriptions.rbegin(), greediest.subscriptions.rend(),
+                                   [](const auto& entry) { return !entry.second.is_quiet; });
+  const std::uint32_t number = std::max(greediest.publications.empty() ? 0 : greediest.publications.rbegin()->first,
+                                        shared == greediest.subscriptions.rend() ? 0 : shared->first);
+  if (greediest.publications.contains(number)) {
+    own_.forget_publication(greediest, number);
+  } else {
+    own_.forget_subscription(greediest, number);
+  }
+  sessions_.refuse(
+      greediest, number,
+      {ErrorCode::too_many, "taken back: the peers of one host may have " + std::to_string(limits_.services) +
+                                " publications and subscriptions together, and another one has fewer"});
+  return true;
+}
+
+Refusal Admission::promise_room(Session& session, std::size_t room) const {
+  if (room > limits_.room_per_peer) {
+    return Error{ErrorCode::too_large,
+                 "room: " + std::to_string(room) + ", the limit is " + std::to_string(limits_.room_per_peer)};
+  }
+  if (room != session.room && !session.subscriptions.empty()) {
+    return Error{ErrorCode::impossible, "room: say it before the first subscription"};
+  }
+  if (sessions_.promised_room() - session.room + room > limits_.room) {
+    return Error{ErrorCode::too_many, "room: the peers of one host may ask for " + std::to_string(limits_.room) +
+                                          " together, and other ones have the rest"};
+  }
+  session.room = room;
+  return std::nullopt;
+}
+
+}  // namespace geminga::participant

@@ -1,0 +1,27 @@
+#include "discovery/participant/clients/session.hpp"
+
+#include <utility>
+
+namespace geminga::participant {
+
+Session::Session(env::StreamId stream, PeerId peer, std::string_view the_user, const ClientLimits& limits)
+    : name("peer-" + std::to_string(static_cast<std::uint32_t>(peer))),
+      user(the_user),
+      gate(limits.statements_per_second, limits.flood_per_second),
+      stream_(stream),
+      peer_(peer) {}
+
+Work Session::used(base::Instant now) const {
+  const auto halvings = (now - used_at_) / half_life;
+  return halvings >= 64 ? 0 : used_ >> halvings;
+}
+
+void Session::use(Work work, base::Instant now) {
+  const auto halvings = (now - used_at_) / half_life;
+  used_ = used(now) + work;
+  used_at_ += halvings * half_life;  // what is left of a half-life is not lost
+}
+
+std::string Session::take_outbox() { return std::exchange(outbox_, {}); }
+
+}  // namespace geminga::participant

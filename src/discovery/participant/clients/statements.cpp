@@ -1,0 +1,216 @@
+#include "discovery/participant/clients/statements.hpp"
+
+#include <string>
+#include <type_traits>
+
+#include "base/text.hpp"
+#include "discovery/announcement/announceable.hpp"
+#include "discovery/announcement/limits.hpp"
+#include "discovery/matching/converter.hpp"
+#include "discovery/matching/scope.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
+
+namespace geminga::participant {
+namespace {
+
+/// 404 for an id that is nobody's, with a hint where the other command has it.
+Error unknown_request(std::uint32_t id, const char* kind, bool is_other_kind) {
+  return Error{ErrorCode::unknown_request,
+               "there is no " + std::string(kind) + " " + std::to_string(id) +
+                   (is_other_kind ? ": that number is of the other kind" : ": create it first")};
+}
+
+/// The names of an identity after a `modify`: what is not given stays. 422 for a representation without a concept.
+std::expected<NamedIdentity, Error> changed(const NamedIdentity& named, const IdentityChange& change) {
+  if (const auto* number = std::get_if<NumericIdentity>(&change)) return *number;
+  if (const auto* text = std::get_if<TextIdentity>(&change)) return *text;
+  const auto& names = std::get<ConceptChange>(change);
+  const auto* before = std::get_if<ConceptNames>(&named);
+  if (before == nullptr && !names.concept_name) {
+    return std::unexpected(
+        Error{ErrorCode::impossible, "representation: the identity has no concept: give concept= too"});
+  }
+  ConceptNames after = before == nullptr ? ConceptNames{} : *before;
+  if (names.concept_name) after.concept_name = *names.concept_name;
+  if (names.representation_name) after.representation_name = *names.representation_name;
+  return after;
+}
+
+template <typename Modify, typename Stated>
+Refusal change_names(const Modify& modify, Stated& stated) {
+  if (!modify.identity) return std::nullopt;
+  auto named = changed(stated.named, *modify.identity);
+  if (!named) return named.error();
+  stated.named = std::move(*named);
+  return std::nullopt;
+}
+
+/// Whether a subscription takes a place of the room that its peer asked for: the others need not know who listens to a
+/// stream.
+bool is_quiet(const Session& session, ChannelMode mode) {
+  return session.room > 0 && mode == ChannelMode::one_to_many_stream;
+}
+
+/// The limit where none is stated: one provider for a channel between two, every one otherwise.
+std::uint32_t default_limit(ChannelMode mode) { return mode == ChannelMode::one_to_one ? 1 : 0; }
+
+Refusal check_name(const std::string& name) {
+  if (name.size() > max_name_bytes) {
+    return Error{ErrorCode::too_large,
+                 "name: " + std::to_string(name.size()) + " octets, the limit is " + std::to_string(max_name_bytes)};
+  }
+  if (!announcement::is_valid_name(name)) {
+    return Error{ErrorCode::malformed,
+                 "name=" + base::printable(name) + ": a name is not empty and has no control character, '/' or ','"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Refusal Statements::handle(Session& session, std::uint32_t id, const gcnp::Request& request) {
+  return std::visit(
+      [&](const auto& one) -> Refusal {
+        using One = std::decay_t<decltype(one)>;
+        if constexpr (std::is_same_v<One, gcnp::Ping>) {
+          session.say(gcnp::Statement{.id = 0, .command = "msg", .subcommand = "pong", .parameters = {}});
+          return std::nullopt;
+        } else if constexpr (std::is_same_v<One, gcnp::Bye>) {
+          session.says_bye = true;
+          session.is_closing = true;
+          return std::nullopt;
+        } else if constexpr (requires { on(session, id, one); }) {
+          return on(session, id, one);
+        } else {
+          auto answering = ask_(request);
+          if (!answering) return std::move(answering.error());
+          begin_answer(session, work_, id, std::move(*answering));
+          return std::nullopt;
+        }
+      },
+      request);
+}
+
+Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello) {
+  if (auto refusal = hello.name ? check_name(*hello.name) : std::nullopt) return refusal;
+  if (auto refusal = hello.room ? admission_.promise_room(session, *hello.room) : std::nullopt) return refusal;
+  if (hello.name && *hello.name != session.name) {
+    session.name = *hello.name;
+    own_.rename(session);
+  }
+  gcnp::Statement answer{.id = 0,
+                         .command = "msg",
+                         .subcommand = "hello",
+                         .parameters = {{"version", "1"},
+                                        {"participant", to_string(self_.id)},
+                                        {"peer", std::to_string(static_cast<std::uint32_t>(session.peer()))},
+                                        {"name", session.name},
+                                        {"ontology", digest_word(matcher_.vocabulary().digest())},
+                                        {"participant_name", self_.name()}}};
+  if (session.room > 0) answer.parameters.push_back({"room", std::to_string(session.room)});
+  session.say(answer);
+  return std::nullopt;
+}
+
+/// Resolves the names of a statement, and checks what its text cannot say by itself. A statement that only waits for
+/// the first ontology is not refused: it is out of force until then.
+template <typename Stated>
+Refusal Statements::resolve_and_check(Stated& stated) {
+  constexpr bool is_offer = std::is_same_v<Stated, StatedPublication>;
+  auto identity = is_offer ? resolver_.resolve_offered(stated.named) : resolver_.resolve_asked(stated.named);
+  stated.is_awaited = resolver_.is_awaited(identity);
+  if (!identity && !stated.is_awaited) return identity.error();
+  if (identity) stated.service.identity = std::move(*identity);
+  if (auto refusal = announcement::check(stated.service)) return refusal;
+  if (auto refusal = matching::check_scope(stated.service.scope)) return refusal;
+  if constexpr (is_offer) {
+    if (auto refusal = matching::check_conversion(stated.service.attributes, matcher_.vocabulary())) return refusal;
+  }
+  auto refusal = resolver_.check_conditions(stated.service);
+  stated.is_awaited |= is_awaited(refusal);
+  stated.is_in_force = !stated.is_awaited;
+  return is_awaited(refusal) ? std::nullopt : refusal;
+}
+
+Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
+  if (auto refusal = Admission::check_new(session, id)) return refusal;
+  if (auto refusal = admission_.check_publications(session)) return refusal;
+  StatedPublication stated{.named = create.publication.identity,
+                           .service = gcnp::with_identity(create.publication, {})};
+  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (auto refusal = admission_.make_room(session)) return refusal;
+  own_.enter(session, id, session.publications.emplace(id, std::move(stated)).first->second);
+  return std::nullopt;
+}
+
+Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubModify& modify) {
+  const auto found = session.publications.find(id);
+  if (found == session.publications.end())
+    return unknown_request(id, "publication", session.subscriptions.contains(id));
+  StatedPublication stated = found->second;
+  gcnp::apply(modify, stated.service);
+  if (auto refusal = change_names(modify, stated)) return refusal;
+  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (stated.is_awaited) own_.suspend(session, id, found->second);
+  found->second = std::move(stated);
+  own_.enter(session, id, found->second);
+  return std::nullopt;
+}
+
+Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubRemove&) {
+  if (!session.publications.contains(id)) return unknown_request(id, "publication", session.subscriptions.contains(id));
+  own_.forget_publication(session, id);
+  return std::nullopt;
+}
+
+Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubCreate& create) {
+  if (auto refusal = Admission::check_new(session, id)) return refusal;
+  const bool takes_room = is_quiet(session, create.subscription.mode);
+  if (auto refusal = admission_.check_subscriptions(session, takes_room)) return refusal;
+  StatedSubscription stated{.named = create.subscription.identity,
+                            .service = gcnp::with_identity(create.subscription, {}),
+                            .has_limit = create.subscription.limit.has_value(),
+                            .is_quiet = takes_room};
+  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (auto refusal = takes_room ? std::nullopt : admission_.make_room(session)) return refusal;
+  session.quiet += takes_room ? 1 : 0;
+  // All that it is given is told piece by piece, however much that is.
+  own_.enter(session, id, session.subscriptions.emplace(id, std::move(stated)).first->second,
+             matching::Matcher::Telling::providers);
+  if (session.subscriptions.at(id).is_in_force) session.resyncs[id] = {};
+  return std::nullopt;
+}
+
+Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubModify& modify) {
+  const auto found = session.subscriptions.find(id);
+  if (found == session.subscriptions.end()) {
+    return unknown_request(id, "subscription", session.publications.contains(id));
+  }
+  StatedSubscription stated = found->second;
+  gcnp::apply(modify, stated.service);
+  stated.has_limit |= modify.limit.has_value();
+  if (!stated.has_limit) stated.service.limit = default_limit(stated.service.mode);
+  if (auto refusal = change_names(modify, stated)) return refusal;
+  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (stated.is_quiet && !is_quiet(session, stated.service.mode)) {
+    if (auto refusal = admission_.check_subscriptions(session, false)) return refusal;
+    if (auto refusal = admission_.make_room(session)) return refusal;
+    stated.is_quiet = false;
+    --session.quiet;
+    own_.change();
+  }
+  if (stated.is_awaited) own_.suspend(session, id, found->second);
+  found->second = std::move(stated);
+  own_.enter(session, id, found->second);
+  return std::nullopt;
+}
+
+Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubRemove&) {
+  if (!session.subscriptions.contains(id)) {
+    return unknown_request(id, "subscription", session.publications.contains(id));
+  }
+  own_.forget_subscription(session, id);
+  return std::nullopt;
+}
+
+}  // namespace geminga::participant

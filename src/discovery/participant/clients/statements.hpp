@@ -1,0 +1,58 @@
+// The statements of clients, each handled as a whole: `sys`, `pub` and `sub` here, `query` by whom it is handed to.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_STATEMENTS_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_STATEMENTS_HPP
+
+#include <cstdint>
+#include <utility>
+
+#include "discovery/gcnp/request.hpp"
+#include "discovery/matching/matcher.hpp"
+#include "discovery/participant/clients/admission.hpp"
+#include "discovery/participant/clients/answering.hpp"
+#include "discovery/participant/clients/own_services.hpp"
+#include "discovery/participant/clients/sessions.hpp"
+#include "discovery/participant/knowledge/resolver.hpp"
+#include "discovery/participant/knowledge/self.hpp"
+#include "discovery/participant/knowledge/work.hpp"
+
+namespace geminga::participant {
+
+class Statements {
+ public:
+  /// Borrows all but `ask` for its life.
+  Statements(const Self& self, const matching::Matcher& matcher, Resolver& resolver, Admission& admission,
+             OwnServices& own, WorkMeter& work, Ask ask)
+      : self_(self),
+        matcher_(matcher),
+        resolver_(resolver),
+        admission_(admission),
+        own_(own),
+        work_(work),
+        ask_(std::move(ask)) {}
+
+  /// Requires that an identifier is held. A refused request has changed nothing.
+  [[nodiscard]] Refusal handle(Session& session, std::uint32_t id, const gcnp::Request& request);
+
+ private:
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::Hello& hello);
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::PubCreate& create);
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::PubModify& modify);
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::PubRemove& remove);
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::SubCreate& create);
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::SubModify& modify);
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::SubRemove& remove);
+  template <typename Stated>
+  [[nodiscard]] Refusal resolve_and_check(Stated& stated);
+
+  const Self& self_;
+  const matching::Matcher& matcher_;
+  Resolver& resolver_;
+  Admission& admission_;
+  OwnServices& own_;
+  WorkMeter& work_;
+  Ask ask_;
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,66 @@
+// All that a participant knows of the team's services, and what their names mean.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_KNOWLEDGE_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_KNOWLEDGE_HPP
+
+#include <string>
+#include <vector>
+
+#include "discovery/matching/matcher.hpp"
+#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/participant/knowledge/expressions.hpp"
+#include "discovery/participant/knowledge/neighbour_queue.hpp"
+#include "discovery/participant/knowledge/ontology_change.hpp"
+#include "discovery/participant/knowledge/ontology_reading.hpp"
+#include "discovery/participant/knowledge/overlaps.hpp"
+#include "discovery/participant/knowledge/resolver.hpp"
+#include "discovery/participant/knowledge/self.hpp"
+#include "discovery/participant/knowledge/work.hpp"
+#include "env/env.hpp"
+
+namespace geminga::participant {
+
+/// Owns the matcher, the vocabulary in force with its change, what is remembered of class expressions and overlaps, and
+/// the changes of neighbours that wait. Only the participant holds it; everybody else is given the parts that he reads
+/// or changes.
+class Knowledge {
+ public:
+  /// Borrows `env` for its life.
+  Knowledge(env::Env& env, std::string stated_name, vocabulary::Vocabulary vocabulary);
+  Knowledge(const Knowledge&) = delete;
+  Knowledge& operator=(const Knowledge&) = delete;
+
+  Self self;
+  Expressions expressions;
+  Overlaps overlaps;
+  /// Changed by three alone: by the services of our peers (clients/own_services.hpp), by what neighbours change (here),
+  /// and by the change of ontology. Events are taken by clients/telling.hpp.
+  matching::Matcher matcher;
+  OntologyReading reading;
+  OntologyChange ontology_change;
+  Resolver resolver;
+  WorkMeter work;
+
+  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return matcher.vocabulary(); }
+
+  /// Takes in what the table of neighbours has found changed; take_next_change() brings it into the registry.
+  void queue(std::vector<membership::Change> changes);
+  /// The next step of a departure, or of judging what a converter has changed. False: there is none.
+  [[nodiscard]] bool continue_matching() { return matcher.depart_next() || matcher.rejudge_next(); }
+  /// Brings the eldest change of a neighbour into the registry. Only when continue_matching() has nothing to do.
+  void take_next_change();
+  /// Whether one of the two has something to do.
+  [[nodiscard]] bool is_behind() const {
+    return matcher.is_departing() || matcher.has_stale() || !neighbours_.is_empty();
+  }
+  /// Has expressions and overlaps that were put off asked for again, where a new second has begun.
+  void resume_postponed_expressions();
+  void resume_postponed_overlaps();
+
+ private:
+  env::Env& env_;
+  NeighbourQueue neighbours_;
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,116 @@
+#include "discovery/participant/knowledge/resolver.hpp"
+
+#include <utility>
+
+#include "base/text.hpp"
+#include "discovery/matching/preferences.hpp"
+#include "discovery/matching/where.hpp"
+
+namespace geminga::participant {
+namespace {
+
+std::expected<std::string, Error> resolve_class(const vocabulary::Vocabulary& vocabulary, std::string_view key,
+                                                const std::string& name) {
+  const auto impossible = [&](const std::string& why) {
+    return std::unexpected(Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + why});
+  };
+  if (vocabulary.is_expression(name)) {
+    return impossible("a class expression can be asked for, not offered, and is no representation: name a class");
+  }
+  const auto found = vocabulary.find(name);
+  if (!found) return impossible(found.error());
+  if (!vocabulary.is_consistent()) {
+    return impossible(
+        "the ontology contradicts itself, so that no class can have an instance: see geminga-query ontology");
+  }
+  if (!vocabulary.is_satisfiable(*found)) {
+    return impossible("the class is unsatisfiable, nothing can be one: geminga-query explain says why");
+  }
+  return std::string(vocabulary.iri(*found));
+}
+
+/// The identity of a concept whose IRI or canonical expression is known.
+std::expected<Identity, Error> with_representation(const vocabulary::Vocabulary& vocabulary, std::string concept_iri,
+                                                   const std::string& representation_name) {
+  SemanticIdentity identity{.concept_iri = std::move(concept_iri), .representation_iri = {}};
+  if (!representation_name.empty()) {
+    auto representation_iri = resolve_class(vocabulary, "representation", representation_name);
+    if (!representation_iri) return std::unexpected(representation_iri.error());
+    identity.representation_iri = std::move(*representation_iri);
+  }
+  return identity;
+}
+
+}  // namespace
+
+std::unexpected<Error> Resolver::without_ontology(const std::string& concept_name) const {
+  Error error = no_ontology();
+  if (error.code == ErrorCode::impossible) error.text = "concept=" + base::printable(concept_name) + ": " + error.text;
+  return std::unexpected(std::move(error));
+}
+
+std::expected<Identity, Error> Resolver::resolve_offered(const NamedIdentity& named) const {
+  if (const auto* number = std::get_if<NumericIdentity>(&named)) return *number;
+  if (const auto* text = std::get_if<TextIdentity>(&named)) return *text;
+  const auto& names = std::get<ConceptNames>(named);
+  if (!vocabulary().is_loaded()) return without_ontology(names.concept_name);
+  auto concept_iri = resolve_class(vocabulary(), "concept", names.concept_name);
+  if (!concept_iri) return std::unexpected(concept_iri.error());
+  return with_representation(vocabulary(), std::move(*concept_iri), names.representation_name);
+}
+
+std::expected<Identity, Error> Resolver::resolve_asked(const NamedIdentity& named) {
+  const auto* names = std::get_if<ConceptNames>(&named);
+  const bool is_expression =
+      names != nullptr && vocabulary().is_loaded() && vocabulary().is_expression(names->concept_name);
+  if (!is_expression) return resolve_offered(named);
+  auto resolved = expressions_.resolve(vocabulary(), names->concept_name);
+  if (!resolved) {
+    return std::unexpected(
+        Error{resolved.error().code, "concept=" + base::printable(names->concept_name) + ": " + resolved.error().text});
+  }
+  return with_representation(vocabulary(), std::move(*resolved), names->representation_name);
+}
+
+Expressions::Place Resolver::place(const std::string& canonical) {
+  return expressions_.place(vocabulary(), canonical, std::nullopt, env_.now());
+}
+
+bool Resolver::is_awaited(const std::expected<Identity, Error>& identity) const {
+  return !vocabulary().is_loaded() && !identity && identity.error().code == ErrorCode::not_ready;
+}
+
+Error Resolver::no_ontology() const {
+  if (reading_.is_loading) {
+    const auto since = std::chrono::duration_cast<std::chrono::seconds>(env_.now() - reading_.begun_at);
+    return {ErrorCode::not_ready,
+            "not ready: the ontology is being loaded (" + std::to_string(since.count()) + " s): ask again"};
+  }
+  if (!reading_.failure.empty()) return {ErrorCode::impossible, "no ontology is loaded: " + reading_.failure.front()};
+  return {ErrorCode::impossible, "no ontology is loaded: start gemingad with --ontology"};
+}
+
+/// The error, unless an ontology that is to come may mend it.
+Refusal Resolver::unless_awaited(Refusal refusal) const {
+  if (!refusal || vocabulary().is_loaded()) return refusal;
+  Error missing = no_ontology();
+  return missing.code == ErrorCode::not_ready ? Refusal(std::move(missing)) : refusal;
+}
+
+Refusal Resolver::check_condition(std::string_view condition, std::string_view key) const {
+  auto refusal = matching::check_where(condition, key, vocabulary().units());
+  const bool is_of_unit = refusal && !matching::unit_problem(condition, vocabulary().units()).empty();
+  return is_of_unit ? unless_awaited(std::move(refusal)) : refusal;
+}
+
+Refusal Resolver::check_conditions(const Publication& publication) const {
+  return check_condition(publication.for_whom, "for");
+}
+
+Refusal Resolver::check_conditions(const Subscription& subscription) const {
+  if (auto refusal = check_condition(subscription.where, "where")) return refusal;
+  auto refusal = matching::check_preferences(subscription, vocabulary().units());
+  return subscription.prefer.empty() ? refusal : unless_awaited(std::move(refusal));
+}
+
+}  // namespace geminga::participant
