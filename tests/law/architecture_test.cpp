@@ -1,7 +1,7 @@
-// Compares the table of folders in ARCHITECTURE.md with the DEPENDS of the modules.
+// Compares the tables of folders, in ARCHITECTURE.md and in the READMEs of folders with rooms, with the DEPENDS of the
+// modules.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <regex>
 
 #include "law/source_tree.hpp"
@@ -9,26 +9,34 @@
 namespace geminga::law {
 namespace {
 
-/// What the table says: the last column of each row that begins with a folder of src/ or tools/, named as in the law.
-Law read_table() {
+/// Adds the rows of a document's table of folders: those that begin with a folder of src/ or tools/. The last column is
+/// what the folder may include, named as in the law.
+void read_table(const SourceFile& document, Law& law) {
   static const std::regex row(R"(\| (?:src/)?((?!include)[a-z/]+)/ \|.*\| ([^|]+) \|)");
   static const std::regex word(R"([a-z/]+)");
-  std::ifstream file(std::string(GEMINGA_SOURCE_DIR) + "/ARCHITECTURE.md");
-  Law law;
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : document.lines) {
     std::smatch match;
     if (!std::regex_match(line, match, row)) continue;
-    auto& depends = law[match[1]];
     const std::string last = match[2];
+    auto& depends = law[match[1]];
     for (auto w = std::sregex_iterator(last.begin(), last.end(), word); w != std::sregex_iterator(); ++w)
       depends.insert(w->str());
+  }
+}
+
+/// The table of ARCHITECTURE.md, and those of the READMEs that tell of the rooms within a folder.
+Law read_tables() {
+  Law law;
+  for (const SourceFile& document : files_below("", {"ARCHITECTURE.md", "README.md"})) {
+    const std::string& path = document.path;
+    if (path == "ARCHITECTURE.md" || path.starts_with("src/") || path.starts_with("tools/")) read_table(document, law);
   }
   return law;
 }
 
 TEST(Architecture, TellsOfEveryModuleAndWhatItMayInclude) {
   const Law law = read_law();
-  const Law table = read_table();
+  const Law table = read_tables();
   for (const auto& [module, depends] : law) {
     const auto row = table.find(module);
     ASSERT_NE(row, table.end()) << module << "/ has no row";

@@ -16,7 +16,7 @@ std::string read_text(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// What stands behind DEPENDS in the arguments of a call.
+/// The words behind DEPENDS in the arguments of a call.
 std::set<std::string> depends_in(const std::string& arguments) {
   static const std::regex word(R"(\S+)");
   std::set<std::string> depends;
@@ -34,12 +34,15 @@ std::set<std::string> depends_in(const std::string& arguments) {
 
 }  // namespace
 
-std::vector<SourceFile> source_files(std::string_view folder) {
+std::vector<SourceFile> files_below(std::string_view folder, const std::vector<std::string>& endings) {
   const std::filesystem::path root = GEMINGA_SOURCE_DIR;
   std::vector<SourceFile> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
-    const auto extension = entry.path().extension();
-    if (!entry.is_regular_file() || (extension != ".hpp" && extension != ".cpp" && extension != ".h")) continue;
+  for (auto at = std::filesystem::recursive_directory_iterator(root / folder); at != decltype(at)(); ++at) {
+    const auto& entry = *at;
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && (name == "build" || name.starts_with('.'))) at.disable_recursion_pending();
+    const auto ends_so = [&](const std::string& ending) { return name.ends_with(ending); };
+    if (!entry.is_regular_file() || std::ranges::none_of(endings, ends_so)) continue;
     SourceFile file{std::filesystem::relative(entry.path(), root).string(), {}};
     std::istringstream stream(read_text(entry.path()));
     for (std::string line; std::getline(stream, line);) file.lines.push_back(line);
@@ -47,6 +50,17 @@ std::vector<SourceFile> source_files(std::string_view folder) {
   }
   std::ranges::sort(files, {}, &SourceFile::path);
   return files;
+}
+
+std::vector<SourceFile> source_files(std::string_view folder) { return files_below(folder, {".hpp", ".cpp", ".h"}); }
+
+std::vector<SourceFile> all_sources() {
+  std::vector<SourceFile> all;
+  for (const char* folder : {"src", "include", "tools", "tests", "examples"}) {
+    std::ranges::move(files_below(folder, {".hpp", ".cpp", ".h", ".c", ".py", ".java", ".js", ".mjs"}),
+                      std::back_inserter(all));
+  }
+  return all;
 }
 
 Law read_law() {

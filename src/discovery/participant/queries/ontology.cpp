@@ -2,8 +2,8 @@
 #include "base/text.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
-#include "reasoning/vocabulary/sources.hpp"
 #include "discovery/participant/queries/queries.hpp"
+#include "reasoning/vocabulary/sources.hpp"
 
 namespace geminga::participant {
 namespace {
