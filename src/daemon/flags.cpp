@@ -42,7 +42,7 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
   app.set_version_flag("--version", "gemingad " GEMINGA_VERSION, "Print the version and end");
   Flags flags;
   app.add_flag("--check-config", flags.is_check_only,
-               "Check configuration and ontologies, print what would hold, and end");
+               "Check configuration and ontologies, print the resulting configuration, and end");
   app.add_option("--generate-key", flags.key_to_generate, "Write a new key for a team into this file, and end")
       ->type_name("FILE");
   std::list<std::pair<const Key*, std::vector<std::string>>> given;  // a list, because CLI11 keeps references

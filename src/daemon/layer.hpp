@@ -34,12 +34,12 @@ inline constexpr std::array<Key, 17> keys{{
      "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo",
      ""},
     {"peer", ValueType::texts, "HOST[:PORT]",
-     "Send copies to this host, where multicast does not pass; without a team key the other side names us, too. '*': "
-     "speak with whoever has the key. May be given many times",
+     "Send copies to this host, where multicast does not pass; without a team key the other host has to name this one, "
+     "too. '*': accept every host with the team's key. May be given many times",
      ""},
     {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)", ""},
     {"gcnp", ValueType::texts, "ADDRESS:PORT",
-     "Listen for local clients there; may be given many times; none: not over TCP (default: 127.0.0.1:4717 and "
+     "Listen for local clients there; may be given many times; none: no TCP (default: 127.0.0.1:4717 and "
      "[::1]:4717)",
      ""},
     {"gcnp-socket", ValueType::text, "PATH",
@@ -57,12 +57,12 @@ inline constexpr std::array<Key, 17> keys{{
      "one seals, all of them open",
      ""},
     {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed",
-     "How, where there is a key: encrypted, authenticated, or on the way there prepared, then mixed (default: "
-     "encrypted)",
+     "Mode of sealing, where there is a key: encrypted, authenticated, or, to introduce keys in a team, prepared and "
+     "then mixed (default: encrypted)",
      ""},
     {"state-folder", ValueType::text, "FOLDER",
-     "Keep there who this daemon is, so that the team knows its next life at once (default: $STATE_DIRECTORY, as "
-     "systemd sets it; else nothing is kept)",
+     "Keep the daemon's identity there across restarts, so that the team recognizes it at once (default: "
+     "$STATE_DIRECTORY, as systemd sets it; else no identity is kept)",
      ""},
     {"http", ValueType::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
     {"log-level", ValueType::text, "debug|info|warning|error", "debug, info, warning or error (default: info)", ""},

@@ -1,11 +1,16 @@
 #include "daemon/status.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdio>
 #include <iterator>
+#include <memory>
 
 #include "base/text.hpp"
-#include "daemon/usage.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -14,6 +19,34 @@ std::string decimal(double number) {
   char digits[32];
   const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::fixed, 3);
   return error == std::errc() ? std::string(std::begin(digits), end) : "0";
+}
+
+/// The memory and processor time of this process, as the kernel counts them.
+struct Usage {
+  std::uint64_t resident_bytes = 0;
+  std::uint64_t peak_resident_bytes = 0;
+  double processor_seconds = 0;
+};
+
+/// Reads /proc and getrusage(2); zero where they cannot be read.
+Usage read_usage() {
+  Usage usage;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen("/proc/self/statm", "re"), &std::fclose);
+  unsigned long total = 0;
+  unsigned long resident = 0;
+  if (file && std::fscanf(file.get(), "%lu %lu", &total, &resident) == 2) {
+    usage.resident_bytes = resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  }
+  rusage counted{};
+  if (::getrusage(RUSAGE_SELF, &counted) == 0) {
+    // The kernel samples the peak now and then, and may have missed the present size.
+    usage.peak_resident_bytes = std::max(static_cast<std::uint64_t>(counted.ru_maxrss) * 1024, usage.resident_bytes);
+    const auto seconds = [](const timeval& time) {
+      return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+    };
+    usage.processor_seconds = seconds(counted.ru_utime) + seconds(counted.ru_stime);
+  }
+  return usage;
 }
 
 std::string interface_words(const env::AsioEnv& env) {

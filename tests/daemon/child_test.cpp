@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// Runs `sh -c SCRIPT` as a child to its end. The shell can do what it has built in, and become another program.
+/// Runs `sh -c SCRIPT` as a child to its end. The shell can run its own commands, and become another program.
 ChildEnd shell(const std::string& script, const ChildLimits& limits = {}, int output = -1) {
   boost::asio::io_context context;
   std::optional<ChildEnd> end;
@@ -123,7 +123,7 @@ TEST(Child, IsKilledWithItsOwner) {
         Child::start(context, "/bin/sh", {"-c", "exec sleep 1000"}, {}, [&](const ChildEnd&) { was_called = true; });
     ASSERT_TRUE(child);
   }
-  context.run();  // ends at once, because nothing is left to wait for
+  context.run();  // ends at once: no event is left
   EXPECT_FALSE(was_called);
 }
 

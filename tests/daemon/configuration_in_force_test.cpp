@@ -1,4 +1,4 @@
-// What a reload changes, what it leaves to the next start, and what it says of both.
+// Reloads: settings that change at once, settings that await the next start, and errors.
 #include "daemon/configuration_in_force.hpp"
 
 #include <gtest/gtest.h>

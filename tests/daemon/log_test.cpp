@@ -53,7 +53,7 @@ TEST(Log, DropsWhatIsLessSevereThanItsLevel) {
   EXPECT_THAT(said, HasSubstr("and now this"));
 }
 
-/// Standard error is this descriptor for as long as this lives.
+/// Makes this descriptor standard error for its life.
 class AsStandardError {
  public:
   explicit AsStandardError(int descriptor) : before_(::dup(STDERR_FILENO)) { ::dup2(descriptor, STDERR_FILENO); }
@@ -68,7 +68,7 @@ class AsStandardError {
   int before_;
 };
 
-/// What can be read from it at once.
+/// Everything that can be read from it at once.
 std::string read_all(int descriptor) {
   ::fcntl(descriptor, F_SETFL, O_NONBLOCK);
   std::string text;
@@ -80,7 +80,7 @@ std::string read_all(int descriptor) {
 
 constexpr int many = 10'000;  // far more than any pipe or socket holds
 
-/// Logs more than there is room for while nobody reads, reads all, and logs on.
+/// Logs more than the pipe holds, reads all, and logs on.
 void stall(std::array<int, 2> reader_and_writer) {
   const auto [reader, writer] = reader_and_writer;
   const AsStandardError standard_error(writer);
@@ -118,7 +118,7 @@ TEST(Log, FinishesALineThatWasBegunWithoutWaitingForTheNext) {
     const AsStandardError standard_error(ends[1]);
     Log log(LogLevel::info, LogFormat::text);
     const std::string line(4000, 'x');
-    // The time stamp makes each longer than what a pipe takes whole or not at all.
+    // With the time stamp each line is longer than the octets that a pipe takes whole or not at all.
     while (log.dropped() == 0) log.write(LogLevel::info, line + std::string(96, 'y'));
     std::string said = read_all(ends[0]);
     log.catch_up();

@@ -1,4 +1,4 @@
-// The loader against compilers of our own making: what it starts, what it says of failures, what it leaves behind.
+// The loader with shell scripts as compilers: arguments, failures, leftovers.
 #include "daemon/ontology_loader.hpp"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ class OntologyLoaderTest : public testing::Test {
     fs::remove_all(folder);
   }
 
-  /// A compiler that is this shell script.
+  /// Makes this shell script the compiler.
   std::string compiler(const std::string& script) {
     const fs::path path = folder / "compiler";
     std::ofstream(path) << "#!/bin/sh\n" << script << '\n';
@@ -167,7 +167,7 @@ TEST_F(OntologyLoaderTest, VerifiesAllOfACompiledOntologyOnlyWhereOneIsInForce) 
   load_once();
   load_once();
   bytes.back() ^= std::byte{1};
-  fs::remove(path);  // what is mapped is never written into
+  fs::remove(path);  // a mapped file is never written to
   write();
   load_once();
   ASSERT_EQ(results.size(), 3U);

@@ -1,4 +1,4 @@
-// An ontology is prepared beside an event loop that goes on reading it; what is given up brings nothing.
+// An ontology is prepared while the event loop reads it. A preparation that is given up has no result.
 #include "daemon/preparation.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::shared_ptr<const compiled::Ontology> ontology_of(int classes) {
 
 class PreparationTest : public testing::Test {
  protected:
-  /// Looks at the parts of the ontology that are verified when they are needed, again and again while it is prepared.
+  /// Reads the parts of the ontology that are verified on first use, again and again while it is prepared.
   void read(const compiled::Ontology& ontology) {
     if (!preparation.is_at_work()) return;
     ++reads;

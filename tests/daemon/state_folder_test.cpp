@@ -1,4 +1,4 @@
-// What a daemon finds and leaves in its state folder.
+// The file that a daemon reads and writes in its state folder.
 #include "daemon/state_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// The man page and the completions of a program that is as awkward as it can be.
+// The man page and the completions of a program with the most awkward flags.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ class Manual : public testing::Test {
 
   [[nodiscard]] Outline outline() const { return outline_of(app_); }
 
-  /// What bash would offer for the last word.
+  /// The words that bash offers for the last one.
   [[nodiscard]] std::vector<std::string> offered(const std::vector<std::string>& words) const {
     std::string script = bash_completion(outline()) + "\nCOMP_WORDS=(";
     for (const std::string& word : words) script += " '" + word + "'";

@@ -1,4 +1,4 @@
-// A folder of files for a daemon, and a small ontology to put there.
+// A folder of files for a daemon, and a small ontology for it.
 #ifndef GEMINGA_TESTS_SYSTEM_FOLDER_HPP
 #define GEMINGA_TESTS_SYSTEM_FOLDER_HPP
 
@@ -47,7 +47,7 @@ inline constexpr const char* animals = R"(@prefix : <http://zoo.example/#> .
 
 inline std::string shipped(const std::string& name) { return std::string(GEMINGA_SOURCE_DIR) + "/ontology/" + name; }
 
-/// Starts a gemingad that is expected to refuse.
+/// Runs a gemingad that is to end by itself.
 inline Ran refused(const std::vector<std::string>& flags, std::map<std::string, std::string> environment = {}) {
   std::vector<std::string> words{program("gemingad")};
   words.insert(words.end(), flags.begin(), flags.end());

@@ -1,4 +1,4 @@
-// Real daemons and somebody on the link who speaks in their names; and what is dropped, counted.
+// Real daemons beside a forger on the link who sends in their names; dropped datagrams are counted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TEST(Forger, ThatSaysGoodbyeInADaemonsNameIsContradictedAtOnce) {
   Talk talk = lab.talk(0);
   talk.say("1 pub create mode=otm/stream text=ball port=5000");
   announcement::Announcement last;
-  for (int silent = 0; silent < 100;) {  // until the copies of the change are over
+  for (int silent = 0; silent < 100;) {  // until the copies of the change have been sent
     const auto datagram = stranger.hear();
     if (datagram && read(*datagram).kind == announcement::Kind::state) last = read(*datagram);
     silent = datagram ? 0 : silent + 1;
@@ -111,20 +111,20 @@ TEST(Dropped, DatagramsFromOffTheLinkFromNoPeerAndFromWhereAPeerCannotBeAreCount
   const auto has = [](const char* key) {
     return [key](const std::vector<std::string>& lines) { return counted(lines, key) == 1; };
   };
-  if (!lab.has_namespaces()) {  // on the loopback interface everybody is on the link
+  if (!lab.has_namespaces()) {  // on the loopback interface every host is on the link
     lab.start(0, {"--peer", "127.0.0.9"});
     const Stranger stranger(lab, 0, "127.0.0.2");
     ASSERT_TRUE(stranger.send_to("127.0.0.1", lab.udp_port(), "from no peer"));
     EXPECT_TRUE(lab.talk(0).wait_until("status", has("dropped_no_peer")));
     return;
   }
-  // The robot's second network is where its peer 192.0.2.5 is; the stranger on the first one has that address, too.
+  // The peer 192.0.2.5 is on the robot's second network; the stranger on the first one has that address, too.
   lab.visit(0, [] {
     ip("link add eth9 type veth peer name far9");
     ip("address add 192.0.2.1/24 dev eth9");
     ip("link set far9 up");
     ip("link set eth9 up");
-    // The kernel's own check of source addresses lets everything pass, as on many hosts.
+    // The kernel does not check source addresses, as on many hosts.
     for (const char* interface : {"all", "wlan0", "eth9"})
       std::ofstream("/proc/sys/net/ipv4/conf/" + std::string(interface) + "/rp_filter") << "0";
   });

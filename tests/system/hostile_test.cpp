@@ -1,4 +1,4 @@
-// What strangers send over the network and over GCNP, and that it costs nobody else anything.
+// Hostile datagrams and GCNP lines cost no other client and no other host anything.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ using testing::StartsWith;
 
 constexpr std::uint64_t seed = 4717;
 
-/// The sum of all counters of refused datagrams in an answer to `query status`. What begins like an envelope is counted
-/// by sealing.
+/// The sum of all counters of refused datagrams in an answer to `query status`. Sealing counts datagrams that begin
+/// like an envelope.
 long refused(const std::vector<std::string>& lines) {
   const std::string status = lines.empty() ? "" : lines[0];
   long sum = 0;
@@ -99,7 +99,7 @@ TEST(End, ComesUnderAFloodOfDatagramsAndStatements) {
   std::vector<Talk> talks;
   for (int number = 0; number < 4; ++number) talks.push_back(lab.talk(0));
   std::atomic<bool> is_over = false;
-  std::vector<std::jthread> floods;  // end before what they use
+  std::vector<std::jthread> floods;  // end before the objects that they use
   floods.emplace_back([&] {
     const std::string junk(200, 'x');
     while (!is_over) (void)stranger.send(junk);

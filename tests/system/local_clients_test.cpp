@@ -1,4 +1,4 @@
-// Local programs that know no manners, or speak another language, and the Unix socket that keeps strangers out.
+// Local programs that flood or speak another protocol, and the Unix socket that keeps other users out.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -22,7 +22,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
-/// A daemon that listens at a path and nowhere else.
+/// A daemon that listens at a path only.
 class UnixSocket : public testing::Test {
  protected:
   UnixSocket() {

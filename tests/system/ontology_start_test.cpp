@@ -1,4 +1,4 @@
-// A daemon and its ontology: one that is not there yet, one that cannot be read, one that is overwritten while in use.
+// A daemon and its ontology: still loading, unreadable, or overwritten while in use.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ TEST(Reload, KeepsTheOntologyInForceWhenTheNewOneContradictsItself) {
   EXPECT_THAT(consumer.query("status")[0], Not(HasSubstr("ontology_failed")));
 }
 
-/// A gemingad beside a geminga-ontology of our own making, a shell script without other programs.
+/// A gemingad with a shell script as geminga-ontology, which can start no program.
 class WithCompiler {
  public:
   WithCompiler(const Folder& folder, const std::string& script) {
@@ -195,7 +195,7 @@ TEST(Ontology, InUseMayBeOverwritten) {
   lab.start(0, {"--ontology", compiled});
   Talk talk = lab.talk(0);
   const auto asks = [&](const std::string& id) {
-    talk.say(id + " pub create mode=otm/stream concept=Cat port=5000");  // by label, which is read late
+    talk.say(id + " pub create mode=otm/stream concept=Cat port=5000");  // by label: labels are read last
     talk.say(id + "1 query explain sub=<http://zoo.example/#Cat> super=<http://zoo.example/#Animal>");
     const auto lines = talk.lines_until_pong();
     EXPECT_THAT(lines, Contains(HasSubstr("subsumed=1"))) << "after " << id;

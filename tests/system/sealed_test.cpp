@@ -1,4 +1,4 @@
-// Real daemons with keys: who hears whom, a rotation by SIGHUP, and what the tools show of it.
+// Real daemons with keys: which ones hear each other, a rotation by SIGHUP, and the output of the tools.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Makes a key file by gemingad, and gives the key's id.
+/// Makes a key file by gemingad. Returns the key's id.
 std::string make_key(const std::string& path) {
   const Ran made = refused({"--generate-key", path});
   EXPECT_EQ(made.status, 0) << made.said;
@@ -132,7 +132,7 @@ TEST(Sealed, DaemonsRefuseAKeyThatOthersCanRead) {
   EXPECT_THAT(good.said, AllOf(HasSubstr("key-file = [\"" + key + "\"]\n"), HasSubstr("sealing = \"mixed\"\n")));
 }
 
-/// Two daemons that no multicast joins: other groups and other ports.
+/// Two daemons without common multicast: their groups and ports differ.
 std::vector<std::string> apart(const Lab& lab, std::size_t host, const Folder& folder) {
   return {"--interval",  "0.1",
           "--key-file",  folder.path("team.key"),

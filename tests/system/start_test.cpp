@@ -1,4 +1,4 @@
-// What gemingad says when it starts, when it cannot, and when it is asked to end or to read everything again.
+// The words of gemingad at its start, at a failed start, at a reload and at its end.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -214,7 +214,7 @@ TEST(Reload, KeepsTheOntologyInForceWhenTheNewOneIsBroken) {
   talk.say("1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5000");
   EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
 
-  // Whoever looks later sees it, too, until it is mended.
+  // Queries show the failure until it is mended.
   talk.say("2 query ontology");
   EXPECT_TRUE(talk.line_with({"2 msg ontology failed=", file + ":8"}));
   folder.write("zoo.ttl", animals);

@@ -1,4 +1,4 @@
-// A program on a host of the lab that listens to the team's group and says there what it likes.
+// A program on a host of the lab that listens to the team's group and sends any datagram there.
 #ifndef GEMINGA_TESTS_SYSTEM_STRANGER_HPP
 #define GEMINGA_TESTS_SYSTEM_STRANGER_HPP
 
@@ -11,20 +11,20 @@
 
 namespace geminga::system {
 
-/// Needs no rights that any other program there has not.
+/// Needs no rights that other programs lack.
 class Stranger {
  public:
-  /// `source`: the address that it sends from, the host's own unless told.
+  /// `source` is the address that it sends from; the host's own by default.
   Stranger(const Lab& lab, std::size_t host, const std::string& source = "");
   ~Stranger();
   Stranger(const Stranger&) = delete;
   Stranger& operator=(const Stranger&) = delete;
 
-  /// To the group. False where the system refuses.
+  /// Sends to the group. False where the system refuses.
   [[nodiscard]] bool send(const std::string& bytes) const;
-  /// To one host alone.
+  /// Sends to one host.
   [[nodiscard]] bool send_to(const std::string& address, std::uint16_t port, const std::string& bytes) const;
-  /// The next datagram that somebody else sends to the group; nothing when a moment has passed without one.
+  /// The next datagram that another program sends to the group; nothing after a moment without one.
   [[nodiscard]] std::optional<std::string> hear() const;
 
  private:

@@ -16,10 +16,10 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// Short, so that deadlines come soon.
+/// Flags with a short interval, so that deadlines come soon.
 const std::vector<std::string> quick{"--interval", "0.1"};
 
-/// Waits until the daemon has heard so many more datagrams: repetitions of what it knows among them.
+/// Waits until the daemon has heard so many more datagrams, repetitions included.
 [[nodiscard]] bool hears(Talk& talk, long datagrams) {
   const auto heard = [](const std::vector<std::string>& lines) {
     const std::string count = lines.empty() ? "" : field(lines[0], "datagrams_received");
@@ -115,7 +115,7 @@ TEST(Team, OfSevenLosesAndDoublesNoEvent) {
 
 TEST(Team, IsToldAtOnceThatADaemonWasEnded) {
   Lab lab(3);
-  lab.start_all({"--interval", "30"});  // far longer than patience: only the goodbye can be the reason
+  lab.start_all({"--interval", "30"});  // longer than the test waits: only the goodbye can be the reason
   std::vector<Talk> consumers;
   for (const std::size_t host : {1U, 2U}) {
     consumers.push_back(lab.talk(host));
@@ -225,7 +225,7 @@ TEST(Team, MeetsByNamedPeersWhereMulticastDoesNotPass) {
   Lab lab(2);
   const auto port = [&](std::size_t host) { return std::to_string(lab.udp_port() + 1 + static_cast<int>(host)); };
   for (const std::size_t host : {0U, 1U}) {
-    const std::size_t other = 1 - host;  // other groups and other ports: only the copies for the peer can arrive
+    const std::size_t other = 1 - host;  // groups and ports differ: only the copies for the peer can arrive
     lab.start(host, {"--interval", "0.1", "--port", port(host), "--multicast", "239.192.47.2" + std::to_string(host),
                      "--peer", lab.address_of(other) + ':' + port(other)});
   }

@@ -1,6 +1,6 @@
 // The transcripts of matching (discovery/participant/transcripts), which the simulator plays, on real daemons. Time is
-// not virtual here: a line that is expected is waited for, and `@ wait` ends when all hosts know what the others have
-// said.
+// not virtual here: the test waits for an expected line, and `@ wait` ends when all hosts know the statements of the
+// others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,9 +25,9 @@
 namespace geminga::system {
 namespace {
 
-/// No transcript uses such numbers.
+/// Numbers that no transcript uses.
 constexpr std::uint32_t first_marker = 4'000'000'000;
-/// A word of one host makes another one say something, which may make the first one say something.
+/// A statement of one host can cause one of another, and that can cause one of the first.
 constexpr int rounds_of_a_wait = 2;
 
 class LiveTranscript {
@@ -54,7 +54,7 @@ class LiveTranscript {
   struct Client {
     std::size_t host;
     Talk talk;
-    std::deque<std::string> lines{};  ///< that came, and were not expected yet
+    std::deque<std::string> lines{};  ///< that came and were not expected so far
   };
 
   /// Hosts are called robot1, robot2 and so on.
@@ -111,7 +111,7 @@ class LiveTranscript {
     }
   }
 
-  /// A daemon that runs has its file mapped, so that another one takes the place of that.
+  /// Replaces the file instead of writing to it: a running daemon has it mapped.
   void load(std::size_t host, const std::string& ontology) {
     const auto bytes = sim::compiled_small_ontology(ontology);
     ASSERT_TRUE(bytes) << at_;
@@ -150,14 +150,14 @@ class LiveTranscript {
     return text.append(pattern);
   }
 
-  /// Until the daemon has handled all that the client said: it answers a statement that no transcript makes.
+  /// Waits until the daemon has handled all statements of the client: it answers one that no transcript makes.
   void wait_for_answer(Client& client) {
     const std::string number = std::to_string(++marker_);
     ASSERT_TRUE(client.talk.send(number + " sub remove\r\n")) << at_;
     ASSERT_TRUE(take_until(client, number + " 404 ")) << at_;
   }
 
-  /// Keeps all lines before the one that begins so.
+  /// Keeps all lines before the one with this beginning.
   [[nodiscard]] static bool take_until(Client& client, const std::string& begin) {
     while (auto came = client.talk.line()) {
       if (came->starts_with(begin)) return true;
@@ -166,7 +166,7 @@ class LiveTranscript {
     return false;
   }
 
-  /// One client a host, where there is one.
+  /// One client of each host that has clients.
   [[nodiscard]] std::map<std::size_t, Client*> speakers() const {
     std::map<std::size_t, Client*> found;
     for (const auto& [name, client] : clients_) {
@@ -175,9 +175,9 @@ class LiveTranscript {
     return found;
   }
 
-  /// Until each host knows what each other one has said: a host's words come in their order, so it is enough that all
-  /// hear of something that each has offered last. That others have withdrawn their last wishes for it may come later,
-  /// so who asks for requests must say for which.
+  /// Waits until each host knows the statements of the others. A host's statements come in their order, so it is enough
+  /// that all hosts know the last service of each. Withdrawals of the last requests for it may come later, so a query
+  /// for requests must name them.
   void settle() {
     for (int round = 0; round < rounds_of_a_wait && !testing::Test::HasFailure(); ++round) {
       const auto all = speakers();

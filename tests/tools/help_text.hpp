@@ -1,4 +1,4 @@
-// What the --help of a program says, read as its users do.
+// The --help of a program, read by its layout.
 #ifndef GEMINGA_TESTS_TOOLS_HELP_TEXT_HPP
 #define GEMINGA_TESTS_TOOLS_HELP_TEXT_HPP
 

@@ -48,7 +48,7 @@ bool write_stats(const ClassifiedFiles& classified, unsigned threads, const std:
   return file.good();
 }
 
-/// One object a node of equivalents: {"classes": [...], "parents": [...]}, a parent by its first name.
+/// One object for each node of equivalents: {"classes": [...], "parents": [...]}, a parent by its first name.
 boost::json::array nodes_of(const Hierarchy& hierarchy, std::string_view members_key) {
   boost::json::array nodes;
   for (std::uint32_t node = 0; node < hierarchy.members.size(); ++node) {

@@ -77,7 +77,7 @@ std::vector<std::string> remarks(const ClassifiedFiles& classified, const compil
 Exit compile(const CompileRequest& request, const WorkLimits& limits) {
   constexpr std::size_t max_remarks = 20;
   base::Budget budget = budget_of(limits);
-  // The daemon reads standard output and logs what is said on standard error as warnings.
+  // The daemon reads standard output, and logs each line on standard error as a warning.
   auto classified =
       classify_or_say(request.files, {.says_files = request.out != to_standard_output, .budget = &budget});
   if (!classified) return Exit::usage;

@@ -1,5 +1,13 @@
 // `geminga-ontology draw`: a picture of the taxonomy, one box for each node of equivalent classes.
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <memory>
 
 #include "ontology/command/options.hpp"
@@ -7,7 +15,6 @@
 #include "ontology/commands.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
-#include "ontology/picture/graphviz.hpp"
 #include "ontology/picture/picture.hpp"
 
 namespace geminga::ontology {
@@ -19,6 +26,48 @@ struct DrawRequest {
   std::string format = "dot";
   unsigned depth = 0;  ///< 0: all
   bool is_compact = false;
+};
+
+/// Graphviz as a child process, which turns a graph in its language into SVG on standard output.
+class Graphviz {
+ public:
+  /// Starts the program dot, which waits for its input. False where there is none. To be called before the cage is
+  /// closed, which lets no program start.
+  bool start() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    std::string program = "dot";
+    std::string flag = "-Tsvg";
+    char* arguments[] = {program.data(), flag.data(), nullptr};
+    const int error = posix_spawnp(&child_, program.c_str(), &actions, nullptr, arguments, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[0]);
+    input_ = ends[1];
+    return error == 0;
+  }
+
+  /// Gives dot the text and waits for its end. False where it failed.
+  [[nodiscard]] bool draw(std::string_view text) const {
+    std::signal(SIGPIPE, SIG_IGN);
+    while (!text.empty()) {
+      const ssize_t count = write(input_, text.data(), text.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) break;
+      text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    close(input_);
+    int status = 0;
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
+    return text.empty() && status == 0;
+  }
+
+ private:
+  int input_ = -1;
+  pid_t child_ = 0;
 };
 
 Exit draw(const DrawRequest& request, const Graphviz& graphviz) {

@@ -1,16 +1,27 @@
 // `geminga-ontology explain`: the axioms that entail a subsumption, or what is missing for it.
+#include "reasoning/explanation/explain.hpp"
+
 #include <CLI/CLI.hpp>
+#include <boost/json.hpp>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
-#include "ontology/explain_output.hpp"
+#include "ontology/findings/axioms.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "reasoning/compiled/ontology.hpp"
+#include "reasoning/explanation/proof.hpp"
+#include "reasoning/explanation/why_not.hpp"
 
 namespace geminga::ontology {
 namespace {
+
+using explanation::ExplainedAxiom;
 
 constexpr unsigned default_sets = 10;
 constexpr unsigned max_sets = 1000;
@@ -25,6 +36,152 @@ struct ExplainRequest {
   bool as_json = false;
   unsigned limit = default_sets;
 };
+
+/// A question and its answer.
+struct Explained {
+  taxonomy::ClassNumber sub{};
+  taxonomy::ClassNumber super{};
+  bool is_entailed = false;
+  bool is_all = false;                         ///< all sets are wanted
+  explanation::AllSets sets;                   ///< one set, unless all are wanted
+  std::vector<explanation::Proof> proofs;      ///< of each set, where they are wanted
+  std::optional<explanation::WhyNot> why_not;  ///< where it is not entailed
+};
+
+/// "1", "1 and 2", "1, 2 and 3".
+std::string listed(const std::vector<std::uint32_t>& numbers) {
+  std::string text;
+  for (std::size_t at = 0; at < numbers.size(); ++at) {
+    if (at > 0) text += at + 1 == numbers.size() ? " and " : ", ";
+    text += std::to_string(numbers[at]);
+  }
+  return text;
+}
+
+std::string proof_as_text(const explanation::Proof& proof, const explanation::Explainer& explainer,
+                          const std::string& indent) {
+  std::string text;
+  std::uint32_t number = 0;
+  const auto numbered = [&] {
+    const std::string digits = std::to_string(++number);
+    return indent + std::string(digits.size() < 2 ? 1 : 0, ' ') + digits + ". ";
+  };
+  for (const std::uint32_t axiom : proof.axioms)
+    text += numbered() + axiom_line(explainer.module().explained(axiom)) + '\n';
+  if (!proof.steps.empty()) text += indent + "so\n";
+  for (const explanation::ProofStep& step : proof.steps) {
+    text += numbered() + step.text + "   from " + listed(step.from);
+    text += step.rule == explanation::ProofRule::together ? ": " : " by ";
+    text += std::string(to_string(step.rule)) + '\n';
+  }
+  return text;
+}
+
+std::string set_as_text(const Explained& explained, std::size_t at, const explanation::Explainer& explainer,
+                        const std::string& indent) {
+  if (at < explained.proofs.size()) return proof_as_text(explained.proofs[at], explainer, indent);
+  std::string text;
+  for (const ExplainedAxiom& axiom : explainer.explained(explained.sets.sets[at]))
+    text += indent + axiom_line(axiom) + '\n';
+  return text;
+}
+
+std::string why_not_as_text(const compiled::Ontology& ontology, const Explained& explained) {
+  std::string text;
+  for (const std::string& line : explanation::describe(ontology, explained.sub, explained.super, *explained.why_not))
+    text += line + '\n';
+  return text;
+}
+
+/// "a:A is subsumed by a:B", or its meaning where one of them is owl:Nothing or owl:Thing.
+std::string statement(const compiled::Ontology& ontology, const Explained& explained) {
+  const bool is_nothing = ontology.iri(explained.super) == owl::owl_nothing;
+  if (is_nothing && ontology.iri(explained.sub) == owl::owl_thing) return "The ontology contradicts itself";
+  if (is_nothing) return ontology.short_name(explained.sub) + " can have no instance";
+  return ontology.short_name(explained.sub) + " is subsumed by " + ontology.short_name(explained.super);
+}
+
+boost::json::object as_object(const explanation::Proof& proof, const explanation::Explainer& explainer) {
+  boost::json::object object;
+  boost::json::array& axioms = object["axioms"].emplace_array();
+  std::uint32_t number = 0;
+  for (const std::uint32_t axiom : proof.axioms) {
+    boost::json::object one{{"number", ++number}};
+    for (const auto& member : axiom_object(explainer.module().explained(axiom))) one.insert(member);
+    axioms.push_back(std::move(one));
+  }
+  boost::json::array& steps = object["steps"].emplace_array();
+  for (const explanation::ProofStep& step : proof.steps)
+    steps.push_back(boost::json::object{{"number", ++number},
+                                        {"conclusion", step.text},
+                                        {"rule", to_string(step.rule)},
+                                        {"from", boost::json::value_from(step.from)}});
+  return object;
+}
+
+boost::json::object as_object(const compiled::Ontology& ontology, const explanation::WhyNot& why_not) {
+  boost::json::object object;
+  boost::json::array& common = object["common"].emplace_array();
+  for (const taxonomy::ClassNumber number : why_not.common) common.emplace_back(ontology.iri(number));
+  boost::json::array& ways = object["ways"].emplace_array();
+  for (const explanation::Way& way : why_not.ways) {
+    boost::json::object one = axiom_object(way.axiom);
+    one["sufficient"] = way.is_sufficient;
+    boost::json::array& requirements = one["requirements"].emplace_array();
+    for (const explanation::Requirement& requirement : way.requirements)
+      requirements.push_back(boost::json::object{
+          {"requirement", requirement.text}, {"met", requirement.is_met}, {"remark", requirement.remark}});
+    ways.push_back(std::move(one));
+  }
+  object["excluded"] = why_not.is_excluded;
+  object["exclusion"] = axiom_array(why_not.exclusion);
+  object["may_be_incomplete"] = why_not.may_be_incomplete;
+  return object;
+}
+
+/// `explainer` found the sets; null where the subsumption is not entailed.
+std::string as_text(const compiled::Ontology& ontology, const Explained& explained,
+                    const explanation::Explainer* explainer) {
+  const std::string what = statement(ontology, explained);
+  if (!explained.is_entailed) {
+    return ontology.short_name(explained.sub) + " is not subsumed by " + ontology.short_name(explained.super) + '\n' +
+           (explained.why_not ? why_not_as_text(ontology, explained) : "");
+  }
+  const auto& sets = explained.sets.sets;
+  if (sets.empty() || explainer == nullptr)
+    return what + ", but no engine found within its limits which axioms say so\n";
+  if (sets.front().empty()) return what + ": that is so in every ontology\n";
+  if (!explained.is_all) return what + ", because:\n" + set_as_text(explained, 0, *explainer, "");
+  std::string text = what + ", for " + counted(sets.size(), "reason", "reasons") + ":\n";
+  for (std::size_t at = 0; at < sets.size(); ++at) {
+    text += "reason " + std::to_string(at + 1) + '\n';
+    text += set_as_text(explained, at, *explainer, "  ");
+  }
+  return text +
+         (explained.sets.may_have_more ? "There are more, or may be: raise --limit.\n" : "There are no others.\n");
+}
+
+/// One document on one line.
+std::string as_json(const compiled::Ontology& ontology, const Explained& explained,
+                    const explanation::Explainer* explainer) {
+  boost::json::object document{{"sub", ontology.iri(explained.sub)},
+                               {"super", ontology.iri(explained.super)},
+                               {"entailed", explained.is_entailed}};
+  boost::json::array& first = document["axioms"].emplace_array();
+  const auto& sets = explained.sets.sets;
+  if (explainer != nullptr && !sets.empty()) first = axiom_array(explainer->explained(sets.front()));
+  if (explainer != nullptr && explained.is_all) {
+    boost::json::array& all = document["sets"].emplace_array();
+    for (const explanation::AxiomSet& set : sets) all.push_back(axiom_array(explainer->explained(set)));
+    document["may_have_more"] = explained.sets.may_have_more;
+  }
+  if (explainer != nullptr && !explained.proofs.empty()) {
+    boost::json::array& proofs = document["proofs"].emplace_array();
+    for (const explanation::Proof& proof : explained.proofs) proofs.push_back(as_object(proof, *explainer));
+  }
+  if (explained.why_not) document["why_not"] = as_object(ontology, *explained.why_not);
+  return boost::json::serialize(document) + '\n';
+}
 
 Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "manual/describe.hpp"
 #include "ontology/cage.hpp"
-#include "ontology/command/process_limits.hpp"
+#include "ontology/command/limits.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 

@@ -31,10 +31,10 @@ constexpr const char* examples = R"(Examples:
   tail -f positions | geminga-publish soccer:BallInfo --mode otm/pubsub --send
   geminga-publish --text lamp --mode oto --port 5003 --exec 'echo "$GEMINGA_EVENT by $GEMINGA_NAME"'
 
-Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers as they come (+), change (~, with
-what was otherwise) and go (-, and why). When the daemon goes, ends with status 3; with --keep offers again when it is
-back: consumers that are still there are printed again, the others as gone (unconfirmed). Exit status 2: wrong usage,
-also a name that the daemon's ontology does not know.
+Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers when they come (+), change (~, with
+the former values) and go (-, and why). Ends with status 3 when the daemon goes; with --keep offers again when it is back:
+consumers that are still there are printed again, the others as gone (unconfirmed). Exit status 2: wrong usage, also a name
+that the daemon's ontology does not know.
 
 )";
 
@@ -49,7 +49,7 @@ struct Options {
   bool sends = false;
 };
 
-/// What is wrong with the value of `converts`; empty: nothing.
+/// The error in the value of `converts`; empty: none.
 std::string conversion_fault(const std::string& text) {
   return text.find('>', 1) == std::string::npos ? "must be FROM>TO" : "";
 }
@@ -99,7 +99,7 @@ void add_attribute(Attributes& attributes, const std::string& word, const std::s
   }
 }
 
-/// Reads the positional words and checks what flags cannot say alone. Throws CLI::ValidationError.
+/// Reads the positional words and checks the flags together. Throws CLI::ValidationError.
 void complete(Options& options) {
   std::erase_if(options.words, [&](const auto& word) { return options.shared.identity.takes(word); });
   auto word = options.words.begin();
@@ -118,7 +118,7 @@ void complete(Options& options) {
   options.publication.mode = options.shared.mode_or_stream();
   for (; word != options.words.end(); ++word) {
     const auto pair = shell::key_and_value(*word);
-    if (pair && pair->first == converts) {  // as in GCNP, where it is no slip of `convert` either
+    if (pair && pair->first == converts) {  // as in GCNP, where it does not count as a misspelled `convert` either
       if (const auto fault = conversion_fault(pair->second); !fault.empty()) throw CLI::ValidationError(*word, fault);
       add_attribute(options.publication.attributes, *word, converts);
       continue;

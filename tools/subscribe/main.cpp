@@ -29,8 +29,8 @@ constexpr const char* examples = R"(Examples:
   geminga-subscribe soccer:BallInfo --mode otm/pubsub --listen
   geminga-subscribe --text map --mode oto --exec 'echo "$GEMINGA_EVENT $GEMINGA_NAME $GEMINGA_ADDRESS:$GEMINGA_PORT"'
 
-Prints each event as a line: + a service is there, ~ it changed and what was otherwise, - it is gone and why. With --keep, when
-the daemon was gone and is back, what is still there is printed again, and what is not as gone (unconfirmed).
+Prints each event as a line: + a service is there, ~ it changed, with the former values, - it is gone, and why. With --keep, when
+the daemon was gone and is back, services that are still there are printed again, the others as gone (unconfirmed).
 Ends with status 0 on Ctrl-C, a SIGTERM or after --count events, 4 when --timeout was over before that (with nothing
 printed, where no count is given), 3 when the daemon goes (unless --keep), 2 on wrong usage, also for a name that the
 daemon's ontology does not know.
@@ -49,7 +49,7 @@ struct Options {
   bool listens = false;
 };
 
-/// Throws CLI::ValidationError.
+/// The cost in a word of --convert. Throws CLI::ValidationError.
 std::uint32_t accepted_cost(const std::string& word) {
   if (word == "yes") return any_cost;
   if (word == "no") return 0;
@@ -111,7 +111,7 @@ void add_to(CLI::App& app, Options& options) {
       ->check(shell::whole_number(0, 1'000'000'000'000'000), "", "");
 }
 
-/// Throws CLI::ValidationError.
+/// The providers in the words of a flag. Throws CLI::ValidationError.
 std::vector<ProviderFilter> providers_of(const std::string& flag, const std::vector<std::string>& words) {
   std::vector<ProviderFilter> providers;
   for (const auto& word : words) {
@@ -123,7 +123,7 @@ std::vector<ProviderFilter> providers_of(const std::string& flag, const std::vec
   return providers;
 }
 
-/// Checks what flags cannot say alone. Throws CLI::ValidationError.
+/// Reads the positional words and checks the flags together. Throws CLI::ValidationError.
 void complete(Options& options) {
   std::erase_if(options.concepts, [&](const auto& word) { return options.shared.identity.takes(word); });
   for (auto& concept_name : options.concepts) {
@@ -182,7 +182,7 @@ int run(int argc, char** argv) {
   shell::Stream stream = options.shared.stream(program, commands.get());
   if (options.shared.common.timeout_seconds) {
     stream.timeout = options.shared.common.timeout_or({});
-    // A daemon that accepts and says nothing is not waited for longer than the program may run.
+    // A daemon that accepts and does not answer delays the program no longer than --timeout.
     stream.connection.timeout = std::min(stream.connection.timeout, *stream.timeout);
   }
   stream.count = options.count;

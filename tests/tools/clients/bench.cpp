@@ -40,7 +40,7 @@ Outcome Bench::run(const std::string& program, const std::vector<std::string>& w
     if (inner) inner();
     ::dup2(end, STDERR_FILENO);
   };
-  // What a program says about a mistake fits into the pipe, so it may be read after the program's end.
+  // The error text of a program fits into the pipe, so it may be read after the program's end.
   const system::Ran ran = system::run(start);
   ::close(errors[1]);
   Outcome outcome{ran.status, ran.said, ""};

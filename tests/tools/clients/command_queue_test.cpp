@@ -1,4 +1,4 @@
-// What the programs run commands by: variables, the queue and its limits.
+// The commands that programs run: variables, the queue and its limits.
 #include "shell/command_queue.hpp"
 
 #include <gmock/gmock.h>
@@ -22,10 +22,10 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// What runs until it is ended, so that all others wait.
+/// A command that runs until it is ended, so that all others wait.
 const CommandOptions endless{.command = "exec sleep 1000", .time = std::nullopt, .connect = ""};
 
-/// Events that wait, beside the one whose command runs.
+/// Adds events that wait behind one whose command runs.
 void fill(CommandQueue& queue, std::size_t count) {
   for (std::size_t i = 0; i <= count; ++i) queue.add({{"event", "add"}});
 }
@@ -37,7 +37,7 @@ TEST(CommandQueue, HasRoomForSoManyEvents) {
   EXPECT_TRUE(queue.has_room());
   queue.add({{"event", "add"}});
   EXPECT_FALSE(queue.has_room());
-  queue.add({{"event", "add"}});  // what was on its way all the same is not lost
+  queue.add({{"event", "add"}});  // an event that was on its way is not lost
   EXPECT_FALSE(queue.has_room());
   testing::internal::CaptureStderr();
   queue.stop(SIGTERM);
@@ -46,7 +46,7 @@ TEST(CommandQueue, HasRoomForSoManyEvents) {
   EXPECT_TRUE(queue.has_room());
 }
 
-/// An event that takes so many octets more than one with an empty text.
+/// An event with so many octets more than one with an empty text.
 boost::json::object event_with(std::size_t octets) {
   return {{"event", "add"}, {"attributes", {{"not-a-variable", std::string(octets, 'x')}}}};
 }

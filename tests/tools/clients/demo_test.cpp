@@ -1,4 +1,4 @@
-// tools/demo as a careless user uses it: the team that it keeps is there until it is stopped, and then nothing is left.
+// tools/demo as a careless user runs it: its team lives until it is stopped, and then nothing is left.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class Demo : public testing::Test {
  protected:
   Demo() {
     const fs::path temporary = fs::temp_directory_path();
-    // Teams on the loopback interface have ports of their own each, but every team the same ones.
+    // Hosts on the loopback interface have ports of their own, and every team uses the same ports.
     const fs::path alone = temporary / ("geminga-demo-test-" + std::to_string(::getuid()) + ".lock");
     alone_ = ::open(alone.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
     EXPECT_EQ(::flock(alone_, LOCK_EX), 0);
@@ -57,7 +57,7 @@ class Demo : public testing::Test {
     Process reader({.words = {"/usr/bin/tail", "-F", log}, .environment = {}, .before = {}});
     return reader.wait_for(text);
   }
-  /// The processes that still have the folder in their environment.
+  /// The processes with the folder in their environment.
   [[nodiscard]] std::vector<pid_t> left() const {
     std::vector<pid_t> found;
     for (const auto& entry : fs::directory_iterator("/proc")) {

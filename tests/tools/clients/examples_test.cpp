@@ -1,4 +1,4 @@
-// Every example of every --help and of the documents for users, run as it stands there.
+// Runs every example of every --help and of the documents for users as it stands there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-/// The commands of a text that begin with `geminga-`, each in one line, without what is said about them.
+/// The commands of a text that begin with `geminga-`, each in one line, without remarks.
 std::vector<std::string> examples_in(const std::string& text) {
   std::vector<std::string> found;
   std::istringstream lines(std::regex_replace(text, std::regex(R"( *\\\n *)"), " "));
@@ -49,7 +49,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A daemon with what the examples speak of, and a folder with the files that they name.
+/// A daemon with the services of the examples, and a folder with their files.
 class Examples : public testing::Test {
  protected:
   Examples() {
@@ -109,7 +109,7 @@ class Examples : public testing::Test {
     return std::make_unique<Process>(std::move(start));
   }
 
-  /// Runs one that ends by itself.
+  /// Runs an example that ends by itself.
   void run(const std::string& example) {
     auto process = start(example);
     EXPECT_THAT(process->wait(), AnyOf(testing::Optional(0), testing::Optional(1), testing::Optional(4)))
@@ -121,9 +121,9 @@ class Examples : public testing::Test {
     example = replaced(example, "127.0.0.1:4718", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0)));
     example = replaced(example, "/usr/local/share/geminga/ontology", "ontology");
 #ifdef __SANITIZE_THREAD__
-    example = replaced(example, " --memory-limit 512", "");  // its own tables take more
+    example = replaced(example, " --memory-limit 512", "");  // the sanitizer's own tables take more
 #endif
-    example = replaced(example, "--format svg", "--format dot");  // svg needs a program that may not be installed
+    example = replaced(example, "--format svg", "--format dot");  // svg needs Graphviz, which may not be installed
     const bool goes_on = example.starts_with("geminga-publish") || example.contains("--watch");
     if (!goes_on) {
       const bool needs_end = example.starts_with("geminga-subscribe") && !example.contains("--timeout");
@@ -137,7 +137,7 @@ class Examples : public testing::Test {
     EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();
   }
 
-  /// Runs every example of a program's --help and of that of its commands; how many there were.
+  /// Runs every example of the --help of a program and its commands. Returns their number.
   std::size_t expect_help_to_work(const std::string& program) {
     const std::string help = bench_.run(program, {"--help"}).out;
     std::vector<std::string> examples = examples_in(help);

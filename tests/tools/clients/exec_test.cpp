@@ -1,4 +1,4 @@
-// --exec of geminga-publish and geminga-subscribe: a command once an event, which nobody else can write to.
+// --exec of geminga-publish and geminga-subscribe: one command for each event, into which no peer can write.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ std::string added(int number, const std::string& more = "") {
          std::to_string(5000 + number) + " protocol=udp priority=0 participant_name=robot5" + more;
 }
 
-/// A connection on which these lines are said as soon as the request is stated.
+/// A connection on which these lines come as soon as the request is made.
 ScriptedDaemon::Script saying(const std::vector<std::string>& lines, bool goes = false) {
   return [lines, goes](Conversation& talk) {
     talk.welcome();
@@ -147,7 +147,7 @@ TEST(Exec, EndsACommandThatRunsTooLongWithAllThatItStarted) {
                                 .environment = {},
                                 .before = {}});
   EXPECT_EQ(ran.status, 0);
-  for (const char* event : {"1", "2"}) {  // and nobody holds standard output any more, or it would not be over
+  for (const char* event : {"1", "2"}) {  // standard output ends only when no process holds it
     EXPECT_THAT(ran.said, HasSubstr(std::string("ended after 0.05 s, see --exec-timeout (add 5e6f7a8b/2/") + event));
   }
 }

@@ -9,7 +9,7 @@
 namespace geminga::tools {
 namespace {
 
-/// A shell that runs this; `$publish` and `$subscribe` are the programs.
+/// Runs this by a shell; `$publish` and `$subscribe` are the programs.
 Outcome shell(const Bench& bench, const std::string& script) {
   return bench.run("/bin/bash", {"-c", "publish=" + system::program("geminga-publish") +
                                            " subscribe=" + system::program("geminga-subscribe") + "; " + script});

@@ -14,7 +14,7 @@
 
 namespace geminga::tools {
 
-/// A ball in two kinds, who wants one, and who wants what nobody has.
+/// Two services of a ball, a request for one of them, and a request that no service meets.
 class Query : public testing::Test {
  protected:
   Query() {

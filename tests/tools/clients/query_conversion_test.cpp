@@ -1,4 +1,4 @@
-// What geminga-query shows of services whose representation has to be converted.
+// geminga-query and services whose representation has to be converted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// geminga-query against a real daemon: what each command prints, as words and as JSON, and how it ends.
+// geminga-query against a real daemon: the output of each command in words and in JSON, and its exit status.
 #include "tools/clients/query.hpp"
 
 #include <gmock/gmock.h>

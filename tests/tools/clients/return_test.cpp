@@ -1,4 +1,4 @@
-// A daemon that goes and comes back: what it does not confirm is told as gone.
+// A daemon that goes and comes back: services and requests that it does not confirm are shown as gone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::string added(int number) {
          " protocol=udp priority=0 participant_name=robot5";
 }
 
-/// A connection on which `numbers` are there when the request is stated.
+/// A connection with the services `numbers` when the request is made.
 ScriptedDaemon::Script telling(const std::vector<int>& numbers, bool goes) {
   return [numbers, goes](Conversation& talk) {
     talk.welcome();
@@ -88,7 +88,7 @@ TEST(Return, OfAKilledDaemonTakesItsServicesAway) {
   provider.say("1 pub create mode=otm/stream text=camera port=5000");
   ASSERT_TRUE(subscribe->wait_for("+ eye@robot0")) << subscribe->said();
   bench.lab().daemon(0).signal(SIGKILL);
-  EXPECT_EQ(bench.lab().daemon(0).wait(), 128 + SIGKILL);  // its port is free then, and not before
+  EXPECT_EQ(bench.lab().daemon(0).wait(), 128 + SIGKILL);  // its port is free only then
   ASSERT_TRUE(subscribe->wait_for("trying again")) << subscribe->said();
   bench.start_daemon();
   ASSERT_TRUE(subscribe->wait_for("unconfirmed")) << subscribe->said();
@@ -107,7 +107,7 @@ TEST(Return, TakesTheConsumersOfAPublicationAway) {
   consumer.say("1 sub create mode=otm/pubsub text=camera port=6000");
   ASSERT_TRUE(publish->wait_for("+ world@robot0")) << publish->said();
   bench.lab().daemon(0).signal(SIGKILL);
-  EXPECT_EQ(bench.lab().daemon(0).wait(), 128 + SIGKILL);  // its port is free then, and not before
+  EXPECT_EQ(bench.lab().daemon(0).wait(), 128 + SIGKILL);  // its port is free only then
   ASSERT_TRUE(publish->wait_for("trying again")) << publish->said();
   bench.start_daemon();
   ASSERT_TRUE(publish->wait_for("unconfirmed")) << publish->said();

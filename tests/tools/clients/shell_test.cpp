@@ -1,4 +1,4 @@
-// The parts that the programs share: what is printable, tables, words, JSON.
+// The parts that the programs share: printable texts, tables, words, JSON.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

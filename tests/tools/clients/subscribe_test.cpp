@@ -108,7 +108,7 @@ TEST(Subscribe, AsksForProvidersDegreeWhereAndLimit) {
   provider.say("1 pub create mode=otm/stream concept=soccer:SharedBallInfo port=5000 rate=30");
   EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
   const auto expect = [&](int status, std::vector<std::string> words) {
-    // What comes ends it at once; only where nothing is to come is the time waited for.
+    // An event ends it at once; it waits for the whole time only where no event is to come.
     words.insert(words.begin(), {"soccer:BallInfo", "--count", "1", "--timeout", status == 0 ? "10" : "0.2"});
     EXPECT_EQ(bench.run("geminga-subscribe", words).status, status) << testing::PrintToString(words);
   };

@@ -1,4 +1,4 @@
-// What geminga-query shows on a terminal: colour, and tables that fit.
+// geminga-query on a terminal: colour, and tables that fit.
 #include "shell/terminal.hpp"
 
 #include <fcntl.h>
@@ -33,7 +33,7 @@ class OnATerminal : public testing::Test {
     EXPECT_THAT(peer_.lines_until_pong(), testing::IsEmpty());
   }
 
-  /// What geminga-query writes to a terminal of so many columns; 0: one that does not say.
+  /// The output of geminga-query on a terminal of so many columns; 0: the terminal does not say.
   std::string shown(std::vector<std::string> words, unsigned short columns,
                     std::map<std::string, std::string> environment = {}) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -57,7 +57,7 @@ class OnATerminal : public testing::Test {
       ::dup2(::open(name.c_str(), O_RDWR | O_NOCTTY), STDOUT_FILENO);
     };
     EXPECT_EQ(system::run(start).status, 0);
-    ::close(keeps_open);  // from here on reading ends behind what was written
+    ::close(keeps_open);  // so that reading ends behind the output
     std::array<char, 8192> written{};
     std::string text;
     for (ssize_t count = 0; (count = ::read(terminal, written.data(), written.size())) > 0;) {
@@ -78,7 +78,7 @@ class OnATerminal : public testing::Test {
 };
 
 TEST_F(OnATerminal, TablesFitTheirTerminal) {
-  // Sentences around the tables of `ontology` are no table.
+  // The sentences around the tables of `ontology` do not fit the width.
   const std::vector<std::string> commands{"services", "match", "participants", "status"};
   for (const auto& command : commands) {
     for (const unsigned short columns : std::array<unsigned short, 6>{60, 79, 80, 81, 120, 200})

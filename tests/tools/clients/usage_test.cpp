@@ -1,4 +1,4 @@
-// What every program does whatever it is for: help, versions, mistakes, a daemon that is not there or does not answer.
+// Help, versions, mistakes, and a daemon that is missing or does not answer, with every program.
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ TEST(Programs, EndWithThreeWhereNobodyListens) {
 }
 
 TEST(Programs, EndWithFourWhereTheDaemonDoesNotAnswer) {
-  // The kernel accepts, and nobody ever reads.
+  // The kernel accepts the connection, and no program reads.
   const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;

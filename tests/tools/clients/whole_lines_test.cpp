@@ -1,4 +1,4 @@
-// What a program prints comes in whole lines, each in one call of the system.
+// The output of a program comes in whole lines, each in one system call.
 #include "shell/whole_lines.hpp"
 
 #include <fcntl.h>
@@ -13,7 +13,7 @@
 namespace geminga::shell {
 namespace {
 
-/// A pipe that keeps what was written in one call together.
+/// A pipe that keeps the octets of one system call together.
 class WholeLinesTest : public testing::Test {
  protected:
   WholeLinesTest() { EXPECT_EQ(::pipe2(ends_.data(), O_DIRECT | O_NONBLOCK), 0); }
@@ -22,7 +22,7 @@ class WholeLinesTest : public testing::Test {
   }
 
   [[nodiscard]] int in() const { return ends_[1]; }
-  /// One a call.
+  /// The octets of each system call.
   std::vector<std::string> written() {
     std::vector<std::string> all;
     std::array<char, 8192> room{};

@@ -1,5 +1,4 @@
-// The man pages and completions of the installed programs: nothing that --help says is missing, and their readers take
-// them.
+// The man pages and completions of the installed programs have everything in --help, and their readers accept them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,10 +58,10 @@ std::vector<std::string> flags_of(const std::string& help) {
   return flags;
 }
 
-/// As it stands in roff.
+/// A text as roff has it.
 std::string in_roff(const std::string& text) { return std::regex_replace(text, std::regex("-"), "\\-"); }
 
-/// What bash offers for the last of these words.
+/// The words that bash offers for the last of these.
 std::vector<std::string> offered(const std::string& program, const std::vector<std::string>& words) {
   std::string script = ". '" + made(program + ".bash").string() + "'\nCOMP_WORDS=(" + program;
   for (const std::string& word : words) script += " '" + word + "'";
@@ -76,7 +75,7 @@ std::vector<std::string> offered(const std::string& program, const std::vector<s
   return found;
 }
 
-/// What a reader says of the file; nothing where that is not installed.
+/// The errors of a reader of the file; nothing where the reader is not installed.
 std::optional<std::string> said_by(std::vector<std::string> words) {
   if (!fs::exists(words.front())) return std::nullopt;
   const auto ran = system::run({.words = std::move(words), .environment = {}, .before = {}});

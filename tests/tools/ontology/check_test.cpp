@@ -1,4 +1,4 @@
-// What check says about good, wrong and doubtful ontologies.
+// The output of check for good, wrong and doubtful ontologies.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(Check, ListsWhatWasNotUsedAxiomByAxiom) {
   for (int at = 0; at < 7; ++at)
     axioms += ":A" + std::to_string(at) + " rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; " +
               "owl:maxCardinality 2 ] , :B .\n";
-  // Three things are to be counted, or the axioms would say nothing.
+  // Three disjoint fillers: with fewer the cardinalities would have no consequence.
   for (int at = 0; at < 3; ++at) {
     const std::string filler = ":C" + std::to_string(at);
     axioms += ":B rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :r ; owl:someValuesFrom " + filler + " ] .\n" +
@@ -141,7 +141,7 @@ TEST(Check, NamesTheClassesThatCanHaveNoInstanceEvenWithoutTheContradiction) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("  e:C\n"))) << "everything follows from the contradiction, but not from this";
 }
 
-// X is everywhere in a hole with nobody else, of n holes for n + 1.
+// The pigeonhole principle: n + 1 pigeons, n holes, no two pigeons in one hole.
 std::string pigeonhole(int holes) {
   std::string text;
   const auto place = [](int pigeon, int hole) { return ":p" + std::to_string(pigeon) + 'h' + std::to_string(hole); };

@@ -1,4 +1,4 @@
-// Writes OWL-S services as the public collections have them.
+// Writes OWL-S services in the form of the public collections.
 #ifndef GEMINGA_TESTS_TOOLS_ONTOLOGY_COLLECTION_HPP
 #define GEMINGA_TESTS_TOOLS_ONTOLOGY_COLLECTION_HPP
 

@@ -1,4 +1,4 @@
-// Help, versions, and what is wrong with a command line.
+// Help, versions, and wrong command lines.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

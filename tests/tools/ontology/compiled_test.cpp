@@ -1,4 +1,4 @@
-// A compiled file in the place of its sources: what it says of them, where they are, and what damage is answered with.
+// A compiled file instead of its sources: the same answers, changed sources, and damage.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Without the first line, which counts triples where they are known, and with paths as seen from the folder.
+/// The output without the first line, which counts triples only of sources, and with paths relative to the folder.
 std::string findings(const Program& program, std::string text) {
   text.erase(0, text.find('\n') + 1);
   const std::string folder = (program.folder() / "in").lexically_normal().string() + '/';

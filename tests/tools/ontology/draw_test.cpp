@@ -1,4 +1,4 @@
-// Pictures, as far as a program can look at them.
+// Pictures in the languages of Graphviz and Mermaid.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ TEST_F(Draw, CompactListsALeafBelowEachOfItsParents) {
   program_.turtle("b.ttl",
                   ":B rdfs:subClassOf :A , :Z . :C rdfs:subClassOf :A . :D rdfs:subClassOf :A .\n"
                   ":X rdfs:subClassOf :Z . :Y rdfs:subClassOf :Z , :W .\n");
-  // :Y is below :W, which has no list; so :Z has one of two, which is none.
+  // :Y is also below :W, which has no list. So the list below :Z would have two leaves, which are too few.
   const Outcome without = program_.run({"draw", "b.ttl", "--compact"});
   EXPECT_THAT(without.out, Not(HasSubstr("leaves_")));
   program_.turtle("c.ttl",

@@ -1,4 +1,4 @@
-// entails and consistent: answers, exit statuses, what cannot be decided, and what is wrong with files.
+// entails and consistent: answers, exit statuses, undecided questions, and broken files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST(Entails, SaysWhyItCannotDecide) {
   EXPECT_EQ(unknown.status, 2);
   EXPECT_THAT(unknown.err, AllOf(StartsWith("geminga-ontology: it cannot be decided"),
                                  HasSubstr("owl:newInOwl3 is not understood: premise.ttl:2")));
-  // In the conclusion it is one more axiom, of which nobody knows whether it follows.
+  // In the conclusion it is one more axiom, for which it is undecided whether it follows.
   EXPECT_EQ(program.run({"entails", "follows.ttl", "premise.ttl"}).status, 2);
   EXPECT_EQ(program.run({"entails", "not.ttl", "premise.ttl"}).status, 1);
 }

@@ -1,4 +1,4 @@
-// Answers to "is A subsumed by B", and why.
+// Answers to "is A subsumed by B", and the reasons.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

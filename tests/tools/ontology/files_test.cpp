@@ -1,4 +1,4 @@
-// Files as people have them: packed, in folders of folders, and names without their prefixes.
+// Packed files, folders of folders, and names without their prefixes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

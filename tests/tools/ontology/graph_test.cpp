@@ -1,4 +1,4 @@
-// infer, convert, merge and query, as a user runs them.
+// infer, convert, merge and query, run as a user runs them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Robots that are named by what they do, one of which is a robot by what it does.
+/// Robots that are defined by their tasks, and an individual that is one by its task.
 constexpr std::string_view team =
     "<http://e/> a owl:Ontology ; rdfs:comment \"the team\" . "
     ":Thing a owl:Class . :Robot a owl:Class ; rdfs:subClassOf :Thing . :sees a owl:ObjectProperty ; rdfs:domain "
@@ -72,7 +72,7 @@ TEST(Convert, ReadsEverySyntaxOfOwl) {
   }
 }
 
-/// The same in OWL's three own syntaxes: an annotation wherever one may stand.
+/// One ontology in OWL's three own syntaxes, with an annotation wherever one may stand.
 constexpr std::string_view annotated_functional =
     "Prefix(:=<http://e/>)\nOntology(<http://e/o> <http://e/o/1>\n"
     "Annotation(Annotation(:n \"of of o\") :n \"of o\")\n"

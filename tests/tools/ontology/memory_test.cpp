@@ -1,4 +1,4 @@
-// Small or simple files that mean much, or hold one thing that is huge: what check and compile take for them at most.
+// The peak memory of check and compile for small files with many consequences, and for files with one huge element.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr long mebibyte = 1024;  // in KiB, as the kernel counts
 
-/// Octets, in KiB, that one run of the program had resident at most. Its other children are none of this process's.
+/// The peak resident size of one run of the program, in KiB, without other children of this process.
 long peak_kib(const Program& program, const std::vector<std::string>& arguments) {
   const pid_t child = fork();
   if (child == 0) {
@@ -38,7 +38,7 @@ void expect_peak(const Program& program, const std::string& file, long most_mib)
   EXPECT_LT(peak_kib(program, {"compile", file, "-o", "out.geminga"}), most_mib * mebibyte) << file;
 }
 
-/// 61 lines, in each of which the next class stands twice.
+/// 61 lines, each of which names the next class twice.
 std::string doubling(const std::string& line) {
   std::string text;
   for (int at = 0; at < 60; ++at) {
@@ -84,7 +84,7 @@ TEST_F(Memory, ALiteralOfTwoHundredMegabytesStaysUnder64MiB) {
   const Program program;
   const auto refused = [&](const std::string& name, const std::string& before, const std::string& after) {
     {
-      // In pieces: what this process has resident counts for its children until they are another program.
+      // In pieces: the resident size of this process counts for its children until exec().
       std::ofstream file(program.folder() / "in" / name);
       const std::string piece(1'000'000, 'x');
       file << before;

@@ -1,4 +1,4 @@
-// The commonest slips of the pen in an ontology, as somebody writes them who is in a hurry.
+// The commonest typing errors in an ontology.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Declared classes and properties, as an ontology has them that was written with an editor.
+/// Declared classes and properties, as editors write them.
 constexpr std::string_view declared =
     "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> . :BallInfo a owl:Class ; rdfs:label \"ball\" . :Robot a "
     "owl:Class .\n"

@@ -1,4 +1,4 @@
-// Runs geminga-ontology as a process of its own, in a folder of the test's own.
+// Runs geminga-ontology as a process in a folder of the test.
 #ifndef GEMINGA_TESTS_TOOLS_ONTOLOGY_PROGRAM_HPP
 #define GEMINGA_TESTS_TOOLS_ONTOLOGY_PROGRAM_HPP
 
@@ -9,7 +9,7 @@
 
 namespace geminga::ontology {
 
-/// What one run left behind.
+/// The output and the exit status of one run.
 struct Outcome {
   int status = -1;  ///< -1: it did not end by itself
   std::string out;

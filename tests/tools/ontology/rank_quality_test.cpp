@@ -1,9 +1,9 @@
-// How good rankings are: a collection over the ontologies that ship, with relevance judged by hand, concept by concept,
-// and against the ways of matching that only know degrees.
+// The quality of rankings: a collection over the ontologies that ship, with relevance judged by hand for each concept,
+// compared with matching by degrees alone.
 //
-// The judgements say what a person who builds rescue robots would say of each concept beside a wanted or a given one,
-// from 3 (that is it) to 0 (not listed). They know nothing of the score, and they do not follow the taxonomy where
-// people do not: a sign of life is some use to who looks for victims, although it is nowhere near.
+// The judgements are those of a person who builds rescue robots, for each concept beside a wanted or a given one, from
+// 3 (the same) to 0 (not listed). They were made without the score, and differ from the taxonomy where people do: a
+// sign of life is of some use in a search for victims, although the taxonomy has it far away.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@
 namespace geminga::ontology {
 namespace {
 
-/// Of one parameter of a request: its own concept first, then others with their grades.
+/// The grades for one parameter of a request: its own concept first, then others.
 struct Judged {
   std::string own;
   std::map<std::string, int> grades;
@@ -182,8 +182,8 @@ std::vector<std::string> own(const std::vector<Judged>& side) {
   return names;
 }
 
-/// Variations of the requests (some concept beside the wanted one, one too few, one too many, a stranger), and services
-/// that have nothing to do with any.
+/// Variations of the requests (a similar concept, one too few, one too many, an unrelated one), and services that have
+/// nothing in common with any request.
 std::vector<Service> services(std::uint64_t seed) {
   base::Random random(seed);
   const auto one_of = [&](const std::vector<std::string>& names) { return names[random.below(names.size())]; };
@@ -224,7 +224,7 @@ std::vector<Service> services(std::uint64_t seed) {
   return all;
 }
 
-/// The mean of the best grades that different parameters give to the judged ones.
+/// The mean of the best grades of the judged parameters, each by a different parameter.
 int grade(const std::vector<Judged>& side, std::vector<std::string> names) {
   if (side.empty()) return 3;
   names.resize(std::max(names.size(), side.size()));
@@ -241,7 +241,7 @@ int grade(const std::vector<Judged>& side, std::vector<std::string> names) {
   return best / static_cast<int>(side.size());
 }
 
-/// Both sides must be right, and each input that has nothing to do with the request costs a grade.
+/// The grade of a service: both sides must be right, and each unrelated input costs a grade.
 int relevance(const JudgedRequest& request, const Service& service) {
   int inputs = grade(request.inputs, service.inputs);
   for (const std::string& name : service.inputs) {
@@ -253,7 +253,7 @@ int relevance(const JudgedRequest& request, const Service& service) {
   return std::max(0, std::min(grade(request.outputs, service.outputs), inputs));
 }
 
-/// "Is A below B", from what `classify --closure` prints.
+/// "Is A below B", from the output of `classify --closure`.
 class Closure {
  public:
   explicit Closure(const Program& program) {
@@ -269,14 +269,14 @@ class Closure {
   std::set<std::string> pairs_;
 };
 
-/// Degrees of one parameter: 3 exact, 2 in the safe direction, 1 in the other, 0 fail.
+/// The degree of one parameter: 3 exact, 2 in the safe direction, 1 in the other, 0 fail.
 int degree(const Closure& closure, const std::string& required, const std::string& offered) {
   if (required == offered) return 3;
   if (closure.is_below(offered, required)) return 2;
   return closure.is_below(required, offered) ? 1 : 0;
 }
 
-/// The worst of the best degrees.
+/// The worst of the best degrees of all parameters.
 int degree(const Closure& closure, const std::vector<std::string>& required, const std::vector<std::string>& offered) {
   int worst = 3;
   for (const std::string& one : required) {
@@ -287,8 +287,8 @@ int degree(const Closure& closure, const std::vector<std::string>& required, con
   return worst;
 }
 
-/// Average precision of services by a number, the largest first, where those with the same are in the order of the
-/// collection, which is by chance.
+/// The average precision of services in the order of a number, the largest first. Equal ones stay in the order of the
+/// collection, which is random.
 double average_precision(const std::vector<double>& scores, const std::vector<int>& grades) {
   std::vector<std::size_t> order(scores.size());
   for (std::size_t at = 0; at < order.size(); ++at) order[at] = at;
@@ -301,7 +301,7 @@ double average_precision(const std::vector<double>& scores, const std::vector<in
   return found > 0 ? sum / found : 0;
 }
 
-/// Scores of the program, by request and service.
+/// The scores of the program by request and service.
 std::map<std::string, std::vector<double>> scores_of(const Program& program, const std::vector<Service>& all) {
   std::filesystem::create_directories(program.folder() / "services");
   std::filesystem::create_directories(program.folder() / "requests");

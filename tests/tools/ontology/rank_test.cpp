@@ -1,4 +1,4 @@
-// `geminga-ontology rank` as a user runs it, over collections from the tidy to the careless.
+// `geminga-ontology rank`, run as a user runs it, over tidy and careless collections.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ std::string ontology(const std::string& base, const std::string& body) {
 std::string books(const std::string& name) { return "http://127.0.0.1/ontology/books.owl#" + name; }
 std::string prices(const std::string& name) { return "http://127.0.0.1/ontology/concept.owl#" + name; }
 
-/// A bookshop as the public collections lay theirs out.
+/// A bookshop in the layout of the public collections.
 class Shop {
  public:
   Shop() {
@@ -80,7 +80,7 @@ class Shop {
     }
     return names;
   }
-  /// The score of a service, as it is printed.
+  /// The printed score of a service.
   [[nodiscard]] std::string score(const std::string& service) const {
     const std::string out = rank().out;
     const std::size_t at = out.find('\t' + service + ".owls\t");
@@ -185,7 +185,7 @@ TEST(Rank, KnowsAnOntologyUnderSeveralUrls) {
 TEST(Rank, KnowsAnOntologyByItsFileAndJoinsItsCopies) {
   const Shop shop;
   const std::string narrower = shop.score("print_taxedprice");
-  // Below an IRI that is made up by the editor, and another copy below a third one.
+  // One copy has an IRI that the editor made, and another copy has a third one.
   shop.write("ontology/money.owl", ontology("http://www.owl-ontologies.com/Ontology1107.owl",
                                             below("Fee", "#Money") + "<owl:Class rdf:ID='Money'/>"));
   shop.write("ontology/old/money.owl",
@@ -252,7 +252,7 @@ TEST(Rank, TakesDatatypesForConcepts) {
 
 TEST(Rank, UsesWhatFollowsAndNotWhatAContradictionImplies) {
   const Shop shop;
-  // By definition a comic is a book with pictures; nobody says that it is below a book.
+  // A comic is defined as a book with pictures, and no axiom says that it is below a book.
   shop.write(
       "ontology/comic.owl",
       ontology(

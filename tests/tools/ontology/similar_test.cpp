@@ -1,4 +1,4 @@
-// Names that are nearly right are answered with the right ones.
+// Misspelled names are answered with similar ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ontology/command/exit_status.hpp"
-#include "ontology/command/work_limits.hpp"
+#include "ontology/command/limits.hpp"
 
 namespace geminga::ontology {
 

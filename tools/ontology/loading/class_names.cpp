@@ -11,7 +11,7 @@
 namespace geminga::ontology {
 namespace {
 
-/// What is wrong with a name, and similar names.
+/// The error of a name, with similar names where it is unknown.
 std::string describe(const compiled::Ontology& ontology, const std::string& name, const compiled::NameError& error) {
   if (error.kind != compiled::NameError::Kind::unknown) return error.text;
   return error.text + compiled::did_you_mean(compiled::find_similar(ontology, name));

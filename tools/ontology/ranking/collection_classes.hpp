@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "ontology/command/work_limits.hpp"
+#include "ontology/command/limits.hpp"
 
 namespace geminga::ontology {
 

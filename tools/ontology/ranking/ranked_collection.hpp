@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ontology/command/work_limits.hpp"
+#include "ontology/command/limits.hpp"
 #include "ontology/ranking/concept_names.hpp"
 #include "reasoning/signature/score.hpp"
 #include "reasoning/syntax/owls/profile.hpp"

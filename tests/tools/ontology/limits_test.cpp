@@ -1,4 +1,4 @@
-#include "ontology/command/process_limits.hpp"
+#include "ontology/command/limits.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -24,7 +24,7 @@ int in_child(const std::function<int()>& deed) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-TEST(ProcessLimits, TheTimeLimitEndsTheProgramWithItsOwnStatus) {
+TEST(Limits, TheTimeLimitEndsTheProgramWithItsOwnStatus) {
   EXPECT_EQ(in_child([] {
               limit_time(1);
               // A call into a library, without which ThreadSanitizer never hands the signal on.
@@ -34,7 +34,7 @@ TEST(ProcessLimits, TheTimeLimitEndsTheProgramWithItsOwnStatus) {
             static_cast<int>(Exit::timed_out));
 }
 
-TEST(ProcessLimits, TheMemoryLimitIsSet) {
+TEST(Limits, TheMemoryLimitIsSet) {
   EXPECT_EQ(in_child([] {
               limit_memory(4096);
               rlimit limit{};

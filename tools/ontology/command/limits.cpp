@@ -1,4 +1,4 @@
-#include "ontology/command/process_limits.hpp"
+#include "ontology/command/limits.hpp"
 
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -21,6 +21,12 @@ void on_time_out(int) {
 }
 
 }  // namespace
+
+base::Budget budget_of(const WorkLimits& limits) {
+  if (limits.seconds == 0) return base::Budget(limits.steps);
+  const auto end = limits.start + std::chrono::seconds(limits.seconds);
+  return base::Budget(limits.steps, [end] { return std::chrono::steady_clock::now() >= end; });
+}
 
 void limit_memory(unsigned mebibytes) {
   if (mebibytes == 0) return;

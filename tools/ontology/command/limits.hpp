@@ -1,6 +1,6 @@
-// The limits of a search: time by the clock, and counted steps.
-#ifndef GEMINGA_ONTOLOGY_COMMAND_WORK_LIMITS_HPP
-#define GEMINGA_ONTOLOGY_COMMAND_WORK_LIMITS_HPP
+// The limits of a run: of a search in time and counted steps, and of the whole process in memory and time.
+#ifndef GEMINGA_ONTOLOGY_COMMAND_LIMITS_HPP
+#define GEMINGA_ONTOLOGY_COMMAND_LIMITS_HPP
 
 #include <chrono>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace geminga::ontology {
 
-/// The limits of one run. Where one is reached, what is settled by then is printed and used, and the exit status is 4.
+/// The limits of a search. Where one is reached, what is settled by then is printed and used, and the exit status is 4.
 struct WorkLimits {
   /// More than published ontologies need; one engine takes 2 to 20 million steps in a second.
   static constexpr std::uint64_t default_steps = 2'000'000'000;
@@ -21,6 +21,12 @@ struct WorkLimits {
 
 /// The budget of a search within these limits. Reading asks no budget; limit_time() ends it.
 [[nodiscard]] base::Budget budget_of(const WorkLimits& limits);
+
+/// Limits the address space of this process; 0: no limit.
+void limit_memory(unsigned mebibytes);
+/// Ends this process with Exit::timed_out and a line on standard error when it still runs a quarter longer than this,
+/// and a second; 0: never. Searches end in time by themselves and keep what they have found.
+void limit_time(unsigned seconds);
 
 }  // namespace geminga::ontology
 
