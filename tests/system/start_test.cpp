@@ -249,21 +249,22 @@ TEST(Reload, KeepsTheConfigurationInForceWhenTheNewOneIsBroken) {
 
 TEST(Reload, WarnsOfASettingThatAwaitsAStartUntilItIsBackAsItWas) {
   const Folder folder;
-  const std::string file = folder.write("geminga.toml", "name = \"robot2\"\n");
+  const std::string file = folder.write("geminga.toml", "group = \"red\"\n");
   Lab lab(1);
   lab.start(0, {"--config", file});
-  const auto said_at_reload = [&](const std::string& name) {
-    folder.write("geminga.toml", "name = \"" + name + "\"\n");
+  const auto said_at_reload = [&](const std::string& group) {
+    folder.write("geminga.toml", "group = \"" + group + "\"\n");
+    const std::size_t earlier = lab.daemon(0).said().size();
     lab.daemon(0).forget();
     lab.daemon(0).signal(SIGHUP);
     EXPECT_TRUE(lab.daemon(0).wait_for("is in force")) << lab.daemon(0).said();
-    return lab.daemon(0).said();
+    return lab.daemon(0).said().substr(earlier);
   };
   const auto warns = HasSubstr("take effect at the next start");
-  EXPECT_THAT(said_at_reload("robot2"), testing::Not(warns));
-  EXPECT_THAT(said_at_reload("robot3"), warns);
-  EXPECT_THAT(said_at_reload("robot3"), warns) << "the daemon is still called robot2";
-  EXPECT_THAT(said_at_reload("robot2"), testing::Not(warns)) << "that is what the daemon is called";
+  EXPECT_THAT(said_at_reload("red"), testing::Not(warns));
+  EXPECT_THAT(said_at_reload("blue"), warns);
+  EXPECT_THAT(said_at_reload("blue"), warns) << "the daemon is still in the group red";
+  EXPECT_THAT(said_at_reload("red"), testing::Not(warns)) << "that is its group";
 }
 
 TEST(End, ComesWithStatusZeroOnSigint) {
