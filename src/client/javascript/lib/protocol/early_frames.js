@@ -1,7 +1,7 @@
 // Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, "Early frames").
 import { earlyPatience, maxEarlyFrames, maxEarlyOctets } from './limits.js';
 
-/** Keeps early frames; for one more than the limit the oldest goes. Places are those of `place`, times are milliseconds that never go back. */
+/** For one more than the limit the oldest goes. Places are those of `place`, times are milliseconds that never go back. */
 export class EarlyFrames {
   #kept = [];
   #octets = 0;
