@@ -16,7 +16,7 @@
 inline constexpr double field_east = 1;
 inline constexpr double field_north = 1;
 
-/// Two numbers in a line of text, which is how both teams write a place.
+/// Two numbers in a line of text, as both teams write a place.
 struct Pair {
   double first = 0;
   double second = 0;
@@ -26,7 +26,7 @@ inline std::string text_of(std::span<const std::byte> payload) {
   return {reinterpret_cast<const char*>(payload.data()), payload.size()};
 }
 
-/// Throws where they are not there: the library drops such a message and counts it.
+/// Throws if the numbers are missing: the library then drops the message and counts it.
 inline Pair read(std::span<const std::byte> payload) {
   std::istringstream line(text_of(payload));
   Pair pair;

@@ -1,5 +1,5 @@
-// A robot of the rescue team: it tells what its thermal camera and its laser range finder find, in the words of its own
-// team.
+// A robot of the rescue team: it offers the findings of its thermal camera and its laser range finder, in the words of
+// its own team.
 #include <array>
 #include <chrono>
 #include <iostream>
@@ -9,11 +9,11 @@
 
 namespace {
 
-/// What one sensor tells: range and bearing from the team's pole, in metres and degrees from north.
+/// A finding of one sensor: range and bearing from the team's pole, in metres and degrees from north.
 struct Finding {
   const char* concept_name;
   const char* sensor;
-  const char* range;  ///< how far the sensor reaches
+  const char* range;  ///< the reach of the sensor
   const char* line;
 };
 

@@ -14,7 +14,7 @@
 namespace {
 
 constexpr std::string_view field = "soccer:CartesianFieldFrame";
-/// What is known of a provider, and whether its first message was shown.
+/// The facts about a provider, and whether its first message was printed.
 struct Provider {
   std::string concept_name;
   bool is_converted = false;
@@ -25,7 +25,7 @@ class World {
  public:
   World(geminga::Node& node, geminga::Subscriber& objects) : node_(node), objects_(objects) {}
 
-  /// Tells of the ball meanwhile, until so many converted messages have come.
+  /// Sends where the ball is, and prints events, until so many converted messages have come.
   void run(geminga::Publisher& ball, std::uint64_t count) {
     while (count > 0) {
       (void)ball.send("1.50 -0.20");

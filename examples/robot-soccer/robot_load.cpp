@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     std::cerr << "robot_load: " << argv[1] << " has no modules for a host of kind " << argv[2] << '\n';
     return 2;
   }
-  // What is sent before everybody knows everybody is not counted.
+  // Messages are counted only after all modules know each other.
   const auto begin = Clock::now() + std::chrono::seconds(3);
   const auto end = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   std::array<int, 2> pipe{};

@@ -23,7 +23,7 @@ struct Request {
   auto operator<=>(const Request&) const = default;
 };
 
-/// What became of it over all hosts.
+/// The result over all hosts.
 struct Outcome {
   int asked = 0;
   int met = 0;

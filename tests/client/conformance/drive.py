@@ -30,7 +30,7 @@ ROOT = Path(__file__).resolve().parents[3]
 
 
 class Table:
-    """What was checked; each row is said as soon as it is known."""
+    """The results of all checks. Each row is printed as soon as it is known."""
 
     def __init__(self) -> None:
         self.failed: list[str] = []
@@ -38,12 +38,12 @@ class Table:
         self._lock = threading.Lock()
 
     def say(self, row: str) -> None:
-        """Says something, whole."""
+        """Prints a row, whole."""
         with self._lock:
             print(row, flush=True)
 
     def run(self, who: str, check: Check, action: Callable[[], None]) -> bool:
-        """Runs a check, and says whether it holds."""
+        """Runs a check. Whether it holds."""
         what = (check.__doc__ or check.__name__).splitlines()[0]
         begin = time.monotonic()
         with self._lock:
@@ -68,7 +68,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--pair", default="", help="only this pair: PUBLISHER>SUBSCRIBER")
     parser.add_argument("--loopback", action="store_true", help="daemons on the loopback interface, as where no namespace may be made")
     parser.add_argument("--at-once", type=int, default=4, metavar="COUNT", help="labs side by side (4)")
-    parser.add_argument("--face", action="append", default=[], metavar="LANGUAGE", help="this one is a face of another's library: fewer pairs")
+    parser.add_argument("--face", action="append", default=[], metavar="LANGUAGE", help="a language whose library is a face of another one's: fewer pairs")
     parser.add_argument("--behaviours", choices=["turns", "same", "all", "none"], default="turns",
                         help="for which pairs daemons are killed and so on: each language on each side once, with another one each "
                              "time; languages with themselves; all; none")  # fmt: skip
@@ -80,7 +80,7 @@ def chosen(checks: list[Check], only: str) -> list[Check]:
 
 
 def run_in_one_pair(table: Table, who: str, commands: tuple[Command, Command], checks: list[Check], lab: Lab) -> None:
-    """These checks in one pair of agents; behind a failure, in another one."""
+    """Runs checks in one pair of agents; after a failure, in another one."""
     waiting = [check for check in checks if lab.has_ipv6 or check is not modes.link_multicast]
     while waiting:
         try:
@@ -96,7 +96,7 @@ def run_in_one_pair(table: Table, who: str, commands: tuple[Command, Command], c
 
 
 def all_pairs(languages: list[str], faces: list[str]) -> list[tuple[str, str]]:
-    """All pairs of languages; a face with itself, to the last and from the one before."""
+    """All pairs of languages. A face is paired with itself, to the last language and from the one before."""
     whole = [language for language in languages if language not in faces]
     pairs = [(one, other) for one in whole for other in whole]
     for face in languages:
@@ -106,13 +106,13 @@ def all_pairs(languages: list[str], faces: list[str]) -> list[tuple[str, str]]:
 
 
 def pairs_in_turn(number: int, languages: list[str]) -> list[tuple[str, str]]:
-    """For the check of this number: each language on each side once, with another one; who that is changes with the number."""
+    """The pairs of one check: each language once on each side, with another one that depends on the number of the check."""
     step = 1 + number % (len(languages) - 1) if len(languages) > 1 else 0
     return [(one, languages[(at + step) % len(languages)]) for at, one in enumerate(languages)]
 
 
 def pairs_of_behaviour(how: str, check: Check, languages: list[str], faces: list[str]) -> list[tuple[str, str]]:
-    """Who tries this check."""
+    """The pairs that run this check."""
     if check in behaviours.WHOLE:
         languages = [language for language in languages if language not in faces]
     if how == "turns":
@@ -121,7 +121,7 @@ def pairs_of_behaviour(how: str, check: Check, languages: list[str], faces: list
 
 
 def run_behaviour(table: Table, who: str, commands: tuple[Command, Command], check: Check, lab: Lab) -> None:
-    """In a pair of agents of its own."""
+    """Runs a check in a pair of agents of its own."""
 
     def action() -> None:
         with Pair(lab, *commands) as pair:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A stranger: `forge.py udp SOURCE-PORT ADDRESS PORT HEX` sends a datagram from that port, whoever has it;
-`forge.py tcp ADDRESS PORT HEX` connects, sends, and says how many octets came until it was closed."""
+"""A stranger. `forge.py udp SOURCE-PORT ADDRESS PORT HEX` sends a datagram from that port, which another socket may have.
+`forge.py tcp ADDRESS PORT HEX` connects, sends, and prints how many octets came until the connection was closed."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ import sys
 
 
 def forge_datagram(source_port: int, address: str, port: int, octets: bytes) -> None:
-    """By a raw socket, which the system lets only root have: 77 is the status where it does not."""
+    """Sends by a raw socket, which only root may have; otherwise the exit status is 77."""
     try:
         sock = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_UDP)
     except PermissionError:
         sys.exit(77)
     with sock:
-        # A checksum of 0 says that there is none.
+        # A checksum of 0 means that there is none.
         sock.sendto(struct.pack("!HHHH", source_port, port, 8 + len(octets), 0) + octets, (address, 0))
 
 
 def send_datagram(address: str, port: int, octets: bytes) -> None:
-    """From any port."""
+    """Sends from any port."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
         sock.sendto(octets, (address, port))
 
 
 def connect(address: str, port: int, octets: bytes) -> None:
-    """Waits until the other side closes."""
+    """Connects, sends, and waits until the other side closes."""
     count = 0
     with socket.create_connection((address, port), timeout=30) as sock:
         sock.sendall(octets)

@@ -1,4 +1,4 @@
-"""Two hosts with a daemon each: network namespaces where they may be made, else two daemons on the loopback interface."""
+"""Two hosts with a daemon each: network namespaces if they are allowed, else two daemons on the loopback interface."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _free_port(kind: socket.SocketKind) -> int:
 
 
 class Host:
-    """Where programs run: `address` is what the other host sees."""
+    """A host where programs run. `address` is the one that the other host sees."""
 
     def __init__(self, number: int, address: str, gcnp_port: int, prefix: Sequence[str], flags: Sequence[str]) -> None:
         self.number = number
@@ -37,18 +37,18 @@ class Host:
         self.daemon: Spoken | None = None
 
     def start(self, name: str, command: Sequence[str], with_errors: bool = False) -> Spoken:
-        """A process on this host that finds the host's daemon."""
+        """Starts a process on this host, which finds the host's daemon."""
         environment = dict(os.environ, GEMINGA_CONNECT=f"127.0.0.1:{self.gcnp_port}")
         return Spoken(name, [*self._prefix, *command], environment, with_errors)
 
     def run(self, command: Sequence[str]) -> None:
-        """Runs a command to its end. Raises Failed where it fails."""
+        """Runs a command to its end. Raises Failed if it fails."""
         done = subprocess.run([*self._prefix, *command], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise Failed(f"{shlex.join(command)}: {done.stderr}")
 
     def can(self, command: Sequence[str]) -> bool:
-        """Runs a command to its end, and says whether it did what it should."""
+        """Runs a command to its end. Whether it succeeded."""
         try:
             self.run(command)
         except Failed:
@@ -63,7 +63,7 @@ class Host:
         self.daemon.find(r".* ready: .*")
 
     def kill_daemon(self) -> None:
-        """kill -9."""
+        """Kills gemingad by SIGKILL."""
         assert self.daemon is not None
         self.daemon.kill()
         self.daemon.discard()
@@ -71,7 +71,7 @@ class Host:
 
     @contextlib.contextmanager
     def standing_daemon(self) -> Iterator[None]:
-        """The daemon neither hears nor says anything within this."""
+        """Stops the daemon for the time of the `with` block."""
         assert self.daemon is not None
         self.daemon.stand()
         try:
@@ -81,7 +81,7 @@ class Host:
 
 
 class Lab:
-    """Two hosts, 0 and 1, that see each other."""
+    """Two hosts, 0 and 1, that reach each other."""
 
     def __init__(self, gemingad: str, ontologies: Sequence[str], on_loopback: bool = False) -> None:
         self.gemingad = gemingad
@@ -104,16 +104,16 @@ class Lab:
 
     @property
     def way(self) -> str:
-        """What it is made of."""
+        """The kind of lab, for people."""
         return "two network namespaces" if self.has_namespaces else "two daemons on the loopback interface"
 
     def start_daemons(self) -> None:
-        """On both hosts."""
+        """Starts gemingad on both hosts."""
         for host in self.hosts:
             host.start_daemon(self.gemingad)
 
     def lose(self, percent: int) -> bool:
-        """From now on each host loses so many of a hundred of what comes in or goes out, by chance; False where it cannot."""
+        """Lets each host lose so many percent of its packets from now on, by chance. False if that is not possible."""
         if not self.has_namespaces:
             return False
         rules = (
@@ -124,7 +124,7 @@ class Lab:
         return all(host.can(["nft", rules]) or host.can(netem) for host in self.hosts)
 
     def close(self) -> None:
-        """Ends what runs."""
+        """Ends all processes."""
         for host in self.hosts:
             if host.daemon is not None:
                 host.daemon.discard()
@@ -135,7 +135,7 @@ class Lab:
 
     def _make_namespaces(self, flags: Sequence[str]) -> None:
         for _ in range(2):
-            # It ends with its standard input, so with this process, and the namespace with it.
+            # It ends with its standard input, and so with this process, and the namespace ends with it.
             holder = subprocess.Popen(
                 ["unshare", "-n", "sh", "-c", "echo there; exec cat"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
             )
@@ -151,5 +151,5 @@ class Lab:
             host.run(["ip", "link", "set", "lo", "up"])
             host.run(["ip", "address", "add", f"{host.address}/24", "dev", LINK])
             host.run(["ip", "link", "set", LINK, "up"])
-        # An address that need not wait until nobody else is known to have it.
+        # An address that can be used at once, without the search for duplicates.
         self.has_ipv6 = all([host.can(["ip", "address", "add", f"fe80::66:{host.number + 1}/64", "dev", LINK, "nodad"]) for host in self.hosts])

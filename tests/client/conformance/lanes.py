@@ -1,4 +1,4 @@
-"""Labs side by side, since most of what a check does is waiting."""
+"""Labs side by side, because most of what a check does is waiting."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Job = Callable[[Lab], None]
 
 
 class Lanes:
-    """Each has a lab of its own. Where no namespaces may be made there is one, since all labs would share the loopback interface."""
+    """Lanes with a lab each. There is one lane without namespaces, because all labs would share the loopback interface."""
 
     def __init__(self, make: Callable[[], Lab], count: int) -> None:
         self.labs: list[Lab] = []
@@ -25,7 +25,7 @@ class Lanes:
             raise
 
     def run(self, jobs: Sequence[Job]) -> None:
-        """Runs all jobs, begun in this order."""
+        """Runs all jobs, which begin in this order."""
         free: queue.SimpleQueue[Lab] = queue.SimpleQueue()
         for lab in self.labs:
             free.put(lab)
@@ -42,6 +42,6 @@ class Lanes:
                 done.result()
 
     def close(self) -> None:
-        """Ends what runs."""
+        """Ends all labs."""
         for lab in self.labs:
             lab.close()

@@ -1,4 +1,4 @@
-"""A publisher's agent on the first host and a subscriber's on the second."""
+"""A pair of agents: the publisher's on the first host and the subscriber's on the second."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _PORTS = itertools.count(21000)
 
 
 def fresh(word: str) -> str:
-    """A label, or a name of a service, that nobody has."""
+    """A label, or a name of a service, that is not in use."""
     return f"{word}{next(_LABELS)}"
 
 
@@ -26,7 +26,7 @@ def fresh_port() -> int:
 
 
 class Pair:
-    """Both are connected when it is entered, and are told to quit at its end."""
+    """Two agents, which are connected within the `with` block and are told to quit at its end."""
 
     def __init__(self, lab: Lab, publisher: Command, subscriber: Command) -> None:
         self.lab = lab
@@ -50,7 +50,7 @@ class Pair:
                 agent.discard()
 
     def tried(self, check: Callable[[Pair], None]) -> None:
-        """Runs a check; where it fails, what all agents said last goes with that."""
+        """Runs a check. If it fails, the error has the last lines of all agents."""
         try:
             check(self)
         except Failed as error:
@@ -59,30 +59,30 @@ class Pair:
 
     @property
     def hosts(self) -> tuple[Host, Host]:
-        """The publisher's and the subscriber's."""
+        """The host of the publisher and that of the subscriber."""
         return self.lab.hosts[0], self.lab.hosts[1]
 
     def start(self, number: int) -> Spoken:
-        """One more agent of the publisher's (0) or the subscriber's (1) language, on its host."""
+        """Starts one more agent of the publisher's (0) or the subscriber's (1) language, on its host."""
         agent = self.lab.hosts[number].start(f"{'publisher' if number == 0 else 'subscriber'}'s agent", [*self._commands[number], fresh("agent")])
         self._started.append(agent)
         return agent
 
     def offer(self, keys: str, agent: Spoken | None = None) -> str:
-        """Offers a service, and gives its label."""
+        """Offers a service. Returns its label."""
         return self._request("pub", keys, agent or self.pub)
 
     def ask(self, keys: str, agent: Spoken | None = None) -> str:
-        """Asks for one, and gives its label."""
+        """Asks for a service. Returns its label."""
         return self._request("sub", keys, agent or self.sub)
 
     def met(self, p: str, s: str, is_stream: bool = False) -> tuple[str, str]:
-        """Waits until both know each other, and gives their lives: the publisher's, and the subscriber's where it is told."""
+        """Waits until both sides know each other. Returns the lives of the publisher and, unless it is a stream, of the subscriber."""
         life = self.sub.find(f"provider {s} added ([0-9a-f]{{16}}) -")[1]
         return life, "" if is_stream else self.pub.find(f"consumer {p} added ([0-9a-f]{{16}}) -")[1]
 
     def heard(self, p: str, s: str) -> int:
-        """Sends until a message comes through, where the publisher is not told of who listens; that message's sequence."""
+        """Sends to a stream until a message comes. Returns its sequence."""
         for _ in range(100):
             sequence = self.came(p, s, "00")
             if sequence:
@@ -90,7 +90,7 @@ class Pair:
         raise Failed("no message came to a listener")
 
     def came(self, p: str, s: str, octets: str) -> int:
-        """Sends this message; its sequence where it comes soon, else 0."""
+        """Sends this message. Returns its sequence if it comes soon, else 0."""
         self.pub.tell(f"send {p} {octets}")
         try:
             return int(self.sub.find(f"message {s} [0-9a-f]+ ([0-9]+) [0-9]+ {len(octets) // 2} {octets}", 0.1)[1])
@@ -98,24 +98,24 @@ class Pair:
             return 0
 
     def settled_stream(self, p: str, s: str) -> int:
-        """Makes sure that a publisher of `otm/stream` is heard; the sequence of its last message."""
+        """Waits until a publisher of `otm/stream` is heard. Returns the sequence of its last message."""
         self.heard(p, s)
         return self.settled(p, s)
 
     def settled(self, p: str, s: str) -> int:
-        """The sequence of the last message: sends a mark and passes all before it."""
+        """Sends a mark, and passes all messages before it. Returns the mark's sequence."""
         mark = fresh("ff").encode().hex()
         return int(self.pub_to_sub(p, s, mark)[1])
 
     def pub_to_sub(self, p: str, s: str, octets: str, missed: str = "[0-9]+") -> tuple[str, str, str]:
-        """Sends this message and waits for it: its life, sequence, and how many were missed."""
+        """Sends this message and waits for it. Returns its life, its sequence, and how many were missed."""
         self.pub.tell(f"send {p} {octets}")
         size = len(octets) // 2
         found = self.sub.find(f"message {s} ([0-9a-f]{{16}}) ([0-9]+) ({missed}) {size} {octets[:64]}")
         return found[1], found[2], found[3]
 
     def sends_until_heard(self, p: str, s: str, octets: str) -> None:
-        """Sends this message again and again until one of them comes."""
+        """Sends this message again and again until it comes."""
         for _ in range(20):
             try:
                 self.pub.tell(f"send {p} {octets}")
@@ -134,13 +134,13 @@ class Pair:
 
 
 def counted(agent: Spoken, label: str) -> dict[str, int]:
-    """What `count` says."""
+    """The counts of a publisher or subscriber."""
     found = agent.asked(f"count {label}", f"count {label} (.*)")
     return {key: int(value) for key, value in (word.split("=") for word in found[1].split())}
 
 
 def counted_until(agent: Spoken, label: str, is_so: Callable[[dict[str, int]], bool]) -> dict[str, int]:
-    """What `count` says when this is so, or behind some seconds in which it did not become so."""
+    """The counts when a condition holds, or after some seconds in which it did not hold."""
     end = time.monotonic() + PATIENCE_SECONDS
     while not is_so(counts := counted(agent, label)) and time.monotonic() < end:
         agent.asked("identity number 1", "identity 1")  # gives it time
@@ -148,6 +148,6 @@ def counted_until(agent: Spoken, label: str, is_so: Callable[[dict[str, int]], b
 
 
 def must(holds: bool, text: str) -> None:
-    """Raises Failed where it does not."""
+    """Raises Failed unless the condition holds."""
     if not holds:
         raise Failed(text)

@@ -1,4 +1,4 @@
-"""A process whose lines are waited for: an agent, or a daemon."""
+"""A process whose lines a check waits for: an agent, or a daemon."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import threading
 import time
 from collections.abc import Sequence
 
-#: Nothing takes so long; who waits for longer has failed.
+#: Seconds after which a wait has failed.
 PATIENCE_SECONDS = 30.0
 
 
@@ -19,7 +19,7 @@ class Failed(Exception):
 
 
 class Spoken:
-    """Every line of its standard output (and error, where `with_errors`) is kept; waits are for lines from a position on."""
+    """Keeps every line of its standard output (with `with_errors` also of its standard error), and waits for lines from a position on."""
 
     def __init__(self, name: str, command: Sequence[str], environment: dict[str, str], with_errors: bool = False) -> None:
         self.name = name
@@ -52,7 +52,7 @@ class Spoken:
             self._changed.notify_all()
 
     def tell(self, line: str) -> None:
-        """Writes a line to it."""
+        """Writes a line to the process."""
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(line + "\n")
@@ -61,7 +61,7 @@ class Spoken:
             raise Failed(f"{self.name} has ended; it was told: {line[:100]}") from error
 
     def find(self, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
-        """The first line, of those that no find() has passed, that is this pattern, waiting for it. Passes all before it."""
+        """Waits for a line of this pattern among those that no find() has passed, and passes all lines up to it."""
         wanted = re.compile(pattern)
         end = time.monotonic() + seconds
         with self._changed:
@@ -79,12 +79,12 @@ class Spoken:
         raise Failed(f"{self.name}: no line {pattern!r} ({why})")
 
     def last_lines(self, count: int = 16) -> str:
-        """What it said last, a line each, indented."""
+        """The last lines, indented."""
         with self._changed:
             return "".join(f"\n      {line[:200]}" for line in self.lines[-count:])
 
     def any(self, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
-        """The first of all lines that is this pattern, waiting for it. Passes nothing."""
+        """Waits for a line of this pattern among all lines. Passes none."""
         at, self._at = self._at, 0
         try:
             return self.find(pattern, seconds)
@@ -92,7 +92,7 @@ class Spoken:
             self._at = at
 
     def stands(self, pattern: str, wanted: str, seconds: float = PATIENCE_SECONDS) -> None:
-        """Waits until the last of all lines that are the pattern is the wanted one. Passes nothing."""
+        """Waits until the last line of a pattern is the wanted one. Passes none."""
         end = time.monotonic() + seconds
         with self._changed:
             while True:
@@ -103,39 +103,39 @@ class Spoken:
                     raise Failed(f"{self.name}: the last line {pattern!r} is {last!r}, and no {wanted!r} came in {seconds:g} s")
 
     def all(self, pattern: str) -> list[re.Match[str]]:
-        """All lines until now that are this pattern."""
+        """All lines of this pattern so far."""
         with self._changed:
             found = [re.fullmatch(pattern, line) for line in self.lines]
         return [one for one in found if one is not None]
 
     def passed(self, pattern: str) -> list[re.Match[str]]:
-        """All lines that are this pattern, of those that find() has passed."""
+        """All lines of this pattern that find() has passed."""
         with self._changed:
             found = [re.fullmatch(pattern, line) for line in self.lines[: self._at]]
         return [one for one in found if one is not None]
 
     def asked(self, line: str, pattern: str, seconds: float = PATIENCE_SECONDS) -> re.Match[str]:
-        """Tells it a line and finds the answer."""
+        """Writes a line and finds the answer."""
         self.tell(line)
         return self.find(pattern, seconds)
 
     def kill(self) -> None:
-        """As kill -9 does, and waits for its end."""
+        """Kills the process by SIGKILL, and waits for its end."""
         self.was_killed = True
         self._signal(signal.SIGKILL)
         self._process.wait()
         self._reader.join()
 
     def stand(self) -> None:
-        """It does nothing until go_on()."""
+        """Stops the process until go_on()."""
         self._signal(signal.SIGSTOP)
 
     def go_on(self) -> None:
-        """After stand()."""
+        """Continues the process after stand()."""
         self._signal(signal.SIGCONT)
 
     def end(self, word: str | None = None) -> int:
-        """Ends it as it wants to be ended, and says its exit status. One that does not end is killed and has failed."""
+        """Ends the process by a word, or by SIGTERM. Returns its exit status. A process that does not end is killed, and has failed."""
         if word is None:
             self._signal(signal.SIGTERM)
         elif self._process.poll() is None:
@@ -149,7 +149,7 @@ class Spoken:
         return status
 
     def discard(self) -> None:
-        """Whatever it does, it is gone behind this."""
+        """Kills the process if it still runs, and closes its pipes."""
         if self._process.poll() is None:
             self.kill()
         for pipe in (self._process.stdin, self._process.stdout):
@@ -162,7 +162,7 @@ class Spoken:
     def _signal(self, number: int) -> None:
         if self._process.poll() is None:
             try:
-                # Wrappers of agents are in its session, too.
+                # Wrappers of agents are in the same process group.
                 os.killpg(self._process.pid, number)
             except ProcessLookupError:
                 pass

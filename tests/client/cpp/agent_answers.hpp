@@ -1,4 +1,4 @@
-// What an agent answers at once: identities, frames and lines, as its library reads and writes them.
+// Answers of the agent about identities, frames and lines, as the library reads and writes them.
 #ifndef GEMINGA_TESTS_CLIENT_CPP_AGENT_ANSWERS_HPP
 #define GEMINGA_TESTS_CLIENT_CPP_AGENT_ANSWERS_HPP
 

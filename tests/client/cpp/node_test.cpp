@@ -107,7 +107,7 @@ TEST_P(NodeTest, SendsToWhoAsked) {
   auto subscriber = node.subscribe(wish(mode));
   ASSERT_TRUE(subscriber) << subscriber.error().text;
   EXPECT_EQ(next<ProviderChange>(node)->life, publisher->life());
-  // Who listens to a stream is not told to its provider; it is heard some time.
+  // A provider of a stream is not told of its listeners, so messages are sent until one is heard.
   std::optional<Message> message;
   while (!message) {
     EXPECT_TRUE(publisher->send("hello"));

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Random;
 
-/** What tests say, and where they find what all languages are tested with. */
+/** Assertions of the tests, and the vectors that all languages share. */
 final class Check {
     /** Something that may fail. */
     interface Action {

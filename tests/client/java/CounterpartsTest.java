@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/** Who is believed, and for how long (src/client/CHANNELS.md, "How a channel ends"). */
+/** Counterparts, sequences, listeners and back-off, in given time (src/client/CHANNELS.md, "How a channel ends"). */
 final class CounterpartsTest {
     private static final long SECOND = 1_000_000_000L;
 

@@ -18,7 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** What comes from outside is read as far as it makes sense, within limits, and never breaks anything. */
+/** Input from outside is read within limits and never breaks anything. */
 final class HostileTest {
     private static final long LIFE = 0x0123456789ABCDEFL;
 

@@ -17,7 +17,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 
-/** What every language computes alike: tests/client/vectors and the worked examples of GCNP.md. */
+/** The vectors of all languages: tests/client/vectors and the worked examples of GCNP.md. */
 final class VectorsTest {
     private static final HexFormat HEX = HexFormat.of();
 

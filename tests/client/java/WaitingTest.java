@@ -6,7 +6,7 @@ import geminga.protocol.Limits;
 import java.net.InetSocketAddress;
 import java.util.List;
 
-/** What waits in a subscriber: messages until they are taken, frames until the daemon tells of whom they are. */
+/** The inbox and the early frames of a subscriber. */
 final class WaitingTest {
     private static final InetSocketAddress HERE = InetSocketAddress.createUnresolved("here", 1);
 

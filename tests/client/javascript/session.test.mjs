@@ -1,4 +1,4 @@
-// What is asked of the daemon over several connections, and whom the daemon tells of: without sockets, in a time of our own.
+// Requests over several connections to daemons, and counterparts: without sockets, by a clock of the test.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -40,7 +40,7 @@ function followed(promise) {
   return promise;
 }
 
-/** What has become of it, once the turn is over. */
+/** The state of a promise after the present turn. */
 async function stateOf(promise) {
   await new Promise((resolve) => setImmediate(resolve));
   return states.get(promise);

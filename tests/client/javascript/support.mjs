@@ -1,4 +1,4 @@
-// What several tests need: a clock that stands still, a daemon that says what it is told, and waiting for what happens.
+// Parts that several tests share: a clock that stands still, a scripted daemon, and waits for conditions.
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 import { createInterface } from 'node:readline';

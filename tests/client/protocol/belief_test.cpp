@@ -1,4 +1,4 @@
-// Who is believed and for how long, in given time; and what of theirs is new.
+// Counterparts, sequences, listeners, back-off, addresses and conversions, in given time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

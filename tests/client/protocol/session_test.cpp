@@ -1,4 +1,4 @@
-// What a node says to daemons that come and go, line by line.
+// The lines of a node to daemons that come and go.
 #include "client/protocol/session.hpp"
 
 #include <gmock/gmock.h>

@@ -27,7 +27,7 @@ def quick_start() -> list[str]:
 
 
 def run_together(*commands: list[str]) -> list[str]:
-    """What they said, when all have ended well."""
+    """The output of programs that have all ended well."""
     running = [
         subprocess.Popen([sys.executable, *command], env=ENVIRONMENT, stdout=subprocess.PIPE, text=True) for command in commands
     ]

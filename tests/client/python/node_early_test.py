@@ -1,4 +1,4 @@
-"""What comes from a provider before the daemon told of it (src/client/CHANNELS.md, "Early frames"); in virtual time."""
+"""Frames that come before the daemon names their provider (src/client/CHANNELS.md, "Early frames"); in virtual time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What others send to publishers and subscribers; in virtual time."""
+"""Datagrams and connections of strangers to publishers and subscribers; in virtual time."""
 
 from __future__ import annotations
 

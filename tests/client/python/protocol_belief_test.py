@@ -1,4 +1,4 @@
-"""What is believed: whom a channel goes to, for how long, which messages are new, and what waits."""
+"""Counterparts, listeners, lives, sequences, the inbox and conversions, in given time."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ HELLO = "0 msg hello version=1 participant=1a2b3c4d participant_name=host"
 
 
 def said(session: Session) -> list[str]:
-    """What it wants to say, and it is said."""
+    """The outgoing lines, which are removed."""
     lines = session.outgoing.decode().split("\r\n")
     session.outgoing.clear()
     return lines[:-1]

@@ -21,7 +21,7 @@ from geminga.protocol.line_reader import LineReader  # noqa: E402
 from geminga.protocol.statement import ErrorLine, Statement, read_line  # noqa: E402
 
 
-#: What was sent to a socket of the own host is there by then, though some systems deliver it behind the call that sends.
+#: Seconds after which a datagram to the own host has arrived, also where the system delivers it after the call that sends it.
 _IN_FLIGHT_SECONDS = 0.001
 _HANGS_SECONDS = 20.0
 
@@ -103,7 +103,7 @@ class Peer:
             self.writer.write(line.encode() + b"\r\n")
 
     def of(self, command: str, subcommand: str) -> list[Statement]:
-        """What it was told of this kind."""
+        """The lines of this kind that the daemon has received."""
         return [line for line in self.heard if (line.command, line.subcommand) == (command, subcommand)]
 
 
@@ -185,7 +185,7 @@ def add_consumer(to: tuple[Peer, Statement], of: Statement, word: str = "1a2b3c4
 
 
 class Told:
-    """What an application was told."""
+    """The events that an application was told."""
 
     def __init__(self) -> None:
         self.all: list[geminga.Happening] = []

@@ -1,10 +1,10 @@
 package geminga;
 
-/** What became of the other side of a channel. */
+/** The change of the other side of a channel. */
 public enum Change {
-    /** It is there. */
+    /** It was added. */
     ADDED,
-    /** What it states about itself changed, or where it is reached. */
+    /** Its statement or its address has changed. */
     MODIFIED,
     /** It is gone. */
     REMOVED

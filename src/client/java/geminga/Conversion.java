@@ -1,6 +1,6 @@
 package geminga;
 
-/** Turns a payload from one representation into another. What it throws costs this message only. */
+/** Turns a payload of one representation into another. If it throws, this message alone is dropped. */
 @FunctionalInterface
 public interface Conversion {
     /**
@@ -8,7 +8,7 @@ public interface Conversion {
      *
      * @param payload in the first representation
      * @return in the second one
-     * @throws Exception where the payload cannot be converted: the message is dropped and counted
+     * @throws Exception if the payload cannot be converted: the message is dropped and counted
      */
     byte[] convert(byte[] payload) throws Exception;
 }

@@ -2,19 +2,19 @@ package geminga;
 
 import java.util.Locale;
 
-/** How what is offered stands to what was asked for, the best first. */
+/** Degrees of match between an offered identity and a requested one, the best first. */
 public enum Degree {
     /** The same identity. */
     EXACT,
     /** Another name of the same class. */
     EQUIVALENT,
-    /** A class below the one that was asked for. */
+    /** A class below the requested one. */
     NARROWER,
-    /** The concept is right and the representation is turned into the one that was asked for. */
+    /** The concept matches, and the representation can be converted into the requested one. */
     CONVERTED,
-    /** A class above the one that was asked for. */
+    /** A class above the requested one. */
     BROADER,
-    /** Neither is below the other, and something can be both; the weakest. */
+    /** Neither class is below the other, and something can be in both. The weakest degree. */
     OVERLAPPING;
 
     /** {@return the word of GCNP} */
@@ -27,7 +27,7 @@ public enum Degree {
      *
      * @param word the word of GCNP
      * @return the degree
-     * @throws IllegalArgumentException where there is none
+     * @throws IllegalArgumentException if there is none
      */
     public static Degree of(String word) {
         for (Degree degree : values()) {

@@ -4,7 +4,7 @@ import geminga.channels.SubscriberChannel;
 import java.util.Objects;
 import java.util.concurrent.Flow;
 
-/** Gives the messages of one subscriber to who takes them, as many as are requested, one after the other (Reactive Streams, rules 1.3, 2.7, 3.3 and 3.9). */
+/** Gives the messages of one subscriber to its taker, as many as it requests, one after the other (Reactive Streams, rules 1.3, 2.7, 3.3 and 3.9). */
 final class Delivery implements Flow.Subscription {
     private final Node node;
     private final Subscriber subscriber;
@@ -59,7 +59,7 @@ final class Delivery implements Flow.Subscription {
         });
     }
 
-    /** Gives what is there and requested; on the thread that serves. */
+    /** Gives the messages that are here and requested; on the thread that serves. */
     void pump() {
         if (isPumping || !hasBegun) return;
         isPumping = true;

@@ -4,10 +4,10 @@ import geminga.protocol.Xxh32;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
 
-/** What a service is: a number, a text, or a concept, perhaps with a representation. Kinds never match across. */
+/** The identity of a service: a number, a text, or a concept, perhaps with a representation. Identities of different kinds never match. */
 public sealed interface Identity {
     /**
-     * A number.
+     * A number as identity.
      *
      * @param value 0 to 4294967295
      */
@@ -53,7 +53,7 @@ public sealed interface Identity {
      * A concept of the ontology, and in a request a class expression in Manchester syntax as well.
      *
      * @param name {@code prefix:Name}, {@code <IRI>}, a label, or an expression
-     * @param representation the form in which data come, written as the name is; empty for none
+     * @param representation the form of the data, written like the name; empty for none
      */
     record Concept(String name, String representation) implements Identity {
         /**
@@ -129,7 +129,7 @@ public sealed interface Identity {
      * The 32-bit form (src/identity/IDENTITY.md), the same in every language.
      *
      * @return 0 to 4294967295
-     * @throws IllegalStateException for a concept with short names, whose IRIs the daemon alone knows
+     * @throws IllegalStateException for a concept with short names, because only the daemon knows their IRIs
      */
     long id32();
 

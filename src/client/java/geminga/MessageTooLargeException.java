@@ -9,7 +9,7 @@ public final class MessageTooLargeException extends IOException {
     /**
      * Makes one.
      *
-     * @param text what is allowed, and what to do
+     * @param text the limit, and what to do
      */
     public MessageTooLargeException(String text) {
         super(text);

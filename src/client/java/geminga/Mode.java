@@ -1,12 +1,12 @@
 package geminga;
 
-/** How messages flow between a provider and its consumers. */
+/** Modes of channels between a provider and its consumers. */
 public enum Mode {
     /** One to one. */
     ONE_TO_ONE("oto"),
     /** One to many; consumers listen and the provider is not told of them. */
     STREAM("otm/stream"),
-    /** One to many; opened for the first consumer and closed after the last. */
+    /** One to many; the channel is opened for the first consumer and closed after the last. */
     PUBSUB("otm/pubsub");
 
     private final String word;
@@ -25,7 +25,7 @@ public enum Mode {
      *
      * @param word the word of GCNP
      * @return the mode
-     * @throws IllegalArgumentException where there is none
+     * @throws IllegalArgumentException if there is none
      */
     public static Mode of(String word) {
         for (Mode mode : values()) {

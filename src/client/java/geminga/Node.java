@@ -20,15 +20,15 @@ import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 
 /**
- * One program's connection with its daemon, and the sockets of all its channels. The daemon may start later, stop and come back: the node finds it again, states
- * everything again, and channels go on meanwhile.
+ * One program's connection to its daemon, and the sockets of all its channels. The daemon may start later, end and come back: the node connects again and states its
+ * requests again, and channels go on meanwhile.
  *
- * <p><b>Threads.</b> A node makes none. Its one selector is served either by one task on an executor that the application gives ({@link #open(Options, Executor)}), for as long
- * as the node lives; or, without one ({@link #open(Options)}), by whoever waits: {@link #run}, {@link #poll}, {@link #awaitConnected}, {@link Subscriber#receive}, the
- * other methods that take a duration, and {@link #close}. Then nothing happens between such calls. All methods may be called from any thread. What the application is told
- * comes on the thread that serves, one after the other and without any lock held; a listener may call everything but should not block.
+ * <p><b>Threads.</b> A node starts none. With an executor ({@link #open(Options, Executor)}) one task there serves its selector until the node is closed. Without one
+ * ({@link #open(Options)}) the calls that wait serve it: {@link #run}, {@link #poll}, {@link #awaitConnected}, {@link Subscriber#receive}, the other methods that take a
+ * duration, and {@link #close}; nothing happens between such calls. All methods may be called from any thread. Events come on the thread that serves, one after the other and
+ * without a lock held. A listener may call everything but should not block.
  *
- * <p><b>Interruption.</b> Who waits is interrupted with {@link InterruptedException}, and no socket is closed by that. The task of an executor that is interrupted closes the node.
+ * <p><b>Interruption.</b> A call that waits ends with {@link InterruptedException}, and no socket is closed by that. If the task of an executor is interrupted, it closes the node.
  */
 public final class Node implements AutoCloseable {
     private final Loop loop;
@@ -50,11 +50,11 @@ public final class Node implements AutoCloseable {
     }
 
     /**
-     * Opens a node that is served by whoever waits in it.
+     * Opens a node that is served by the calls that wait.
      *
      * @param options its name and its daemon, which need not be there yet
      * @return the node
-     * @throws IOException where the system gives no selector
+     * @throws IOException if the system gives no selector
      */
     public static Node open(Options options) throws IOException {
         return new Node(options);
@@ -66,7 +66,7 @@ public final class Node implements AutoCloseable {
      * @param options its name and its daemon, which need not be there yet
      * @param executor runs the task on a thread of its own, as {@link #newThread} does
      * @return the node
-     * @throws IOException where the system gives no selector
+     * @throws IOException if the system gives no selector
      */
     public static Node open(Options options, Executor executor) throws IOException {
         Node node = new Node(options);
@@ -82,9 +82,9 @@ public final class Node implements AutoCloseable {
     }
 
     /**
-     * Asks for one thread for the node, which does not keep the program alive: the simplest executor for {@link #open(Options, Executor)}.
+     * Starts one thread, which does not keep the program alive: the simplest executor for {@link #open(Options, Executor)}.
      *
-     * @param task what the thread does
+     * @param task the task of the thread
      */
     public static void newThread(Runnable task) {
         Thread thread = new Thread(task, "geminga");
@@ -95,21 +95,21 @@ public final class Node implements AutoCloseable {
     /**
      * Offers a service with a channel.
      *
-     * @param offer what is offered, and how it is reached
-     * @return the publisher; what the daemon says of it, {@link Publisher#taken} tells
-     * @throws IOException where the stated port is taken
+     * @param offer the service, and how it is reached
+     * @return the publisher; {@link Publisher#taken} tells the answer of the daemon
+     * @throws IOException if the stated port is taken
      */
     public Publisher publish(Offer offer) throws IOException {
         return publish(offer, event -> { });
     }
 
     /**
-     * Offers a service with a channel and hears of its consumers.
+     * Offers a service with a channel, and tells a listener of its consumers.
      *
-     * @param offer what is offered, and how it is reached
-     * @param listener told of each consumer, but for {@link Mode#STREAM}, where the daemon tells of none
-     * @return the publisher; what the daemon says of it, {@link Publisher#taken} tells
-     * @throws IOException where the stated port is taken
+     * @param offer the service, and how it is reached
+     * @param listener told of each consumer; not for {@link Mode#STREAM}, where the daemon names none
+     * @return the publisher; {@link Publisher#taken} tells the answer of the daemon
+     * @throws IOException if the stated port is taken
      */
     public Publisher publish(Offer offer, Consumer<Event.ConsumerEvent> listener) throws IOException {
         return locked(() -> {
@@ -125,21 +125,21 @@ public final class Node implements AutoCloseable {
     /**
      * Asks for a service and receives its messages.
      *
-     * @param request what is asked for
-     * @return the subscriber; what the daemon says of it, {@link Subscriber#taken} tells
-     * @throws IOException where the stated port is taken
+     * @param request the request
+     * @return the subscriber; {@link Subscriber#taken} tells the answer of the daemon
+     * @throws IOException if the stated port is taken
      */
     public Subscriber subscribe(Request request) throws IOException {
         return subscribe(request, event -> { });
     }
 
     /**
-     * Asks for a service, receives its messages, and hears of its providers.
+     * Asks for a service, receives its messages, and tells a listener of its providers.
      *
-     * @param request what is asked for
+     * @param request the request
      * @param listener told of each provider
-     * @return the subscriber; what the daemon says of it, {@link Subscriber#taken} tells
-     * @throws IOException where the stated port is taken
+     * @return the subscriber; {@link Subscriber#taken} tells the answer of the daemon
+     * @throws IOException if the stated port is taken
      */
     public Subscriber subscribe(Request request, Consumer<Event.ProviderEvent> listener) throws IOException {
         return locked(() -> {
@@ -167,7 +167,7 @@ public final class Node implements AutoCloseable {
      *
      * @param atMost how long
      * @return whether it is there
-     * @throws InterruptedException where the thread is interrupted
+     * @throws InterruptedException if the thread is interrupted
      */
     public boolean awaitConnected(Duration atMost) throws InterruptedException {
         return await(daemon::isUp, atMost);
@@ -176,7 +176,7 @@ public final class Node implements AutoCloseable {
     /**
      * Serves the node until it is closed.
      *
-     * @throws InterruptedException where the thread is interrupted; the node stays open
+     * @throws InterruptedException if the thread is interrupted; the node stays open
      */
     public void run() throws InterruptedException {
         loop.run();
@@ -186,7 +186,7 @@ public final class Node implements AutoCloseable {
      * Serves the node for so long, at least once.
      *
      * @param time how long
-     * @throws InterruptedException where the thread is interrupted
+     * @throws InterruptedException if the thread is interrupted
      */
     public void poll(Duration time) throws InterruptedException {
         loop.poll();
@@ -194,7 +194,7 @@ public final class Node implements AutoCloseable {
     }
 
     /**
-     * Withdraws everything, gives consumers over TCP what still waits for them, until one takes nothing for 5 s, and says goodbye to the daemon. An interruption ends the waiting and stays set.
+     * Withdraws everything and says goodbye to the daemon. TCP consumers get all messages that wait; one that takes nothing for 5 s is not waited for. An interruption ends the waiting and stays set.
      */
     @Override
     public void close() {
@@ -213,7 +213,7 @@ public final class Node implements AutoCloseable {
         loop.close();
     }
 
-    /** Waits for what ends by itself, unless it is interrupted. */
+    /** Waits for a condition that comes by itself, unless the thread is interrupted. */
     void settle(BooleanSupplier condition) {
         try {
             loop.await(condition, Long.MAX_VALUE);
@@ -226,7 +226,7 @@ public final class Node implements AutoCloseable {
         return loop.await(condition, atMost.compareTo(Duration.ofDays(1000)) > 0 ? Long.MAX_VALUE : atMost.toNanos());
     }
 
-    /** Does something with the lock, unless the node is closed. */
+    /** Runs an action with the lock, unless the node is closed. */
     private <T> T locked(Opening<T> action) throws IOException {
         loop.lock();
         try {
@@ -246,7 +246,7 @@ public final class Node implements AutoCloseable {
         }
     }
 
-    /** Has something done by the thread that serves. With the lock. */
+    /** Has a notice run by the thread that serves. With the lock. */
     void tell(Runnable notice) {
         loop.tell(notice);
     }

@@ -3,7 +3,7 @@ package geminga;
 import geminga.protocol.Words;
 import java.util.Map;
 
-/** What a publisher offers, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another offer. What cannot be stated is an {@link IllegalArgumentException}. */
+/** The offer of a publisher, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another offer, and throws {@link IllegalArgumentException} for a value that cannot be stated. */
 public final class Offer {
     private final Words words;
 
@@ -14,8 +14,8 @@ public final class Offer {
     /**
      * An offer over UDP at any port.
      *
-     * @param mode how messages flow
-     * @param identity what is offered
+     * @param mode the mode of the channel
+     * @param identity the identity of the service
      * @return the offer
      */
     public static Offer of(Mode mode, Identity identity) {
@@ -25,7 +25,7 @@ public final class Offer {
     /**
      * Reads an offer from the words behind {@code pub create}, as {@code mode=oto text=kick protocol=tcp rate=30}. The port may be left out.
      *
-     * @param parameters as a line of GCNP has them, quotes and all
+     * @param parameters as in a line of GCNP, with quotes
      * @return the offer
      */
     public static Offer read(String parameters) {
@@ -33,9 +33,9 @@ public final class Offer {
     }
 
     /**
-     * States what more parameters say, as those of {@code pub modify}.
+     * States more parameters, as {@code pub modify} does.
      *
-     * @param parameters as a line of GCNP has them, quotes and all
+     * @param parameters as in a line of GCNP, with quotes
      * @return the offer
      */
     public Offer with(String parameters) {
@@ -43,7 +43,7 @@ public final class Offer {
     }
 
     /**
-     * Where the channel is offered.
+     * States the port of the channel.
      *
      * @param port 0 for any
      * @return the offer
@@ -53,7 +53,7 @@ public final class Offer {
     }
 
     /**
-     * The address of the channel: one of this host's, or a multicast address for {@link Mode#STREAM} over UDP.
+     * States the address of the channel: one of this host's, or a multicast address for {@link Mode#STREAM} over UDP.
      *
      * @param address in numbers; empty for each interface's own
      * @return the offer
@@ -63,7 +63,7 @@ public final class Offer {
     }
 
     /**
-     * Messages of up to 16 MiB in order, over TCP.
+     * States TCP: messages of up to 16 MiB, in order.
      *
      * @return the offer
      */
@@ -72,7 +72,7 @@ public final class Offer {
     }
 
     /**
-     * How the offer stands in arbitrations.
+     * States the priority of the offer in arbitrations.
      *
      * @param priority the greater wins
      * @return the offer
@@ -82,7 +82,7 @@ public final class Offer {
     }
 
     /**
-     * On which hosts consumers may be (src/discovery/matching/SCOPE.md).
+     * States the hosts on which consumers may be (src/discovery/matching/SCOPE.md).
      *
      * @param scope as {@code host}, or {@code robot2/vision,!host}; empty for any
      * @return the offer
@@ -92,7 +92,7 @@ public final class Offer {
     }
 
     /**
-     * Which consumers may take it, by their attributes (src/discovery/matching/SCOPE.md).
+     * States a condition on the attributes of consumers (src/discovery/matching/SCOPE.md).
      *
      * @param condition as {@code rate in (10, 30)}; empty for all
      * @return the offer
@@ -112,12 +112,12 @@ public final class Offer {
         return new Offer(words.withAttribute(name, value));
     }
 
-    /** {@return how messages flow} */
+    /** {@return the mode} */
     public Mode mode() {
         return Mode.of(words.get("mode"));
     }
 
-    /** {@return what is offered} */
+    /** {@return the identity of the service} */
     public Identity identity() {
         return Request.identity(words);
     }
@@ -148,7 +148,7 @@ public final class Offer {
     }
 
     /**
-     * What {@code pub modify} has to state to make another offer this one.
+     * The parameters of {@code pub modify} that turn another offer into this one.
      *
      * @param before the other one
      * @return keys and values in the order of GCNP

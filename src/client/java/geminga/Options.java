@@ -5,19 +5,19 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * How a node calls itself and where its daemon is.
+ * The name of a node and the endpoint of its daemon.
  *
- * @param name what others are told of this program; empty for nothing
- * @param connect {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}; empty for where gemingad usually listens
- * @param listener what is told of the daemon and of problems, on the thread that drives the node; it must not block
+ * @param name the name that others see; empty for none
+ * @param connect {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}; empty for the usual endpoint of gemingad
+ * @param listener told of the daemon and of problems, on the thread that serves the node; it must not block
  */
 public record Options(String name, String connect, Consumer<Event> listener) {
     /**
      * Checks the name.
      *
-     * @param name what others are told of this program; empty for nothing
-     * @param connect {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}; empty for where gemingad usually listens
-     * @param listener what is told of the daemon and of problems
+     * @param name the name that others see; empty for none
+     * @param connect {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}; empty for the usual endpoint of gemingad
+     * @param listener told of the daemon and of problems
      */
     public Options {
         Objects.requireNonNull(connect);
@@ -26,9 +26,9 @@ public record Options(String name, String connect, Consumer<Event> listener) {
     }
 
     /**
-     * The daemon that the environment variable {@code GEMINGA_CONNECT} says, or the usual one.
+     * Options for the daemon of the environment variable {@code GEMINGA_CONNECT}, or the usual one.
      *
-     * @param name what others are told of this program
+     * @param name the name that others see
      * @return the options
      */
     public static Options named(String name) {
@@ -37,7 +37,7 @@ public record Options(String name, String connect, Consumer<Event> listener) {
     }
 
     /**
-     * Another daemon.
+     * Options for another daemon.
      *
      * @param address {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}
      * @return the options
@@ -47,9 +47,9 @@ public record Options(String name, String connect, Consumer<Event> listener) {
     }
 
     /**
-     * Who is told of the daemon and of problems.
+     * Options with another listener.
      *
-     * @param told on the thread that drives the node; it must not block
+     * @param told is told of the daemon and of problems, on the thread that serves the node; it must not block
      * @return the options
      */
     public Options listener(Consumer<Event> told) {

@@ -19,13 +19,13 @@ public final class Publisher implements AutoCloseable {
     /**
      * Sends one message to every consumer, and never waits. Without a consumer it touches no socket.
      *
-     * <p>A consumer over TCP for which 4 MiB wait misses it; {@link #leftOut} counts that, and {@link #awaitRoom} waits before.
+     * <p>A TCP consumer for which 4 MiB wait is left out; {@link #leftOut} counts that, and {@link #awaitRoom} waits for room.
      *
      * @param payload up to 65 000 octets over UDP, 16 MiB over TCP; it may be changed when this returns
      * @return whether there was a consumer
-     * @throws MessageTooLargeException where the payload is larger
-     * @throws RefusedException where the daemon refused the offer
-     * @throws java.nio.channels.ClosedChannelException where the publisher is closed
+     * @throws MessageTooLargeException if the payload is larger
+     * @throws RefusedException if the daemon refused the offer
+     * @throws java.nio.channels.ClosedChannelException if the publisher is closed
      */
     public boolean send(byte[] payload) throws IOException {
         return channel.send(payload);
@@ -36,56 +36,56 @@ public final class Publisher implements AutoCloseable {
      *
      * @param atMost how long
      * @return whether there is one
-     * @throws InterruptedException where the thread is interrupted
+     * @throws InterruptedException if the thread is interrupted
      */
     public boolean awaitConsumer(Duration atMost) throws InterruptedException {
         return node.await(channel::isHeard, atMost);
     }
 
     /**
-     * Waits until a message of that size would be left out for no consumer that is connected.
+     * Waits until every connected consumer has room for a message of this size.
      *
      * @param octets its size
      * @param atMost how long
      * @return whether there is room
-     * @throws InterruptedException where the thread is interrupted
+     * @throws InterruptedException if the thread is interrupted
      */
     public boolean awaitRoom(int octets, Duration atMost) throws InterruptedException {
         return node.await(() -> channel.hasRoom(octets), atMost);
     }
 
     /**
-     * Changes the offer, as {@code publisher.modify(offer -> offer.attribute("rate", "15"))}. Mode, port, address and protocol stay.
+     * Changes the offer, as {@code publisher.modify(offer -> offer.attribute("rate", "15"))}. Mode, port, address and protocol cannot be changed.
      *
      * @param change makes the new offer from the one that holds
-     * @return completes when the daemon has taken it, or fails with {@link RefusedException}, and the former offer holds; on the thread that serves the node
+     * @return completes when the daemon has accepted it, or fails with {@link RefusedException}, and the former offer holds; on the thread that serves the node
      */
     public CompletionStage<Void> modify(UnaryOperator<Offer> change) {
         return node.locking(() -> channel.modify(change.apply(channel.offer())));
     }
 
-    /** {@return what is offered, with the port where it is reached} */
+    /** {@return the offer, with the port where it is reached} */
     public Offer offer() {
         return node.locking(channel::offer);
     }
 
-    /** {@return the life of this publisher, which each of its messages carries} */
+    /** {@return the life of this publisher, which its messages carry} */
     public long life() {
         return channel.life();
     }
 
-    /** {@return completes when the daemon has taken the offer, which may be there later, or fails with {@link RefusedException}; on the thread that serves the node} */
+    /** {@return completes when the daemon has accepted the offer, or fails with {@link RefusedException}; on the thread that serves the node} */
     public CompletionStage<Void> taken() {
         return channel.taken().minimalCompletionStage();
     }
 
     /**
-     * Waits until the daemon has taken the offer.
+     * Waits until the daemon has accepted the offer.
      *
      * @param atMost how long
      * @return whether it has
-     * @throws RefusedException where it refused it
-     * @throws InterruptedException where the thread is interrupted
+     * @throws RefusedException if it refused it
+     * @throws InterruptedException if the thread is interrupted
      */
     public boolean awaitTaken(Duration atMost) throws RefusedException, InterruptedException {
         node.await(() -> channel.isTaken() || channel.refusal() != null, atMost);
@@ -93,22 +93,22 @@ public final class Publisher implements AutoCloseable {
         return node.locking(channel::isTaken);
     }
 
-    /** {@return how many messages it was given while it had a consumer} */
+    /** {@return how many messages were sent while there was a consumer} */
     public long sent() {
         return node.locking(channel::sent);
     }
 
-    /** {@return how often a message was left out for a consumer that did not read, or could not be reached} */
+    /** {@return how often a message was left out for a consumer that did not read or could not be reached} */
     public long leftOut() {
         return node.locking(channel::leftOutCount);
     }
 
-    /** {@return what came to its sockets and was no frame, or from nobody who is known} */
+    /** {@return the number of datagrams and connections that were not believed} */
     public long dropped() {
         return node.locking(channel::droppedCount);
     }
 
-    /** Withdraws the offer. Consumers over TCP are given what still waits for them, until one takes nothing for 5 s; an interruption ends the waiting and stays set. */
+    /** Withdraws the offer. TCP consumers get all messages that wait; one that takes nothing for 5 s is not waited for. An interruption ends the waiting and stays set. */
     @Override
     public void close() {
         node.locking(() -> {

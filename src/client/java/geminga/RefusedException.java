@@ -2,7 +2,7 @@ package geminga;
 
 import java.io.IOException;
 
-/** The daemon cannot do what an offer or a request states. It is not stated again. */
+/** The daemon has refused an offer or a request, which is not stated again. */
 public final class RefusedException extends IOException {
     private static final long serialVersionUID = 1;
 

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a subscriber asks for, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another request. What cannot be stated is an {@link IllegalArgumentException}. */
+/** The request of a subscriber, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another request, and throws {@link IllegalArgumentException} for a value that cannot be stated. */
 public final class Request {
     private final Words words;
     private final Map<String, Conversion> conversions;
@@ -18,8 +18,8 @@ public final class Request {
     /**
      * A request for all that matches, over UDP and TCP.
      *
-     * @param mode how messages flow
-     * @param identity what is asked for
+     * @param mode the mode of the channel
+     * @param identity the requested identity
      * @return the request
      */
     public static Request of(Mode mode, Identity identity) {
@@ -29,7 +29,7 @@ public final class Request {
     /**
      * Reads a request from the words behind {@code sub create}, as {@code mode=otm/stream concept=soccer:BallInfo where="rate > 10"}.
      *
-     * @param parameters as a line of GCNP has them, quotes and all
+     * @param parameters as in a line of GCNP, with quotes
      * @return the request
      */
     public static Request read(String parameters) {
@@ -37,9 +37,9 @@ public final class Request {
     }
 
     /**
-     * States what more parameters say, as those of {@code sub modify}.
+     * States more parameters, as {@code sub modify} does.
      *
-     * @param parameters as a line of GCNP has them, quotes and all
+     * @param parameters as in a line of GCNP, with quotes
      * @return the request
      */
     public Request with(String parameters) {
@@ -47,7 +47,7 @@ public final class Request {
     }
 
     /**
-     * The weakest degree that counts.
+     * States the weakest degree of match that counts.
      *
      * @param weakest any but {@link Degree#CONVERTED}, which {@link #convert} asks for
      * @return the request
@@ -57,9 +57,9 @@ public final class Request {
     }
 
     /**
-     * Whose services count.
+     * States the providers that count.
      *
-     * @param providers {@code PARTICIPANT[/PEER]} each, by identifier or by name; none for anybody's
+     * @param providers {@code PARTICIPANT[/PEER]} each, by identifier or by name; none for all
      * @return the request
      */
     public Request providers(String... providers) {
@@ -67,9 +67,9 @@ public final class Request {
     }
 
     /**
-     * Whose services come first (src/discovery/matching/PREFERENCES.md).
+     * States the providers that come first (src/discovery/matching/PREFERENCES.md).
      *
-     * @param providers {@code PARTICIPANT[/PEER]} each, in this order; none for nobody's
+     * @param providers {@code PARTICIPANT[/PEER]} each, in this order; none for no preference
      * @return the request
      */
     public Request favour(String... providers) {
@@ -77,7 +77,7 @@ public final class Request {
     }
 
     /**
-     * By which attributes a service is better (src/discovery/matching/PREFERENCES.md).
+     * States the attributes by which a provider is better (src/discovery/matching/PREFERENCES.md).
      *
      * @param wishes {@code KEY asc} or {@code KEY desc} each, perhaps with {@code by NUMBER [UNIT]}
      * @return the request
@@ -87,7 +87,7 @@ public final class Request {
     }
 
     /**
-     * By what services are ranked first.
+     * States the order of the criteria of ranking.
      *
      * @param order of {@code favour}, {@code priority}, {@code prefer}, {@code degree} and {@code distance}
      * @return the request
@@ -97,7 +97,7 @@ public final class Request {
     }
 
     /**
-     * A condition over attributes (src/discovery/matching/WHERE.md).
+     * States a condition over attributes (src/discovery/matching/WHERE.md).
      *
      * @param condition as {@code rate >= 30 and camera = 'front'}; empty for none
      * @return the request
@@ -107,7 +107,7 @@ public final class Request {
     }
 
     /**
-     * On which hosts providers may be (src/discovery/matching/SCOPE.md).
+     * States the hosts on which providers may be (src/discovery/matching/SCOPE.md).
      *
      * @param scope as {@code host}, or {@code robot2/vision,!host}; empty for any
      * @return the request
@@ -117,7 +117,7 @@ public final class Request {
     }
 
     /**
-     * Over which protocols messages may come.
+     * States the protocols over which messages may come.
      *
      * @param protocols {@code udp}, {@code tcp}; none for both
      * @return the request
@@ -127,7 +127,7 @@ public final class Request {
     }
 
     /**
-     * How many providers at most, the best.
+     * States the largest number of providers, the best ones.
      *
      * @param limit 0 for all
      * @return the request
@@ -137,7 +137,7 @@ public final class Request {
     }
 
     /**
-     * How the consumer stands with a provider that can serve few.
+     * States the priority of the consumer at a provider that can serve few.
      *
      * @param priority the greater wins
      * @return the request
@@ -147,7 +147,7 @@ public final class Request {
     }
 
     /**
-     * At which port messages over UDP are received.
+     * States the port for messages over UDP.
      *
      * @param port 0 for any
      * @return the request
@@ -157,7 +157,7 @@ public final class Request {
     }
 
     /**
-     * At which address messages over UDP are received.
+     * States the address for messages over UDP.
      *
      * @param address in numbers; empty for each interface's own
      * @return the request
@@ -167,7 +167,7 @@ public final class Request {
     }
 
     /**
-     * Also services whose representation can be turned into the one that is asked for (src/discovery/matching/CONVERSIONS.md).
+     * Asks also for services whose representation can be converted into the requested one (src/discovery/matching/CONVERSIONS.md).
      *
      * @param cost {@code yes}, {@code no}, or the largest cost
      * @return the request
@@ -177,11 +177,11 @@ public final class Request {
     }
 
     /**
-     * Gives the function for one conversion, by the names that events have. It is called where messages are taken.
+     * Adds the function for one conversion, by the names that events use. It is called when messages are taken.
      *
      * @param from the representation that it takes
      * @param to the representation that it makes
-     * @param function what converts a payload
+     * @param function converts a payload
      * @return the request
      */
     public Request conversion(String from, String to, Conversion function) {
@@ -191,7 +191,7 @@ public final class Request {
     }
 
     /**
-     * States an attribute, for which providers may have a condition.
+     * States an attribute, on which providers may have a condition.
      *
      * @param name 1 to 64 letters, digits, {@code _}, {@code .} or {@code -}
      * @param value up to 255 octets
@@ -201,12 +201,12 @@ public final class Request {
         return new Request(words.withAttribute(name, value), conversions);
     }
 
-    /** {@return how messages flow} */
+    /** {@return the mode} */
     public Mode mode() {
         return Mode.of(words.get("mode"));
     }
 
-    /** {@return what is asked for} */
+    /** {@return the requested identity} */
     public Identity identity() {
         return identity(words);
     }
@@ -248,7 +248,7 @@ public final class Request {
     }
 
     /**
-     * What {@code sub modify} has to state to make another request this one.
+     * The parameters of {@code sub modify} that turn another request into this one.
      *
      * @param before the other one
      * @return keys and values in the order of GCNP

@@ -12,11 +12,11 @@ import java.util.concurrent.Flow;
 import java.util.function.UnaryOperator;
 
 /**
- * A service that is asked for, and the channel from its providers. Messages are taken by {@link #receive}, or by one {@link Flow.Subscriber}, which is given as many as it
- * requests and no more.
+ * A service that is asked for, and the channel from its providers. Messages are taken by {@link #receive}, or by one {@link Flow.Subscriber}, which gets as many as it
+ * requests.
  *
  * <p>At most 1024 messages and 16 MiB wait, but always one. Then the eldest message that came over UDP is lost for a new one, and connections are
- * not read, which holds their providers back; {@link Message#missed} tells what was lost. What a provider sends over UDP before the daemon has told of it waits for a second, 64 messages and 256 KiB at most.
+ * not read, which holds their providers back; {@link Message#missed} tells what was lost. Frames that a provider sends over UDP before the daemon has named it wait for a second, 64 of them and 256 KiB at most.
  */
 public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> {
     private final Node node;
@@ -35,9 +35,9 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
      * Waits for a message.
      *
      * @return the next one
-     * @throws InterruptedException where the thread is interrupted
-     * @throws RefusedException where the daemon refused the request
-     * @throws ClosedChannelException where the subscriber is closed, perhaps meanwhile
+     * @throws InterruptedException if the thread is interrupted
+     * @throws RefusedException if the daemon refused the request
+     * @throws ClosedChannelException if the subscriber is closed, perhaps meanwhile
      */
     public Message receive() throws InterruptedException, ClosedChannelException, RefusedException {
         while (true) {
@@ -51,9 +51,9 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
      *
      * @param atMost how long
      * @return the next one, or nothing
-     * @throws InterruptedException where the thread is interrupted
-     * @throws RefusedException where the daemon refused the request
-     * @throws ClosedChannelException where the subscriber is closed, perhaps meanwhile
+     * @throws InterruptedException if the thread is interrupted
+     * @throws RefusedException if the daemon refused the request
+     * @throws ClosedChannelException if the subscriber is closed, perhaps meanwhile
      */
     public Optional<Message> receive(Duration atMost) throws InterruptedException, ClosedChannelException, RefusedException {
         long begin = System.nanoTime();
@@ -72,7 +72,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
         }
     }
 
-    /** What the application is given of a message; null where it cannot be converted. Without the lock. */
+    /** The converted message; null if it cannot be converted. Without the lock. */
     Message take(Message message) {
         byte[] payload = message.payload();
         try {
@@ -91,9 +91,9 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
     }
 
     /**
-     * Gives all messages from now on to one who takes them, on the thread that serves the node. There can be one at a time: another one gets an {@link IllegalStateException}.
+     * Gives all further messages to a taker, on the thread that serves the node. There can be one at a time: another one gets an {@link IllegalStateException}.
      *
-     * @param taker who requests and takes them
+     * @param taker requests and takes them
      */
     @Override
     public void subscribe(Flow.Subscriber<? super Message> taker) {
@@ -114,7 +114,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
         });
     }
 
-    /** The taker wants no more. */
+    /** Forgets a taker that wants no more messages. */
     void released(Delivery was) {
         node.locking(() -> {
             if (delivery == was) {
@@ -126,16 +126,16 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
     }
 
     /**
-     * Changes the request, as {@code subscriber.modify(request -> request.where("rate > 10"))}. Mode, port, address and protocol stay.
+     * Changes the request, as {@code subscriber.modify(request -> request.where("rate > 10"))}. Mode, port, address and protocol cannot be changed.
      *
      * @param change makes the new request from the one that holds
-     * @return completes when the daemon has taken it, or fails with {@link RefusedException}, and the former request holds; on the thread that serves the node
+     * @return completes when the daemon has accepted it, or fails with {@link RefusedException}, and the former request holds; on the thread that serves the node
      */
     public CompletionStage<Void> modify(UnaryOperator<Request> change) {
         return node.locking(() -> channel.modify(change.apply(channel.request())));
     }
 
-    /** {@return what is asked for, with what the library states beside} */
+    /** {@return the request, with the port and the life that the library states} */
     public Request request() {
         return channel.request();
     }
@@ -145,18 +145,18 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
         return channel.life();
     }
 
-    /** {@return completes when the daemon has taken the request, or fails with {@link RefusedException}; on the thread that serves the node} */
+    /** {@return completes when the daemon has accepted the request, or fails with {@link RefusedException}; on the thread that serves the node} */
     public CompletionStage<Void> taken() {
         return channel.taken().minimalCompletionStage();
     }
 
     /**
-     * Waits until the daemon has taken the request.
+     * Waits until the daemon has accepted the request.
      *
      * @param atMost how long
      * @return whether it has
-     * @throws RefusedException where it refused it
-     * @throws InterruptedException where the thread is interrupted
+     * @throws RefusedException if it refused it
+     * @throws InterruptedException if the thread is interrupted
      */
     public boolean awaitTaken(Duration atMost) throws RefusedException, InterruptedException {
         node.await(() -> channel.isTaken() || channel.refusal() != null, atMost);
@@ -169,17 +169,17 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
         return node.locking(() -> received);
     }
 
-    /** {@return how many messages of the same lives it missed} */
+    /** {@return how many messages are missing, those lost in a full inbox with them} */
     public long missed() {
         return node.locking(channel::missedCount);
     }
 
-    /** {@return what came and was no frame, not from a provider that is matched or was so soon, not new, or could not be converted} */
+    /** {@return the number of datagrams and frames that were not believed, were not new, or could not be converted} */
     public long dropped() {
         return node.locking(() -> channel.droppedCount() + failed);
     }
 
-    /** Withdraws the request and closes its sockets. A taker is told {@link Flow.Subscriber#onComplete}. */
+    /** Withdraws the request and closes its sockets. A taker gets {@link Flow.Subscriber#onComplete}. */
     @Override
     public void close() {
         node.locking(() -> {

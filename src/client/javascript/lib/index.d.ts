@@ -1,4 +1,4 @@
-/** How a service is identified: one of a number, a text, or a concept of the ontology with or without a representation. */
+/** The identity of a service: a number, a text, or a concept of the ontology with or without a representation. */
 export type Identity =
   | { id: number; text?: undefined; concept?: undefined; representation?: undefined }
   | { text: string; id?: undefined; concept?: undefined; representation?: undefined }
@@ -10,14 +10,14 @@ export type Degree = 'exact' | 'equivalent' | 'narrower' | 'converted' | 'broade
 export type Protocol = 'udp' | 'tcp';
 export type AttributeValue = string | number | boolean;
 
-/** What ends the waiting of a call; it rejects with an AbortError then. */
+/** A signal that ends the wait of a call, which then rejects with an AbortError. */
 export interface Abortable {
   signal?: AbortSignal;
 }
 
 export interface PublicationStatement {
   priority?: number;
-  /** On which hosts consumers may be (src/discovery/matching/SCOPE.md). */
+  /** The hosts on which consumers may be (src/discovery/matching/SCOPE.md). */
   scope?: string;
   /** A condition over the consumer (src/discovery/matching/WHERE.md). */
   for?: string;
@@ -28,15 +28,15 @@ export interface SubscriptionStatement {
   match?: Exclude<Degree, 'converted'>;
   /** `PARTICIPANT[/PEER]`, each by id or name. */
   provider?: string | readonly string[];
-  /** As `provider`: first these. */
+  /** Providers that come first, written as in `provider`. */
   favour?: string | readonly string[];
   prefer?: string;
   rank?: string | readonly string[];
   scope?: string;
   where?: string;
-  /** Whether, or up to which cost, representations may be converted. */
+  /** Whether representations may be converted, or the largest cost of that. */
   convert?: boolean | 'yes' | 'no' | number;
-  /** How many providers at most, the best; 0: all. */
+  /** The largest number of providers, the best ones; 0: all. */
   limit?: number;
   priority?: number;
   attributes?: Record<string, AttributeValue>;
@@ -44,9 +44,9 @@ export interface SubscriptionStatement {
 
 export type PublishOptions = Identity & PublicationStatement & Abortable & {
   mode: Mode;
-  /** `udp` unless it is said. Messages over 65 000 octets need `tcp`. */
+  /** `udp` by default. Messages over 65 000 octets need `tcp`. */
   protocol?: Protocol;
-  /** Any, unless it is said. */
+  /** Any by default. */
   port?: number;
   /** An IP address in numbers; of `otm/stream` over UDP it may be a group's. */
   address?: string;
@@ -54,21 +54,21 @@ export type PublishOptions = Identity & PublicationStatement & Abortable & {
 
 export type SubscribeOptions = Identity & SubscriptionStatement & Abortable & {
   mode: Mode;
-  /** Both, unless it is said. */
+  /** Both by default. */
   protocol?: Protocol | readonly Protocol[];
   port?: number;
   address?: string;
-  /** How many messages may wait, 1024 unless it is said: see `Subscriber`. */
+  /** The number of messages that may wait, 1024 by default: see `Subscriber`. */
   queue?: number;
-  /** By `A>B`, what makes a payload in the representation B of one in A. */
+  /** Functions by `A>B`, which turn a payload of representation A into one of B. */
   conversions?: Record<string, Conversion> | ReadonlyMap<string, Conversion>;
 };
 
 export type Conversion = (payload: Uint8Array) => Uint8Array;
 
-/** A provider or consumer, as the daemon tells of it. */
+/** A provider or consumer, in the words of the daemon. */
 export interface Peer {
-  /** 64 random bits; 0n where it is not made by a library that has channels. */
+  /** 64 random bits; 0n if no library with channels made it. */
   readonly life: bigint;
   /** `PARTICIPANT/PEER`. */
   readonly peer: string;
@@ -86,24 +86,24 @@ export interface Peer {
   readonly priority: number;
   readonly convert?: string;
   readonly cost?: number;
-  /** Who does each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` where the consumer does. */
+  /** The service of each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` for the consumer. */
   readonly via?: string;
   readonly attributes: Readonly<Record<string, string>>;
 }
 
-/** `reason` of what is removed: withdrawn, expired, left, outranked, changed, disconnected, lost, refused; there may be more. */
+/** A change of a provider or consumer. The `reason` of a removal: withdrawn, expired, left, outranked, changed, disconnected, lost, refused; there may be more. */
 export type PeerChange = Peer & { readonly change: 'added' | 'modified' | 'removed'; readonly reason?: string };
 
 export interface Message {
   readonly payload: Uint8Array;
   readonly life: bigint;
   readonly sequence: bigint;
-  /** How many of this life are missing between this one and the one before. */
+  /** The messages of this life that did not come, or were lost in a full inbox, between the one before and this one. */
   readonly missed: number;
   readonly provider: Peer;
 }
 
-/** The part of Node's EventEmitter that is meant to be used, by the events of `Events`. */
+/** The part of Node's EventEmitter for the events of `Events`. */
 export interface Emitter<Events extends { [name: string]: unknown[] }> {
   on<Name extends keyof Events>(name: Name, listener: (...values: Events[Name]) => void): this;
   once<Name extends keyof Events>(name: Name, listener: (...values: Events[Name]) => void): this;
@@ -116,7 +116,7 @@ export interface Publisher extends Emitter<{ consumer: [PeerChange]; problem: [E
   readonly port: number;
   readonly consumers: Peer[];
   readonly hasConsumer: boolean;
-  /** `leftOut`: of each consumer, the messages for which there was no room. */
+  /** `leftOut`: the messages without room, counted for each consumer. */
   readonly statistics: { sent: number; leftOut: number; dropped: number };
   /**
    * Sends to all consumers; without one it does nothing. False: better wait for `drained` before the next. Throws
@@ -125,33 +125,36 @@ export interface Publisher extends Emitter<{ consumer: [PeerChange]; problem: [E
   send(payload: Uint8Array): boolean;
   /** Fulfilled when nothing waits for any consumer. */
   drained(options?: Abortable): Promise<void>;
-  /** Changes what is stated; fulfilled when the daemon has taken it. */
+  /** Changes options. Fulfilled when the daemon has accepted the change. */
   modify(options: Partial<Identity> & PublicationStatement & Abortable): Promise<void>;
-  /** Withdraws it: what waits is sent first. */
+  /** Withdraws the service. Messages that wait are sent first. */
   close(): Promise<void>;
 }
 export declare const Publisher: { readonly prototype: Publisher };
 
 /**
- * What is asked for. Made by `node.subscribe`; an async iterable, and leaving its loop closes it.
+ * A request for services, with a channel. Made by `node.subscribe`; an async iterable, and leaving its loop closes it.
  *
- * Slow consumers: up to `queue` messages wait, all together of at most 16 MiB, but always one. Over UDP the oldest that waits
- * is lost for a new one; over TCP the provider is held back, and leaves out what is newer than 4 MiB that wait for this
- * consumer. `missed` of the next message tells how many were lost.
+ * Slow consumers: up to `queue` messages wait, together at most 16 MiB, but always one. Over UDP the eldest message that waits
+ * is lost for a new one; over TCP the provider is held back, and leaves out messages when 4 MiB wait for this consumer.
+ * `missed` of the next message tells how many were lost.
  */
 export interface Subscriber
   extends Emitter<{ provider: [PeerChange]; problem: [Error]; close: [] }>, AsyncIterable<Message> {
   readonly life: bigint;
-  /** The UDP port where it listens, if it does. */
+  /** The UDP port where it listens, if it has one. */
   readonly port?: number;
   readonly providers: Peer[];
-  /** `overflowed`: lost since nobody took them; `dropped`: not believed, or not converted. */
+  /**
+   * `missed`: known to be missing; `overflowed`: those of them that came and were lost in a full inbox; `dropped`: not believed
+   * or not converted.
+   */
   readonly statistics: { received: number; missed: number; dropped: number; overflowed: number };
-  /** Fulfilled when the daemon has taken it; rejects with RefusedError. */
+  /** Fulfilled when the daemon has accepted the request. Rejects with RefusedError. */
   ready(options?: Abortable): Promise<this>;
-  /** The next message; undefined when it has been closed. */
+  /** The next message; undefined when the subscriber is closed. */
   receive(options?: Abortable): Promise<Message | undefined>;
-  /** Gives it a function for the conversion `A>B`. */
+  /** Adds a function for the conversion `A>B`. */
   convert(name: string, convert: Conversion): void;
   modify(options: Partial<Identity> & SubscriptionStatement & Abortable): Promise<void>;
   close(): Promise<void>;
@@ -159,7 +162,7 @@ export interface Subscriber
 export declare const Subscriber: { readonly prototype: Subscriber };
 
 export interface NodeOptions {
-  /** What the team calls this program. */
+  /** The name that the team sees. */
   name?: string;
   /** `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`; else GEMINGA_CONNECT, else 127.0.0.1:4717 and [::1]:4717. */
   daemon?: string;
@@ -172,17 +175,17 @@ export interface NodeOptions {
 export declare class Node {
   constructor(options?: NodeOptions);
   readonly isConnected: boolean;
-  /** What the daemon says: `participant`, `peer`, `participant_name`, `ontology`, ... */
+  /** The daemon's answer to the hello: `participant`, `peer`, `participant_name`, `ontology`, ... */
   readonly hello?: Readonly<Record<string, string>>;
   /** Fulfilled when the daemon is there. */
   connected(options?: Abortable): Promise<this>;
-  /** Fulfilled when the daemon has taken it. Rejects with RefusedError, StatementError and PortError. */
+  /** Fulfilled when the daemon has accepted the service. Rejects with RefusedError, StatementError and PortError. */
   publish(options: PublishOptions): Promise<Publisher>;
-  /** Throws StatementError and PortError. `signal` closes it. */
+  /** Throws StatementError and PortError. `signal` closes the subscriber. */
   subscribe(options: SubscribeOptions): Subscriber;
   /** Withdraws everything, cleanly. */
   close(): Promise<void>;
-  /** Lets the program end although this is open. */
+  /** Lets the program end although the node is open. */
   unref(): this;
   ref(): this;
 }
@@ -193,7 +196,7 @@ export interface Node extends Emitter<{
   close: [];
 }> {}
 
-/** A node, once its daemon is there. Who does not want to wait makes a `Node`. */
+/** A node that is connected to its daemon. `new Node()` does not wait for the daemon. */
 export declare function connect(options?: NodeOptions & Abortable): Promise<Node>;
 
 /** The 32-bit form of an identity (src/identity/IDENTITY.md). Concepts and representations are full IRIs. */
@@ -210,7 +213,7 @@ export declare const limits: Readonly<Record<string, number>>;
 export declare class GemingaError extends Error {
   readonly code: string;
 }
-/** The daemon refused a request, or took it back; `status` is GCNP's code. */
+/** The daemon has refused a request, or taken it back. `status` is GCNP's code. */
 export declare class RefusedError extends GemingaError {
   readonly status: number;
 }

@@ -1,4 +1,4 @@
-// Geminga for Node: say what you offer or want in one line, and then send and receive.
+// Geminga for Node: services of a robot team are offered and asked for, and messages sent and received.
 export { connect, Node } from './node.js';
 export { Publisher } from './publisher.js';
 export { Subscriber } from './subscriber.js';

@@ -1,4 +1,4 @@
-// This program as a peer of its daemon: what it offers and asks for, whether or not the daemon is there.
+// A node: the publishers and subscribers of one program, which go on while its daemon is restarted.
 import { EventEmitter } from 'node:events';
 
 import { ClosedError } from './protocol/errors.js';
@@ -10,7 +10,7 @@ import { DaemonLink } from './channels/daemon_link.js';
 import { Publisher } from './publisher.js';
 import { Subscriber } from './subscriber.js';
 
-/** Events: `connected` with what the daemon says of itself, `disconnected`, `problem` with an Error. */
+/** Events: `connected` with the daemon's answer to the hello, `disconnected`, `problem` with an Error. */
 export class Node extends EventEmitter {
   #io;
   #link;
@@ -21,7 +21,7 @@ export class Node extends EventEmitter {
   #gone = new AbortController();
 
   /**
-   * `name`: what the team calls this program; `daemon`: where the daemon is, else GEMINGA_CONNECT says, else
+   * `name`: the name that the team sees; `daemon`: the endpoint of the daemon, else that of GEMINGA_CONNECT, else
    * 127.0.0.1:4717 and [::1]:4717.
    */
   constructor({ name, daemon, clock, random } = {}) {
@@ -45,7 +45,7 @@ export class Node extends EventEmitter {
     return this.#hello !== undefined;
   }
 
-  /** What the daemon said of itself and this peer: `participant`, `peer`, `participant_name`, ... */
+  /** The daemon's answer to the hello: `participant`, `peer`, `participant_name`, ... */
   get hello() {
     return this.#hello;
   }
@@ -69,12 +69,12 @@ export class Node extends EventEmitter {
     return this;
   }
 
-  /** Offers a service with a channel; fulfilled when the daemon has taken it. */
+  /** Offers a service with a channel. Fulfilled when the daemon has accepted it. */
   async publish(options) {
     return Publisher.open(this.#context(), options);
   }
 
-  /** Asks for services and receives from them. `ready()` of what it gives tells whether the daemon has taken it. */
+  /** Asks for services and receives from them. `ready()` of the subscriber tells whether the daemon has accepted it. */
   subscribe(options) {
     return new Subscriber(this.#context(), options);
   }
@@ -85,7 +85,7 @@ export class Node extends EventEmitter {
     return this.#closing;
   }
 
-  /** Lets the program end although this is open; `ref` takes that back. */
+  /** Lets the program end although the node is open; `ref` takes that back. */
   unref() {
     this.#io.keepAlive(false);
     return this;
@@ -138,7 +138,7 @@ if (Symbol.asyncDispose) {
 }
 
 /**
- * The daemon, once it is there: waits until it is, or the `signal` is aborted. Who does not want to wait makes a Node.
+ * A node that is connected to its daemon: waits for the daemon, or until the `signal` is aborted. `new Node()` does not wait.
  */
 export async function connect({ signal, ...options } = {}) {
   throwIfAborted(signal);

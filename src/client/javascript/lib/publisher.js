@@ -1,4 +1,4 @@
-// A service that this program offers, with the channel on which it sends.
+// A publisher: a service with a channel, which sends to its consumers.
 import { EventEmitter } from 'node:events';
 
 import { canonicalAddress, isMulticast } from './protocol/address.js';
@@ -18,8 +18,8 @@ import { ListenersOutlet } from './channels/listeners_outlet.js';
 const fixed = ['mode', 'port', 'address', 'protocol'];
 
 /**
- * Events: `consumer` with `{change: 'added' | 'modified' | 'removed', reason, life, ...}`, not for `otm/stream`, whose
- * provider is not told; `problem` with an Error. Made by `node.publish`.
+ * Made by `node.publish`. Events: `consumer` with `{change: 'added' | 'modified' | 'removed', reason, life, ...}`, not for
+ * `otm/stream`, where the daemon names no consumers; `problem` with an Error.
  */
 export class Publisher extends EventEmitter {
   #session;
@@ -36,17 +36,17 @@ export class Publisher extends EventEmitter {
   #onClosed;
   /** Consumers that the application was told of. */
   #reached = new Set();
-  /** What is told before the application can listen. */
+  /** Events that come before the application can add listeners. */
   #early = [];
 
-  /** Opens what must be found, states it, and waits until the daemon has taken it. Used by Node. */
+  /** Opens the sockets, states the service, and waits until the daemon has accepted it. Used by Node. */
   static async open({ session, io, onOpened, onClosed }, { signal, ...options }) {
     throwIfAborted(signal);
     const publisher = new Publisher(session, io, options, onClosed);
     onOpened(publisher);
     try {
       await abortable(publisher.#open(options), signal);
-      // Who awaited this adds listeners first.
+      // The caller that awaits this adds listeners first.
       setImmediate(() => publisher.#tellEarly());
     } catch (error) {
       await publisher.close();
@@ -64,7 +64,7 @@ export class Publisher extends EventEmitter {
     this.#timers = io.timers();
     if (protocol !== 'udp' && protocol !== 'tcp') throw new StatementError(`protocol=${protocol}: a channel is udp or tcp`);
     const isTcp = protocol === 'tcp';
-    // The system takes a datagram at once or says that it waits; what TCP still holds is not known.
+    // The system says of a datagram whether it waits; of TCP that is not known.
     this.#writer = new MessageWriter(this.life, !isTcp);
     this.#maxSize = isTcp ? limits.maxStreamMessage : limits.maxDatagramMessage;
     this.#hint = isTcp ? 'over TCP' : 'over UDP: offer the service with protocol=tcp';
@@ -88,29 +88,29 @@ export class Publisher extends EventEmitter {
     });
   }
 
-  /** The port at which it can be found. */
+  /** The port where it can be reached. */
   get port() {
     return this.#out.port;
   }
 
-  /** What is known of its consumers: those that a message reaches. */
+  /** The consumers that messages reach. */
   get consumers() {
     return [...this.#reached].map(describe);
   }
 
-  /** Whether a message would be sent to anybody. */
+  /** Whether there is a consumer. */
   get hasConsumer() {
     return this.#out.hasConsumer;
   }
 
-  /** `sent`: messages given while there was a consumer; `leftOut`: of each consumer, those for which there was no room. */
+  /** `sent`: messages while there was a consumer; `leftOut`: messages without room, counted for each consumer. */
   get statistics() {
     return { sent: this.#sequence, leftOut: this.#out.leftOut, dropped: this.#out.dropped };
   }
 
   /**
-   * Sends a message to all consumers; without one it does nothing. False: better wait for `drained` before the next, or
-   * slow consumers lose some. Throws MessageTooLargeError and ClosedError. The payload may be used again at once.
+   * Sends a message to all consumers; without one it does nothing. If it gives false, wait for `drained` before the next
+   * message, or slow consumers lose some. Throws MessageTooLargeError and ClosedError. The payload may be used again at once.
    */
   send(payload) {
     if (!(payload instanceof Uint8Array)) throw new TypeError('a message is a Uint8Array');
@@ -130,14 +130,14 @@ export class Publisher extends EventEmitter {
     }
   }
 
-  /** Changes what is stated: all options but mode, port, address and protocol. Fulfilled when the daemon has taken it. */
+  /** Changes options, but not mode, port, address and protocol. Fulfilled when the daemon has accepted the change. */
   async modify({ signal, ...options }) {
     if (this.#closing) throw new ClosedError('publisher');
     checkFixed(options, fixed);
     await abortable(this.#session.modify(this.#request, parametersOf(options, 'pub')), signal);
   }
 
-  /** Withdraws it: what waits is sent first, and TCP consumers are told where it ends. */
+  /** Withdraws the service. Messages that wait are sent first, and consumers are told the end. */
   close() {
     this.#closing ??= this.#close();
     return this.#closing;
@@ -160,7 +160,7 @@ export class Publisher extends EventEmitter {
   }
 
   async #open(options) {
-    // Read before any socket is opened, so that a wrong word is told first.
+    // Read before a socket is opened, so that a wrong option is told first.
     const parameters = parametersOf({ ...options, port: undefined }, 'pub');
     await this.#out.open();
     if (this.#closing) {
@@ -196,7 +196,7 @@ export class Publisher extends EventEmitter {
     this.emit('close');
   }
 
-  /** Over TCP a consumer is one as long as it is matched and connected. */
+  /** Over TCP a consumer is told while it is matched and connected. */
   #connectionHooks() {
     const withKey = (key, action) => {
       for (const counterpart of [...this.#counterparts]) if (counterpart.key === key) action(counterpart);
@@ -210,7 +210,7 @@ export class Publisher extends EventEmitter {
     };
   }
 
-  /** Messages reach this consumer from now on. */
+  /** Messages reach a consumer from now on. */
   #reach(counterpart) {
     if (this.#reached.has(counterpart)) return;
     this.#reached.add(counterpart);

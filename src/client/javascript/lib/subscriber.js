@@ -1,4 +1,4 @@
-// What this program asks for, with the channels on which it receives.
+// A subscriber: a request for services with channels, which receives from its providers.
 import { EventEmitter } from 'node:events';
 
 import { canonicalAddress, isMulticast } from './protocol/address.js';
@@ -18,7 +18,7 @@ import { TcpInlet } from './channels/tcp_inlet.js';
 
 const fixed = ['mode', 'port', 'address', 'protocol'];
 
-/** One provider's channel. */
+/** The channel from one provider. */
 class Channel {
   constructor(counterpart) {
     this.counterpart = counterpart;
@@ -32,8 +32,8 @@ class Channel {
 }
 
 /**
- * An async iterable of messages `{payload, life, sequence, missed, provider}`. Events: `provider` with
- * `{change: 'added' | 'modified' | 'removed', reason, life, ...}`; `problem` with an Error. Made by `node.subscribe`.
+ * Made by `node.subscribe`. An async iterable of messages `{payload, life, sequence, missed, provider}`. Events: `provider` with
+ * `{change: 'added' | 'modified' | 'removed', reason, life, ...}`; `problem` with an Error.
  */
 export class Subscriber extends EventEmitter {
   #session;
@@ -82,13 +82,13 @@ export class Subscriber extends EventEmitter {
     this.#offAbort = onAbort(signal, () => this.#fail(new AbortError(signal)));
   }
 
-  /** Fulfilled when the daemon has taken it. */
+  /** Fulfilled when the daemon has accepted the request. */
   async ready({ signal } = {}) {
     await abortable(this.#taken, signal);
     return this;
   }
 
-  /** The UDP port where it listens, if it does. */
+  /** The UDP port where it listens, if it has one. */
   get port() {
     return this.#datagrams?.port;
   }
@@ -105,12 +105,12 @@ export class Subscriber extends EventEmitter {
     return { ...this.#statistics };
   }
 
-  /** Gives it a function for the conversion `A>B`. */
+  /** Adds a function for the conversion `A>B`. */
   convert(name, convert) {
     this.#conversions.set(name, convert);
   }
 
-  /** The next message; undefined when it has been closed. Rejects when it was refused or its signal was aborted. */
+  /** The next message; undefined when the subscriber is closed. Rejects when it was refused or its signal was aborted. */
   async receive({ signal } = {}) {
     throwIfAborted(signal);
     if (this.#failure) throw this.#failure;
@@ -136,7 +136,7 @@ export class Subscriber extends EventEmitter {
     });
   }
 
-  /** All messages from now on. Leaving the loop closes the subscription, as it does with streams. */
+  /** All messages from now on. Leaving the loop closes the subscriber, as with streams. */
   async *[Symbol.asyncIterator]() {
     try {
       for (let message = await this.receive(); message; message = await this.receive()) yield message;
@@ -145,7 +145,7 @@ export class Subscriber extends EventEmitter {
     }
   }
 
-  /** Changes what is asked for: all options but mode, port, address and protocol. Fulfilled when the daemon took it. */
+  /** Changes options, but not mode, port, address and protocol. Fulfilled when the daemon has accepted the change. */
   async modify({ signal, ...options }) {
     if (this.#closing) throw new ClosedError('subscriber');
     checkFixed(options, fixed);
@@ -153,7 +153,7 @@ export class Subscriber extends EventEmitter {
     if (options.limit !== undefined) this.#setLimit(options);
   }
 
-  /** Takes it back. Messages that have been received already can still be taken. */
+  /** Withdraws the request. Messages that have come can still be received. */
   close() {
     this.#closing ??= this.#close();
     return this.#closing;
@@ -246,7 +246,7 @@ export class Subscriber extends EventEmitter {
     this.emit('provider', changeOf('removed', counterpart, reason));
   }
 
-  /** Opens what a channel needs, or moves it to where its provider is now. */
+  /** Opens the inlet of a channel, or moves it to the new address of its provider. */
   #connect(channel) {
     const { counterpart } = channel;
     const { protocol, port, mode, convert, via } = counterpart.event;
@@ -306,7 +306,7 @@ export class Subscriber extends EventEmitter {
     }
     const missed = channel.life === 0n ? 0n : this.#sequence.take(channel.life, frame.sequence);
     if (missed === undefined) {
-      // A group is heard on several interfaces.
+      // A group is received on several interfaces.
       if (!isMulticast(channel.where?.address)) ++this.#statistics.dropped;
       return;
     }

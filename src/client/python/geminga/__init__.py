@@ -1,4 +1,4 @@
-"""Geminga: service discovery for teams of mobile robots, with channels. This is the asyncio front; geminga.blocking is the other.
+"""Geminga: service discovery for teams of mobile robots, with channels. This is the asyncio front; geminga.blocking is the blocking one.
 
     async with geminga.connect("vision") as node:
         async with node.publish(concept="soccer:BallInfo", mode="otm/pubsub") as ball:
@@ -42,10 +42,10 @@ __all__ = [
 
 
 def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> Node:
-    """A node of this name, at the daemon that `connect`, $GEMINGA_CONNECT or the usual port says: enter it by `async with`.
+    """A node with this name, to be entered by `async with`.
 
-    `connect` is ADDRESS:PORT, [ADDRESS]:PORT, /PATH or unix:PATH. `on_event` is called in the event loop with what happens.
-    Who needs more than 256 subscriptions of `otm/stream` says by `room` how many; where the daemon has no room that is a Problem.
-    Raises ValueError for an address that is none; a daemon that is not there is no error.
+    `connect` is the daemon: ADDRESS:PORT, [ADDRESS]:PORT, /PATH or unix:PATH; else $GEMINGA_CONNECT or the usual port. `on_event` is called
+    in the event loop with each event. `room` is for programs that need more than 256 subscriptions of `otm/stream`: how many more; if the
+    daemon has no room, that is a Problem. Raises ValueError for an address that cannot be read; a missing daemon is no error.
     """
     return Node(name, connect, on_event, room)

@@ -5,10 +5,10 @@
             for ball in balls:
                 print(ball.payload)
 
-It has no thread of its own: sockets are served while a call of this front runs, and about every 10 ms by send() and
-receive_now(). Who does something else for longer than 2 s calls Node.wait() meanwhile, or is forgotten as a listener of
-`otm/stream`. Ctrl+C ends a call with KeyboardInterrupt, and nothing is lost by that. Not thread-safe: a node, its
-publishers and its subscribers belong to one thread.
+This front has no thread: sockets are served while one of its calls runs, and about every 10 ms by send() and receive_now(). A
+program that does something else for more than 2 s calls Node.wait() meanwhile; otherwise providers of `otm/stream` forget it as a
+listener. Ctrl+C ends a call with KeyboardInterrupt, and no message is lost by that. Not thread-safe: a node, its publishers and
+its subscribers belong to one thread.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .parameters import Attributes
 from .protocol.inbox import Message
 from .protocol.match import Match
 
-#: How long send() and receive_now() leave the sockets alone.
+#: Seconds between two turns of the event loop by send() and receive_now().
 SERVE_SECONDS = 0.01
 
 Result = TypeVar("Result")
@@ -35,15 +35,15 @@ Front = TypeVar("Front", bound=publisher.Publisher | subscriber.Subscriber)
 
 
 class _Served:
-    """An event loop that runs inside calls only."""
+    """An event loop that runs within calls only."""
 
     def __init__(self) -> None:
         self.runner = asyncio.Runner(loop_factory=asyncio.new_event_loop)
         self.loop = self.runner.get_loop()
-        self.serve_at = 0.0  #: when the loop is to look at its sockets again
+        self.serve_at = 0.0  #: the time of the next turn
 
     def run(self, work: Coroutine[Any, Any, Result], timeout: float | None = None) -> Result:
-        """Runs this to its end. Raises TimeoutError after so many seconds."""
+        """Runs a coroutine to its end. Raises TimeoutError after so many seconds."""
 
         async def within() -> Result:
             async with asyncio.timeout(timeout):
@@ -54,7 +54,7 @@ class _Served:
         return result
 
     def serve(self) -> None:
-        """Lets the loop look at its sockets, if it has not lately."""
+        """Lets the event loop turn once, unless it has done so lately."""
         if monotonic() >= self.serve_at:
             self.run(asyncio.sleep(0))
 
@@ -75,15 +75,15 @@ class _Channel(Generic[Front]):
         return self._front.is_closed
 
     def accepted(self, timeout: float | None = None) -> None:
-        """Waits until the daemon has taken the request. Raises Refused, Closed or TimeoutError."""
+        """Waits until the daemon has accepted the request. Raises Refused, Closed or TimeoutError."""
         self._served.run(self._front.accepted(), timeout)
 
     def modify(self, attributes: Attributes | None = None, timeout: float | None = None, **keys: object) -> None:
-        """Changes what `keys` and attributes say, as the asyncio front does."""
+        """Changes the keys and attributes of the request, as the asyncio front does."""
         self._served.run(self._front.modify(attributes, **keys), timeout)
 
     def close(self) -> None:
-        """Withdraws it. A publisher over TCP waits until what was sent has been taken, 5 s for who takes nothing."""
+        """Withdraws the request. A publisher over TCP waits until its consumers have all messages, 5 s for one that takes nothing."""
         self._served.run(self._front.close())
 
     def __exit__(
@@ -106,12 +106,12 @@ class Publisher(_Channel[publisher.Publisher]):
 
     @property
     def consumers(self) -> list[Match]:
-        """Who is sent to, as far as the daemon tells: not for `otm/stream`."""
+        """The consumers that the daemon has named; none for `otm/stream`."""
         return self._front.consumers
 
     @property
     def has_consumers(self) -> bool:
-        """Whether sending reaches anybody. Always true for multicast."""
+        """Whether there is a consumer. Always true for multicast."""
         self._served.serve()
         return self._front.has_consumers
 
@@ -122,17 +122,17 @@ class Publisher(_Channel[publisher.Publisher]):
 
     @property
     def left_out(self) -> int:
-        """The messages that a consumer had no room for, counted for each consumer."""
+        """The messages that were left out for a consumer without room, counted for each consumer."""
         return self._front.left_out
 
     def send(self, payload: publisher.Octets) -> bool:
-        """Sends to all consumers, and never waits; whether there are any. Raises MessageTooLarge and Closed."""
+        """Sends to all consumers, and never waits. Whether there are any. Raises MessageTooLarge and Closed."""
         if monotonic() >= self._served.serve_at:
             self._served.serve()
         return self._front.send(payload)
 
     def drain(self, timeout: float | None = None) -> None:
-        """Waits until the system has taken all that was sent to TCP consumers. Raises TimeoutError."""
+        """Waits until the system has taken all messages to TCP consumers. Raises TimeoutError."""
         self._served.run(self._front.drain(), timeout)
 
 
@@ -144,7 +144,7 @@ class Subscriber(_Channel[subscriber.Subscriber]):
 
     @property
     def providers(self) -> list[Match]:
-        """Who is received from."""
+        """The providers that are matched."""
         return self._front.providers
 
     @property
@@ -159,7 +159,7 @@ class Subscriber(_Channel[subscriber.Subscriber]):
 
     @property
     def dropped(self) -> int:
-        """What came in and was not believed or could not be converted."""
+        """The datagrams and frames that were not believed or could not be converted."""
         return self._front.dropped
 
     def receive(self, timeout: float | None = None) -> Message:
@@ -168,7 +168,7 @@ class Subscriber(_Channel[subscriber.Subscriber]):
         return self._served.run(self._front.receive(), timeout) if message is None else message
 
     def receive_now(self) -> Message | None:
-        """The next message, if one is there."""
+        """The next message that is here already, or None."""
         self._served.serve()
         return self._front.receive_now()
 
@@ -181,7 +181,7 @@ class Subscriber(_Channel[subscriber.Subscriber]):
 
 
 class Node:
-    """Made by connect(). A context manager, which withdraws all at its end."""
+    """Made by connect(). A context manager, which withdraws everything at its end."""
 
     def __init__(self, name: str, connect: str | None, on_event: OnEvent | None, room: int) -> None:
         self._front = front.Node(name, connect, on_event, room)
@@ -211,11 +211,11 @@ class Node:
         return Subscriber(self._here(), self._here().run(self._made(self._front.subscribe(mode=mode, **keys)), timeout))
 
     def wait(self, seconds: float) -> None:
-        """Serves the sockets for so long. `on_event` is called meanwhile, as in every call."""
+        """Serves the sockets for so many seconds. `on_event` is called meanwhile, as in every call."""
         self._here().run(asyncio.sleep(seconds))
 
     def close(self) -> None:
-        """Withdraws all, and waits until what was sent over TCP has been taken."""
+        """Withdraws everything, and waits until TCP consumers have all messages."""
         served, self._served = self._served, None
         if served is not None:
             try:
@@ -233,5 +233,5 @@ class Node:
 
 
 def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> Node:
-    """As geminga.connect(), to be entered by `with`. `on_event` is called inside calls of this front."""
+    """A node as that of geminga.connect(), to be entered by `with`. `on_event` is called within calls of this front."""
     return Node(name, connect, on_event, room)

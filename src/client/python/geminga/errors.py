@@ -1,4 +1,4 @@
-"""What a call of this library can raise beside ValueError and OSError."""
+"""Exceptions of this library, beside ValueError and OSError."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class MessageTooLarge(GemingaError):
 
 
 class PortTaken(GemingaError):
-    """A port that was stated is somebody else's."""
+    """Another socket has a port that was stated."""
 
 
 class Closed(GemingaError):

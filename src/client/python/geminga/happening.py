@@ -1,4 +1,4 @@
-"""What the application is told beside messages."""
+"""Events that the application is told."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class Disconnected:
-    """The daemon is gone. Channels go on, and the node comes back to it by itself."""
+    """The daemon is gone. Channels go on, and the node connects again."""
 
 
 @dataclass(frozen=True, slots=True)
 class ProviderChanged:
-    """`change` is `added`, `modified` or `removed`; the last has a reason."""
+    """A provider of a subscriber has changed. `change` is `added`, `modified` or `removed`; the last has a reason."""
 
     subscriber: Subscriber
     change: str
@@ -34,7 +34,7 @@ class ProviderChanged:
 
 @dataclass(frozen=True, slots=True)
 class ConsumerChanged:
-    """`change` is `added`, `modified` or `removed`; the last has a reason. Consumers of `otm/stream` are not told."""
+    """A consumer of a publisher has changed, but for `otm/stream`. `change` is `added`, `modified` or `removed`; the last has a reason."""
 
     publisher: Publisher
     change: str
@@ -44,7 +44,7 @@ class ConsumerChanged:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """Something to look at: a request that was taken back, a conversion without a function, a provider without a channel."""
+    """Something that a person should know: a request that was taken back, a conversion without a function, a provider without a channel."""
 
     source: Publisher | Subscriber | None
     text: str

@@ -1,4 +1,4 @@
-"""A program's place at its daemon: what it offers and asks for."""
+"""A node: the publishers and subscribers of one program, which go on while its daemon is restarted."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from .publisher import Publisher
 from .request_owner import RequestOwner
 from .subscriber import Subscriber
 
-#: The subscriptions of `otm/stream` for which a node may ask for room (src/discovery/gcnp/GCNP.md, "Room").
+#: The most subscriptions of `otm/stream` for which a node may ask for room (src/discovery/gcnp/GCNP.md, "Room").
 MAX_ROOM = 16_384
 
 _log = logging.getLogger("geminga")
@@ -36,7 +36,7 @@ OnEvent = Callable[[Happening], None]
 class Node:
     """Made by geminga.connect(), used by `async with`. Belongs to the event loop where it is entered; not thread-safe.
 
-    The daemon may start later, stop and come back: the node states all requests again, and channels go on meanwhile.
+    The daemon may start later, end and come back: the node states its requests again, and channels go on meanwhile.
     """
 
     def __init__(self, name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> None:
@@ -62,7 +62,7 @@ class Node:
         await self.close()
 
     async def open(self) -> None:
-        """Looks for the daemon, and goes on looking where it is not there at the first attempt. `async with` calls it."""
+        """Looks for the daemon. Returns after the first attempt, and goes on looking if that failed. `async with` calls it."""
         self.loop = asyncio.get_running_loop()
         self._link = DaemonLink(self.loop, self._session, self._endpoints, self._take, self._lost)
         try:
@@ -92,10 +92,10 @@ class Node:
         for_: str | None = None,
         attributes: Attributes | None = None,
     ) -> Opening[Publisher]:
-        """Offers a service: `await` it, or enter it. The keys are those of `pub create`; port 0 means any.
+        """Offers a service: `await` the result, or enter it. The keys are those of `pub create`; port 0 means any.
 
-        It is there when the daemon has taken it, or at once where no daemon is. Raises Refused; PortTaken; ValueError for
-        what cannot be said.
+        Returns when the daemon has accepted it, or at once if there is no daemon. Raises Refused; PortTaken; ValueError for values that
+        cannot be stated.
         """
         said = parameters(
             attributes, mode=mode, id=id, text=text, concept=concept, representation=representation, protocol=protocol,
@@ -129,10 +129,10 @@ class Node:
         queue: int = MAX_WAITING_MESSAGES,
         keep: str = "newest",
     ) -> Opening[Subscriber]:
-        """Asks for services: `await` it, or enter it. The keys are those of `sub create`; port 0 means any.
+        """Asks for services: `await` the result, or enter it. The keys are those of `sub create`; port 0 means any.
 
-        `conversions` are functions from octets to octets by `A>B`, as events name representations. `queue` and `keep` are
-        told in Subscriber. Raises as publish() does.
+        `conversions` are functions from octets to octets by `A>B`, with the names that events use. Subscriber explains `queue` and
+        `keep`. Raises as publish() does.
         """
         said = parameters(
             attributes, mode=mode, id=id, text=text, concept=concept, representation=representation, match=match,
@@ -142,7 +142,7 @@ class Node:
         return Opening(self._make(lambda: Subscriber(self, said, conversions, queue, keep), mode))
 
     async def events(self) -> AsyncIterator[Happening]:
-        """What happens from now on, until the node is closed.
+        """The events from now on, until the node is closed.
 
         At most 4096 happenings wait; for one more the oldest is thrown away, and a Problem of no source says how many were.
         """
@@ -160,7 +160,7 @@ class Node:
             self._readers.remove(reader)
 
     async def close(self) -> None:
-        """Withdraws all, and waits until what was sent over TCP has been taken."""
+        """Withdraws everything, and waits until TCP consumers have all messages."""
         if self._is_closed or self._link is None:
             return
         self._is_closed = True
@@ -173,7 +173,7 @@ class Node:
             self._link.abort()
             self._wake_readers()
 
-    # What publishers and subscribers call
+    # Calls of publishers and subscribers
 
     def create(self, owner: RequestOwner, command: str, said: dict[str, str]) -> Request:
         """States a request of this owner."""
@@ -213,13 +213,13 @@ class Node:
         self.tell(ProviderChanged(subscriber, change, provider, reason))
 
     def tell(self, happening: Happening) -> None:
-        """Tells the application. A problem is logged besides, by the logger `geminga`."""
+        """Tells the application. A problem is also logged, by the logger `geminga`."""
         if isinstance(happening, Problem):
             _log.warning("%s", happening.text)
         if self._on_event is not None:
             try:
                 self._on_event(happening)
-            except Exception as error:  # The application's own; the channels go on.
+            except Exception as error:  # An exception of the application; the channels go on.
                 self.loop.call_exception_handler({"message": "on_event failed", "exception": error})
         for reader in self._readers:
             reader.put(happening)
@@ -291,7 +291,7 @@ class Node:
 
 
 class _Happenings:
-    """What waits for one events()."""
+    """The events that wait for one reader."""
 
     def __init__(self) -> None:
         self._waiting: deque[Happening] = deque(maxlen=MAX_WAITING_EVENTS)

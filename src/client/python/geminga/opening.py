@@ -1,4 +1,4 @@
-"""What publish() and subscribe() give: to be awaited, or to be entered by `async with`."""
+"""The result of publish() and subscribe(), to be awaited, or to be entered by `async with`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Channel = TypeVar("Channel", bound=Publisher | Subscriber)
 
 
 class Opening(Generic[Channel]):
-    """`channel = await opening`, or `async with opening as channel`, which closes it at the end. Once only."""
+    """Opens a channel once: by `channel = await opening`, or by `async with opening as channel`, which closes it at the end."""
 
     def __init__(self, made: Coroutine[Any, Any, Channel]) -> None:
         self._made = made

@@ -1,4 +1,4 @@
-"""From the arguments of publish() and subscribe() to the keys of GCNP."""
+"""Arguments of publish() and subscribe(), turned into keys of GCNP."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ MODES = ("oto", "otm/stream", "otm/pubsub")
 
 
 def words(value: Words) -> str:
-    """Several words with commas between them."""
+    """Several words, with commas between them."""
     return value if isinstance(value, str) else ",".join(value)
 
 
 def attribute_value(value: object) -> str:
-    """How an attribute is said: true and false as 1 and 0."""
+    """An attribute's value as text; true and false are 1 and 0."""
     return str(int(value)) if isinstance(value, bool) else str(value)
 
 
 def parameters(attributes: Attributes | None, **keys: object) -> dict[str, str]:
-    """The keys that are said, without those that are None; attributes with their prefix. A key's last `_` is left out."""
+    """The keys that are not None, and the attributes with their prefix. A `_` at the end of a key is left out."""
     said: dict[str, str] = {}
     for key, value in keys.items():
         if value is None:
@@ -37,6 +37,6 @@ def parameters(attributes: Attributes | None, **keys: object) -> dict[str, str]:
 
 
 def check_mode(mode: str) -> None:
-    """Raises ValueError for what is no mode."""
+    """Raises ValueError for an unknown mode."""
     if mode not in MODES:
         raise ValueError(f"mode is one of {', '.join(MODES)}")

@@ -1,4 +1,4 @@
-"""A service with a channel: sends to whoever is matched."""
+"""A publisher: a service with a channel, which sends to its consumers."""
 
 from __future__ import annotations
 
@@ -57,17 +57,17 @@ class Publisher(RequestOwner):
 
     @property
     def port(self) -> int:
-        """The port where it can be reached, as it was announced."""
+        """The announced port, where it can be reached."""
         return self._outlet.port
 
     @property
     def consumers(self) -> list[Match]:
-        """Who is sent to, as far as the daemon tells: not for `otm/stream`."""
+        """The consumers that the daemon has named; none for `otm/stream`."""
         return [one.match for one in self._counterparts if not self._is_tcp or one.match.life in self._joined]
 
     @property
     def has_consumers(self) -> bool:
-        """Whether sending reaches anybody. Always true for multicast."""
+        """Whether there is a consumer. Always true for multicast."""
         return bool(self._outlet.targets)
 
     @property
@@ -77,25 +77,25 @@ class Publisher(RequestOwner):
 
     @property
     def left_out(self) -> int:
-        """The messages that a consumer had no room for, counted for each consumer."""
+        """The messages that were left out for a consumer without room, counted for each consumer."""
         return self._left_out
 
     @property
     def dropped(self) -> int:
-        """What came in and was not believed."""
+        """The datagrams and connections that were not believed."""
         return self._outlet.dropped
 
     def send(self, payload: Octets) -> bool:
-        """Sends to all consumers, and never waits; whether there are any.
+        """Sends to all consumers, and never waits. Whether there are any.
 
-        Over TCP a consumer for which more than 4 MiB wait is left out: drain() waits for room. Raises MessageTooLarge over
+        Over TCP a consumer for which more than 4 MiB wait is left out; drain() waits for room. Raises MessageTooLarge over
         65 000 octets for UDP and over 16 MiB for TCP, and Closed.
         """
         size = len(payload)
         if size > self._max_payload:
             self._refuse(size)
         if type(payload) is not bytes:
-            payload = bytes(payload)  # It is the application's, who may change it.
+            payload = bytes(payload)  # The application may change its own object.
         outlet = self._outlet
         sole = outlet.sole
         if sole is not None and size <= COPIED_OCTETS:
@@ -115,22 +115,22 @@ class Publisher(RequestOwner):
         return True
 
     async def drain(self) -> None:
-        """Waits until the system has taken all that was sent to TCP consumers. Over UDP it lets the event loop turn once."""
+        """Waits until the system has taken all messages to TCP consumers. Over UDP it lets the event loop turn once."""
         await self._outlet.drain()
 
     async def close(self) -> None:
-        """Withdraws the service. Over TCP it waits until what was sent has been taken, 5 s for who takes nothing."""
+        """Withdraws the service. Over TCP it waits until consumers have all messages, 5 s for one that takes nothing."""
         if self._is_closed:
             return
         try:
-            if self._is_tcp:  # What waits may take its time.
+            if self._is_tcp:  # Frames that wait may take long.
                 self._leave()
             await self._outlet.end(self._sequence)
         finally:
             self.abort()
 
     def abort(self) -> None:
-        """Withdraws the service and closes at once what is open."""
+        """Withdraws the service and closes its sockets at once."""
         if not self._is_closed:
             self._leave()
         self._outlet.abort()
@@ -181,7 +181,7 @@ class Publisher(RequestOwner):
             self._tell("added", counterpart, "")
 
     def _part(self, life: int) -> None:
-        """The connection of a consumer ended."""
+        """The connection of a consumer has ended."""
         counterpart = self._counterparts.get(life)
         if counterpart is None:
             return
@@ -196,7 +196,7 @@ class Publisher(RequestOwner):
         self._node.tell_consumer(self, kind, counterpart.match, reason)
 
     def _move(self, port: int) -> None:
-        """The port was taken while there was no consumer."""
+        """States another port, because the old one was taken while there was no consumer."""
         request = self._request
         if request is not None:
             self._loop.create_task(self._node.modify(request, {"port": str(port)}))

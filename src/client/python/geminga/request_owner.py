@@ -1,4 +1,4 @@
-"""What publishers and subscribers have in common: a request, a life, and counterparts."""
+"""The base of publishers and subscribers: a request, a life, and counterparts."""
 
 from __future__ import annotations
 
@@ -56,18 +56,18 @@ class RequestOwner:
 
     @property
     def is_closed(self) -> bool:
-        """Whether it has been closed, by whomever."""
+        """Whether it has been closed."""
         return self._is_closed
 
     async def accepted(self) -> None:
-        """Waits until the daemon has taken the request, however long there is none. Raises Refused, or Closed."""
+        """Waits until a daemon has accepted the request, however long that takes. Raises Refused or Closed."""
         await asyncio.shield(self._accepted)
 
     async def modify(self, attributes: Attributes | None = None, **keys: object) -> None:
-        """Changes what `keys` and attributes say, by the keys of `pub modify` or `sub modify`; an empty text takes one back.
+        """Changes keys of `pub modify` or `sub modify` and attributes. An empty text takes a key back.
 
-        Waits for the daemon where one is there. Mode, protocol, port, address and limit stay: make a new one. Raises
-        Refused, ValueError, or Closed.
+        Waits for the answer of the daemon if there is one. Mode, protocol, port, address and limit cannot be changed. Raises Refused,
+        ValueError or Closed.
         """
         fixed = [key for key in keys if key in _FIXED]
         if fixed:
@@ -77,23 +77,23 @@ class RequestOwner:
         await self._node.modify(self._request, parameters(attributes, **keys))
 
     async def close(self) -> None:
-        """Withdraws it, cleanly."""
+        """Withdraws the request cleanly."""
         raise NotImplementedError
 
     def abort(self) -> None:
-        """Withdraws it at once."""
+        """Withdraws the request at once."""
         raise NotImplementedError
 
-    # What the node calls
+    # Calls of the node
 
     def state(self, command: str, said: dict[str, str]) -> None:
-        """States the request, with the life. Raises LineError for what GCNP cannot carry."""
+        """States the request, with the life. Raises LineError for a value that GCNP cannot carry."""
         said.pop(PREFIX + KEY, None)
         said[KEY] = write_life(self._life)
         self._request = self._node.create(self, command, said)
 
     def settled(self, error: ErrorLine | None) -> None:
-        """The daemon has taken the request, or refused it."""
+        """The daemon has accepted the request, or refused it."""
         if error is None:
             if not self._accepted.done():
                 self._accepted.set_result(None)
@@ -104,14 +104,14 @@ class RequestOwner:
             self.complain(error, True)
 
     def complain(self, error: ErrorLine, is_gone: bool) -> None:
-        """An error that no call waits for."""
+        """Tells an error that answers no call."""
         self.problem(f"{error.code} {error.text}")
         if is_gone:
             for counterpart in self._counterparts:
                 self._apply(self._counterparts.ended(counterpart.key, "refused"))
 
     def told(self, line: Statement) -> None:
-        """An event of the daemon about this request."""
+        """Takes an event of the daemon about this request."""
         if line.subcommand == "del":
             word = line.get("service" if line.command == "pub" else "subscription")
             changes = self._counterparts.delete(word, line.get("reason"), self._loop.time())
@@ -121,18 +121,18 @@ class RequestOwner:
         self._apply(changes)
 
     def daemon_lost(self) -> None:
-        """Channels go on."""
+        """The daemon is gone; channels go on."""
         self._counterparts.daemon_lost()
 
     def daemon_back(self) -> None:
-        """What the daemon does not tell again in time is lost."""
+        """The daemon is back; counterparts that it does not confirm in time become orphans."""
         self._counterparts.daemon_back(self._loop.time())
         self._set_timer()
 
     # Inside
 
     def problem(self, text: str) -> None:
-        """Tells the application."""
+        """Tells the application of a problem."""
         self._node.tell_problem(self, text)
 
     def _matches(self) -> list[Match]:

@@ -1,4 +1,4 @@
-"""A request for services with a channel: receives from whoever is matched."""
+"""A subscriber: a request for services with a channel, which receives from its providers."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ class SubscriberHost(Host, Protocol):
 class Subscriber(RequestOwner):
     """Made by Node.subscribe(). Belongs to the event loop of its node; not thread-safe.
 
-    Messages wait in a queue of `queue` messages and 16 MiB, but always one. Where it is full, TCP providers are not read from,
-    and of UDP the oldest messages are lost, or the newest with `keep="oldest"`; the next one says how many.
+    An inbox holds `queue` messages and 16 MiB, but always one. When it is full, TCP providers are not read, and of UDP the oldest message
+    is lost for a new one, or the new one with `keep="oldest"`. The next message says in `missed` how many were lost.
     """
 
     def __init__(
@@ -84,7 +84,7 @@ class Subscriber(RequestOwner):
 
     @property
     def providers(self) -> list[Match]:
-        """Who is received from."""
+        """The providers that are matched."""
         return self._matches()
 
     @property
@@ -99,11 +99,11 @@ class Subscriber(RequestOwner):
 
     @property
     def dropped(self) -> int:
-        """What came in and was not believed or could not be converted."""
+        """The datagrams and frames that were not believed or could not be converted."""
         return self._dropped
 
     async def receive(self) -> Message:
-        """The next message. Raises Closed when the subscriber is closed and none is left. May be cancelled; none is lost."""
+        """The next message. Raises Closed when the subscriber is closed and none is left. No message is lost if it is cancelled."""
         while not len(self._inbox):
             if self._is_closed:
                 raise Closed("the subscriber has been closed")
@@ -112,14 +112,14 @@ class Subscriber(RequestOwner):
             try:
                 await waiter
             except asyncio.CancelledError:
-                # Who was woken and cancelled hands that on.
+                # A waiter that was woken and cancelled wakes the next one.
                 if waiter.done() and not waiter.cancelled():
                     self._wake()
                 raise
         return self._take()
 
     def receive_now(self) -> Message | None:
-        """The next message, if one is there."""
+        """The next message that is here already, or None."""
         return self._take() if len(self._inbox) else None
 
     def __aiter__(self) -> Subscriber:
@@ -132,11 +132,11 @@ class Subscriber(RequestOwner):
             raise StopAsyncIteration from None
 
     async def close(self) -> None:
-        """Withdraws the request. What has been received can still be taken."""
+        """Withdraws the request. Messages that have come can still be received."""
         self.abort()
 
     def abort(self) -> None:
-        """The same, without waiting."""
+        """Withdraws the request at once."""
         if not self._is_closed:
             self._leave()
         self._close_all()
@@ -229,13 +229,13 @@ class Subscriber(RequestOwner):
             self._udp.read_all()
 
     def _lost(self, key: Key) -> bool:
-        """The connection to a provider ended or failed; whether it shall be made again."""
+        """The connection to a provider ended or failed. Whether it is to be made again."""
         changes = self._counterparts.disconnected(key)
         self._apply(changes)
         return not changes and not self._is_closed
 
     def _end(self, key: Key, was_clean: bool) -> None:
-        """A provider took leave."""
+        """A provider has ended."""
         resting = self._resting.pop(key, None)
         if resting is not None:
             self._gone(resting[1])

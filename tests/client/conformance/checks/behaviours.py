@@ -1,4 +1,4 @@
-"""What happens to channels when programs, daemons and hosts come and go."""
+"""Channels while programs, daemons and hosts come and go."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def daemons_die(pair: Pair) -> None:
         host.kill_daemon()
     pair.pub.find("disconnected")
     pair.sub.any("disconnected")
-    # Longer than a channel lasts of which somebody else's daemon has lost sight.
+    # Longer than a channel goes on after the other side's daemon has lost sight of it.
     pair.sub.any(f"message {s} [0-9a-f]+ {first + 600} .*")
     for host in pair.hosts:
         host.start_daemon(pair.lab.gemingad)
@@ -118,13 +118,13 @@ def better_provider(pair: Pair) -> None:
         pair.pub.stands(f"consumer {p} .*", f"consumer {p} removed [0-9a-f]+ .*")
         pair.pub.tell(f"send {p} 02")
         said, _, _ = pair.pub_to_sub(q, s, "03", missed="0")
-        must(said == better, "a message has the life of somebody else")
-        must(not pair.sub.all(f"message {s} .* 02"), "who was outranked was heard")
-        # And back, when the better one goes.
+        must(said == better, "a message has another life")
+        must(not pair.sub.all(f"message {s} .* 02"), "an outranked provider was heard")
+        # The first one comes back when the better one goes.
         pair.pub.tell(f"close {q}")
         pair.sub.find(f"provider {s} added {life} -")
         pair.pub.stands(f"consumer {p} .*", f"consumer {p} added [0-9a-f]+ -")
-        # A provider follows the consumer's choice, which may go to and fro before it is announced.
+        # A provider follows the consumer's choice, which may change again before it is announced.
         pair.sends_until_heard(p, s, "04")
 
 
@@ -199,19 +199,19 @@ def slow_consumer(pair: Pair) -> None:
         sent += 400
         if counted(pair.pub, p)["left_out"] > 0:
             break
-    must(counted(pair.pub, p)["left_out"] > 0, f"{sent} messages of 64 KiB were kept for who does not read")
+    must(counted(pair.pub, p)["left_out"] > 0, f"{sent} messages of 64 KiB were kept for a consumer that does not read")
     counts = counted_until(quick, other, lambda so_far: so_far["received"] + so_far["missed"] >= sent)
-    must(counts["received"] == sent, f"of {sent} messages who reads got {counts}")
+    must(counts["received"] == sent, f"of {sent} messages the other consumer got {counts}")
     pair.sub.tell(f"reading {s}")
     mark = 0
     for _ in range(200):
         mark = pair.came(p, s, "aa")
         if mark:
             break
-    must(mark > sent, "nothing comes to who reads again")
+    must(mark > sent, "no message comes after the consumer reads again")
     counts = counted(pair.sub, s)
     must(counts["received"] + counts["missed"] >= mark, f"of {mark} messages: {counts}")
-    must(counts["missed"] > 0 and counts["dropped"] == 0, f"what was left out is not missed: {counts}")
+    must(counts["missed"] > 0 and counts["dropped"] == 0, f"messages that were left out are not missed: {counts}")
 
 
 def full_inbox(pair: Pair) -> None:
@@ -234,13 +234,13 @@ def full_inbox(pair: Pair) -> None:
         last = sequence
     newest = sum(sequence > INBOX + 1 for sequence, _ in rows)
     must(newest > INBOX / 2, f"of the newest {INBOX} messages {newest} came")
-    # One may have been taken before the agent stopped, and one more is taken while another comes.
+    # The agent may have taken a message before it stopped.
     eldest = sum(sequence <= INBOX for sequence, _ in rows)
     must(eldest <= 3, f"{eldest} of the eldest {INBOX} messages came")
     sent = counted(pair.pub, p)["sent"]
     counts = counted_until(pair.sub, s, lambda so_far: so_far["received"] + so_far["missed"] >= sent)
     must(counts["received"] + counts["missed"] == sent, f"of {sent} messages: {counts}")
-    must(counts["dropped"] == 0, f"what was lost in the inbox is dropped: {counts}")
+    must(counts["dropped"] == 0, f"messages that were lost in the inbox count as dropped: {counts}")
 
 
 def conversions(pair: Pair) -> None:
@@ -271,7 +271,7 @@ def conversions(pair: Pair) -> None:
     must(len(pair.sub.all(f"problem {missing} .*")) == 1, "a missing function is told more than once")
 
 
-#: Those in which a face of another library has no part: they are long, or ask for what it does not show.
+#: Checks that a face of another library does not run: they are long, or need something that it does not show.
 WHOLE = [daemons_die, strangers.forged_hellos]
 CHECKS = [
     publisher_restarts, subscriber_restarts, daemons_die, daemon_starts_later, better_provider, host_dies, modified, refused,

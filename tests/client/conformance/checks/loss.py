@@ -1,4 +1,4 @@
-"""On air that loses a tenth: what comes is in order, nothing comes twice, what is missing is counted, and TCP loses nothing."""
+"""A network that loses a tenth: messages come in order and once, missing ones are counted, and TCP loses none."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pair import Pair, counted, fresh, fresh_port, must
 
 COUNT = 200
-#: Of 200 datagrams of which a tenth is lost, fewer come once in 10^20 runs.
+#: The least number of 200 datagrams: fewer come once in 10^20 runs.
 LEAST = 120
 
 

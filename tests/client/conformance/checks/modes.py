@@ -7,16 +7,16 @@ import time
 from pair import Pair, counted, counted_until, fresh, fresh_port, must
 from spoken import Failed
 
-#: How long a subscriber keeps what comes early.
+#: Seconds that a subscriber keeps an early frame.
 EARLY_SECONDS = 1.0
-#: A machine may be so busy that more passes.
+#: Attempts, because a busy machine may take longer than that.
 ATTEMPTS = 30
 MAX_UDP = 65_000
 MAX_TCP = 16 * 1024 * 1024
 
 
 def exchange(pair: Pair, mode: str, protocol: str, address: str = "") -> None:
-    """Meets, sends, and parts."""
+    """Lets both sides meet, sends messages, and closes."""
     text = fresh("service")
     is_stream = mode == "otm/stream"
     p = pair.offer(f"mode={mode} text={text} protocol={protocol} {address}")
@@ -132,7 +132,7 @@ def link_multicast(pair: Pair) -> None:
 
 
 def early(pair: Pair) -> None:
-    """what is sent before the consumer is told"""
+    """messages that come before the consumer is told"""
     for _ in range(ATTEMPTS):
         if _is_heard_early(pair):
             return
@@ -140,11 +140,11 @@ def early(pair: Pair) -> None:
 
 
 def _is_heard_early(pair: Pair) -> bool:
-    """Whether the consumer was told so soon that what was sent before that must be delivered, as it is then."""
+    """Sends before the consumer is told of the provider. Whether it was told within the second, and so had to deliver."""
     keys = f"mode=otm/pubsub text={fresh('service')}"
     s = pair.ask(keys)
     known = pair.offer(keys)
-    pair.met(known, s)  # so the publisher's daemon knows the request
+    pair.met(known, s)  # the publisher's daemon knows the request then
     with pair.hosts[1].standing_daemon():
         p = pair.offer(keys)
         pair.pub.find(f"consumer {p} added .*")

@@ -1,4 +1,4 @@
-"""What others send is not delivered, and does no harm."""
+"""Datagrams and connections of strangers: they are not delivered and do no harm."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def _frame(kind: int, life: int, sequence: int, payload: bytes) -> str:
 
 
 def _forge(pair: Pair, host: int, source_port: int, port: int, octets: str) -> int:
-    """Sends from a host to the other one's, or the same one's, port; whether the system let it."""
+    """Sends a datagram from a host to a port of the second host. Whether the system let it."""
     address = pair.hosts[1].address
     try:
         pair.hosts[host].run([*FORGE, "udp", str(source_port), address, str(port), octets])
@@ -66,7 +66,7 @@ def repeated_datagrams(pair: Pair) -> None:
 
 
 def forged_hellos(pair: Pair) -> None:
-    """who has not heard the announcement is not sent to"""
+    """a hello without the publisher's life is no listener"""
     text, port = fresh("service"), fresh_port()
     p = pair.offer(f"mode=otm/stream text={text} port={port}")
     before = counted(pair.pub, p)

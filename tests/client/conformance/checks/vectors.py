@@ -1,4 +1,4 @@
-"""What every language computes: identities, frames, lines (tests/client/vectors, src/discovery/gcnp/GCNP.md)."""
+"""Identities, frames and lines, as every language computes them (tests/client/vectors, src/discovery/gcnp/GCNP.md)."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def identities(agent: Spoken) -> None:
 
 
 def _shows(agent: Spoken, word: str, example: str) -> bool:
-    """Whether the library's interface has such a thing at all."""
+    """Whether the library shows such a thing."""
     return agent.asked(f"{word} {example}", f"{word}( .*)?")[0] != f"{word} unknown"
 
 

@@ -21,9 +21,9 @@ import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.random.RandomGenerator;
 
-/** The connection with the daemon, made again with back-off for as long as the node lives. All calls are made with the loop's lock, but for the constructor. */
+/** The link to the daemon, which connects again with back-off until the node is closed. All calls but the constructor are made with the loop's lock. */
 public final class DaemonLink implements Stream.Reader {
-    /** Stands behind what one pong is about. */
+    /** Stands after the actions that one pong answers. */
     private static final Runnable PONG = () -> {};
     private static final long HELLO_TIMEOUT = TimeUnit.SECONDS.toNanos(5);
 
@@ -32,7 +32,7 @@ public final class DaemonLink implements Stream.Reader {
     private final String name;
     private final Backoff backoff;
     private final TreeMap<Long, Stated> requests = new TreeMap<>();
-    /** What waits for its pong, in the order of the pings. */
+    /** The actions that wait for a pong, in the order of the pings. */
     private final ArrayDeque<Runnable> pings = new ArrayDeque<>();
     private LineReader lines = new LineReader();
     private long skipped;
@@ -52,7 +52,7 @@ public final class DaemonLink implements Stream.Reader {
         backoff = new Backoff(chance);
     }
 
-    /** Begins to look for the daemon. */
+    /** Begins to connect. */
     public void open() {
         loop.lock.lock();
         try {
@@ -86,7 +86,7 @@ public final class DaemonLink implements Stream.Reader {
         stream.write(ByteBuffer.wrap(line.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** Does something as soon as the daemon has handled everything that was said so far. */
+    /** Runs an action when the daemon has handled everything that was said so far. */
     void whenHandled(Runnable action) {
         pings.add(action);
         if (isPingDue) return;
@@ -94,7 +94,7 @@ public final class DaemonLink implements Stream.Reader {
         loop.after(0, this::ping);
     }
 
-    /** Asks at once. */
+    /** Sends a ping that is due at once. */
     void pingWhereDue() {
         if (isPingDue) ping();
     }
@@ -215,7 +215,7 @@ public final class DaemonLink implements Stream.Reader {
         loop.changed();
     }
 
-    /** Says goodbye; {@link #isGone} when the daemon has heard it. */
+    /** Says goodbye; {@link #isGone} tells when the daemon has heard it. */
     public void close() {
         isClosed = true;
         if (isUp) {
@@ -227,7 +227,7 @@ public final class DaemonLink implements Stream.Reader {
         }
     }
 
-    /** Whether there is nothing more to be said. */
+    /** Whether the goodbye is complete. */
     public boolean isGone() {
         return isGone;
     }

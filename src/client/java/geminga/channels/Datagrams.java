@@ -15,11 +15,11 @@ import java.nio.channels.SelectionKey;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A UDP socket of both families where the host has both. All calls are made with the loop's lock. */
+/** A UDP socket, of both families if the host has both. All calls are made with the loop's lock. */
 final class Datagrams implements Loop.Ready {
-    /** Who hears what comes. */
+    /** The receiver of datagrams. */
     interface Reader {
-        /** A datagram; the buffer is lost afterwards. */
+        /** Takes a datagram. The buffer is void afterwards. */
         void read(InetSocketAddress from, ByteBuffer datagram);
     }
 
@@ -41,7 +41,7 @@ final class Datagrams implements Loop.Ready {
         key = loop.register(channel, reader == null ? 0 : SelectionKey.OP_READ, this);
     }
 
-    /** Opens one at a port, 0 for any, and at an address where it is one of this host's; {@code reader} is null where nothing is to be heard. */
+    /** Opens a socket at a port, 0 for any, and at an address if it is one of this host's. {@code reader} is null if nothing is to be received. */
     static Datagrams open(Loop loop, InetAddress address, int port, Reader reader) throws IOException {
         DatagramChannel channel = DatagramChannel.open();
         try {
@@ -53,26 +53,26 @@ final class Datagrams implements Loop.Ready {
         }
     }
 
-    /** A port that a socket could have, 0 for any; none is kept open. */
+    /** The port that a socket would have, 0 for any. No socket is kept open. */
     static int free(InetAddress address, int port) throws IOException {
         try (DatagramChannel channel = DatagramChannel.open()) {
             return channel.bind(local(address, port)).socket().getLocalPort();
         }
     }
 
-    /** Where to bind for a stated address: there, where it is one of this host's, and everywhere else. */
+    /** The address to bind to for a stated one: that address if it is one of this host's, or else all addresses. */
     static InetSocketAddress local(InetAddress address, int port) throws SocketException {
         boolean isOwn = address != null && !address.isMulticastAddress() && NetworkInterface.getByInetAddress(address) != null;
         return isOwn ? new InetSocketAddress(address, port) : new InetSocketAddress(port);
     }
 
-    /** Opens one that sends to a multicast group, or one that hears it. */
+    /** Opens a socket that sends to a multicast group, or one that receives it. */
     static Datagrams group(Loop loop, InetSocketAddress group, Reader reader) throws IOException {
         boolean isFour = group.getAddress() instanceof Inet4Address;
         DatagramChannel channel = DatagramChannel.open(isFour ? StandardProtocolFamily.INET : StandardProtocolFamily.INET6);
         try {
             channel.setOption(StandardSocketOptions.SO_REUSEADDR, true);
-            // Where it can be, only what comes to the group is heard at all; one of a single link cannot be bound to for all links.
+            // Bound to the group, the socket receives nothing else. A link-local group cannot be bound to for all links.
             boolean isOfALink = !isFour && (group.getAddress().isMCLinkLocal() || group.getAddress().isMCNodeLocal());
             channel.bind(reader == null || isOfALink ? new InetSocketAddress(group.getPort()) : group);
             channel.setOption(StandardSocketOptions.IP_MULTICAST_TTL, 1);
@@ -84,7 +84,7 @@ final class Datagrams implements Loop.Ready {
         }
     }
 
-    /** The interfaces over which a group can be reached: all that are up, and the loopback only where there is no other. */
+    /** The interfaces that multicasts use: all that are up and no loopback, or the loopback if there is no other. */
     static List<NetworkInterface> interfaces(InetAddress group) {
         List<NetworkInterface> others = new ArrayList<>();
         List<NetworkInterface> loopbacks = new ArrayList<>();
@@ -101,7 +101,7 @@ final class Datagrams implements Loop.Ready {
         return others;
     }
 
-    /** Hears the group on that interface, too; whether it can. */
+    /** Joins the group on an interface. Whether that succeeded. */
     boolean join(InetAddress group, NetworkInterface via) {
         try {
             channel.join(group, via);
@@ -111,7 +111,7 @@ final class Datagrams implements Loop.Ready {
         }
     }
 
-    /** Sends multicasts over that interface from now on. */
+    /** Sends multicasts through an interface from now on. Whether that succeeded. */
     boolean via(NetworkInterface one) {
         try {
             channel.setOption(StandardSocketOptions.IP_MULTICAST_IF, one);
@@ -125,7 +125,7 @@ final class Datagrams implements Loop.Ready {
         return channel.socket().getLocalPort();
     }
 
-    /** Sends what {@code datagram} holds; it can be sent again. Whether the system took it. */
+    /** Sends a datagram, which can be sent again. Whether the system took it. */
     boolean send(ByteBuffer datagram, InetSocketAddress to) {
         if (isClosed) return false;
         int begin = datagram.position();
@@ -140,7 +140,7 @@ final class Datagrams implements Loop.Ready {
         }
     }
 
-    /** Whether the system would take another one. */
+    /** Whether the system would take another datagram. */
     boolean hasRoom() {
         return !isFull;
     }

@@ -7,13 +7,13 @@ import java.net.SocketAddress;
 import java.net.UnixDomainSocketAddress;
 import java.util.List;
 
-/** Where a daemon listens: {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}. */
+/** Endpoints of daemons: {@code ADDRESS:PORT}, {@code [ADDRESS]:PORT}, {@code /PATH} or {@code unix:PATH}. */
 public final class Endpoint {
     private static final String SCHEME = "unix:";
 
     private Endpoint() {}
 
-    /** The addresses to try, in this order: the one that the text says, or those where gemingad usually listens where it is empty. */
+    /** The addresses to try, in this order: that of the text, or the usual ones of gemingad if it is empty. */
     public static List<SocketAddress> of(String text) {
         if (text.isEmpty()) return List.of(tcp("127.0.0.1:4717"), tcp("[::1]:4717"));
         String path = text.startsWith(SCHEME) ? text.substring(SCHEME.length()) : text;

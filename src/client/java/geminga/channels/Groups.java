@@ -12,9 +12,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 
-/** The multicast groups of one subscriber, a socket each, joined on every interface. All calls are made with the loop's lock. */
+/** The multicast groups of one subscriber: a socket for each, joined on every interface. All calls are made with the loop's lock. */
 final class Groups {
-    /** Who hears what comes to them. */
+    /** The receiver of their datagrams. */
     interface Reader {
         void heard(InetSocketAddress group, InetSocketAddress from, ByteBuffer datagram);
     }
@@ -37,7 +37,7 @@ final class Groups {
 
         void join() {
             Set<NetworkInterface> found = new HashSet<>(Datagrams.interfaces(address.getAddress()));
-            joined.retainAll(found); // who left has to be joined again when it returns
+            joined.retainAll(found); // an interface that comes back has to be joined again
             for (NetworkInterface one : found) {
                 if (!joined.contains(one) && socket.join(address.getAddress(), one)) joined.add(one);
             }
@@ -54,7 +54,7 @@ final class Groups {
         this.reader = reader;
     }
 
-    /** The group at which a provider is heard, or null where its address is none. */
+    /** The group of a provider, or null if its address is none. */
     static InetSocketAddress of(Match provider) {
         InetAddress address = provider.address().isEmpty() || !provider.protocol().equals("udp") ? null : Addresses.read(provider.address());
         return address != null && address.isMulticastAddress() ? new InetSocketAddress(address, provider.port()) : null;

@@ -2,39 +2,39 @@ package geminga.channels;
 
 import geminga.Match;
 
-/** How messages of one provider come. All calls are made with the loop's lock. */
+/** The inlet from one provider. All calls are made with the loop's lock. */
 interface Inlet {
-    /** What an inlet tells its subscriber. */
+    /** The subscriber of an inlet. */
     interface Owner {
-        /** Whether another message may wait; an inlet stops reading where not. */
+        /** Whether another message may wait. If not, an inlet over TCP stops reading. */
         boolean hasRoom();
 
-        /** A message that came from where it should; {@code life} is 0 where the sender is no library of this kind. */
+        /** Takes a message that is believed. {@code life} is 0 if the provider states none. */
         void deliver(Match provider, byte[] payload, long life, long sequence);
 
-        /** What was no frame, or not believed. */
+        /** Counts a frame or datagram that was not believed. */
         void dropped();
 
-        /** The provider of that life said its end behind the message of that sequence. */
+        /** The provider of that life has ended after the message of that sequence. */
         void ended(long life, long sequence);
 
-        /** The connection broke; whether to make another one. */
+        /** The connection broke. Whether to make another one. */
         boolean broke(long life);
     }
 
-    /** What is stated of the provider changed, perhaps where it is. */
+    /** The statement or the address of the provider has changed. */
     void changed(Match match);
 
-    /** It was withdrawn: what is on its way is still taken. */
+    /** The provider was withdrawn; messages on their way are still taken. */
     void ending();
 
-    /** Whether it waits for room, so that nothing is heard of it. */
+    /** Whether it has stopped reading until there is room. */
     boolean isPaused();
 
     /** There is room again. */
     void resume();
 
-    /** Whether a connection is there, which makes the channel live on without its daemons. */
+    /** Whether there is a connection, with which the channel goes on without its daemons. */
     boolean hasConnection();
 
     void close();

@@ -9,7 +9,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 
-/** {@code otm/stream} over UDP without a multicast address: sends to whoever says hello. */
+/** The outlet of {@code otm/stream} over UDP to a unicast address: sends to each listener that says hello. */
 final class ListenersOutlet implements Outlet, Datagrams.Reader {
     private final Loop loop;
     private final Owner owner;

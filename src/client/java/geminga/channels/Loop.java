@@ -18,16 +18,16 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * One selector, its timers, and what is to be told to the application. Whoever holds {@code driver} serves the sockets: the thread of an executor for as long as the node
- * lives, or else a caller that waits. All state of a node is guarded by {@code lock}; what is told is told without it.
+ * One selector with its timers, and the notices to the application. The thread that holds {@code driver} serves the sockets: that of an executor until the node is closed, or
+ * else a caller that waits. {@code lock} guards all state of a node; notices run without it.
  */
 public final class Loop {
-    /** What is served when a socket is ready; called with the lock. */
+    /** The user of a socket, called with the lock when the socket is ready. */
     interface Ready {
         void ready(SelectionKey key);
     }
 
-    /** Something that is due once. */
+    /** An action that is due once. */
     final class Timer implements Comparable<Timer> {
         private final long due;
         private Runnable action;
@@ -51,7 +51,7 @@ public final class Loop {
     private static final long LONGEST = TimeUnit.HOURS.toNanos(1);
 
     final ReentrantLock lock = new ReentrantLock();
-    /** What one datagram or one read of a connection goes through; guarded by the lock, as the one below. */
+    /** The buffers of one read and one write of a socket; guarded by the lock. */
     final ByteBuffer incoming = ByteBuffer.allocateDirect(128 * 1024);
     final ByteBuffer outgoing = ByteBuffer.allocateDirect(128 * 1024);
     private final ReentrantLock driver = new ReentrantLock();
@@ -82,7 +82,7 @@ public final class Loop {
         }
     }
 
-    /** Says what a socket waits for. With the lock. */
+    /** Sets whether a socket waits for an operation. With the lock. */
     void interest(SelectionKey key, int operation, boolean isWanted) {
         if (!key.isValid()) return;
         int operations = isWanted ? key.interestOps() | operation : key.interestOps() & ~operation;
@@ -91,7 +91,7 @@ public final class Loop {
         wakeUp();
     }
 
-    /** Closes a socket, and sees to it that the system hears of it soon. With the lock. */
+    /** Closes a socket, and wakes the selector, which then releases it. With the lock. */
     void close(SelectableChannel channel) {
         try {
             channel.close();
@@ -101,7 +101,7 @@ public final class Loop {
         wakeUp();
     }
 
-    /** Does something later. With the lock. */
+    /** Runs an action later. With the lock. */
     Timer after(long nanoseconds, Runnable action) {
         Timer timer = new Timer(now() + nanoseconds, action);
         timers.add(timer);
@@ -119,7 +119,7 @@ public final class Loop {
         lock.unlock();
     }
 
-    /** Tells the application, in order, from the thread that drives. With the lock. */
+    /** Has a notice run by the thread that drives, in order. With the lock. */
     public void tell(Runnable notice) {
         notices.add(notice);
         wakeUp();
@@ -138,7 +138,7 @@ public final class Loop {
         tell(new Event.Problem(null, text));
     }
 
-    /** Who waits looks again at what it waits for. With the lock. */
+    /** Wakes callers, which check their conditions again. With the lock. */
     void changed() {
         changed.signalAll();
         wakeUp();
@@ -154,10 +154,10 @@ public final class Loop {
     }
 
     /**
-     * Waits until {@code condition}, which is asked with the lock, and serves the sockets meanwhile where nobody else does.
+     * Waits until {@code condition} holds, which is checked with the lock. Serves the sockets meanwhile, unless another thread does.
      *
-     * @param nanoseconds how long at most; {@link Long#MAX_VALUE} for ever
-     * @return whether it came
+     * @param nanoseconds the longest wait; {@link Long#MAX_VALUE} for ever
+     * @return whether it holds
      */
     public boolean await(BooleanSupplier condition, long nanoseconds) throws InterruptedException {
         long begin = now();
@@ -182,13 +182,13 @@ public final class Loop {
             } finally {
                 driver.unlock();
                 lock.lock();
-                changed.signalAll(); // so that somebody else may drive
+                changed.signalAll(); // so that another thread may drive
                 lock.unlock();
             }
         }
     }
 
-    /** Serves what is ready now, unless somebody else does. */
+    /** Serves what is ready now, unless another thread does. */
     public void poll() {
         if (!driver.tryLock()) return;
         try {
@@ -241,7 +241,7 @@ public final class Loop {
         }
     }
 
-    /** Tells what there is to tell. What a listener throws is its thread's handler's to see. */
+    /** Runs all notices. An exception of a listener goes to the handler of its thread. */
     private void runNotices() {
         for (Runnable notice = nextNotice(); notice != null; notice = nextNotice()) {
             try {
@@ -261,7 +261,7 @@ public final class Loop {
         }
     }
 
-    /** Ends: no socket is served any more, and who waits is woken. What has been told so far is still told, by who drives or by who calls this. */
+    /** Ends the loop: no socket is served after it, and callers that wait are woken. Notices so far still run, on the thread that drives or on this one. */
     public void close() {
         lock.lock();
         try {
@@ -280,7 +280,7 @@ public final class Loop {
     }
 
     private void tellRest() {
-        if (!driver.tryLock()) return; // who drives does it
+        if (!driver.tryLock()) return; // the thread that drives does it
         try {
             runNotices();
         } finally {

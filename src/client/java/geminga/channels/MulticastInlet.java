@@ -3,7 +3,7 @@ package geminga.channels;
 import geminga.Match;
 import java.net.InetSocketAddress;
 
-/** One provider over multicast. Those of the same group and port share a socket. */
+/** The inlet of one provider over multicast. Providers of the same group and port share a socket. */
 final class MulticastInlet implements Inlet {
     private final Groups groups;
     private InetSocketAddress group;
@@ -14,7 +14,7 @@ final class MulticastInlet implements Inlet {
         groups.enter(group);
     }
 
-    /** Whether a message that came to that group may be this provider's. */
+    /** Whether a datagram to that group may be this provider's. */
     boolean isOf(InetSocketAddress heard) {
         return group.equals(heard);
     }

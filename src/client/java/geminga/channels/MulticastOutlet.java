@@ -11,9 +11,9 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** {@code otm/stream} over UDP with a multicast address: sends to the group on every interface, whether anybody listens or not. */
+/** The outlet of {@code otm/stream} over UDP to a multicast address: sends to the group on every interface, whether anybody listens or not. */
 final class MulticastOutlet implements Outlet {
-    /** How often it is looked which interfaces there are. */
+    /** The time between two looks at the interfaces. */
     static final long LOOK = TimeUnit.SECONDS.toNanos(2);
 
     private final Loop loop;

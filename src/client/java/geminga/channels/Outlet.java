@@ -3,63 +3,63 @@ package geminga.channels;
 import geminga.Match;
 import geminga.protocol.Counterparts.Entry;
 
-/** The sockets of one publisher, by mode and protocol (src/client/CHANNELS.md, "Who opens what"). All calls are made with the loop's lock. */
+/** The outlet of one publisher, by mode and protocol (src/client/CHANNELS.md, "Who opens what"). All calls are made with the loop's lock. */
 interface Outlet {
-    /** What an outlet tells its publisher. */
+    /** The publisher of an outlet. */
     interface Owner {
-        /** A consumer over TCP has come with its connection. */
+        /** The connection of a consumer has come. */
         void arrived(Entry<Consumer> entry);
 
-        /** Its connection is gone. */
+        /** The connection of a consumer is gone. */
         void departed(Entry<Consumer> entry);
 
-        /** Something could not be sent to one of the consumers. */
+        /** Counts a message that was left out for one consumer. */
         void leftOut();
 
-        /** What was no frame, or not believed. */
+        /** Counts a datagram or connection that was not believed. */
         void dropped();
 
         /** Listeners or connections came or went, or there is room again. */
         void changed();
 
-        /** What the application is told. */
+        /** Tells the application of a problem. */
         void problem(String text);
 
-        /** The channel is reached at another port from now on. */
+        /** States another port of the channel. */
         void moved(int port);
     }
 
-    /** What the outlet keeps of a consumer that the daemon told of. */
+    /** The outlet's part of a consumer that the daemon has named. */
     interface Consumer {
-        /** Whether it is there, so that what is sent counts. */
+        /** Whether messages reach it. */
         boolean isThere();
     }
 
     int port();
 
-    /** Whether anybody hears what is sent. */
+    /** Whether there is a consumer. */
     boolean hasConsumer();
 
-    /** Sends to everybody. */
+    /** Sends to every consumer. */
     void send(byte[] payload, long sequence);
 
-    /** Whether a message of that size would be left out for nobody. */
+    /** Whether every consumer has room for a message of this size. */
     boolean hasRoom(int octets);
 
-    /** A consumer that the daemon told of. */
+    /** The daemon has named a consumer. */
     void opened(Entry<Consumer> entry);
 
     void changed(Entry<Consumer> entry, Match before);
 
     void closed(Entry<Consumer> entry);
 
-    /** Whether its connection is there, which makes it live on without its daemon. */
+    /** Whether it has a connection, with which it goes on without its daemon. */
     boolean hasConnection(Entry<Consumer> entry);
 
-    /** Says the end behind what waits. */
+    /** Sends the end after the frames that wait. */
     void end(long sequence);
 
-    /** Whether the end has been heard, or nobody is left to hear it. */
+    /** Whether every consumer has the end, or none is left. */
     boolean hasEnded();
 
     void close();

@@ -21,7 +21,7 @@ import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 
-/** What is behind a publisher: its statement, its consumers and its sockets. */
+/** A publisher behind the face: its statement, its consumers and its outlet. */
 public final class PublisherChannel extends Stated implements Counterparts.Watcher<Outlet.Consumer>, Outlet.Owner {
     private static final List<String> FIXED = List.of("mode", "port", "address", "protocol");
 
@@ -37,7 +37,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
     private long leftOut;
     private long dropped;
     private volatile boolean isClosed;
-    /** Asked for without the lock, so that sending to nobody costs a comparison. */
+    /** Read without the lock, so that sending without a consumer costs a comparison. */
     private volatile boolean isHeard;
 
     /** Opens the sockets and states the offer. With the lock. */
@@ -79,7 +79,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         return life;
     }
 
-    /** Sends to every consumer; whether there was one. */
+    /** Sends to every consumer. Whether there was one. */
     public boolean send(byte[] payload) throws IOException {
         if (payload.length > largest) throw tooLarge(payload.length);
         if (!isHeard && !isClosed) return false;
@@ -104,12 +104,12 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         return isHeard;
     }
 
-    /** Whether a message of that size would be left out for nobody. With the lock. */
+    /** Whether every consumer has room for a message of this size. With the lock. */
     public boolean hasRoom(int octets) {
         return isClosed || outlet.hasRoom(octets);
     }
 
-    /** Another offer in the place of this one; what the daemon says to it. With the lock. */
+    /** Puts another offer in the place of this one. Completes with the answer of the daemon. With the lock. */
     public CompletionStage<Void> modify(Offer wanted) {
         Offer named = wanted.attribute("channel", Life.write(life));
         Offer next = wanted.port() == 0 ? named.port(outlet.port()) : named;
@@ -240,7 +240,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         loop.tell(() -> listener.accept(event));
     }
 
-    /** Withdraws it and says the end to its consumers. With the lock. */
+    /** Withdraws the offer and sends the end to its consumers. With the lock. */
     public void end() {
         if (isClosed) return;
         isClosed = true;
@@ -249,7 +249,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         changed();
     }
 
-    /** Whether everybody has heard the end. With the lock. */
+    /** Whether every consumer has the end. With the lock. */
     public boolean hasEnded() {
         return outlet.hasEnded();
     }
@@ -265,17 +265,17 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         return isClosed;
     }
 
-    /** Messages that it was given while it had a consumer. */
+    /** The messages that were sent while there was a consumer. */
     public long sent() {
         return sequence;
     }
 
-    /** How often a message was left out for one consumer. */
+    /** The messages that were left out, counted for each consumer. */
     public long leftOutCount() {
         return leftOut;
     }
 
-    /** What came and was no frame, or from nobody who is known. */
+    /** The datagrams and connections that were not believed. */
     public long droppedCount() {
         return dropped;
     }

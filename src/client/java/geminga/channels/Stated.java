@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 
-/** An offer or a request as the daemon is told of it, again after each return. All of it is guarded by the loop's lock. */
+/** An offer or a request that is stated to every daemon, and the answers to it. The loop's lock guards all of it. */
 public abstract class Stated {
     final Loop loop;
     final DaemonLink daemon;
@@ -17,7 +17,7 @@ public abstract class Stated {
     private final CompletableFuture<Void> taken = new CompletableFuture<>();
     private volatile AutoCloseable owner;
     private volatile RefusedException refusal;
-    /** Pings that are under way behind a {@code create}: while there is one, an error is about it. */
+    /** The pings that follow a {@code create} and have no pong yet: while there is one, an error is about the create. */
     private int creating;
     private final ArrayDeque<Modification> modifying = new ArrayDeque<>();
     private boolean isTaken;
@@ -30,36 +30,36 @@ public abstract class Stated {
         number = daemon.nextNumber();
     }
 
-    /** What the application knows it as. With the lock. */
+    /** Sets the publisher or subscriber of the application. With the lock. */
     public final void owner(AutoCloseable made) {
         owner = made;
     }
 
-    /** Tells the application what is not as it was meant. With the lock. */
+    /** Tells the application of a problem. With the lock. */
     public final void problem(String text) {
         loop.tell(() -> loop.listener().accept(new Event.Problem(owner, text)));
     }
 
-    /** What {@code create} states. */
+    /** The parameters of {@code create}. */
     abstract Map<String, String> parameters();
 
-    /** The daemon tells of the other side. */
+    /** Takes an event of the daemon. */
     abstract void told(Told event);
 
     abstract void daemonLost();
 
     abstract void daemonBack();
 
-    /** Ends by itself what the daemon took back or refused. */
+    /** Ends the channel, because the daemon has refused the request or taken it back. */
     abstract void refused();
 
-    /** States it for the first time. */
+    /** States the request for the first time. */
     final void begin() {
         daemon.add(this);
         if (daemon.isUp()) state();
     }
 
-    /** States it to a daemon that does not know it. */
+    /** States the request to a daemon that does not have it. */
     final void state() {
         if (refusal != null || isWithdrawn) return;
         daemon.say(number, command, "create", parameters());
@@ -72,7 +72,7 @@ public abstract class Stated {
         });
     }
 
-    /** States what changes; {@code undo} is called where it is refused. Without a daemon it is stated with all else, later. */
+    /** States a change; {@code undo} is called if it is refused. Without a daemon it will be stated with the whole request. */
     final CompletionStage<Void> modify(Map<String, String> changes, Runnable undo) {
         CompletableFuture<Void> done = new CompletableFuture<>();
         if (changes.isEmpty() || !daemon.isUp() || refusal != null) {
@@ -90,7 +90,7 @@ public abstract class Stated {
         return done;
     }
 
-    /** A change of which the daemon has not been heard yet. */
+    /** A change that the daemon has not answered yet. */
     private static final class Modification {
         private final CompletableFuture<Void> done;
         private final Runnable undo;
@@ -108,12 +108,12 @@ public abstract class Stated {
         daemon.forget(this);
     }
 
-    /** What was under way to a daemon that is gone will not be answered. */
+    /** The daemon is gone and will not answer. */
     final void lost() {
         creating = 0;
         for (Modification one = modifying.poll(); one != null; one = modifying.poll()) {
             CompletableFuture<Void> done = one.done;
-            loop.tell(() -> done.complete(null)); // it is stated with all else, later
+            loop.tell(() -> done.complete(null)); // it will be stated with the whole request
         }
         daemonLost();
     }

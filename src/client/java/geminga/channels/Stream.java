@@ -12,27 +12,27 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.ArrayDeque;
 
-/** A connection with what waits to be written. All calls are made with the loop's lock. */
+/** A connection, and the octets that wait to be written. All calls are made with the loop's lock. */
 final class Stream implements Loop.Ready {
-    /** Who reads from it. */
+    /** The reader of a connection. */
     interface Reader {
-        /** It is there. */
+        /** The connection is open. */
         void connected();
 
-        /** Octets have come; what is left in the buffer is lost. */
+        /** Takes octets. Octets that are left in the buffer are lost. */
         void read(ByteBuffer octets);
 
-        /** All that waited is written. */
+        /** Everything is written. */
         void drained();
 
-        /** The other side closed its half. */
+        /** The other side has closed its half. */
         void finished();
 
-        /** It is gone; not called after {@link Stream#close}. */
+        /** The connection is gone. Not called after {@link Stream#close}. */
         void broke(String reason);
     }
 
-    /** Reads of one connection before the others are looked at. */
+    /** Reads of one connection before the others have their turn. */
     private static final int READS = 4;
     private static final int CHUNK = 256 * 1024;
 
@@ -56,7 +56,7 @@ final class Stream implements Loop.Ready {
         key = loop.register(channel, isConnected ? SelectionKey.OP_READ : SelectionKey.OP_CONNECT, this);
     }
 
-    /** Begins to connect; the reader hears how it went. */
+    /** Begins to connect; the reader is told the result. */
     static Stream connect(Loop loop, SocketAddress address, Reader reader) throws IOException {
         boolean isUnix = address instanceof UnixDomainSocketAddress;
         SocketChannel channel = isUnix ? SocketChannel.open(StandardProtocolFamily.UNIX) : SocketChannel.open();
@@ -81,7 +81,7 @@ final class Stream implements Loop.Ready {
         return new Stream(loop, channel, reader, true);
     }
 
-    /** Small messages leave at once, and a host that was switched off is noticed. */
+    /** Sets options: small messages leave at once, and a host that was switched off is noticed. */
     private static void tune(SocketChannel channel) throws IOException {
         channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
         channel.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
@@ -117,7 +117,7 @@ final class Stream implements Loop.Ready {
         }
     }
 
-    /** Reads what is there already. */
+    /** Reads octets that have come already. */
     void look() {
         try {
             receive();
@@ -141,17 +141,17 @@ final class Stream implements Loop.Ready {
         }
     }
 
-    /** How many octets wait. */
+    /** The octets that wait to be written. */
     long waiting() {
         return octetsWaiting;
     }
 
-    /** Whether another message of that size may wait. */
+    /** Whether a message of this size may wait. */
     boolean hasRoom(int octets) {
         return octetsWaiting == 0 || octetsWaiting + octets <= Limits.WAITING_FOR_CONSUMER;
     }
 
-    /** Writes what {@code octets} hold to a connection that is there, or as much as goes now and the rest later; they may be used again when this returns. */
+    /** Writes octets to an open connection: as many as it takes now, and the rest later. The buffer may be used again when this returns. */
     void write(ByteBuffer octets) {
         if (isClosed) return;
         try {
@@ -165,7 +165,7 @@ final class Stream implements Loop.Ready {
         }
     }
 
-    /** The same of a header and a payload in one call of the system. */
+    /** Writes a header and a payload in one call of the system. */
     void write(ByteBuffer header, ByteBuffer payload) {
         if (isClosed) return;
         try {
@@ -177,7 +177,7 @@ final class Stream implements Loop.Ready {
         }
     }
 
-    /** Writes what goes now, in pieces, since Java copies each piece whole. */
+    /** Writes what the connection takes now, in pieces, because Java copies each piece whole. */
     private void put(ByteBuffer octets) throws IOException {
         int end = octets.limit();
         try {
@@ -205,7 +205,7 @@ final class Stream implements Loop.Ready {
         reader.drained();
     }
 
-    /** Closes the own half as soon as all that waits is written. */
+    /** Closes the own half as soon as everything is written. */
     void finish() {
         endsWhenDrained = true;
         if (isClosed || octetsWaiting > 0) return;
@@ -236,7 +236,7 @@ final class Stream implements Loop.Ready {
         reader.broke(reason);
     }
 
-    /** Fails behind what is under way, so that who writes is not called back. */
+    /** Fails after the present call, so that a writer is not called back. */
     private void failSoon(String reason) {
         loop.after(0, () -> fail(reason));
     }

@@ -26,7 +26,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 
-/** What is behind a subscriber: its statement, its providers, its sockets, and the messages that wait. */
+/** A subscriber behind the face: its statement, its providers, its inlets and its inbox. */
 public final class SubscriberChannel extends Stated implements Counterparts.Watcher<Inlet>, Inlet.Owner, Datagrams.Reader, Groups.Reader {
     private static final List<String> FIXED = List.of("mode", "port", "address", "protocol");
 
@@ -44,7 +44,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     private Loop.Timer timer;
     private long dropped;
     private long missed;
-    /** Whether there ever was a provider that states no life. */
+    /** Whether there has been a provider that states no life. */
     private boolean hasStrangers;
     /** Whether connections wait for room. */
     private boolean isPaused;
@@ -59,14 +59,14 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         groups = new Groups(loop, this);
         if (!request.protocols().contains("udp") && !request.protocols().contains("tcp")) throw new IllegalArgumentException("protocol: a subscriber hears udp and tcp");
         InetAddress address = request.address().isEmpty() ? null : Addresses.read(request.address());
-        request.attribute("channel", Life.write(life)); // has a place
+        request.attribute("channel", Life.write(life)); // throws if there is no room for it
         socket = request.protocols().contains("udp") ? Datagrams.open(loop, address, request.port(), this) : null;
         this.request = stated(request);
         providers.limit(request.limit());
         begin();
     }
 
-    /** With what the library states for itself. */
+    /** The request with the port and the life that the library states. */
     private Request stated(Request asked) {
         Request own = asked.attribute("channel", Life.write(life)).protocols(asked.protocols().toArray(String[]::new));
         return socket == null || asked.port() != 0 ? own : own.port(socket.port());
@@ -85,7 +85,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         onMessage = action;
     }
 
-    /** Another request in the place of this one; what the daemon says to it. With the lock. */
+    /** Puts another request in the place of this one. Completes with the answer of the daemon. With the lock. */
     public CompletionStage<Void> modify(Request wanted) {
         Request next = stated(wanted);
         Map<String, String> changes = next.changesFrom(request);
@@ -181,7 +181,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         if (!(entry.channel instanceof TcpInlet)) loop.after(0, this::drain);
     }
 
-    /** Reads what the sockets hold, behind which is nothing more of those that were withdrawn. */
+    /** Reads what the sockets hold, and ends the providers that were withdrawn. */
     private void drain() {
         if (isClosed) return;
         boolean isEmpty = (socket == null || socket.drain()) & groups.drain();
@@ -203,11 +203,11 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     }
 
     private void tell(Change change, Match provider, String reason) {
-        if (isClosed) return; // by the application, which knows
+        if (isClosed) return; // by the application, which need not be told
         loop.tell(() -> listener.accept(new ProviderEvent(change, provider, reason)));
     }
 
-    /** Does what is due, and waits for what will be. */
+    /** Sets the timer for the next deadline. */
     private void changed() {
         if (timer != null) timer.cancel();
         timer = null;
@@ -279,7 +279,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         if (!isBelieved && frame != null && frame.kind() != Frame.Kind.HELLO) early.put(from, frame, loop.now());
     }
 
-    /** What came from a provider before the daemon told of it. */
+    /** Delivers the frames that came from a provider before the daemon named it. */
     private void deliverEarly(Entry<Inlet> entry) {
         if (entry == null || entry.match().life() == 0 || !(entry.channel instanceof UdpInlet inlet)) return;
         for (Frame frame : early.take(inlet::isAt, entry.match().life(), loop.now())) {
@@ -340,7 +340,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         return isWanted;
     }
 
-    /** Withdraws it and closes its sockets; what waits is lost. With the lock. */
+    /** Withdraws the request and closes its sockets. Messages that wait are lost. With the lock. */
     public void close() {
         if (isClosed) return;
         isClosed = true;
@@ -362,7 +362,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         return missed;
     }
 
-    /** What came and was no frame, not believed, or not new. */
+    /** The datagrams and frames that were not believed or not new. */
     public long droppedCount() {
         return dropped;
     }

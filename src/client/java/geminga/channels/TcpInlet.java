@@ -12,7 +12,7 @@ import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.random.RandomGenerator;
 
-/** One provider over TCP: connects, says hello, and connects again with back-off for as long as the provider is there. */
+/** The inlet of one provider over TCP: connects, says hello, and connects again with back-off while the provider is matched. */
 final class TcpInlet implements Inlet, Stream.Reader {
     private final Loop loop;
     private final Owner owner;
@@ -21,7 +21,7 @@ final class TcpInlet implements Inlet, Stream.Reader {
     private Match provider;
     private Stream stream;
     private FrameReader frames;
-    /** What was read and waits for room. */
+    /** Octets that were read and wait for room. */
     private ByteBuffer rest = ByteBuffer.allocate(0);
     private Loop.Timer retry;
     private boolean isConnected;
@@ -119,7 +119,7 @@ final class TcpInlet implements Inlet, Stream.Reader {
     @Override
     public void finished() {
         isFinished = true;
-        if (isPaused) return; // what was read comes first
+        if (isPaused) return; // frames that were read come first
         stream.close();
         broke("the provider closed the connection");
     }

@@ -19,11 +19,11 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Listens over TCP. A connection becomes a consumer when its hello has the life of one that the daemon told of; with {@code otm/stream}, any life. */
+/** The outlet over TCP: it listens, and a connection becomes a consumer if its hello has the life of one that the daemon has named; with {@code otm/stream}, any life. */
 final class TcpOutlet implements Outlet, Loop.Ready {
     private static final int BACKLOG = 256;
 
-    /** A consumer that the daemon told of. */
+    /** A consumer that the daemon has named. */
     private final class Expected implements Consumer {
         private final long consumer;
 
@@ -42,11 +42,11 @@ final class TcpOutlet implements Outlet, Loop.Ready {
     private final long life;
     private final boolean isStream;
     private final ServerSocketChannel server;
-    /** Connections without a hello, and those whose consumer is not told of yet, the oldest first. */
+    /** Connections without a hello, the oldest first; and those whose consumer the daemon has not named yet. */
     private final ArrayDeque<Guest> unknown = new ArrayDeque<>();
     private final Map<Long, Guest> early = new LinkedHashMap<>();
     private final Map<Long, Guest> guests = new LinkedHashMap<>();
-    /** Those that are given what still waits for them. */
+    /** Connections that get the frames that still wait for them. */
     private final Set<Guest> leaving = new LinkedHashSet<>();
     private final Map<Long, Entry<Consumer>> expected = new LinkedHashMap<>();
 
@@ -89,7 +89,7 @@ final class TcpOutlet implements Outlet, Loop.Ready {
         }
     }
 
-    /** One connection. */
+    /** One connection of a consumer, or of a stranger. */
     private final class Guest implements Stream.Reader {
         private final FrameReader frames = new FrameReader(Long.BYTES);
         private final Stream stream;
@@ -147,7 +147,7 @@ final class TcpOutlet implements Outlet, Loop.Ready {
             early.put(said, this);
         }
 
-        /** Makes it a consumer. */
+        /** Makes the connection a consumer's. */
         void admit() {
             patience.cancel();
             early.remove(consumer, this);
@@ -182,7 +182,7 @@ final class TcpOutlet implements Outlet, Loop.Ready {
             leave();
         }
 
-        /** Gives it what waits, and closes. Who takes nothing for a while is left. */
+        /** Writes the frames that wait, and closes. A consumer that takes nothing for a while is left. */
         void finish() {
             guests.remove(consumer, this);
             leaving.add(this);

@@ -8,7 +8,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 
-/** One provider over UDP, whose messages come to the subscriber's socket. To that of a stream it says hello once a second. */
+/** The inlet of one provider over UDP, whose messages come to the subscriber's socket. Says hello to a stream once a second. */
 final class UdpInlet implements Inlet {
     private final Loop loop;
     private final Datagrams socket;
@@ -27,7 +27,7 @@ final class UdpInlet implements Inlet {
         changed(provider);
     }
 
-    /** Whether a datagram from there may be this provider's. */
+    /** Whether a datagram from this address may be this provider's. */
     boolean isAt(InetSocketAddress from) {
         return address != null && from.getPort() == address.getPort() && Addresses.areSame(from.getAddress(), address.getAddress());
     }

@@ -11,7 +11,7 @@ import java.nio.ByteBuffer;
 import java.util.LinkedHashSet;
 import java.util.Set;
 
-/** Sends over UDP to each consumer that the daemon tells of. With {@code otm/pubsub} there is a socket only while there is a consumer. */
+/** The outlet over UDP to each consumer that the daemon has named. For {@code otm/pubsub} there is a socket only while there is a consumer. */
 final class UdpOutlet implements Outlet {
     private static final class Target implements Consumer {
         private final boolean takesFrames;
@@ -60,7 +60,7 @@ final class UdpOutlet implements Outlet {
     public void send(byte[] payload, long sequence) {
         ByteBuffer datagram = frame(loop.outgoing, life, payload, sequence);
         for (Target target : targets) {
-            datagram.position(target.takesFrames ? 0 : Frame.HEADER); // a stranger is sent the payload alone
+            datagram.position(target.takesFrames ? 0 : Frame.HEADER); // a consumer without a life gets the payload alone
             if (target.address == null || socket == null || !socket.send(datagram, target.address)) owner.leftOut();
         }
     }

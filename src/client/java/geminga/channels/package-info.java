@@ -1,2 +1,2 @@
-/** The sockets of a client and the one selector that serves them. */
+/** Sockets: the link to the daemon, outlets of publishers, inlets of subscribers, and the loop that serves them. */
 package geminga.channels;

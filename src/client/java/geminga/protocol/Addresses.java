@@ -4,11 +4,11 @@ import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 
-/** Numeric addresses, read without asking any name server, and compared with their zones. */
+/** Numeric addresses, read without a name server and compared with their zones. */
 public final class Addresses {
     private Addresses() {}
 
-    /** The address, or null where the text is no numeric one. A zone that this host does not have is none either. */
+    /** The address of a numeric text; null if it is none, or its zone is no interface of this host. */
     public static InetAddress read(String text) {
         boolean isSix = text.indexOf(':') >= 0 && text.charAt(0) != '[' && isSix(text);
         if (!isSix && !isFour(text)) return null;
@@ -19,7 +19,7 @@ public final class Addresses {
         }
     }
 
-    /** Whether the text has the form of an address, whether or not this host knows its zone. */
+    /** Whether the text has the form of an address, with any zone. */
     public static boolean isNumeric(String text) {
         int zone = text.indexOf('%');
         InetAddress address = zone == 0 ? null : read(zone < 0 ? text : text.substring(0, zone));
@@ -27,7 +27,7 @@ public final class Addresses {
         return address != null && hasRightZone && !address.isAnyLocalAddress();
     }
 
-    /** Whether both are the same address of the same zone. */
+    /** Whether two addresses are equal, zones included. */
     public static boolean areSame(InetAddress one, InetAddress other) {
         if (!one.equals(other)) return false;
         boolean hasZone = one instanceof Inet6Address && one.isLinkLocalAddress();

@@ -3,7 +3,7 @@ package geminga.protocol;
 import java.time.Duration;
 import java.util.random.RandomGenerator;
 
-/** How long to wait before trying again: .1, .2, .4, .8, 1, 1, ... s, each up to a quarter longer, by chance. */
+/** The wait before the next attempt to connect: .1, .2, .4, .8, 1, 1, ... s, each up to a quarter longer, by chance. */
 public final class Backoff {
     private static final long FIRST = Duration.ofMillis(100).toNanos();
     private static final long LAST = Duration.ofSeconds(1).toNanos();
@@ -22,7 +22,7 @@ public final class Backoff {
         return wait + (long) (wait / 4.0 * chance.nextDouble());
     }
 
-    /** The attempt succeeded. */
+    /** An attempt has succeeded: begins with the shortest wait again. */
     public void reset() {
         next = FIRST;
     }

@@ -4,13 +4,13 @@ import geminga.Conversion;
 import java.util.List;
 import java.util.Map;
 
-/** Applies the functions of an application along a chain of representations. */
+/** The application's conversions, applied along the chain of a match (src/discovery/matching/CONVERSIONS.md). */
 public final class Converter {
     private Converter() {}
 
     /**
-     * The payload in the last representation of the chain; an exception where a function is missing, which names who of
-     * {@code via} would do it, or throws.
+     * The payload in the last representation of the chain. Throws if a function is missing, with the service of {@code via} that
+     * does the step, or if a function throws.
      */
     public static byte[] apply(Map<String, Conversion> functions, List<String> chain, String via, byte[] payload) throws Exception {
         if (chain.size() < 2) return payload;
@@ -31,7 +31,7 @@ public final class Converter {
         return octets;
     }
 
-    /** Who does a step, counted from 0; empty: the consumer. */
+    /** The service that does a step, counted from 0; empty if the consumer does it. */
     private static String serviceOf(String via, int step) {
         String[] words = via.split(",");
         return step < words.length && !words[step].equals("-") ? words[step] : "";

@@ -8,31 +8,31 @@ import java.util.Map;
 import java.util.function.Predicate;
 
 /**
- * The other sides of one publisher or subscriber by their lives, and how long a channel goes on when daemons lose sight of somebody
- * (src/client/CHANNELS.md, "How a channel ends"). Time is what the caller says, in nanoseconds.
+ * The counterparts of a channel: the providers of a subscriber, or the consumers of a publisher, by their lives. Decides how long a channel goes on when daemons lose sight
+ * of them (src/client/CHANNELS.md, "How a channel ends"). The caller gives the time, in nanoseconds.
  *
- * @param <C> what the caller keeps for each of them: its sockets
+ * @param <C> the sockets that the caller keeps for each of them
  */
 public final class Counterparts<C> {
-    /** What is told to who owns the sockets. None of them may call back. */
+    /** The owner of the sockets. Its methods may not call back. */
     public interface Watcher<C> {
-        /** A channel begins. */
+        /** A counterpart was added. */
         void opened(Entry<C> entry);
 
-        /** What is stated of it changed, perhaps where it is reached. */
+        /** Its statement or its address has changed. */
         void changed(Entry<C> entry, Match before);
 
-        /** It was withdrawn; what is on its way is still delivered, until {@link #ended} or {@link Limits#ENDING} has passed. */
+        /** It was withdrawn. Messages on their way are still delivered, until {@link #ended} or until {@link Limits#ENDING} has passed. */
         void ending(Entry<C> entry);
 
-        /** It is over. */
+        /** Its channel is over. */
         void closed(Entry<C> entry, String reason);
     }
 
-    /** Where an entry stands. */
+    /** The state of an entry. */
     private enum State { CONFIRMED, UNCONFIRMED, ORPHAN, ENDING }
 
-    /** One other side. */
+    /** One counterpart. */
     public static final class Entry<C> {
         private static final long NEVER = Long.MAX_VALUE;
 
@@ -42,24 +42,24 @@ public final class Counterparts<C> {
         private State state = State.CONFIRMED;
         private long deadline = NEVER;
         private String reason = "";
-        /** What the watcher keeps for it. */
+        /** The sockets that the watcher keeps for it. */
         public C channel;
 
         private Entry(String key) {
             this.key = key;
         }
 
-        /** What is known of it. */
+        /** All that is known of it. */
         public Match match() {
             return match;
         }
 
-        /** Whether it was withdrawn and only what is on its way still counts. */
+        /** Whether it was withdrawn and only messages on their way still come. */
         public boolean isEnding() {
             return state == State.ENDING;
         }
 
-        /** Why it is gone, where the daemon said so. */
+        /** The reason of the daemon why it is gone. */
         public String reason() {
             return reason;
         }
@@ -71,38 +71,38 @@ public final class Counterparts<C> {
     private final Map<String, Entry<C>> byWord = new LinkedHashMap<>();
     private long limit;
 
-    /** Who {@code lingers} takes what is still on its way from one that was withdrawn. */
+    /** With {@code lingers}, messages on their way from a withdrawn counterpart are still taken. */
     public Counterparts(Watcher<C> watcher, boolean lingers) {
         this.watcher = watcher;
         this.lingers = lingers;
     }
 
-    /** How many the daemon gives at most; 0 for all. */
+    /** The largest number of counterparts; 0 for all. */
     public void limit(long most) {
         limit = most;
     }
 
-    /** All of them, in the order in which they came. */
+    /** All counterparts, in the order in which they came. */
     public List<Entry<C>> all() {
         return new ArrayList<>(entries.values());
     }
 
-    /** The one with that life, which is not 0; or null. */
+    /** The counterpart with this life, which is not 0; or null. */
     public Entry<C> of(long life) {
         return entries.get(Life.write(life));
     }
 
-    /** The one that the daemon calls so, or null. */
+    /** The counterpart with this word of the daemon, or null. */
     public Entry<C> at(String word) {
         return byWord.get(word);
     }
 
-    /** {@code modify}: what has ended is not made again by it. */
+    /** Takes a {@code modify}. It does not bring back a counterpart that has ended. */
     public void modify(Match match) {
         if (byWord.containsKey(match.word())) put(match);
     }
 
-    /** {@code add}. */
+    /** Takes an {@code add}. */
     public void put(Match match) {
         String key = match.life() != 0 ? Life.write(match.life()) : match.word();
         Entry<C> known = byWord.get(match.word());
@@ -127,7 +127,7 @@ public final class Counterparts<C> {
         closeOrphansBeyondLimit();
     }
 
-    /** {@code del}. A connection goes on as long as it is there, a channel over UDP for {@link Limits#ORPHAN}. */
+    /** Takes a {@code del}. An orphan over TCP goes on as long as its connection, one over UDP for {@link Limits#ORPHAN}. */
     public void remove(String word, String reason, long now, boolean hasConnection) {
         Entry<C> entry = byWord.remove(word);
         if (entry == null) return;
@@ -154,7 +154,7 @@ public final class Counterparts<C> {
         closeOrphansBeyondLimit();
     }
 
-    /** The own daemon is gone: all channels go on, however long that takes. */
+    /** The own daemon is gone. All channels go on, however long that takes. */
     public void lost() {
         byWord.clear();
         for (Entry<C> entry : entries.values()) {
@@ -167,31 +167,31 @@ public final class Counterparts<C> {
         }
     }
 
-    /** The own daemon is back, and tells again who is there. */
+    /** The own daemon is back, and confirms counterparts. */
     public void back(long now) {
         for (Entry<C> entry : entries.values()) {
             if (entry.state == State.UNCONFIRMED) entry.deadline = now + Limits.CONFIRMATION;
         }
     }
 
-    /** The other side said its end. */
+    /** The other side has ended the channel. */
     public void ended(Entry<C> entry) {
         if (entries.get(entry.key) != entry) return;
         entry.reason = "withdrawn";
         close(entry);
     }
 
-    /** Something came of one that was withdrawn, or it waits for room: more may come. */
+    /** A withdrawn counterpart sent something, or waits for room: its time begins anew. */
     public void extend(Entry<C> entry, long now) {
         if (entry.state == State.ENDING) entry.deadline = now + Limits.ENDING;
     }
 
-    /** Whether the daemons have lost sight of it, and told why. */
+    /** Whether the daemons have lost sight of it. */
     public boolean isLost(Entry<C> entry) {
         return entry.state == State.ORPHAN;
     }
 
-    /** Its connection broke. Whether to make another one: the daemons still see it. */
+    /** Its connection broke. Whether to make another one. */
     public boolean broke(Entry<C> entry) {
         if (entries.get(entry.key) != entry) return false;
         if (entry.state == State.CONFIRMED || entry.state == State.UNCONFIRMED) return true;
@@ -199,7 +199,7 @@ public final class Counterparts<C> {
         return false;
     }
 
-    /** Ends what is due. Who {@code hasConnection} goes on without its daemons. */
+    /** Ends channels whose time is over. One that {@code hasConnection} goes on without its daemons. */
     public void tick(long now, Predicate<Entry<C>> hasConnection) {
         for (Entry<C> entry : all()) {
             if (entry.deadline == Entry.NEVER || now - entry.deadline < 0) continue;
@@ -212,7 +212,7 @@ public final class Counterparts<C> {
         closeOrphansBeyondLimit();
     }
 
-    /** When {@link #tick} has something to do; {@link Long#MAX_VALUE} where never. */
+    /** The time at which {@link #tick} has something to do; {@link Long#MAX_VALUE} for never. */
     public long deadline() {
         long first = Entry.NEVER;
         for (Entry<C> entry : entries.values()) {
@@ -221,7 +221,7 @@ public final class Counterparts<C> {
         return first;
     }
 
-    /** Ends all of them. */
+    /** Ends all channels. */
     public void closeAll(String reason) {
         for (Entry<C> entry : all()) {
             entry.reason = reason;
@@ -248,7 +248,7 @@ public final class Counterparts<C> {
         watcher.closed(entry, entry.reason);
     }
 
-    /** Whether both say the same, whatever numbers their daemons gave them. */
+    /** Whether two matches are equal but for the numbers that daemons gave them. */
     private static boolean isSame(Match one, Match other) {
         return one.equals(other) || anonymous(one).equals(anonymous(other));
     }

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Frames over UDP that came before the daemon told of whom they are (src/client/CHANNELS.md, "Early frames"): {@link Limits#EARLY_FRAMES} with {@link Limits#EARLY_OCTETS} of
- * payload at most, each for {@link Limits#EARLY}; the oldest goes where one more comes. Time is what the caller says, in nanoseconds.
+ * Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, "Early frames"). Keeps at most {@link Limits#EARLY_FRAMES} with {@link Limits#EARLY_OCTETS}
+ * of payload, each for {@link Limits#EARLY}; for one more the oldest goes. The caller gives the time, in nanoseconds.
  */
 public final class EarlyFrames {
     private record Kept(InetSocketAddress from, Frame frame, long until) {}
@@ -26,7 +26,7 @@ public final class EarlyFrames {
         octets += size;
     }
 
-    /** What is there of that life from such an address, in the order in which it came. */
+    /** Removes the frames of this life from such an address; the result has them in the order of arrival. */
     public List<Frame> take(Predicate<InetSocketAddress> isFrom, long life, long now) {
         forgetOld(now);
         List<Frame> taken = new ArrayList<>();

@@ -2,9 +2,9 @@ package geminga.protocol;
 
 import java.nio.ByteBuffer;
 
-/** What stands in one datagram, or between two others on a connection (src/client/CHANNELS.md, "Frames"). */
+/** A frame: one datagram, or a piece of a stream (src/client/CHANNELS.md, "Frames"). */
 public record Frame(Kind kind, long life, long sequence, byte[] payload) {
-    /** Octets of the header. */
+    /** The octets of the header. */
     public static final int HEADER = 24;
     private static final short MARK = 0x4743; // "GC"
     private static final byte VERSION = 1;
@@ -20,9 +20,9 @@ public record Frame(Kind kind, long life, long sequence, byte[] payload) {
         }
     }
 
-    /** A header that can be believed so far. */
+    /** A header that was read. */
     record Header(Kind kind, int length, long life, long sequence) {
-        /** Reads 24 octets; null where they begin no frame of at most {@code limit} octets of payload. */
+        /** Reads 24 octets; null if they are no header of a frame with at most {@code limit} octets of payload. */
         static Header read(ByteBuffer octets, int limit) {
             boolean isMarked = octets.getShort() == MARK & octets.get() == VERSION;
             Kind kind = Kind.of(octets.get());
@@ -34,7 +34,7 @@ public record Frame(Kind kind, long life, long sequence, byte[] payload) {
         }
     }
 
-    /** The frame that a datagram is, or null. */
+    /** The frame that a datagram is, or null if it is none. */
     public static Frame ofDatagram(ByteBuffer datagram) {
         if (datagram.remaining() < HEADER) return null;
         Header header = Header.read(datagram, Limits.UDP_MESSAGE);
@@ -49,7 +49,7 @@ public record Frame(Kind kind, long life, long sequence, byte[] payload) {
         to.putShort(MARK).put(VERSION).put((byte) (kind.ordinal() + 1)).putInt(length).putLong(life).putLong(sequence);
     }
 
-    /** The whole frame as octets. */
+    /** The octets of the whole frame. */
     public byte[] write() {
         ByteBuffer octets = ByteBuffer.allocate(HEADER + payload.length);
         putHeader(octets, kind, life, sequence, payload.length);
@@ -61,7 +61,7 @@ public record Frame(Kind kind, long life, long sequence, byte[] payload) {
         return new Frame(Kind.HELLO, life, 0, new byte[0]);
     }
 
-    /** What a listener says over UDP to the publisher of that life: that it hears, or not any more. */
+    /** A hello or an end of a listener over UDP, to the publisher of that life. */
     public static Frame toPublisher(Kind kind, long life, long publisher) {
         return new Frame(kind, life, 0, ByteBuffer.allocate(Long.BYTES).putLong(publisher).array());
     }
@@ -71,7 +71,7 @@ public record Frame(Kind kind, long life, long sequence, byte[] payload) {
         return new Frame(Kind.END, life, sequence, new byte[0]);
     }
 
-    /** Whether this says something to the publisher of that life over UDP. */
+    /** Whether this hello or end over UDP is for the publisher of that life. */
     public boolean isFor(long publisher) {
         return payload.length == Long.BYTES && ByteBuffer.wrap(payload).getLong() == publisher;
     }

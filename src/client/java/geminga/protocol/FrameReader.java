@@ -3,7 +3,7 @@ package geminga.protocol;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
-/** Puts together the frames of a connection. Memory grows with what has arrived, not with what a header claims. */
+/** Frames put together from the octets of a stream. Memory grows with the octets that arrive, not with the size that a header claims. */
 public final class FrameReader {
     private static final int FIRST = 64 * 1024;
 
@@ -15,12 +15,12 @@ public final class FrameReader {
     private int filled;
     private boolean isBroken;
 
-    /** Frames have at most {@code limit} octets of payload. */
+    /** A reader of frames with at most {@code limit} octets of payload. */
     public FrameReader(int limit) {
         this.limit = limit;
     }
 
-    /** The next whole frame, or null where there is none yet. Takes from {@code octets} what it used. */
+    /** The next whole frame, or null if more octets are needed. Takes its octets from {@code octets}. */
     public Frame next(ByteBuffer octets) {
         if (isBroken) return null;
         if (header == null && !readHeader(octets)) return null;

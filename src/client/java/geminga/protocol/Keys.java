@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 
-/** The words that GCNP reserves, and how attributes are written beside them (src/discovery/gcnp/GCNP.md, "Attributes"). */
+/** Reserved words of GCNP, and the names of attributes beside them (src/discovery/gcnp/GCNP.md, "Attributes"). */
 public final class Keys {
     public static final String PREFIX = "attr.";
     private static final List<String> RESERVED = List.of(("mode id text concept representation port address protocol priority match provider where limit service name degree "
@@ -45,7 +45,7 @@ public final class Keys {
         return PREFIX + attribute;
     }
 
-    /** The attribute that a parameter of the daemon's lines states, or null where it is a key. */
+    /** The attribute that a parameter of the daemon's lines states, or null if it is a key. */
     public static String shown(String key) {
         if (key.startsWith(PREFIX)) return key.substring(PREFIX.length());
         return isReserved(key) || isKeyOfLines(key) ? null : key;

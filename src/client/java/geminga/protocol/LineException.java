@@ -1,6 +1,6 @@
 package geminga.protocol;
 
-/** A line, or a part of one, that is not what GCNP allows. */
+/** A line, or a part of one, that GCNP does not allow. */
 public final class LineException extends Exception {
     private static final long serialVersionUID = 1;
 

@@ -4,13 +4,13 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
-/** Cuts what arrives into lines. A line that is too long is skipped to its end and counted. */
+/** Lines put together from the octets of a stream. A line that is too long is skipped to its end and counted. */
 public final class LineReader {
     private final ByteArrayOutputStream line = new ByteArrayOutputStream();
     private boolean skips;
     private long skipped;
 
-    /** The next whole line in what is given and what was given before, without its end; null where there is none yet. Takes from {@code octets} what it used. */
+    /** The next whole line, without its end; null if more octets are needed. Takes its octets from {@code octets}. */
     public String next(ByteBuffer octets) {
         while (octets.hasRemaining()) {
             byte octet = octets.get();

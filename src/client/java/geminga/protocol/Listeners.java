@@ -5,15 +5,15 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Who listens to a stream over UDP, and when each of them was heard last.
+ * The listeners of a stream over UDP: those that said hello within the last seconds.
  *
- * @param <A> where a listener is
+ * @param <A> the address of a listener
  */
 public final class Listeners<A> {
-    /** The one that has been silent for longest is the first. */
+    /** By the time of the last hello, the oldest first. */
     private final Map<A, Long> heard = new LinkedHashMap<>();
 
-    /** A hello; whether there is a place for who says it. */
+    /** Adds a listener, or renews it. False if there is no room for one more. */
     public boolean heard(A from, long now) {
         if (heard.remove(from) == null && heard.size() == Limits.LISTENERS) {
             forget(now);
@@ -27,7 +27,7 @@ public final class Listeners<A> {
         heard.remove(from);
     }
 
-    /** Forgets who has been silent for {@link Limits#LISTENER_SILENCE}. */
+    /** Forgets listeners that have been silent for {@link Limits#LISTENER_SILENCE}. */
     public void forget(long now) {
         heard.values().removeIf(last -> now - last >= Limits.LISTENER_SILENCE);
     }
@@ -36,7 +36,7 @@ public final class Listeners<A> {
         return heard.keySet();
     }
 
-    /** When the next one is to be forgotten, where there is one. */
+    /** The time at which the next one is to be forgotten. Requires that there is one. */
     public long deadline() {
         return heard.values().iterator().next() + Limits.LISTENER_SILENCE;
     }

@@ -1,8 +1,8 @@
 package geminga.protocol;
 
-/** A line of the daemon that tells an error: {@code N EEE text}. */
+/** An error line of the daemon: {@code N EEE text}. */
 public record Reply(long id, int code, String text) {
-    /** The reply that the line is, or null where it is a statement. */
+    /** The reply that the line is, or null if it is a statement. */
     public static Reply read(String line) {
         int space = line.indexOf(' ');
         if (space < 1 || space > 10 || line.length() < space + 4) return null;

@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** One line of GCNP by its grammar (src/discovery/gcnp/GCNP.md, "Lines"), whatever it means. */
+/** One line of GCNP by its grammar (src/discovery/gcnp/GCNP.md, "Lines"), without its meaning. */
 public record Statement(long id, String command, String subcommand, List<Parameter> parameters) {
     /** Octets of a line, its end not counted. */
     public static final int MAX_OCTETS = 65536;
@@ -28,7 +28,7 @@ public record Statement(long id, String command, String subcommand, List<Paramet
         return new Cursor(line).statement();
     }
 
-    /** Reads parameters alone, as they stand behind the subcommand. */
+    /** Reads parameters alone, as they follow the subcommand. */
     public static List<Parameter> readParameters(String text) throws LineException {
         return new Cursor(text).parameters();
     }

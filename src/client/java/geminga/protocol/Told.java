@@ -12,19 +12,19 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * An event of the daemon about one request: {@code pub add} and its kin. Keys that are not known are attributes, so that a daemon may say more than its client knows.
+ * An event of the daemon about one request, as {@code pub add}. Unknown keys are attributes, so a newer daemon may send more than its client knows.
  *
- * @param id the request
+ * @param id the number of the request
  * @param isOfService whether a service was found ({@code pub}), or a consumer ({@code sub})
- * @param keys what is reserved, by key, in the order of the line
- * @param attributes the others, by name, in the order of the line
+ * @param keys the values of reserved keys, in the order of the line
+ * @param attributes the values of all other keys, in the order of the line
  */
 public record Told(long id, boolean isOfService, Change change, Map<String, String> keys, Map<String, String> attributes) {
     private static final List<String> CHANGES = List.of("add", "modify", "del");
-    /** Reserved behind {@code convert}, and else names of attributes. */
+    /** Keys after {@code convert}, and otherwise names of attributes. */
     private static final List<String> OF_CHAIN = List.of("cost", "via");
 
-    /** The event that a statement of the daemon is, or null where it is none. A part of it that cannot be read is an error. */
+    /** The event that a statement of the daemon is, or null if it is none. A part that cannot be read is an error. */
     public static Told read(Statement statement) throws LineException {
         boolean isOfService = statement.command().equals("pub");
         int change = CHANGES.indexOf(statement.subcommand());
@@ -57,17 +57,17 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
         return new Statement(id, isOfService ? "pub" : "sub", CHANGES.get(change.ordinal()), parameters);
     }
 
-    /** The service or subscription. */
+    /** The key of the service or subscription. */
     public String word() {
         return text(isOfService ? "service" : "subscription");
     }
 
-    /** Why it is gone. */
+    /** The reason why it is gone. */
     public String reason() {
         return text("reason");
     }
 
-    /** The other side, but for {@link Change#REMOVED}. */
+    /** The other side. Not for {@link Change#REMOVED}. */
     public Match match() throws LineException {
         try {
             return new Match(word(), text(isOfService ? "provider" : "consumer"), text("name"), text("participant_name"), Life.read(attributes.get("channel")), identity(),

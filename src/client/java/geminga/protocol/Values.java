@@ -3,11 +3,11 @@ package geminga.protocol;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Predicate;
 
-/** What the values of the keys of offers and requests may be, and how the same value is always written. What is wrong is an {@link IllegalArgumentException}. */
+/** The values of the keys of offers and requests: checked, and written in one form. A wrong value is an {@link IllegalArgumentException}. */
 final class Values {
     private Values() {}
 
-    /** The value as it is written; empty where it takes the key back or says what holds anyway. */
+    /** The value in its written form; empty if it takes the key back or is the default. */
     static String of(String key, String value, boolean isOffer) {
         writable(key, value);
         return switch (key) {
@@ -31,7 +31,7 @@ final class Values {
         };
     }
 
-    /** Says which control characters no line can hold. */
+    /** Throws for a control character that no line can hold. */
     static void writable(String key, String value) {
         if (!Statement.isWritable(value)) throw new IllegalArgumentException(key + ": a control character that no line can hold");
     }

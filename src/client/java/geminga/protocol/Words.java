@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** What an offer or a request states, word by word. Immutable. What is wrong is an {@link IllegalArgumentException}. */
+/** The keys and attributes of an offer or a request. Immutable. A wrong one is an {@link IllegalArgumentException}. */
 public final class Words {
     public static final int MAX_ATTRIBUTES = 32;
     public static final int MAX_NAME = 64;
@@ -39,7 +39,7 @@ public final class Words {
         return new Words(false, Map.of(), attributes(Map.of()));
     }
 
-    /** Reads what stands behind {@code pub create} or {@code sub create}. */
+    /** Reads the parameters of {@code pub create} or {@code sub create}. */
     public Words read(String text) {
         try {
             return read(Statement.readParameters(text));
@@ -48,7 +48,7 @@ public final class Words {
         }
     }
 
-    /** States all of these, each of which may stand once. */
+    /** States all of these parameters, each of which may stand once. */
     public Words read(List<Parameter> parameters) {
         Words words = this;
         Words fresh = isOffer ? offer() : request();
@@ -85,7 +85,7 @@ public final class Words {
         return new Words(isOffer, keys, changed);
     }
 
-    /** The value of a key, empty where it is not stated. */
+    /** The value of a key; empty if it is not stated. */
     public String get(String key) {
         return keys.getOrDefault(key, "");
     }
@@ -94,7 +94,7 @@ public final class Words {
         return Map.copyOf(attributes);
     }
 
-    /** As {@code create} states them, in the order of GCNP. */
+    /** The parameters of {@code create}, in the order of GCNP. */
     public Map<String, String> parameters() {
         Map<String, String> found = new LinkedHashMap<>();
         for (String key : isOffer ? OFFER : REQUEST) {
@@ -104,7 +104,7 @@ public final class Words {
         return found;
     }
 
-    /** What {@code modify} has to state to make {@code before} this. An attribute cannot be taken back. */
+    /** The parameters of {@code modify} that turn {@code before} into this. An attribute cannot be taken back. */
     public Map<String, String> changesFrom(Words before) {
         Map<String, String> found = new LinkedHashMap<>();
         for (String key : isOffer ? OFFER_CHANGE : REQUEST_CHANGE) {
@@ -118,7 +118,7 @@ public final class Words {
         return found;
     }
 
-    /** Says what is missing before this can be stated. */
+    /** Throws if something is missing that must be stated. */
     public Words complete() {
         if (get("mode").isEmpty()) throw new IllegalArgumentException("mode must be said");
         if (kinds() == 0) throw new IllegalArgumentException(get("representation").isEmpty() ? "one of id, text and concept must be said" : "a representation belongs to a concept");
@@ -153,7 +153,7 @@ public final class Words {
         }
     }
 
-    /** What a modify says to take a key back. */
+    /** The value by which a modify takes a key back. */
     private String usual(String key) {
         return switch (key) {
             case "priority" -> "0";

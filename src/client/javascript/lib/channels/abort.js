@@ -1,18 +1,18 @@
-// Waiting that an AbortSignal ends.
+// Waits that an AbortSignal can end.
 import { AbortError } from '../protocol/errors.js';
 
 export function throwIfAborted(signal) {
   if (signal?.aborted) throw new AbortError(signal);
 }
 
-/** Calls back when the signal is aborted, until the function that it gives is called. */
+/** Calls a function when the signal is aborted, until the function that it gives is called. */
 export function onAbort(signal, callback) {
   if (!signal) return () => {};
   signal.addEventListener('abort', callback, { once: true });
   return () => signal.removeEventListener('abort', callback);
 }
 
-/** The promise, or an AbortError as soon as the signal is aborted. */
+/** The result of a promise, or an AbortError as soon as the signal is aborted. */
 export async function abortable(promise, signal) {
   if (!signal) return promise;
   throwIfAborted(signal);

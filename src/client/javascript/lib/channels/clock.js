@@ -1,13 +1,13 @@
-// Time as the library sees it. Tests have one of their own.
+// The clock of the library, and timers by it. Tests use a clock of their own.
 export const systemClock = Object.freeze({
   /** Milliseconds that never go back. */
   now: () => performance.now(),
-  /** Calls once; what it gives has ref(), unref() and is for clear(). */
+  /** Calls once. The result is for clear(), and has ref() and unref(). */
   after: (milliseconds, callback) => setTimeout(callback, milliseconds),
   clear: (timer) => clearTimeout(timer),
 });
 
-/** The timers of one owner: ended together, and kept from keeping the program alive together. */
+/** The timers of one owner, which are ended together and keep the program alive together, or not. */
 export class Timers {
   #clock;
   #running = new Set();
@@ -42,7 +42,7 @@ export class Timers {
     this.#running.clear();
   }
 
-  /** Whether a running timer keeps the program alive. */
+  /** Sets whether a running timer keeps the program alive. */
   keepAlive(isWanted) {
     this.#isUnref = !isWanted;
     for (const timer of this.#running) isWanted ? timer.ref() : timer.unref();

@@ -1,10 +1,10 @@
-// The connection to the daemon: tries until there is one, and again when it is lost.
+// The link to the daemon, which connects again whenever the connection is lost.
 import { connect } from 'node:net';
 
 import { Backoff } from '../protocol/backoff.js';
 import { LineReader } from '../protocol/line_reader.js';
 
-/** Hooks: `onUp()`, `onLine(octets)`, `onDown()`; the last only after the first. */
+/** Hooks: `onUp()`, `onLine(octets)`, and `onDown()` after `onUp()`. */
 export class DaemonLink {
   #io;
   #timers;
@@ -28,7 +28,7 @@ export class DaemonLink {
     this.#try(0);
   }
 
-  /** The daemon has answered: the next loss is a new one. */
+  /** The daemon has answered the hello: the next loss begins with the shortest wait. */
   settle() {
     this.#backoff.reset();
   }
@@ -37,7 +37,7 @@ export class DaemonLink {
     if (this.#isUp) this.#socket.write(`${line}\r\n`);
   }
 
-  /** Writes what waits and closes; the promise is fulfilled when the connection is gone. */
+  /** Writes what waits and closes. The promise is fulfilled when the connection is gone. */
   close() {
     this.#isClosed = true;
     this.#io.forget(this.#timers);
@@ -47,7 +47,7 @@ export class DaemonLink {
     return new Promise((resolve) => {
       socket.once('close', resolve);
       socket.end();
-      // The daemon closes after `sys bye`; one that hangs is not waited for.
+      // The daemon closes after `sys bye`. One that hangs is not waited for.
       const patience = this.#io.clock.after(1000, () => socket.destroy());
       socket.once('close', () => this.#io.clock.clear(patience));
     });

@@ -1,4 +1,4 @@
-// A UDP port that is bound at once, for both families where the host has both.
+// A UDP port that is bound at once, for both families if the host has both.
 import { createSocket } from 'node:dgram';
 import { isIPv6 } from 'node:net';
 
@@ -6,13 +6,13 @@ import { canonicalAddress } from '../protocol/address.js';
 import { PortError } from '../protocol/errors.js';
 import * as limits from '../protocol/limits.js';
 
-// Addresses are numbers here: looking them up at once lets bind() and send() work at once.
+// Addresses are numeric, so this look-up lets bind() and send() work at once.
 const lookup = (address, family, callback) => callback(null, address, family);
 const bufferSize = 1024 * 1024;
 
 /**
- * A socket that is bound when this returns. `isShared` lets several have the port; `isDual` lets IPv6 speak IPv4, too. Throws
- * the system's error.
+ * A socket that is bound when this returns. `isShared` lets several sockets have the port; `isDual` lets an IPv6 socket use
+ * IPv4, too. Throws the system's error.
  */
 function bound(io, address, port, { isShared = false, isDual = false } = {}) {
   const isSix = isIPv6(address);
@@ -38,10 +38,10 @@ function bound(io, address, port, { isShared = false, isDual = false } = {}) {
   return io.add(socket);
 }
 
-// This is no address of the host, or the host does not speak this family.
+// The codes for an address that is not the host's, or a family that it does not speak.
 const absences = new Set(['EADDRNOTAVAIL', 'EAFNOSUPPORT', 'EPROTONOSUPPORT']);
 
-/** The socket of one address, or undefined where the host has no such address. Throws the system's error. */
+/** The socket of one address; undefined if the host has no such address. Throws the system's error. */
 function boundIfThere(io, address, port, how) {
   try {
     return bound(io, address, port, how);
@@ -59,14 +59,14 @@ function boundToAll(io, port) {
       const six = boundIfThere(io, '::', four?.address().port ?? port);
       return [four, six].filter(Boolean);
     } catch (error) {
-      // The port that chance gave to IPv4 is taken for IPv6.
+      // The port that the system gave to IPv4 is taken for IPv6.
       four?.close();
       if (port !== 0 || tries === 0 || error.code !== 'EADDRINUSE') throw error;
     }
   }
 }
 
-/** Sends from one port. What it does not send is counted. */
+/** Sends from one port, and counts the datagrams that are left out. */
 export class DatagramPort {
   #four;
   #six;
@@ -75,9 +75,9 @@ export class DatagramPort {
   leftOut = 0;
 
   /**
-   * At `port` (0: any) of `address`, or of all addresses of both families. An address that is not this host's is taken as
-   * said by somebody who knows how it is reached. `isOne`: one socket for both families, which is half the descriptors,
-   * but costs a sender more for IPv4. Throws PortError.
+   * Opens `port` (0: any) of `address`, or of all addresses of both families. An address that is not this host's is accepted,
+   * because the user knows how the host is reached. `isOne`: one socket for both families, which needs half the descriptors
+   * but makes sending over IPv4 slower. Throws PortError.
    */
   static open(io, { address, port = 0, isShared = false, isOne = false }) {
     try {
@@ -109,13 +109,13 @@ export class DatagramPort {
     return (this.#four ?? this.#six).address().port;
   }
 
-  /** Calls with the octets, canonical address and port of each datagram. */
+  /** Calls a function with the octets, the canonical address and the port of each datagram. */
   listen(callback) {
     const spelling = new Map();
     const onMessage = (octets, { address, port }) => {
       let known = spelling.get(address);
       if (known === undefined) {
-        // Most come from a few addresses.
+        // Most datagrams come from a few addresses.
         if (spelling.size >= 256) spelling.clear();
         known = canonicalAddress(address);
         spelling.set(address, known);
@@ -125,7 +125,7 @@ export class DatagramPort {
     for (const socket of this.sockets) socket.on('message', onMessage);
   }
 
-  /** Sends to a canonical address; gives whether the system is not behind with what it was given. */
+  /** Sends to a canonical address. False if many datagrams wait in the system. */
   send(octets, address, port) {
     const socket = this.#of(address);
     const waiting = socket?.getSendQueueSize() ?? Infinity;
@@ -138,7 +138,7 @@ export class DatagramPort {
     return this.sockets.reduce((sum, socket) => sum + socket.getSendQueueSize(), 0);
   }
 
-  /** Sends a last datagram to each target, and closes when the system has taken them. */
+  /** Sends a last datagram to each target, and closes when the system has taken all of them. */
   async end(octets, targets) {
     await Promise.all(targets.map(({ address, port }) => new Promise((resolve) => {
       const socket = this.#of(address);

@@ -1,9 +1,9 @@
-// Where a daemon listens: `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`.
+// Endpoints of daemons: `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`.
 import { isIPv6 } from 'node:net';
 
 import { readNumber } from '../protocol/key.js';
 
-/** The endpoint of a text, as net.connect takes it; throws TypeError. */
+/** The endpoint of a text, as net.connect takes it. Throws TypeError. */
 export function endpointOf(text) {
   if (text.startsWith('unix:') || text.startsWith('/')) {
     const path = text.replace(/^unix:/, '');
@@ -16,7 +16,7 @@ export function endpointOf(text) {
   throw new TypeError(`no endpoint: '${text}'; write ADDRESS:PORT, [ADDRESS]:PORT, /PATH or unix:PATH`);
 }
 
-/** Where to look for the daemon: what is said, what GEMINGA_CONNECT says, or where gemingad listens unless it is told. */
+/** The endpoints to try: that of the text, or of GEMINGA_CONNECT, or the usual ones of gemingad. */
 export function endpointsOf(text = process.env.GEMINGA_CONNECT) {
   if (text) return [endpointOf(text)];
   return [{ host: '127.0.0.1', port: 4717 }, { host: '::1', port: 4717 }];

@@ -1,11 +1,11 @@
-// The interfaces on which a group is spoken and heard.
+// The interfaces that multicasts use.
 import { networkInterfaces } from 'node:os';
 
 import { maxInterfaces } from '../protocol/limits.js';
 
 /**
- * What dgram takes as an interface of this family, IPv4 addresses or `::%NAME`: every interface that is up and no loopback,
- * or the loopback where there is no other.
+ * The interfaces in the form that dgram takes, IPv4 addresses or `::%NAME`: all that are up and no loopback, or the loopback if
+ * there is no other.
  */
 export function groupInterfaces(isSix, interfaces = networkInterfaces()) {
   const found = [];

@@ -1,4 +1,4 @@
-// What all sockets of a node share: time, chance, and whether they keep the program alive.
+// The clock and the random numbers of a node, and whether its sockets keep the program alive.
 import { systemClock, Timers } from './clock.js';
 
 export class Io {
@@ -11,7 +11,7 @@ export class Io {
     this.random = random;
   }
 
-  /** Timers that end together. */
+  /** New timers, which end together. */
   timers() {
     const timers = new Timers(this.clock);
     timers.keepAlive(this.#isKeptAlive);
@@ -24,7 +24,7 @@ export class Io {
     this.#groups.delete(timers);
   }
 
-  /** Fulfilled with the promise, or after so many milliseconds. */
+  /** Fulfilled when the promise is, or after so many milliseconds. */
   async within(milliseconds, promise) {
     let timer;
     const late = new Promise((resolve) => {
@@ -34,7 +34,7 @@ export class Io {
     this.clock.clear(timer);
   }
 
-  /** A socket or server, until it closes. */
+  /** Adds a socket or server, until it closes. */
   add(handle) {
     this.#handles.add(handle);
     handle.once('close', () => this.#handles.delete(handle));

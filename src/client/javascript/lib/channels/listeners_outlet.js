@@ -1,4 +1,4 @@
-// A publisher's side of `otm/stream` over UDP without a group: sends to everybody who says hello.
+// The outlet of `otm/stream` over UDP to a unicast address: it sends to each listener that says hello.
 import { frameOfDatagram, kinds } from '../protocol/frame.js';
 import { lifeOctets } from '../protocol/life.js';
 import { Listeners } from '../protocol/listeners.js';

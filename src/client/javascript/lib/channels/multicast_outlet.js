@@ -1,4 +1,4 @@
-// A publisher's side of `otm/stream` over UDP multicast: sends to the group on each interface, whether anybody listens or not.
+// The outlet of `otm/stream` over UDP to a multicast address: it sends on each interface, whether anybody listens or not.
 import { isIPv6 } from 'node:net';
 
 import { interfaceInterval } from '../protocol/limits.js';
@@ -22,7 +22,7 @@ export class MulticastOutlet {
 
   /** Throws PortError. */
   async open() {
-    // This one finds the port and says whether it can be had.
+    // The first socket finds the port, and whether it is free.
     const first = DatagramPort.open(this.#io, { address: this.#any, port: this.port, isShared: true });
     this.port = first.port;
     this.#look();
@@ -65,7 +65,7 @@ export class MulticastOutlet {
     return isIPv6(this.#address) ? '::' : '0.0.0.0';
   }
 
-  /** Speaks on the interfaces that there are now, and looks again. */
+  /** Opens the interfaces that there are now, and looks again later. */
   #look() {
     const names = groupInterfaces(isIPv6(this.#address));
     for (const [name, out] of this.#outs) {
@@ -88,7 +88,7 @@ export class MulticastOutlet {
       socket.setMulticastLoopback(true);
       this.#outs.set(name, out);
     } catch {
-      // An interface that went, or has no multicast: it is looked at again.
+      // An interface that is gone, or has no multicast: it is tried again later.
       out?.close();
     }
   }

@@ -1,4 +1,4 @@
-// A subscriber's side of one provider over TCP: connects, says hello, reads frames, and connects again when it is lost.
+// The inlet from one provider over TCP: it connects, says hello, reads frames, and connects again when the connection is lost.
 import { connect } from 'node:net';
 
 import { Backoff } from '../protocol/backoff.js';
@@ -7,8 +7,8 @@ import { encodeFrame, kinds } from '../protocol/frame.js';
 import { maxStreamMessage } from '../protocol/limits.js';
 
 /**
- * Hooks: `hasRoom()`; `onMessage(frame)`; `onEnd()`, the provider has ended its stream; `onLost()`, the connection is gone:
- * false where it is not to be tried again; `onDropped()`; `onOctets()`, something has come.
+ * Hooks: `hasRoom()`; `onMessage(frame)`; `onEnd(frame)`, the provider has ended; `onLost()`, the connection is gone, which
+ * gives false if it is not to be made again; `onDropped()`; `onOctets()`, octets have come.
  */
 export class TcpInlet {
   #io;
@@ -39,12 +39,12 @@ export class TcpInlet {
     return this.#socket?.readyState === 'open' || this.#socket?.readyState === 'readOnly';
   }
 
-  /** Whether it does not read now, since there is no room. */
+  /** Whether it has stopped reading until there is room. */
   get isHeld() {
     return this.#isHeld;
   }
 
-  /** Where the provider is from now on: a connection that lives is kept. */
+  /** The provider has another address. A connection that is open is kept. */
   move(address, port) {
     if (this.#place.host === address && this.#place.port === port) return;
     this.#place = { host: address, port };
@@ -116,7 +116,7 @@ export class TcpInlet {
   #onClose(socket) {
     if (this.#isClosed || socket !== this.#socket) return;
     if (this.#isHeld) {
-      this.#isGone = true; // what has been read is delivered when there is room
+      this.#isGone = true; // frames that were read are delivered when there is room
       return;
     }
     if (this.#hooks.onLost() && !this.#isClosed) this.#timers.after(this.#backoff.next(), () => this.#connect());

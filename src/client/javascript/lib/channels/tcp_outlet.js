@@ -1,4 +1,4 @@
-// A publisher's side over TCP, in all modes: listens; a connection becomes a consumer when its hello says whose it is.
+// The outlet over TCP, in all modes: it listens, and a connection becomes a consumer by its hello.
 import { createServer } from 'node:net';
 
 import { FrameReader } from '../protocol/frame_reader.js';
@@ -7,13 +7,13 @@ import { kinds } from '../protocol/frame.js';
 import { lifeText } from '../protocol/life.js';
 import * as limits from '../protocol/limits.js';
 
-/** Writes frames to one consumer, as long as not too much waits for it. */
+/** The connection of one consumer. */
 class Connection {
   constructor(socket) {
     this.socket = socket;
   }
 
-  /** False where the frame was left out. */
+  /** Sends a frame. False if it was left out, because too much waits. */
   send(octets) {
     const { socket } = this;
     const waiting = socket.writableLength;
@@ -30,16 +30,16 @@ export class TcpOutlet {
   #isStream;
   #hooks;
   #server;
-  /** Of those that have not become consumers: socket to `{decoder, life, timer}`, the oldest first. */
+  /** Connections that have not become consumers, the oldest first: socket to `{decoder, life, timer}`. */
   #strangers = new Map();
   #awaited = new Set();
   #consumers = new Map();
   port;
   leftOut = 0;
-  /** TcpOutlet that were closed since they were no consumers or said what is no frame. */
+  /** Connections that were closed because they were no consumer's or sent something that is no frame. */
   dropped = 0;
 
-  /** `hooks`: `onCome(key)` and `onGone(key)` tell of the connections of consumers. */
+  /** Hooks: `onCome(key)` and `onGone(key)`, for connections of consumers. */
   constructor(io, { address, port, isStream, hooks }) {
     this.#io = io;
     this.#timers = io.timers();
@@ -53,7 +53,7 @@ export class TcpOutlet {
     try {
       await this.#listen(host, port);
     } catch (error) {
-      // An address that is not this host's is taken as said by somebody who knows how it is reached.
+      // An address that is not this host's is accepted, because the user knows how the host is reached.
       if (host === undefined || error.code === 'EADDRINUSE' || error.code === 'EACCES') throw new PortError(port, error);
       await this.#listen(undefined, port).catch((cause) => {
         throw new PortError(port, cause);
@@ -76,7 +76,7 @@ export class TcpOutlet {
     return this.#consumers.has(key);
   }
 
-  /** The daemon told of a consumer: a connection that has said hello for it already is its. */
+  /** The daemon has named a consumer, whose connection may have come already. */
   set(key) {
     this.#awaited.add(key);
     for (const [socket, stranger] of this.#strangers) {
@@ -84,7 +84,7 @@ export class TcpOutlet {
     }
   }
 
-  /** It is no consumer any more. */
+  /** A consumer is gone. */
   delete(key) {
     this.#awaited.delete(key);
     const connection = this.#consumers.get(key);
@@ -102,13 +102,13 @@ export class TcpOutlet {
     return isPrompt;
   }
 
-  /** Fulfilled when the system has taken all that waits now, or its consumers are gone. */
+  /** Fulfilled when the system has taken everything that waits now, or the consumers are gone. */
   async drained() {
     await Promise.all([...this.#consumers.values()].map(({ socket }) =>
       socket.writableLength === 0 ? undefined : new Promise((resolve) => socket.write('', resolve))));
   }
 
-  /** Writes what waits and a last frame to each consumer, and closes. */
+  /** Writes the frames that wait and a last frame to each consumer, and closes. */
   async end(octets) {
     const server = this.#server;
     this.#server = undefined;
@@ -134,17 +134,17 @@ export class TcpOutlet {
       server.once('error', reject);
       server.listen({ host, port, exclusive: true }, () => {
         server.off('error', reject);
-        server.on('error', () => ++this.dropped); // no descriptors: whoever connects tries again
+        server.on('error', () => ++this.dropped); // no descriptors are left: consumers connect again
         this.#server = this.#io.add(server);
         resolve();
       });
     });
   }
 
-  /** Sends what waits and ends a connection; who takes nothing of it is not waited for. */
+  /** Writes what waits and ends a connection. A consumer that takes nothing is not waited for. */
   #end(socket) {
     return new Promise((resolve) => {
-      // Node's own time-out of a socket: it counts from the last octet that the other side took.
+      // The time-out of a socket counts from the last octet that the other side took.
       socket.setTimeout(limits.closePatience, () => socket.destroy());
       socket.once('close', resolve);
       if (socket.destroyed) resolve();

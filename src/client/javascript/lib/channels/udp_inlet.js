@@ -1,4 +1,4 @@
-// A subscriber's sockets for UDP: one of its own, and one for each group and port that a provider speaks to.
+// The inlet over UDP: a subscriber's own socket, and one for each multicast group and port of a provider.
 import { isIPv6 } from 'node:net';
 
 import { isMulticast, isOfSomeLink, place } from '../protocol/address.js';
@@ -10,7 +10,7 @@ import { frameOfProvider, Places } from '../protocol/places.js';
 import { DatagramPort } from './datagram_port.js';
 import { groupInterfaces } from './interfaces.js';
 
-/** Hooks: `onFrame(channel, frame)`; `onDropped()`; `onFound()`, which takes one `onDropped` back. A channel has a `life`. */
+/** Hooks: `onFrame(channel, frame)`, `onDropped()`, and `onFound()`, which takes one `onDropped` back. A channel has a `life`. */
 export class UdpInlet {
   #io;
   #timers;
@@ -37,7 +37,7 @@ export class UdpInlet {
     return this.#own.port;
   }
 
-  /** Believes what comes from there; for `otm/stream` says that somebody listens. */
+  /** Believes datagrams of a channel from this address; says hello there for `otm/stream`. */
   add(channel, { address, port, isStream }) {
     channel.where = { address, port };
     this.#places.set(place(address, port), channel);
@@ -45,7 +45,7 @@ export class UdpInlet {
     else if (isStream && channel.life !== 0n) this.#greet(channel, address, port);
   }
 
-  /** Delivers what came from there, with its life, before it was added. */
+  /** Delivers the frames of a channel that came before it was added. */
   deliverEarly(channel) {
     const { where } = channel;
     if (!where) return;
@@ -77,7 +77,7 @@ export class UdpInlet {
     this.#own.close();
   }
 
-  /** Whether it was delivered. */
+  /** Gives a datagram to its channel. Whether there is one. */
   #onDatagram(octets, address, port) {
     const taken = this.#places.take(place(address, port), octets);
     if (taken) this.#hooks.onFrame(taken.channel, taken.frame);
@@ -103,7 +103,7 @@ export class UdpInlet {
     this.#greeting = this.#timers.after(helloInterval, () => this.#greetAll());
   }
 
-  /** Several providers may speak to one group and port. */
+  /** Joins a group for one provider; several may share it. */
   #join(address, port) {
     const where = place(address, port);
     const joined = this.#groups.get(where);
@@ -114,17 +114,17 @@ export class UdpInlet {
     const made = { users: 1, group: undefined, names: new Set(), timer: undefined };
     this.#groups.set(where, made);
     try {
-      // A group of every link has no one address to be bound to; whom it comes from is asked later anyway.
+      // A link-local group on every link has no single address to bind to. The sender is checked later anyway.
       made.group = DatagramPort.open(this.#io, { address: isOfSomeLink(address) ? '::' : address, port, isShared: true });
       this.#listen(made, address);
-      // The event has the group's address, not the sender's, so its port is all that can be compared.
+      // The event names the group's address, not the sender's, so only the port can be compared.
       made.group.listen((octets, _, from) => this.#onDatagram(octets, address, from));
     } catch (error) {
       this.#hooks.onProblem(error);
     }
   }
 
-  /** Hears the group on the interfaces that there are now, and looks again. */
+  /** Joins the group on the interfaces that there are now, and looks again later. */
   #listen(joined, address) {
     const [group] = address.split('%');
     const names = groupInterfaces(isIPv6(group));
@@ -135,7 +135,7 @@ export class UdpInlet {
         joined.group.sockets[0].addMembership(group, name);
         joined.names.add(name);
       } catch {
-        // an interface that went, or has no multicast: it is looked at again
+        // an interface that is gone, or has no multicast: it is tried again later
       }
     }
     joined.timer = this.#timers.after(interfaceInterval, () => this.#listen(joined, address));

@@ -1,12 +1,12 @@
-// A publisher's side of `oto` and `otm/pubsub` over UDP: sends from its port to each consumer that it was told.
+// The outlet of `oto` and `otm/pubsub` over UDP: it sends to each consumer that the daemon has named.
 import { canonicalAddress } from '../protocol/address.js';
 import { PortError } from '../protocol/errors.js';
 import { headerSize } from '../protocol/frame.js';
 import { DatagramPort } from './datagram_port.js';
 
 /**
- * `isLazy`: the socket is open only while there are consumers; `hooks`: `onMoved(port)` tells that the port was taken
- * meanwhile, `onProblem(error)` that there is no socket to be had, so that this consumer is not sent to.
+ * With `isLazy` the socket is open only while there are consumers. Hooks: `onMoved(port)`, the port had to change;
+ * `onProblem(error)`, no socket can be opened, so a consumer is not sent to.
  */
 export class UdpOutlet {
   #io;
@@ -49,8 +49,8 @@ export class UdpOutlet {
   }
 
   /**
-   * A consumer, or what is new about it. One without address and port cannot be sent to; one without a life is sent payloads
-   * without a frame.
+   * Adds a consumer, or changes its address. One without address and port is not sent to; one without a life gets payloads
+   * without frames.
    */
   set(key, { address, port }, isPlain) {
     const canonical = canonicalAddress(address);

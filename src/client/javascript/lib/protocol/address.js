@@ -1,7 +1,7 @@
-// Addresses as they are compared: one spelling each, IPv4 in IPv6 as IPv4, link-local ones with their zone.
+// Addresses in one spelling, so that they can be compared: mapped IPv4 addresses as IPv4, link-local ones with their zone.
 import { isIPv4, isIPv6, SocketAddress } from 'node:net';
 
-/** The one spelling of a numeric address, or undefined. */
+/** The canonical spelling of a numeric address; undefined for another text. */
 export function canonicalAddress(text) {
   if (isIPv4(text)) return text;
   if (!isIPv6(text ?? '')) return undefined;
@@ -16,7 +16,7 @@ export function canonicalAddress(text) {
 export const isMulticast = (address) =>
   address !== undefined && (isIPv4(address) ? /^2(2[4-9]|3[0-9])\./.test(address) : /^ff/i.test(address));
 
-/** Whether a canonical address is an IPv6 group of a link, or of an interface, that does not say of which one. */
+/** Whether a canonical address is a link-local or interface-local IPv6 group without a zone. */
 export const isOfSomeLink = (address) => /^ff.[12]:[^%]*$/i.test(address);
 
 /** Address and port as one word. */

@@ -1,4 +1,4 @@
-// How the attributes of a service are written among the keys of GCNP.
+// Names of attributes among the keys of GCNP.
 import { StatementError } from './errors.js';
 
 /** src/discovery/gcnp/GCNP.md, the block `reserved`, in its order. */
@@ -23,7 +23,7 @@ export function isSlip(a, b) {
   return short[i] === long[i + 1] && short[i + 1] === long[i] && short.slice(i + 2) === long.slice(i + 2);
 }
 
-/** The attribute that a key of a client's statement names; throws StatementError where it is none. */
+/** The attribute that a key of a client's statement names. Throws StatementError if it names none. */
 export function attributeName(key, keysOfStatement = []) {
   if (key.startsWith('attr.')) {
     if (key.length === 5) throw new StatementError('the name of an attribute is missing behind attr.');
@@ -55,12 +55,12 @@ export function shownKey(name) {
   return reserved.has(name) || keysOfLines.has(name) || name.startsWith('attr.') ? `attr.${name}` : name;
 }
 
-/** The attribute that a key of the daemon's line shows; undefined where it is a key. */
+/** The attribute that a key of the daemon's line shows; undefined if it is a key of GCNP. */
 export function shownAttribute(key) {
   if (key.startsWith('attr.')) return key.slice(5);
   return reserved.has(key) || keysOfLines.has(key) ? undefined : key;
 }
 
-/** Attributes in the order in which they are written: by the octets of their names. */
+/** Attributes in the order in which they are written, which is that of the octets of their names. */
 export const inOrder = (attributes) =>
   Object.entries(attributes).sort(([a], [b]) => Buffer.compare(Buffer.from(a), Buffer.from(b)));

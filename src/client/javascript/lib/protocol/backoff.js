@@ -1,4 +1,4 @@
-// How long to wait before the next try: .1, .2, .4, .8, 1, 1, ... s, each up to a quarter longer, by chance.
+// The wait before the next attempt to connect: .1, .2, .4, .8, 1, 1, ... s, each up to a quarter longer, by chance.
 export class Backoff {
   #tries = 0;
   #random;
@@ -7,7 +7,7 @@ export class Backoff {
     this.#random = random;
   }
 
-  /** Milliseconds until the next try. */
+  /** Milliseconds until the next attempt. */
   next() {
     const base = Math.min(100 * 2 ** Math.min(this.#tries++, 10), 1000);
     return base * (1 + this.#random() / 4);

@@ -1,19 +1,19 @@
-// The functions that turn one representation into another, and the chain of them that a match needs.
+// The application's conversions, applied along the chain of a match (src/discovery/matching/CONVERSIONS.md).
 
 const isConversion = /^(<[^<>]+>|[^<>]+)>(<[^<>]+>|[^<>]+)$/;
 
-/** The names of `A>B>C`; one that is an IRI stands in angle brackets. */
+/** The names of `A>B>C`. An IRI stands in angle brackets. */
 function namesOf(chain) {
   return chain.match(/<[^<>]*>|[^<>]+/g) ?? [];
 }
 
-/** Who does a step, counted from 0, by the words of `via`; undefined: the consumer. */
+/** The service that does a step, counted from 0, by the words of `via`; undefined if the consumer does it. */
 function serviceOf(via, step) {
   const word = (via ?? '').split(',')[step];
   return word && word !== '-' ? word : undefined;
 }
 
-/** Names as `A>B`, each with a function from a payload to a payload. */
+/** Functions from a payload to a payload, by names such as `A>B`. */
 export class Converter {
   #functions = new Map();
 
@@ -28,8 +28,9 @@ export class Converter {
   }
 
   /**
-   * What turns a payload along `A>B>C`: the function of `A>C` where there is one, else those of `A>B` and `B>C`. It throws a
-   * ConversionFailure that names the conversion that is missing, and who of `via` would do it, or that threw.
+   * The function that converts a payload along `A>B>C`: by the function of `A>C` if there is one, else by those of `A>B` and
+   * `B>C`. It throws a ConversionFailure that names the conversion without a function, with the service of `via` that does
+   * it, or the one that threw.
    */
   along(chain, via) {
     const names = namesOf(chain);

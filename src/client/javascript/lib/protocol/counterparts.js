@@ -1,19 +1,19 @@
-// Who is at the other ends of a request's channels, by the daemon's events: whose daemon came and went is known by its life.
+// The counterparts of a channel: the providers of a subscriber, or the consumers of a publisher, by their lives.
 import { lifeOf, lifeText } from './life.js';
 import * as limits from './limits.js';
 
 const closing = new Set(['outranked', 'changed']);
 
-/** What is known of one provider or consumer. `life` is 0 where it is not made by a library that has channels. */
+/** One counterpart. `life` is 0n if no library with channels made it. */
 class Counterpart {
   constructor(key, life, event) {
     this.key = key;
     this.life = life;
     this.event = event;
     this.service = event.service;
-    /** Whether a daemon says so; otherwise it is an orphan, or ends, for `reason`. */
+    /** Whether a daemon matches it. If not, it is an orphan or ends, for `reason`. */
     this.isMatched = true;
-    /** Whether the present connection to the daemon has said so. */
+    /** Whether the present daemon has confirmed it. */
     this.isConfirmed = true;
     this.isEnding = false;
     this.reason = undefined;
@@ -21,16 +21,17 @@ class Counterpart {
   }
 }
 
-/** Whether the application would see a difference. */
+/** Whether two events are equal for the application. */
 function isSame(a, b) {
   const visible = ({ id, change, service, peer, ...rest }) => JSON.stringify(rest);
   return visible(a) === visible(b);
 }
 
 /**
- * `hooks`: `added(counterpart)`, `modified(counterpart, before, isTold)`, `removed(counterpart, reason)`; `orphanPatience(counterpart)` says for how many
- * milliseconds the channel of one whom no daemon sees goes on, Infinity: as long as its connection; `endPatience(counterpart)`
- * for how many it is waited for something of a withdrawn one, 0: not at all, unless `isHeld(counterpart)`: it is not read now.
+ * Decides how long a channel outlives its match (src/client/CHANNELS.md, "How a channel ends"). Hooks: `added(counterpart)`,
+ * `modified(counterpart, before, isTold)` and `removed(counterpart, reason)`. `orphanPatience(counterpart)` gives the
+ * milliseconds that an orphan goes on, Infinity for as long as its connection. `endPatience(counterpart)` gives the
+ * milliseconds of waiting for more of a withdrawn one, which is not over while `isHeld(counterpart)`.
  */
 export class Counterparts {
   #counterparts = new Map();
@@ -38,7 +39,7 @@ export class Counterparts {
   #hooks;
   #timers;
   #confirmation;
-  /** How many may be matched; 0: all. */
+  /** The largest number of counterparts; 0: all. */
   limit = 0;
 
   constructor(timers, hooks) {
@@ -54,7 +55,7 @@ export class Counterparts {
     return this.#counterparts.values();
   }
 
-  /** The counterpart of a life that is not 0. */
+  /** The counterpart with a life that is not 0n. */
   find(life) {
     return this.#counterparts.get(lifeText(life));
   }
@@ -65,14 +66,14 @@ export class Counterparts {
     this.#closeSurplus();
   }
 
-  /** The connection to the daemon is lost: what was matched goes on. */
+  /** The own daemon is gone. All channels go on. */
   onDaemonLost() {
     this.#timers.clear(this.#confirmation);
     this.#services.clear();
     for (const counterpart of this.#counterparts.values()) counterpart.isConfirmed = false;
   }
 
-  /** The daemon is back; what it does not confirm in time is orphaned. */
+  /** The own daemon is back. Counterparts that it does not confirm in time become orphans. */
   onDaemonBack() {
     this.#timers.clear(this.#confirmation);
     if (this.#counterparts.size === 0) return;
@@ -84,7 +85,7 @@ export class Counterparts {
     });
   }
 
-  /** The channel of this counterpart is over, whatever the daemon says. */
+  /** Ends the channel of a counterpart, whatever the daemon says. */
   remove(counterpart, reason) {
     if (this.#counterparts.get(counterpart.key) !== counterpart) return;
     this.#timers.clear(counterpart.timer);
@@ -93,14 +94,14 @@ export class Counterparts {
     this.#hooks.removed(counterpart, reason);
   }
 
-  /** Something of a withdrawn counterpart has come: its end is waited for anew. */
+  /** A withdrawn counterpart sent something: its time begins anew. */
   touch(counterpart) {
     if (!counterpart.isEnding) return;
     this.#timers.clear(counterpart.timer);
     this.#awaitEnd(counterpart);
   }
 
-  /** The daemon does not have the request any more. */
+  /** Ends all channels, because the daemon no longer has the request. */
   removeAll(reason) {
     for (const counterpart of [...this.#counterparts.values()]) this.remove(counterpart, reason);
   }
@@ -159,7 +160,7 @@ export class Counterparts {
     });
   }
 
-  /** The daemons have lost sight of it; the channel has not. */
+  /** The daemons have lost sight of a counterpart; its channel goes on. */
   #orphan(counterpart, reason) {
     Object.assign(counterpart, { isMatched: false, reason });
     const patience = this.#hooks.orphanPatience(counterpart);

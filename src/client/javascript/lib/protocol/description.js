@@ -1,5 +1,5 @@
 // A counterpart as the application sees it.
-/** What the daemon told of a provider or consumer. */
+/** The facts about a provider or consumer, as the application sees them. */
 export function describe(counterpart) {
   const { id, change, command, peer, attributes, ...event } = counterpart.event;
   const { channel, ...own } = attributes;

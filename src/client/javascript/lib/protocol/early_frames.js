@@ -1,7 +1,7 @@
-// Frames over UDP that came before the daemon told of whom they are (src/client/CHANNELS.md, "Early frames").
+// Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, "Early frames").
 import { earlyPatience, maxEarlyFrames, maxEarlyOctets } from './limits.js';
 
-/** The oldest goes where one more comes. Places are those of `place`; time is milliseconds that never go back. */
+/** For one more than the limit the oldest goes. Places are those of `place`, times are milliseconds that never go back. */
 export class EarlyFrames {
   #kept = [];
   #octets = 0;
@@ -11,12 +11,12 @@ export class EarlyFrames {
     const size = frame.payload.length;
     if (size > maxEarlyOctets) return;
     while (this.#kept.length >= maxEarlyFrames || this.#octets + size > maxEarlyOctets) this.#forgetFirst();
-    // Its own octets: what came in may be a part of something larger.
+    // A copy, because the payload may be a part of a larger buffer.
     this.#kept.push({ place, frame: { ...frame, payload: Buffer.from(frame.payload) }, until: now + earlyPatience });
     this.#octets += size;
   }
 
-  /** What is there of this life from there, in the order in which it came. */
+  /** Removes the frames of this life from this place, and gives them in the order of arrival. */
   take(place, life, now) {
     this.#forgetOld(now);
     const isTaken = (one) => one.place === place && one.frame.life === life;

@@ -1,4 +1,4 @@
-// What can go wrong, each kind a class of its own with a `code`.
+// Errors of this library: each kind is a class with a `code`.
 
 /** The base of all errors of this library. */
 export class GemingaError extends Error {
@@ -17,7 +17,7 @@ export class RefusedError extends GemingaError {
   }
 }
 
-/** A statement that GCNP does not have: found before the daemon is asked. `status` is what the daemon would say. */
+/** A statement that GCNP does not have, found before the daemon is asked. `status` is the code that the daemon would give. */
 export class StatementError extends GemingaError {
   constructor(message, status = 400, id = 0) {
     super(message, 'GEMINGA_STATEMENT');

@@ -1,9 +1,9 @@
-// What the daemon tells of the other side of a publication or subscription, from its line and back.
+// Events of the daemon about the other side of a publication or subscription, read from their lines and written again.
 import { inOrder, shownAttribute, shownKey } from './attribute.js';
 import { StatementError } from './errors.js';
 import { modes, readNumber } from './key.js';
 
-/** Reserved beside `convert`, and else names of attributes. */
+/** Keys beside `convert`, and otherwise names of attributes. */
 const ofChain = ['cost', 'via'];
 const degrees = ['exact', 'equivalent', 'narrower', 'converted', 'broader', 'overlapping'];
 const changes = ['add', 'modify', 'del'];

@@ -1,11 +1,11 @@
-// Frames, in which messages travel (src/client/CHANNELS.md, "Frames").
+// Frames (src/client/CHANNELS.md, "Frames").
 import { maxDatagramMessage } from './limits.js';
 
 export const headerSize = 24;
 export const kinds = Object.freeze({ message: 1, hello: 2, end: 3 });
 const magic = 0x4743;
 const version = 1;
-/** Memory that messages up to `maxShared` octets are written into, one behind the other. It is freed with the last of them. */
+/** A piece of memory that messages up to `maxShared` octets share. It is freed with the last of them. */
 const slabSize = 64 * 1024;
 const maxShared = 16 * 1024;
 
@@ -16,7 +16,7 @@ export function isHeader(octets, at, most) {
       octets.readUInt32BE(at + 4) <= most && octets.readBigUInt64BE(at + 8) !== 0n;
 }
 
-/** The frame at `at`, whose header is one and whose payload is there. The payload shares the octets. */
+/** The frame at `at`. Requires a header and the whole payload. The payload shares the octets. */
 export function frameAt(octets, at) {
   const begin = at + headerSize;
   return {
@@ -27,7 +27,7 @@ export function frameAt(octets, at) {
   };
 }
 
-/** The frame that a datagram is, or undefined. */
+/** The frame that a datagram is; undefined if it is none. */
 export function frameOfDatagram(octets) {
   if (octets.length < headerSize || !isHeader(octets, 0, maxDatagramMessage)) return undefined;
   return octets.readUInt32BE(4) === octets.length - headerSize ? frameAt(octets, 0) : undefined;
@@ -45,28 +45,28 @@ export function encodeFrame(kind, life, sequence, payload) {
   return octets;
 }
 
-/** Writes the messages of one life; quicker than encodeFrame, since senders are measured against plain sockets. */
+/** Writes the messages of one life, faster than encodeFrame does. */
 export class MessageWriter {
   #head;
   #scratch;
   #slab;
   #used = 0;
   #isReused;
-  /** Whether what was written last is in octets that are written again. */
+  /** Whether the last message is in octets that will be written again. */
   isLent = false;
 
-  /** `isReused`: octets that were written are free when the next ones are, unless `keep` is called between. */
+  /** With `isReused` the octets of a message may be written again by the next one, unless `keep` is called between. */
   constructor(life, isReused = false) {
     this.#head = encodeFrame(kinds.message, life, 0n);
     this.#isReused = isReused;
   }
 
-  /** What was written last is still needed. */
+  /** Keeps the octets of the last message, which are still needed. */
   keep() {
     this.#scratch = undefined;
   }
 
-  /** A sequence up to 2^53, which nobody reaches. */
+  /** The frame of a message. The sequence is at most 2^53, which no publisher reaches. */
   write(sequence, payload) {
     const octets = this.#room(headerSize + payload.length);
     octets.set(this.#head);
@@ -77,7 +77,7 @@ export class MessageWriter {
     return octets;
   }
 
-  /** Many messages share a piece of memory: one of its own for each costs more than what is copied into it. */
+  /** Room for a message. Small messages share memory, because an allocation for each costs more than the copy. */
   #room(size) {
     this.isLent = this.#isReused && size * 2 >= Buffer.poolSize;
     if (this.isLent) {

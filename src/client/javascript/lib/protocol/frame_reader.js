@@ -1,15 +1,15 @@
-// Frames out of a stream of octets.
+// Frames put together from the octets of a stream.
 import { frameAt, headerSize, isHeader } from './frame.js';
 
 /**
- * Takes pieces of a stream and gives its frames, one at a time, so that who has no room need not take more. It keeps at
- * most one unfinished frame and the last piece.
+ * Gives the frames of a stream one at a time, so that a subscriber without room need not take more. Keeps at most one
+ * unfinished frame and the last piece.
  */
 export class FrameReader {
   #pieces = [];
   #length = 0;
   #most;
-  /** True from what is no frame on: nothing behind it can be read. */
+  /** Whether something was no frame, so that nothing behind it can be read. */
   isBroken = false;
 
   /** @param most the largest payload, in octets */
@@ -23,7 +23,7 @@ export class FrameReader {
     this.#length += piece.length;
   }
 
-  /** The next frame, or undefined: more is needed, or the stream is broken. Its payload shares the stream's octets. */
+  /** The next frame; undefined if more octets are needed, or the stream is broken. Its payload shares the stream's octets. */
   next() {
     if (this.isBroken || this.#length < headerSize) return undefined;
     const head = this.#atLeast(headerSize);
@@ -43,7 +43,7 @@ export class FrameReader {
     return frame;
   }
 
-  /** Makes the first piece as long as that, which must be there. */
+  /** Makes the first piece at least so long. Requires that so many octets are here. */
   #atLeast(size) {
     if (this.#pieces[0].length >= size) return this.#pieces[0];
     let count = 0;

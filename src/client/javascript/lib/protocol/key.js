@@ -1,4 +1,4 @@
-// The values of GCNP's keys: each reader takes a value and gives it in its canonical form, or throws StatementError.
+// The values of GCNP's keys. Each reader gives a value in its canonical form, or throws StatementError.
 import { isIP } from 'node:net';
 
 import { StatementError } from './errors.js';
@@ -93,7 +93,7 @@ function serviceKey(value, key) {
 
 const flag = (value, key) => (value === '1' || value === '0' ? value : fail(key, value, '0 or 1'));
 
-/** By key, what reads its value. `protocol` of a `pub` is one word: `protocol:pub`. */
+/** The readers of values, by key. `protocol` of a `pub` is one word: `protocol:pub`. */
 export const readers = Object.freeze({
   name: text(limits.maxLine),
   mode: oneOf(modes),

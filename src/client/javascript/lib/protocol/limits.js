@@ -1,4 +1,4 @@
-// Every size that has a limit, with its name (src/client/CHANNELS.md, src/discovery/gcnp/GCNP.md).
+// Limits of channels and of GCNP, and the times that channels keep (src/client/CHANNELS.md, src/discovery/gcnp/GCNP.md).
 
 /** Octets of a message over UDP. */
 export const maxDatagramMessage = 65_000;
@@ -6,48 +6,48 @@ export const maxDatagramMessage = 65_000;
 export const maxStreamMessage = 16 * 1024 * 1024;
 /** Octets that may wait for one TCP consumer; one message may always wait. */
 export const maxWaiting = 4 * 1024 * 1024;
-/** From so many waiting octets on, `send` says false: wait for `drained`. */
+/** Waiting octets from which on `send` gives false: wait for `drained`. */
 export const enoughWaiting = 1024 * 1024;
 /** Octets of datagrams that the system has not taken yet. */
 export const maxWaitingDatagrams = 4 * 1024 * 1024;
 /** Listeners of one `otm/stream` over UDP. */
 export const maxListeners = 64;
-/** TCP connections of a publisher that have not said whose they are. */
+/** TCP connections of one publisher that have not become a consumer's. */
 export const maxStrangers = 16;
 /** TCP consumers of a publisher. */
 export const maxConsumers = 256;
-/** Messages that wait for the application, of a subscriber, unless its `queue` says otherwise. */
+/** Messages of one subscriber that wait to be received, unless its `queue` says otherwise. */
 export const queueLength = 1024;
-/** Octets that wait for the application, of a subscriber; one message may always wait. */
+/** Octets of their payloads; one message may always wait. */
 export const maxQueuedOctets = 16 * 1024 * 1024;
-/** Frames over UDP of one subscriber that are of nobody whom it knows yet. */
+/** Early frames of one subscriber. */
 export const maxEarlyFrames = 64;
-/** Octets of payload of these. */
+/** Octets of their payloads. */
 export const maxEarlyOctets = 256 * 1024;
 /** Lives of which a subscriber remembers the last sequence. */
 export const maxRemembered = 1024;
 /** Network interfaces on which a multicast publisher sends. */
 export const maxInterfaces = 8;
 
-/** Milliseconds for which an early frame is kept. */
+/** Milliseconds that an early frame is kept. */
 export const earlyPatience = 1000;
 /** Milliseconds between two hellos to an `otm/stream` over UDP. */
 export const helloInterval = 1000;
-/** Milliseconds after which a group's interfaces are looked at again. */
+/** Milliseconds between two looks at the interfaces of a group. */
 export const interfaceInterval = 2000;
-/** Milliseconds after which a listener that says no hello is forgotten. */
+/** Milliseconds without a hello after which a listener is forgotten. */
 export const listenerPatience = 3000;
-/** Milliseconds that a TCP connection has to say whose it is, and to meet its `sub add`. */
+/** Milliseconds that a TCP connection has to become a consumer's. */
 export const strangerPatience = 5000;
-/** Milliseconds for which a withdrawn provider's stream is read while nothing comes. */
+/** Milliseconds that a subscriber waits for more of a provider that was withdrawn over TCP. */
 export const endPatience = 2000;
-/** The same over UDP, where what was sent is here already and only the end can be lost. */
+/** Milliseconds of the same wait over UDP, where messages are here already and only the end can be lost. */
 export const datagramEndPatience = 200;
-/** Milliseconds for which a channel over UDP goes on that no daemon sees any more. */
+/** Milliseconds that a channel over UDP goes on after the daemons have lost sight of its other end. */
 export const orphanPatience = 10_000;
-/** Milliseconds after which the daemon that is back has confirmed what it will confirm. */
+/** Milliseconds that a daemon that is back has to confirm a channel. */
 export const confirmPatience = 10_000;
-/** Milliseconds that `close` waits for consumers that take nothing. */
+/** Milliseconds that `close` waits for a consumer that takes nothing. */
 export const closePatience = 5000;
 
 /** GCNP: octets of a line, parameters of a statement. */

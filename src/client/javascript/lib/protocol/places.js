@@ -1,7 +1,7 @@
-// Where datagrams are believed to come from: an address and port, for each of which there may be several lives.
+// The addresses and ports from which datagrams are believed, each with the channels whose lives are expected there.
 import { frameOfDatagram, kinds } from './frame.js';
 
-/** The frame that a datagram is, if it is one that a provider sends. */
+/** The frame that a datagram is, if a provider sends such frames; else undefined. */
 export function frameOfProvider(octets) {
   const frame = frameOfDatagram(octets);
   const isOne = frame && (frame.kind === kinds.message || (frame.kind === kinds.end && frame.payload.length === 0));
@@ -24,8 +24,8 @@ export class Places {
   }
 
   /**
-   * Whose a datagram from there is: `{channel, frame}`, where a channel whose life is 0 takes it as it is; or undefined,
-   * where it is to be dropped.
+   * The channel of a datagram from this place: `{channel, frame}`. A channel whose life is 0n takes any datagram as a message.
+   * Undefined if the datagram is not believed.
    */
   take(place, octets) {
     const there = this.#places.get(place);

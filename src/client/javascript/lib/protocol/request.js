@@ -1,4 +1,4 @@
-// The statements of a client: which keys each has, in which order they are written, and what must be said.
+// The statements of a client: their keys in the order in which they are written, and the keys that are required.
 import { attributeName, inOrder, statedKey } from './attribute.js';
 import { StatementError } from './errors.js';
 import { flags, readers } from './key.js';
@@ -12,8 +12,8 @@ const offerKeys = [...identityKeys, 'mode', 'port', 'address', 'protocol', 'prio
 const defaults = { match: 'narrower', degree: 'narrower', priority: '0', convert: 'no', unused: '0', unmatched: '0' };
 
 /**
- * By command and subcommand: its keys in the order in which they are written, those that must be said ("identity" is one of
- * the identity keys), whether attributes may stand, and whether what has its default is left out.
+ * By command and subcommand: the keys in the order in which they are written, those that are required ("identity" is one of
+ * the identity keys), whether attributes are allowed, and whether values equal to their defaults are kept.
  */
 const kinds = Object.freeze({
   'sys hello': { keys: ['name', 'room'], keepsAll: true },
@@ -82,7 +82,7 @@ function checkAttributes(attributes) {
   }
 }
 
-/** Reads parameters by a kind; gives the values by key, the attributes, and what is left for the caller. */
+/** Reads parameters by a kind. Gives the values by key, the attributes, and the parameters that are left for the caller. */
 function readKeys(kind, parameters, { isPub, behind = () => false }) {
   const values = new Map();
   const attributes = Object.create(null);
@@ -124,7 +124,7 @@ function written(kind, values) {
     .filter(([key, value]) => kind.keepsAll || (value !== '' && usual[key] !== value));
 }
 
-/** What might be offered: the keys behind `offer.`. */
+/** Reads the keys behind `offer.`, which describe a possible offer. */
 function readOffer(parameters) {
   const kind = { keys: offerKeys, attributes: true, required: ['identity'], defaults: { ...defaults, protocol: 'udp' } };
   const inner = parameters.map(([key, value]) => [key.slice('offer.'.length), value]);
@@ -157,7 +157,7 @@ function readWhy(parameters) {
     ...(offered.length > 0 ? readOffer(offered) : [])];
 }
 
-/** A client's statement in its canonical form. Throws StatementError where the daemon would refuse it unread. */
+/** A client's statement in its canonical form. Throws StatementError if the daemon would refuse it unread. */
 export function canonicalRequest(statement) {
   const { id, command, subcommand } = statement;
   try {
@@ -202,13 +202,13 @@ export function parametersOf(options, command) {
   return parameters;
 }
 
-/** A port as the user says it; 0 and undefined are any. */
+/** A port as the user states it; 0 and undefined are any. */
 export function portOf(port = 0) {
   if (Number.isInteger(port) && port >= 0 && port <= 65535) return port;
   throw new StatementError(`port=${port}: a port is a number from 0 to 65535, where 0 is any`);
 }
 
-/** Some things cannot change while a channel is there. */
+/** Throws StatementError for options that cannot change while a channel is open. */
 export function checkFixed(options, keys) {
   for (const key of keys) {
     if (options[key] !== undefined) throw new StatementError(`${key} cannot be changed: close it and make another one`);

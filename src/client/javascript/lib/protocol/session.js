@@ -1,5 +1,4 @@
-// What a client has asked of its daemon, over all the connections to it: states requests again, and knows which line answers
-// which statement. Knows no sockets and no time.
+// The session of a node over all its connections to a daemon: it states requests again, and matches answers to statements.
 import { ClosedError, RefusedError } from './errors.js';
 import { isEvent, readEvent } from './event.js';
 import { canonicalRequest } from './request.js';
@@ -7,7 +6,7 @@ import { decodeLine, formatStatement, parseStatement } from './statement.js';
 
 const identityKeys = new Set(['id', 'text', 'concept', 'representation']);
 
-/** The parameters of a request after a change: what is given takes the place of what was, an empty value takes it back. */
+/** The parameters of a request after a change. A given value takes the place of the former one; an empty one takes a key back. */
 export function merged(parameters, change) {
   const given = new Map(change);
   const isSemantic = given.has('concept') || given.has('representation');
@@ -23,7 +22,7 @@ export function merged(parameters, change) {
 const canBeEmptied =
   new Set(['representation', 'address', 'provider', 'scope', 'favour', 'prefer', 'rank', 'where', 'for', 'protocol']);
 
-/** One publication or subscription. `parameters` are what is stated again after a loss. */
+/** One publication or subscription. `parameters` are those that are stated again to the next daemon. */
 class Request {
   constructor(id, command, parameters, onEvent, onProblem) {
     this.id = id;
@@ -31,7 +30,7 @@ class Request {
     this.parameters = parameters;
     this.onEvent = onEvent;
     this.onProblem = onProblem;
-    /** Whether the daemon refused it, or took it back: it is not stated again. */
+    /** Whether the daemon has refused it or taken it back; then it is not stated again. */
     this.isRefused = false;
     this.isHeld = false;
     this.waiters = [];
@@ -40,8 +39,8 @@ class Request {
 }
 
 /**
- * `hooks`: `write(line)`, `onConnected(hello)`, `onProblem(error)`. `start` and `lose` tell of connections, `receive` of each
- * line without its end.
+ * Hooks: `write(line)`, `onConnected(hello)`, `onProblem(error)`. The owner calls `start` and `lose` for connections, and
+ * `receive` for each line without its end.
  */
 export class Session {
   #hooks;
@@ -50,7 +49,7 @@ export class Session {
   #answers = [];
   #nextId = 1;
   #isUp = false;
-  /** Lines that could not be read, or meant nothing. */
+  /** Lines that could not be read or had no meaning here. */
   dropped = 0;
 
   constructor(name, hooks) {
@@ -58,7 +57,7 @@ export class Session {
     this.#hooks = hooks;
   }
 
-  /** A connection is there: says who this is and states everything again. */
+  /** A connection is open: says hello and states all requests. */
   start() {
     this.#isUp = true;
     this.#write(0, 'sys', 'hello', this.#name === undefined ? [] : [['name', this.#name]]);
@@ -69,7 +68,7 @@ export class Session {
     }
   }
 
-  /** The connection is lost. What was not answered is stated again with the next one. */
+  /** The connection is lost. Requests and changes without an answer are stated again to the next daemon. */
   lose() {
     this.#isUp = false;
     const answers = this.#answers;
@@ -78,8 +77,8 @@ export class Session {
   }
 
   /**
-   * States a publication ('pub') or subscription ('sub'). Gives `{request, taken}`: the promise is fulfilled when the daemon
-   * has taken it, with whichever connection that is. Throws StatementError.
+   * States a publication ('pub') or subscription ('sub'). Gives `{request, taken}`: the promise is fulfilled when a daemon has
+   * accepted it. Throws StatementError.
    */
   create(command, parameters, onEvent, onProblem) {
     const statement = canonicalRequest({ id: this.#nextId, command, subcommand: 'create', parameters });
@@ -90,7 +89,7 @@ export class Session {
     return { request, taken };
   }
 
-  /** Changes a request. The promise is fulfilled when the daemon has taken the change. Throws StatementError. */
+  /** Changes a request. The promise is fulfilled when the daemon has accepted the change. Throws StatementError. */
   modify(request, parameters) {
     const { id, command } = request;
     const statement = canonicalRequest({ id, command, subcommand: 'modify', parameters });
@@ -102,7 +101,7 @@ export class Session {
     });
   }
 
-  /** Takes a request back. The promise is fulfilled when the daemon knows, or is gone. */
+  /** Withdraws a request. The promise is fulfilled when the daemon has handled that, or is gone. */
   remove(request) {
     if (!this.#requests.delete(request.id)) return Promise.resolve();
     const closed = new ClosedError(request.command === 'pub' ? 'publisher' : 'subscriber');
@@ -136,7 +135,7 @@ export class Session {
     this.#hooks.write(formatStatement({ id, command, subcommand, parameters }));
   }
 
-  /** Behind each statement goes a ping: by its pong the daemon has answered, if it had anything to say. */
+  /** Sends a ping after a statement. The daemon answers the statement before the pong, if at all. */
   #expect(answer) {
     this.#answers.push(answer);
     this.#write(0, 'sys', 'ping', []);
@@ -180,7 +179,7 @@ export class Session {
     });
   }
 
-  /** The daemon does not have this request, and is not asked for it again. */
+  /** The daemon has refused this request or taken it back. */
   #refuse(request, error) {
     const wasAwaited = request.waiters.length > 0;
     request.isRefused = true;
@@ -215,7 +214,7 @@ export class Session {
 
   #onEvent(event) {
     const request = this.#requests.get(event.id);
-    // A subscription is told of publications, and the other way round.
+    // Events of a subscription are about publications, and the other way round.
     if (request && request.command !== event.command) request.onEvent(event);
     else ++this.dropped;
   }

@@ -8,7 +8,7 @@ const control = /[\u0000-\u001f\u007f]/;
 const escapes = { '"': '"', '\\': '\\', n: '\n', r: '\r', t: '\t' };
 const written = { '"': '\\"', '\\': '\\\\', '\n': '\\n', '\r': '\\r', '\t': '\\t' };
 
-/** Walks a line from left to right. `at` counts UTF-16 units; errors are told by octet. */
+/** Reads a line from left to right. `at` counts UTF-16 units; errors name octets. */
 class Cursor {
   constructor(line, at, id) {
     this.line = line;
@@ -112,7 +112,7 @@ export function parseStatement(line) {
 
 const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
 
-/** The text of a line's octets; throws StatementError where they are not UTF-8. */
+/** The text of a line's octets. Throws StatementError if they are not UTF-8. */
 export function decodeLine(octets) {
   try {
     return decoder.decode(octets);
@@ -121,7 +121,7 @@ export function decodeLine(octets) {
   }
 }
 
-/** A value as it stands behind `key=`; control characters without an escape become question marks. */
+/** A value as it is written after `key=`. Control characters without an escape become question marks. */
 export function formatValue(text) {
   const clean = text.replace(/[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g, '\ufffd');
     if (/^[^ "\u0000-\u001f\u007f]+$/.test(clean)) return clean;

@@ -1,1 +1,1 @@
-"""The sockets of channels: outlets of publishers, inlets of subscribers (src/client/CHANNELS.md, "Who opens what")."""
+"""Sockets: the link to the daemon, outlets of publishers, inlets of subscribers (src/client/CHANNELS.md, "Who opens what")."""

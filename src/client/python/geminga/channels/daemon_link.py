@@ -1,4 +1,4 @@
-"""The connection of a node to its daemon, which comes back by itself."""
+"""The link of a node to its daemon, which connects again whenever the connection is lost."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..protocol.session import Session
 from ..protocol.statement import LineError
 from .endpoint import Endpoint
 
-#: How long to wait for a connection, and for the answer to hello.
+#: Seconds to wait for a connection, and for the answer to hello.
 ANSWER_SECONDS = 5.0
 
 
@@ -32,7 +32,7 @@ class _Lines(asyncio.Protocol):
 
 
 class DaemonLink:
-    """`report` is called with what the daemon says, `lost` when it went. Belongs to an event loop; not thread-safe."""
+    """Calls `report` with reports of the session, and `lost` when the daemon is gone. Belongs to an event loop; not thread-safe."""
 
     def __init__(
         self,
@@ -55,13 +55,13 @@ class DaemonLink:
         self._task = loop.create_task(self._run())
 
     def flush(self) -> None:
-        """Sends what the session wants to say."""
+        """Sends the outgoing octets of the session."""
         if self._session.outgoing and self._transport is not None:
             self._transport.write(bytes(self._session.outgoing))
         self._session.outgoing.clear()
 
     def received(self, octets: bytes) -> None:
-        """What the daemon said."""
+        """Takes octets of the daemon."""
         try:
             for report in self._session.receive(octets):
                 if isinstance(report, Welcome):
@@ -75,7 +75,7 @@ class DaemonLink:
         self.flush()
 
     async def close(self) -> None:
-        """Withdraws all, and waits until the daemon has heard it."""
+        """Says goodbye, and waits until the daemon has closed the connection."""
         self._session.bye()
         self.flush()
         transport, self._transport = self._transport, None
@@ -88,7 +88,7 @@ class DaemonLink:
         self.abort()
 
     def abort(self) -> None:
-        """Ends at once. Whatever the daemon has of this node, it withdraws when it sees that."""
+        """Closes at once. The daemon withdraws the requests of this node when it sees that."""
         self._task.cancel()
         self._attempt()
         if self._transport is not None:
@@ -114,7 +114,7 @@ class DaemonLink:
                 async with asyncio.timeout(ANSWER_SECONDS):
                     await self._loop.sock_connect(sock, endpoint.address)
                 return sock
-            except OSError:  # A TimeoutError is one, too.
+            except OSError:  # TimeoutError is a subclass.
                 sock.close()
             except BaseException:
                 sock.close()
@@ -144,6 +144,6 @@ class DaemonLink:
             self.attempted.set_result(None)
 
     def _look(self) -> None:
-        """Who has not answered hello by now is no daemon, or one that hangs."""
+        """Closes the connection to a daemon that has not answered hello."""
         if not self.is_connected and self._transport is not None:
             self._transport.abort()

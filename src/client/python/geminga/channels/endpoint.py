@@ -1,4 +1,4 @@
-"""Where a daemon listens."""
+"""Endpoints of daemons."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ VARIABLE = "GEMINGA_CONNECT"
 
 @dataclass(frozen=True, slots=True)
 class Endpoint:
-    """A family of sockets and an address of it."""
+    """A family of sockets and an address of this family."""
 
     family: socket.AddressFamily
     address: Any
@@ -26,7 +26,7 @@ USUAL = (
 
 
 def read_endpoint(text: str) -> Endpoint:
-    """`ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`; addresses in numbers. Raises ValueError."""
+    """Reads `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH` with a numeric address. Raises ValueError."""
     if text.startswith(("unix:", "/")):
         path = text.removeprefix("unix:")
         if not path or "\0" in path:
@@ -46,6 +46,6 @@ def read_endpoint(text: str) -> Endpoint:
 
 
 def endpoints(text: str | None) -> tuple[Endpoint, ...]:
-    """The endpoint that is said, or that $GEMINGA_CONNECT says, or the usual ones. Raises ValueError."""
+    """The endpoint of the text, or of $GEMINGA_CONNECT, or the usual ones. Raises ValueError."""
     text = text or os.environ.get(VARIABLE)
     return (read_endpoint(text),) if text else USUAL

@@ -1,4 +1,4 @@
-"""The network interfaces that multicasts go through: all that are up but the loopback, or that where there is no other."""
+"""The interfaces that multicasts use: all that are up and no loopback, or the loopback if there is no other."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def _flags(sock: socket.socket, name: str) -> int:
 
 
 def interfaces() -> list[int]:
-    """Their indices."""
+    """The indices of these interfaces."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
         flags = {index: _flags(sock, name) for index, name in socket.if_nameindex()}
     up = [index for index, flag in flags.items() if flag & _IS_UP]

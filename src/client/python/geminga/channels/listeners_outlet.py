@@ -1,4 +1,4 @@
-"""`otm/stream` over UDP to a unicast address: a datagram for each listener that says hello."""
+"""The outlet of `otm/stream` over UDP to a unicast address: a datagram for each listener that says hello."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _DATAGRAMS_A_TURN = 64
 
 
 class ListenersOutlet:
-    """Listens at its port for hellos that have the publisher's life."""
+    """Receives hellos with the publisher's life at its port."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, life: int, port: int, address: str) -> None:
         self._loop = loop
@@ -33,13 +33,13 @@ class ListenersOutlet:
         loop.add_reader(self._sock, self._read)
 
     def open(self, counterpart: Counterpart) -> None:
-        """No consumer of `otm/stream` is told."""
+        """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
     def close(self, counterpart: Counterpart) -> None:
-        """No consumer of `otm/stream` is told."""
+        """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
     def send(self, header: bytes, payload: bytes) -> int:
-        """To all listeners."""
+        """Sends to all listeners. Returns for how many it was left out."""
         left_out = 0
         frame = header + payload if len(payload) <= COPIED_OCTETS else b""
         for there in self.targets:
@@ -51,11 +51,11 @@ class ListenersOutlet:
         return left_out
 
     async def drain(self) -> None:
-        """A datagram waits for nobody: lets the loop turn once."""
+        """Lets the event loop turn once, because datagrams do not wait."""
         await asyncio.sleep(0)
 
     async def end(self, last: int) -> None:
-        """A frame of kind 3 for each listener."""
+        """Sends a frame of kind 3 to each listener, and closes."""
         for there in self.targets:
             sockets.send_datagram(self._sock, write_frame(Kind.END, self._life, last), there)
         self.abort()

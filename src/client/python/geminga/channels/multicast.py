@@ -26,7 +26,7 @@ def _reusable(family: socket.AddressFamily) -> socket.socket:
 
 
 def sending(group: str, port: int, interface: int) -> socket.socket:
-    """A socket that sends through this interface, from this port, one hop far; the own host hears it, too."""
+    """Opens a socket that sends through this interface, from this port, one hop far. The own host hears it, too."""
     family = _family(group)
     sock = _reusable(family)
     try:
@@ -38,7 +38,7 @@ def sending(group: str, port: int, interface: int) -> socket.socket:
         else:
             sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, struct.pack("4s4si", b"", b"", interface))
             sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, TIME_TO_LIVE)
-            sock.setsockopt(socket.IPPROTO_IP, _IP_MULTICAST_ALL, 0)  # it hears nothing
+            sock.setsockopt(socket.IPPROTO_IP, _IP_MULTICAST_ALL, 0)  # it receives no groups
             sock.bind(("0.0.0.0", port))
         return sock
     except OSError:
@@ -47,12 +47,12 @@ def sending(group: str, port: int, interface: int) -> socket.socket:
 
 
 def listening(group: str, port: int) -> socket.socket:
-    """A socket that hears what is sent to this group and port, on the interfaces that join() names."""
+    """Opens a socket that receives this group and port, on the interfaces that join() names."""
     family = _family(group)
     sock = _reusable(family)
     try:
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER_OCTETS)
-        # Bound to the group, it hears nothing that is sent to the port alone.
+        # Bound to the group, it does not receive datagrams to the port alone.
         if family == socket.AF_INET:
             sock.setsockopt(socket.IPPROTO_IP, _IP_MULTICAST_ALL, 0)
             sock.bind((group, port))
@@ -60,7 +60,7 @@ def listening(group: str, port: int) -> socket.socket:
             bare, zone = group.partition("%")[0], _zone(group)
             sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
             sock.setsockopt(socket.IPPROTO_IPV6, _IPV6_MULTICAST_ALL, 0)
-            # A link-local group of every interface has no one address to be bound to; whom it comes from is asked later anyway.
+            # A link-local group on every interface has no single address to bind to. The sender is checked later anyway.
             sock.bind(("::" if _is_of_a_link(bare) and zone == 0 else bare, port, 0, zone))
         return sock
     except OSError:
@@ -69,18 +69,18 @@ def listening(group: str, port: int) -> socket.socket:
 
 
 def _is_of_a_link(group: str) -> bool:
-    """Whether an IPv6 group is one of a link, or of an interface, so that it is another group on each."""
+    """Whether an IPv6 group is one of a link or of an interface, so that it is a different group on each."""
     return ipaddress.ip_address(group).packed[1] & 0x0F in (1, 2)
 
 
 def _zone(group: str) -> int:
-    """The interface that a group names, or 0. Raises OSError where there is none of this name."""
+    """The interface that a group names, or 0. Raises OSError if there is no such interface."""
     zone = group.partition("%")[2]
     return (int(zone) if zone.isdigit() else socket.if_nametoindex(zone)) if zone else 0
 
 
 def join(sock: socket.socket, group: str, interface: int) -> None:
-    """Joins the group on this interface, if it has not done so."""
+    """Joins the group on this interface, unless it has joined already."""
     address = ipaddress.ip_address(group.partition("%")[0]).packed
     with contextlib.suppress(OSError):
         if sock.family == socket.AF_INET6:
@@ -91,6 +91,6 @@ def join(sock: socket.socket, group: str, interface: int) -> None:
 
 
 def group_address(group: str, port: int, interface: int) -> Address:
-    """The group as sendto() wants it."""
+    """The address of the group as sendto() takes it."""
     bare = group.partition("%")[0]
     return (bare, port) if _family(group) == socket.AF_INET else (bare, port, 0, interface)

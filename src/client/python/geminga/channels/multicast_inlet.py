@@ -1,4 +1,4 @@
-"""What a subscriber hears of multicast groups: a socket for each group and port."""
+"""The multicast groups of a subscriber: a socket for each group and port."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class _Group:
 
 
 class MulticastInlet:
-    """The address that announces such a provider is the group's, so that the source's port and the life must be right."""
+    """Believes a datagram by the sender's port and the life, because the announced address is the group's."""
 
     def __init__(
         self,
@@ -45,7 +45,7 @@ class MulticastInlet:
         self._timer: asyncio.TimerHandle | None = None
 
     def open(self, counterpart: Counterpart) -> None:
-        """Joins the provider's group. Raises OSError where that cannot be heard."""
+        """Joins the provider's group. Raises OSError if that is not possible."""
         self.close(counterpart)
         place = (counterpart.match.address, counterpart.match.port)
         group = self._groups.get(place)
@@ -57,7 +57,7 @@ class MulticastInlet:
         self._join_all()
 
     def close(self, counterpart: Counterpart) -> None:
-        """Leaves the group behind its last provider."""
+        """Forgets a provider, and leaves the group after its last one."""
         place = self._places.pop(counterpart.key, None)
         group = self._groups.get(place) if place is not None else None
         if group is None or place is None:
@@ -68,14 +68,14 @@ class MulticastInlet:
             self._close_socket(group)
 
     def read_all(self) -> None:
-        """Takes what the sockets hold now, and ends although a flood comes in."""
+        """Reads what the sockets hold now, but not without end."""
         for place in list(self._groups):
             for _ in range(DATAGRAMS_AT_END // _DATAGRAMS_A_TURN):
                 if not self._read(place):
                     break
 
     def abort(self) -> None:
-        """Closes all."""
+        """Closes all sockets."""
         if self._timer is not None:
             self._timer.cancel()
         for group in self._groups.values():

@@ -1,4 +1,4 @@
-"""`otm/stream` over UDP to a multicast address: one datagram an interface, whether anybody listens or not."""
+"""The outlet of `otm/stream` over UDP to a multicast address: one datagram for each interface, whether anybody listens or not."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .interfaces import interfaces
 
 
 class MulticastOutlet:
-    """Looks every two seconds which interfaces there are."""
+    """Sends through all interfaces, and looks every two seconds which there are."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, life: int, port: int, group: str) -> None:
         self._loop = loop
@@ -31,17 +31,17 @@ class MulticastOutlet:
 
     @property
     def targets(self) -> dict[int, socket.socket]:
-        """An interface each."""
+        """The socket of each interface."""
         return self._by_interface
 
     def open(self, counterpart: Counterpart) -> None:
-        """No consumer of `otm/stream` is told."""
+        """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
     def close(self, counterpart: Counterpart) -> None:
-        """No consumer of `otm/stream` is told."""
+        """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
     def send(self, header: bytes, payload: bytes) -> int:
-        """Through each interface. It is left out where none took it."""
+        """Sends through each interface. Returns 1 if none took it."""
         frame = header + payload
         took = False
         for interface, sock in self._by_interface.items():
@@ -49,11 +49,11 @@ class MulticastOutlet:
         return 0 if took else 1
 
     async def drain(self) -> None:
-        """A datagram waits for nobody: lets the loop turn once."""
+        """Lets the event loop turn once, because datagrams do not wait."""
         await asyncio.sleep(0)
 
     async def end(self, last: int) -> None:
-        """A frame of kind 3 for all who listen."""
+        """Sends a frame of kind 3 to the group, and closes."""
         self.send(write_frame(Kind.END, self._life, last), b"")
         self.abort()
 

@@ -1,4 +1,4 @@
-"""What a publisher sends through, whatever its mode and protocol."""
+"""The outlet of a publisher, whatever its mode and protocol."""
 
 from __future__ import annotations
 
@@ -8,46 +8,48 @@ from typing import Protocol
 from ..protocol.counterparts import Counterpart
 from .sockets import Address
 
-#: Payloads up to here are copied behind their header: one piece costs less than two, unless it is large.
+#: Payloads up to this size are copied behind their header, because one small piece costs less than two.
 COPIED_OCTETS = 16 * 1024
-#: A call that sends a frame, and where to.
+#: A function that sends a frame, and the address to send to.
 Sole = tuple[Callable[[bytes, Address], int], Address]
 
 
 class Outlet(Protocol):
-    """Belongs to an event loop; not thread-safe."""
+    """The sockets of a publisher. Belongs to an event loop; not thread-safe."""
 
     @property
     def targets(self) -> Sized:
-        """Whoever is sent to; empty where sending reaches nobody."""
+        """The consumers that are sent to; empty if there are none."""
 
     @property
     def sole(self) -> Sole | None:
-        """What to call instead of send() for a frame with a payload of up to COPIED_OCTETS, where there is one target that takes frames
-        as datagrams: that is what most sending is, and a call less."""
+        """The function to call instead of send() for payloads up to COPIED_OCTETS, if there is one target that takes frames as datagrams.
+
+        Most messages are sent so, and it saves a call.
+        """
 
     @property
     def port(self) -> int:
-        """Where it can be reached."""
+        """The port where it can be reached."""
 
     @property
     def dropped(self) -> int:
-        """What came in and was not believed."""
+        """The number of datagrams and connections that were not believed."""
 
     def open(self, counterpart: Counterpart) -> None:
-        """A consumer came, or its address or port changed."""
+        """A consumer was added, or its address or port changed."""
 
     def close(self, counterpart: Counterpart) -> None:
-        """A consumer went."""
+        """A consumer is gone."""
 
     def send(self, header: bytes, payload: bytes) -> int:
-        """Sends a message to all, and says for how many it was left out."""
+        """Sends a message to all consumers. Returns for how many it was left out."""
 
     async def drain(self) -> None:
         """Waits until there is room for more."""
 
     async def end(self, last: int) -> None:
-        """Sends what waits and takes leave behind the message with this sequence, then closes all."""
+        """Sends what waits and the end after the message with this sequence, and closes."""
 
     def abort(self) -> None:
-        """Closes all at once."""
+        """Closes at once."""

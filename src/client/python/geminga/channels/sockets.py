@@ -1,4 +1,4 @@
-"""Sockets as channels need them, and addresses as those sockets write them."""
+"""Sockets of channels, and addresses as these sockets write them."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ def _families(address: str) -> list[tuple[socket.AddressFamily, str]]:
 
 
 def bound(kind: socket.SocketKind, port: int, address: str = "") -> socket.socket:
-    """A socket that does not block, bound to the port (0: any) of this address, where it is ours, or of all of both families.
+    """Opens a socket that does not block, bound to the port (0: any) of this address if it is the host's own, or else of all addresses.
 
-    Raises PortTaken where the port is somebody else's.
+    Raises PortTaken if another socket has the port.
     """
     failure: OSError | None = None
     for family, host in _families(address):
@@ -60,14 +60,14 @@ def bound(kind: socket.SocketKind, port: int, address: str = "") -> socket.socke
 
 
 def listening(port: int, address: str = "") -> socket.socket:
-    """A TCP socket that listens at this port (0: any)."""
+    """Opens a TCP socket that listens at this port (0: any)."""
     for attempt in range(_ANY_PORT_ATTEMPTS):
         sock = bound(socket.SOCK_STREAM, port, address)
         try:
             sock.listen(64)
             return sock
         except OSError as error:
-            # With SO_REUSEADDR two may be bound to a port, and only one may listen there.
+            # With SO_REUSEADDR two sockets may be bound to a port, and only one may listen there.
             sock.close()
             if error.errno != errno.EADDRINUSE:
                 raise
@@ -77,7 +77,7 @@ def listening(port: int, address: str = "") -> socket.socket:
 
 
 def port_of(sock: socket.socket) -> int:
-    """The port that it is bound to."""
+    """The port to which a socket is bound."""
     return int(sock.getsockname()[1])
 
 
@@ -90,7 +90,7 @@ def _scoped(host: str, port: int) -> Address:
 
 
 def target(family: int, address: str, port: int) -> Address | None:
-    """The address as a socket of this family writes it, or None where it cannot reach it."""
+    """The address as a socket of this family writes it, or None if it cannot reach it."""
     try:
         ip = ipaddress.ip_address(address)
         if family == socket.AF_INET6:
@@ -104,7 +104,7 @@ def target(family: int, address: str, port: int) -> Address | None:
 
 
 def connectable(address: str, port: int) -> tuple[socket.AddressFamily, Address] | None:
-    """Family and address for connect(), or None where the text is no address."""
+    """The family and the address for connect(), or None if the text is no address."""
     try:
         version = ipaddress.ip_address(address).version
     except ValueError:
@@ -123,7 +123,7 @@ def canonical(source: Address) -> Address:
 
 
 def send_datagram(sock: socket.socket, octets: bytes, there: Address) -> bool:
-    """Whether the system took it. What it does not take is lost, as a datagram may be."""
+    """Sends one datagram. Whether the system took it; if not, it is lost."""
     try:
         sock.sendto(octets, there)
         return True
@@ -132,7 +132,7 @@ def send_datagram(sock: socket.socket, octets: bytes, there: Address) -> bool:
 
 
 def send_frame(sock: socket.socket, header: bytes, payload: bytes, there: Address) -> bool:
-    """The same of a header and a payload, which are not copied."""
+    """Sends a header and a payload as one datagram, without copying them. Whether the system took it."""
     try:
         sock.sendmsg((header, payload), (), 0, there)
         return True
@@ -141,7 +141,7 @@ def send_frame(sock: socket.socket, header: bytes, payload: bytes, there: Addres
 
 
 def close(sock: socket.socket | None) -> None:
-    """Closes it, if it is there."""
+    """Closes a socket, if there is one."""
     if sock is not None:
         with contextlib.suppress(OSError):
             sock.close()

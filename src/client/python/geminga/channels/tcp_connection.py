@@ -1,4 +1,4 @@
-"""One TCP connection of a channel, which neither side waits for."""
+"""One TCP connection of a channel, with the frames that wait to be written."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _READ_OCTETS = 256 * 1024
 
 
 class TcpConnection:
-    """Frames come by `on_frame`, in order; then `on_end` is called once, unless close() was. Not thread-safe."""
+    """Gives frames to `on_frame`, in order, and calls `on_end` once, unless close() was called. Not thread-safe."""
 
     def __init__(
         self,
@@ -37,7 +37,7 @@ class TcpConnection:
         self._waiting: deque[memoryview] = deque()
         self.waiting_octets = 0
         self.is_open = True
-        self.is_broken = False  #: what came was no frame
+        self.is_broken = False  #: octets came that are no frame
         self._is_finishing = False
         self._is_paused = False
         self._timer: asyncio.TimerHandle | None = None
@@ -48,10 +48,10 @@ class TcpConnection:
         loop.add_reader(sock, self._read)
 
     def offer(self, header: bytes, payload: bytes) -> bool:
-        """Sends a frame, or keeps it until there is room; False where too much waits already."""
+        """Sends a frame, or keeps it until there is room. False if too much waits already."""
         if not self._waiting:
             size = len(payload)
-            try:  # As in _sent(), without another call: senders are measured against plain sockets.
+            try:  # As in _sent(), but without another call, which senders would notice.
                 if size <= COPIED_OCTETS:
                     sent = self._send(header + payload)
                 else:
@@ -70,7 +70,7 @@ class TcpConnection:
         return True
 
     def append(self, frame: bytes) -> None:
-        """Sends a small frame behind what waits, however much that is."""
+        """Sends a small frame after those that wait, however many these are."""
         if not self._waiting and self.is_open:
             sent = self._sent(frame)
             if sent == len(frame):
@@ -80,15 +80,15 @@ class TcpConnection:
             self._keep(memoryview(frame))
 
     async def drain(self) -> None:
-        """Waits until nothing waits, or the connection ends."""
+        """Waits until everything is written, or the connection ends."""
         await self._until(lambda: not self._waiting)
 
     async def closed(self) -> None:
-        """Waits for the connection's end."""
+        """Waits until the connection ends."""
         await self._until(lambda: False)
 
     def finish(self) -> None:
-        """Closes our half behind what waits, and all when the other half is closed, or after 5 s without progress."""
+        """Closes our half after the frames that wait, and the connection when the other half is closed, or after 5 s without progress."""
         if self.is_open and not self._is_finishing:
             self._is_finishing = True
             self._progress()
@@ -96,7 +96,7 @@ class TcpConnection:
                 self._shut_down()
 
     def pause(self) -> None:
-        """Reads no more for now, which holds the sender back."""
+        """Stops reading, which holds the sender back."""
         if self.is_open and not self._is_paused:
             self._is_paused = True
             self._loop.remove_reader(self._sock)
@@ -109,11 +109,11 @@ class TcpConnection:
 
     @property
     def is_paused(self) -> bool:
-        """Whether it waits for the application."""
+        """Whether reading has stopped."""
         return self._is_paused
 
     def close(self) -> None:
-        """Closes it at once. Nothing is called any more."""
+        """Closes at once. No function is called after that."""
         if not self.is_open:
             return
         self.is_open = False
@@ -160,7 +160,7 @@ class TcpConnection:
     def _unsent(self, error: OSError, size: int) -> int:
         if isinstance(error, (BlockingIOError, InterruptedError)):
             return 0
-        # The end is told by the loop, not from inside a send.
+        # The event loop tells the end, not a call of send().
         self._loop.call_soon(self._end)
         return size
 

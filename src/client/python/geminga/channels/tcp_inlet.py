@@ -1,4 +1,4 @@
-"""A subscriber over TCP: one connection a provider, made again while the match lasts."""
+"""The inlet of a subscriber over TCP: one connection to each provider, made again while the provider is matched."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ from .tcp_connection import TcpConnection
 
 
 class TcpInlet:
-    """The connection to one provider. `on_message` gets its messages and its end; `on_end` is called when it ended for good, with
-    whether that was clean; `on_lost` when the connection went, and says whether it shall be made again."""
+    """The connection to one provider.
+
+    `on_message` gets its messages and its end. `on_end` is called when it has ended for good, with whether that was clean. `on_lost` is
+    called when the connection is lost, and says whether it is to be made again.
+    """
 
     def __init__(
         self,
@@ -56,7 +59,7 @@ class TcpInlet:
         self._rest = self._loop.call_later(DRAIN_SECONDS, self._look)
 
     def pause(self) -> None:
-        """Reads no more for now."""
+        """Stops reading."""
         self._is_paused = True
         if self._connection is not None:
             self._connection.pause()
@@ -68,7 +71,7 @@ class TcpInlet:
             self._connection.resume()
 
     def close(self) -> None:
-        """Closes it at once. Nothing is called any more."""
+        """Closes at once. No function is called after that."""
         self._is_ended = True
         self._task.cancel()
         if self._rest is not None:

@@ -1,4 +1,4 @@
-"""A publisher over TCP: it listens, and who connects says hello with the life of a consumer."""
+"""The outlet of a publisher over TCP: it listens, and a connection becomes a consumer by its hello."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ACCEPT_AGAIN_SECONDS = 0.5
 
 
 class _Stranger:
-    """A connection that has not said whose it is, or whose consumer has not been told yet."""
+    """A connection that has not said hello, or whose consumer the daemon has not named yet."""
 
     def __init__(self, timer: asyncio.TimerHandle) -> None:
         self.life = 0
@@ -25,9 +25,10 @@ class _Stranger:
 
 
 class TcpOutlet:
-    """`admits_all`: for `otm/stream`, where any life that is not 0 is a consumer's. Else those of open() are.
+    """The connections of a publisher's consumers.
 
-    `joined` and `left` are called with the life of who is sent to from now on, or no more.
+    With `admits_all`, for `otm/stream`, any life that is not 0 is a consumer's; otherwise the lives of open() are. `joined` and `left`
+    are called with the life of a consumer when its connection comes and goes.
     """
 
     def __init__(
@@ -57,7 +58,7 @@ class TcpOutlet:
         loop.add_reader(self._listener, self._accept)
 
     def open(self, counterpart: Counterpart) -> None:
-        """Its connection is a consumer's, whenever it comes."""
+        """Expects the connection of a consumer, which may have come already."""
         life = counterpart.match.life
         if life == 0:
             return
@@ -67,7 +68,7 @@ class TcpOutlet:
             self._admit(waiting)
 
     def close(self, counterpart: Counterpart) -> None:
-        """Sends what waits for it, and closes."""
+        """Sends the frames that wait for a consumer, and closes its connection."""
         life = counterpart.match.life
         self._expected.discard(life)
         connection = self.targets.pop(life, None)
@@ -75,7 +76,7 @@ class TcpOutlet:
             self._leave(connection)
 
     def send(self, header: bytes, payload: bytes) -> int:
-        """To all that are connected."""
+        """Sends to all consumers that are connected. Returns for how many it was left out."""
         left_out = 0
         for connection in self.targets.values():
             if not connection.offer(header, payload):
@@ -83,13 +84,13 @@ class TcpOutlet:
         return left_out
 
     async def drain(self) -> None:
-        """Waits until there is room for each consumer."""
+        """Waits until the system has taken everything for each consumer."""
         await asyncio.sleep(0)
         for connection in list(self.targets.values()):
             await connection.drain()
 
     async def end(self, last: int) -> None:
-        """Writes what waits and a frame of kind 3 to each, and waits until they have closed."""
+        """Writes the frames that wait and a frame of kind 3 to each consumer, and waits until all have closed."""
         self._stop_listening()
         frame = write_frame(Kind.END, self._life, last)
         for connection in self.targets.values():
@@ -103,7 +104,7 @@ class TcpOutlet:
             self.abort()
 
     def abort(self) -> None:
-        """Closes all at once."""
+        """Closes at once."""
         self._stop_listening()
         for connection in [*self.targets.values(), *self._leaving]:
             connection.close()
@@ -129,7 +130,7 @@ class TcpOutlet:
         except (BlockingIOError, InterruptedError, ConnectionError):
             return
         except OSError:
-            # Out of descriptors: who waits can wait for a while, but not keep the loop busy.
+            # No descriptor is left: accepting pauses, so that the loop is not kept busy.
             self._loop.remove_reader(self._listener)
             self._retry = self._loop.call_later(ACCEPT_AGAIN_SECONDS, self._listen_again)
             return

@@ -1,4 +1,4 @@
-"""A subscriber's UDP socket: only what comes from the address and port of a provider, with its life, goes on."""
+"""The inlet of a subscriber over UDP. It believes a datagram by its address, port and life."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from .sockets import Address
 
 _DATAGRAMS_A_TURN = 64
 _MAX_DATAGRAM_OCTETS = 65_536
-#: More than a socket's buffer holds.
+#: Datagrams that are read at the end of a provider: more than the buffer of a socket holds.
 DATAGRAMS_AT_END = 16_384
 
 
 class UdpInlet:
-    """`says_hello`: for `otm/stream`, whose providers want to hear who listens. `on_found` takes back an `on_drop`."""
+    """The UDP socket of a subscriber. `says_hello` is for `otm/stream`. `on_found` takes one `on_drop` back."""
 
     def __init__(
         self,
@@ -51,7 +51,7 @@ class UdpInlet:
         loop.add_reader(self._sock, self.read)
 
     def open(self, counterpart: Counterpart) -> None:
-        """Hears this provider, at the address and port that it has now."""
+        """Believes this provider at the address and port that it has now."""
         self._forget(counterpart)
         there = sockets.target(self._sock.family, counterpart.match.address, counterpart.match.port)
         if there is None or counterpart.match.port == 0:
@@ -64,7 +64,7 @@ class UdpInlet:
                 self._timer = self._loop.call_later(HELLO_SECONDS, self._hello_all)
 
     def deliver_early(self, counterpart: Counterpart) -> None:
-        """Delivers what came from this provider before it was opened."""
+        """Delivers the frames that came from this provider before open()."""
         known = self._by_key.get(counterpart.key)
         if known is None:
             return
@@ -75,14 +75,14 @@ class UdpInlet:
             _deliver(counterpart, frame, self._on_message, self._on_end)
 
     def close(self, counterpart: Counterpart) -> None:
-        """Hears it no more."""
+        """Forgets a provider. A publisher that was said hello to is told the end."""
         known = self._by_key.get(counterpart.key)
         if known is not None and self._says_hello:
             self._hello(Kind.END, *known)
         self._forget(counterpart)
 
     def abort(self) -> None:
-        """Closes the socket, and takes leave of whom it said hello to."""
+        """Closes the socket. Publishers that were said hello to are told the end."""
         if self._timer is not None:
             self._timer.cancel()
         for there, counterpart in self._by_key.values():
@@ -95,7 +95,7 @@ class UdpInlet:
         sockets.close(self._sock)
 
     def read(self) -> None:
-        """Takes what the socket holds, but not more than a turn's share."""
+        """Reads what the socket holds, but not more than its share of a turn."""
         for _ in range(_DATAGRAMS_A_TURN):
             try:
                 octets, source = self._sock.recvfrom(_MAX_DATAGRAM_OCTETS)
@@ -104,7 +104,7 @@ class UdpInlet:
             self._heard(octets, source)
 
     def read_all(self) -> None:
-        """Takes what the socket holds now, and ends although a flood comes in."""
+        """Reads what the socket holds now, but not without end."""
         for _ in range(DATAGRAMS_AT_END):
             if self._sock.fileno() < 0:
                 return
@@ -152,9 +152,9 @@ def dispatch(
     on_end: Callable[[Key, bool], None],
     on_drop: Callable[[], None],
 ) -> Frame | None:
-    """Gives a datagram from one of these providers' address and port to the one whose life it has, and the frame of nobody back.
+    """Gives a datagram from an address and port to the provider there whose life it has. Returns a frame that is of none of them.
 
-    A provider without a life has each datagram delivered that no other provider there has sent.
+    A provider without a life gets each datagram that is of no other provider there.
     """
     frame: Frame | None = None
     counterpart: Counterpart | None = None

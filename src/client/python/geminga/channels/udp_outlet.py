@@ -1,4 +1,4 @@
-"""`oto` and `otm/pubsub` over UDP: a datagram for each consumer, from the publisher's port."""
+"""The outlet of `oto` and `otm/pubsub` over UDP: a datagram for each consumer, from the publisher's port."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from .sockets import Address
 
 
 class UdpOutlet:
-    """`is_lazy`: its socket is open while there are consumers. `moved` is called with the port where that had to change."""
+    """Sends to each consumer. With `is_lazy` the socket is open only while there are consumers. `moved` is called with a port that had to
+    change."""
 
     def __init__(self, life: int, port: int, address: str, is_lazy: bool, moved: Callable[[int], None]) -> None:
         self._life = life
@@ -33,7 +34,7 @@ class UdpOutlet:
             self._close_socket()
 
     def open(self, counterpart: Counterpart) -> None:
-        """Sends to it from now on, where it states a port. To whom has no life go payloads without frames."""
+        """Sends to a consumer from now on, if it states a port. One without a life is sent payloads without frames."""
         sock = self._opened()
         there = sockets.target(sock.family, counterpart.match.address, counterpart.match.port)
         if there is None or counterpart.match.port == 0:
@@ -43,12 +44,12 @@ class UdpOutlet:
         self._changed()
 
     def close(self, counterpart: Counterpart) -> None:
-        """Does not send to it any more."""
+        """Ends sending to a consumer."""
         if self._by_key.pop(counterpart.key, None) is not None:
             self._changed()
 
     def send(self, header: bytes, payload: bytes) -> int:
-        """Requires that there are targets."""
+        """Sends to all targets, of which there is one at least. Returns for how many it was left out."""
         sock, left_out = self._opened(), 0
         frame = header + payload if len(payload) <= COPIED_OCTETS else b""
         for there, has_frames in self.targets:
@@ -60,11 +61,11 @@ class UdpOutlet:
         return left_out
 
     async def drain(self) -> None:
-        """A datagram waits for nobody: lets the loop turn once."""
+        """Lets the event loop turn once, because datagrams do not wait."""
         await asyncio.sleep(0)
 
     async def end(self, last: int) -> None:
-        """A frame of kind 3 for each consumer."""
+        """Sends a frame of kind 3 to each consumer, and closes."""
         if self.targets:
             frame = write_frame(Kind.END, self._life, last)
             for there, has_frames in self.targets:

@@ -1,1 +1,1 @@
-"""What the library knows without a socket or a clock: lines, frames, identities, requests, and what is believed."""
+"""The protocol without sockets and clocks: lines, frames, identities, requests, and what is believed."""

@@ -1,4 +1,4 @@
-"""How long to wait before the next attempt."""
+"""The wait before the next attempt to connect."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ LONGEST_SECONDS = 1.0
 
 
 class Backoff:
-    """.1, .2, .4, .8, 1, 1, ... seconds, each up to a quarter longer by chance, which gives 0 to 1."""
+    """Waits .1, .2, .4, .8, 1, 1, ... seconds, each up to a quarter longer. `chance` gives random numbers from 0 to 1."""
 
     def __init__(self, chance: Callable[[], float]) -> None:
         self._chance = chance
@@ -22,5 +22,5 @@ class Backoff:
         return wait * (1 + self._chance() / 4)
 
     def reset(self) -> None:
-        """After an attempt that went well: from the beginning."""
+        """An attempt has succeeded: begins with the shortest wait again."""
         self._next = FIRST_SECONDS

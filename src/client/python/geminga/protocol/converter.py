@@ -1,4 +1,4 @@
-"""The functions of the application that turn one representation into another."""
+"""The application's conversions, applied along the chain of a match (src/discovery/matching/CONVERSIONS.md)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ Conversion = Callable[[bytes], bytes]
 
 
 class ConversionError(Exception):
-    """A conversion is missing, or failed. `step` is the one: `A>B`."""
+    """A conversion has no function, or its function failed. `step` names it: `A>B`."""
 
     def __init__(self, step: str, text: str) -> None:
         super().__init__(text)
@@ -16,14 +16,16 @@ class ConversionError(Exception):
 
 
 def service_of(via: str, step: int) -> str:
-    """Who does a step, counted from 0, by the words of `via`; empty: the consumer."""
+    """The service that does a step, counted from 0, by the words of `via`; empty: the consumer does it."""
     words = via.split(",")
     return words[step] if step < len(words) and words[step] != "-" else ""
 
 
 def convert(payload: bytes, path: Sequence[str], conversions: Mapping[str, Conversion], via: str = "") -> bytes:
-    """Applies `A>B`, `B>C`, ... for the path A, B, C, ..., or `A>C` alone where that is given. Raises ConversionError, which
-    names who of `via` would do what is missing."""
+    """Applies the functions for `A>B` and `B>C` to the payload for the path A, B, C, or the one for `A>C` alone if there is one.
+
+    Raises ConversionError; for a missing function it names the service of `via` that does the step.
+    """
     if len(path) < 2:
         return payload
     whole = f"{path[0]}>{path[-1]}"
@@ -36,6 +38,6 @@ def convert(payload: bytes, path: Sequence[str], conversions: Mapping[str, Conve
             raise ConversionError(step, f"there is no function for the conversion {step}{by}")
         try:
             payload = function(payload)
-        except Exception as error:  # The application's own.
+        except Exception as error:  # The application may raise anything.
             raise ConversionError(step, f"the conversion {step} failed: {error}") from error
     return payload

@@ -1,7 +1,7 @@
-"""Whom a channel goes to or comes from, and for how long (src/client/CHANNELS.md, "How a channel ends").
+"""The counterparts of a channel: the providers of a subscriber, or the consumers of a publisher.
 
-A subscriber's counterparts are its providers, those of a publisher its consumers. They are known by their life, which stays
-the same whatever becomes of daemons. Time is seconds of a monotonic clock, given by the caller. Not thread-safe.
+A counterpart is known by its life, which stays the same while daemons come and go (src/client/CHANNELS.md, "How a channel
+ends"). The caller gives the time, in seconds of a monotonic clock. Not thread-safe.
 """
 
 from __future__ import annotations
@@ -12,24 +12,24 @@ from dataclasses import dataclass, field, replace
 from .limits import ORPHAN_SECONDS, SETTLE_SECONDS
 from .match import Match
 
-#: What ends a channel at once; every other reason says that somebody was lost sight of.
+#: Reasons that end a channel at once. Every other reason says that the daemons have lost sight of the counterpart.
 FINAL_REASONS = frozenset({"withdrawn", "outranked", "changed"})
 
 WITHDRAWN = "withdrawn"
-DISCONNECTED = "disconnected"  #: the own daemon went, and its return did not confirm the channel
-LOST = "lost"  #: the connection of a channel ended, and nobody announces it any more
+DISCONNECTED = "disconnected"  #: the own daemon came back and did not confirm the channel
+LOST = "lost"  #: the connection of a channel ended, and no daemon announces the counterpart
 
-Key = int | str  #: the life, or the word of who has none
+Key = int | str  #: the life, or the word of a counterpart without one
 
 
 @dataclass(eq=False, slots=True)
 class Counterpart:
-    """One other end of a channel. `words`: the daemon's words under which it is matched now."""
+    """The other end of a channel. `words` are the daemon's words under which it is matched now."""
 
     key: Key
     match: Match
     words: dict[str, Match] = field(default_factory=dict)
-    reason: str = ""  #: why it has been lost sight of
+    reason: str = ""  #: why the daemons have lost sight of it
     is_orphan: bool = False
     is_connected: bool = False  #: over TCP: whether its connection is open
     closes_at: float | None = None
@@ -37,7 +37,7 @@ class Counterpart:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """`kind` is `added`, `modified` or `removed`. What is removed has a reason."""
+    """A change of a counterpart. `kind` is `added`, `modified` or `removed`; the last has a reason."""
 
     kind: str
     counterpart: Counterpart
@@ -45,12 +45,13 @@ class Change:
 
 
 def _told(match: Match) -> Match:
-    """What the application is told of: the daemon's word for it is not among that."""
+    """The part of a match that the application is told, which is all but the daemon's word for it."""
     return replace(match, word="")
 
 
 class Counterparts:
-    """`limit`: how many the request admits, 0 for all. `protocol` of the publication, for consumers, of whom it is not told."""
+    """All counterparts of one channel. `limit` is how many the request admits, 0 for all. `protocol` is that of a publisher, since
+    the events of consumers name none."""
 
     def __init__(self, protocol: str = "", limit: int = 0) -> None:
         self._protocol = protocol
@@ -67,15 +68,15 @@ class Counterparts:
         return len(self._by_key)
 
     def get(self, key: Key) -> Counterpart | None:
-        """The counterpart with this life, or word."""
+        """The counterpart with this life or word."""
         return self._by_key.get(key)
 
     def modify(self, match: Match) -> list[Change]:
-        """`modify` of the daemon. What has ended meanwhile is not made again."""
+        """Takes a `modify` of the daemon. It does not bring back a counterpart that has ended."""
         return self.add(match) if match.word in self._keys else []
 
     def add(self, match: Match) -> list[Change]:
-        """`add` of the daemon."""
+        """Takes an `add` of the daemon."""
         key: Key = match.life or match.word
         changes: list[Change] = []
         if self._keys.get(match.word, key) != key:
@@ -94,7 +95,7 @@ class Counterparts:
         return changes + self._without_surplus()
 
     def delete(self, word: str, reason: str, now: float) -> list[Change]:
-        """`del` of the daemon."""
+        """Takes a `del` of the daemon."""
         key = self._keys.pop(word, None)
         known = self._by_key.get(key) if key is not None else None
         if known is None or known.words.pop(word, None) is None:
@@ -107,30 +108,30 @@ class Counterparts:
         return self._orphan(known, reason, now) + self._without_surplus()
 
     def daemon_lost(self) -> None:
-        """The own daemon is gone: channels go on however long that takes."""
+        """The own daemon is gone. All channels go on, however long that takes."""
         self._is_lost, self._confirm_by = True, None
         self._keys.clear()
         for known in self._by_key.values():
             known.words.clear()
 
     def daemon_back(self, now: float) -> None:
-        """It is there again: what it does not confirm in time has been lost sight of."""
+        """The own daemon is back. Counterparts that it does not confirm in time become orphans."""
         if self._is_lost:
             self._is_lost, self._confirm_by = False, now + SETTLE_SECONDS
 
     def ended(self, key: Key, reason: str = WITHDRAWN) -> list[Change]:
-        """The other side ended the channel."""
+        """The other side has ended the channel."""
         known = self._by_key.get(key)
         return [] if known is None else [self._remove(known, reason)]
 
     def connected(self, key: Key) -> None:
-        """Its TCP connection is open."""
+        """The TCP connection of a counterpart is open."""
         known = self._by_key.get(key)
         if known is not None:
             known.is_connected = True
 
     def disconnected(self, key: Key) -> list[Change]:
-        """Its TCP connection ended, not cleanly. Who is still matched may be connected again, all others are gone."""
+        """The TCP connection of a counterpart broke. A matched one may connect again; any other is gone."""
         known = self._by_key.get(key)
         if known is None:
             return []
@@ -140,7 +141,7 @@ class Counterparts:
         return [self._remove(known, known.reason or (DISCONNECTED if self._is_unsure else LOST))]
 
     def tick(self, now: float) -> list[Change]:
-        """What is due."""
+        """Ends the channels whose time is over."""
         changes: list[Change] = []
         if self._confirm_by is not None and now >= self._confirm_by:
             self._confirm_by = None
@@ -154,7 +155,7 @@ class Counterparts:
         return changes
 
     def due(self) -> float | None:
-        """When tick() has something to do, or None."""
+        """The time at which tick() has something to do, or None."""
         times = [known.closes_at for known in self._by_key.values() if known.closes_at is not None]
         if self._confirm_by is not None:
             times.append(self._confirm_by)
@@ -179,7 +180,7 @@ class Counterparts:
         return Change("removed", known, reason)
 
     def _without_surplus(self) -> list[Change]:
-        """Where the request has its limit of others, orphans are closed."""
+        """Removes the orphans if the request has its limit of other counterparts."""
         if self.limit == 0 or sum(bool(known.words) for known in self._by_key.values()) < self.limit:
             return []
         return [self._remove(known, known.reason) for known in list(self._by_key.values()) if known.is_orphan]

@@ -1,4 +1,4 @@
-"""Frames over UDP that came before the daemon told of whom they are (src/client/CHANNELS.md, "Early frames")."""
+"""Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, "Early frames")."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ Address = tuple[Any, ...]
 
 
 class EarlyFrames:
-    """The oldest goes where one more comes. Addresses as the socket writes them. Time is seconds of a monotonic clock. Not thread-safe."""
+    """Keeps early frames; for one more than the limit the oldest goes. Addresses are as the socket writes them, times are seconds of a
+    monotonic clock. Not thread-safe."""
 
     def __init__(self) -> None:
         self._kept: deque[tuple[float, Address, Frame]] = deque()
         self._octets = 0
 
     def put(self, source: Address, frame: Frame, now: float) -> None:
-        """Keeps a frame for a second, if it may be kept at all."""
+        """Keeps a frame for a second, unless it is too large."""
         self._forget_old(now)
         size = len(frame.payload)
         if size > MAX_EARLY_OCTETS:
@@ -31,7 +32,7 @@ class EarlyFrames:
         self._octets += size
 
     def take(self, source: Address, life: int, now: float) -> list[Frame]:
-        """What is there of this life from there, in the order in which it came."""
+        """Removes the frames of this life from this address, and returns them in the order of arrival."""
         self._forget_old(now)
         if not self._kept:
             return []

@@ -15,7 +15,7 @@ VERSION = 1
 
 
 class Kind(IntEnum):
-    """What a frame is."""
+    """The kind of a frame."""
 
     MESSAGE = 1
     HELLO = 2
@@ -37,7 +37,7 @@ class Frame:
 
 
 def write_frame(kind: Kind, life: int, sequence: int, payload: bytes = b"") -> bytes:
-    """The octets of a frame. Whoever calls it has looked at the length of the payload."""
+    """The octets of a frame. Requires that the payload is within its limit."""
     return HEADER.pack(MAGIC, VERSION, kind, len(payload), life, sequence) + payload
 
 

@@ -1,4 +1,4 @@
-"""Puts frames together from the octets of a TCP connection."""
+"""Frames put together from the octets of a stream."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from .limits import MAX_STREAM_PAYLOAD
 
 
 class FrameReader:
-    """Holds at most one unfinished frame and what came with its last octets."""
+    """Keeps at most one unfinished frame and the octets that were fed last."""
 
     def __init__(self, max_payload: int = MAX_STREAM_PAYLOAD) -> None:
         self._max_payload = max_payload
@@ -15,7 +15,7 @@ class FrameReader:
         self._header: tuple[Kind, int, int, int] | None = None
 
     def feed(self, octets: bytes) -> list[Frame]:
-        """The frames that are whole now. Raises FrameError where nothing more can be read: close the connection."""
+        """The frames that are whole now. Raises BrokenStream if nothing more can be read: close the connection."""
         self._buffer += octets
         frames: list[Frame] = []
         at = 0
@@ -38,7 +38,7 @@ class FrameReader:
 
 
 class BrokenStream(FrameError):
-    """Nothing more can be read; `frames` came before that."""
+    """Nothing more can be read of a stream. `frames` came before the broken octets."""
 
     def __init__(self, frames: list[Frame]) -> None:
         super().__init__("the stream of frames is broken")

@@ -18,7 +18,7 @@ def identity(
     """The 32-bit identity of exactly one of a number, a text, a concept or a class expression.
 
     Concepts and representations are full IRIs without angle brackets; an expression is in canonical form.
-    Raises ValueError where none or several are given, or a number has more than 32 bits.
+    Raises ValueError if none or several are given, or a number has more than 32 bits.
     """
     if sum(one is not None for one in (id, text, concept, expression)) != 1:
         raise ValueError("say one of id, text, concept and expression")

@@ -1,4 +1,4 @@
-"""Messages that wait for the application, with a limit."""
+"""Messages that wait until the application receives them (src/client/CHANNELS.md, "A full inbox")."""
 
 from __future__ import annotations
 
@@ -12,38 +12,39 @@ from .limits import MAX_REMEMBERED_LIVES, MAX_WAITING_MESSAGES, MAX_WAITING_OCTE
 
 @dataclass(frozen=True, slots=True)
 class Message:
-    """What a subscriber receives. Life and sequence are 0 where the provider does not speak in frames."""
+    """A message of a subscriber. Life and sequence are 0 if the provider states no life."""
 
     payload: bytes
     life: int = 0
     sequence: int = 0
-    missed: int = 0  #: messages of this life that are missing before this one, those lost in a full queue with them
+    missed: int = 0  #: messages of this life that are missing before this one, or were lost in a full inbox
 
 
 class Inbox:
-    """At most `limit` messages and 16 MiB, but always one. Not thread-safe."""
+    """Keeps at most `limit` messages and 16 MiB, but always one. A full one loses the oldest datagram, or the new one if not
+    `keep_newest`. Not thread-safe."""
 
     def __init__(self, limit: int = MAX_WAITING_MESSAGES, keep_newest: bool = True) -> None:
         if limit < 1:
             raise ValueError("a queue has room for one message at least")
         self._limit = limit
         self._keep_newest = keep_newest
-        self._messages: deque[tuple[Message, bool]] = deque()  # with whether it may be lost
+        self._messages: deque[tuple[Message, bool]] = deque()  # with whether it came in a datagram
         self._octets = 0
         self._losable = 0
-        self._lost: OrderedDict[int, int] = OrderedDict()  # of each life, since its last message that was not lost
+        self._lost: OrderedDict[int, int] = OrderedDict()  # by life, since its last message that was taken
 
     def __len__(self) -> int:
         return len(self._messages)
 
     @property
     def is_full(self) -> bool:
-        """Whether another message would be lost, or take the place of the oldest."""
+        """Whether a datagram would be lost for one more message."""
         return len(self._messages) >= self._limit or self._octets >= MAX_WAITING_OCTETS
 
     @property
     def has_room(self) -> bool:
-        """Whether it is half empty."""
+        """Whether at least half of it is free, so that it is worth while to read on."""
         return 2 * len(self._messages) <= self._limit and 2 * self._octets <= MAX_WAITING_OCTETS
 
     def put_datagram(self, message: Message) -> int:
@@ -91,6 +92,6 @@ class Inbox:
                 self._lost.popitem(last=False)
 
     def _told(self, message: Message) -> Message:
-        """The message, which says what was lost before it."""
+        """The message, with the messages of its life that were lost before it."""
         lost = self._lost.pop(message.life, 0) if self._lost else 0
         return replace(message, missed=message.missed + lost) if lost else message

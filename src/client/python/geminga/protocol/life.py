@@ -1,4 +1,4 @@
-"""Lives: 64 random bits by which both sides of a channel know each other."""
+"""Lives: 64 random bits of a publisher or subscriber, which stay the same while its daemon is restarted."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ def draw_life() -> int:
 
 
 def write_life(life: int) -> str:
-    """Sixteen lower-case hexadecimal digits."""
+    """The life in sixteen lower-case hexadecimal digits."""
     return f"{life:016x}"
 
 
 def read_life(text: str) -> int:
-    """The life that is written so, or 0 where that is none."""
+    """The life that a text writes, or 0 if it writes none."""
     return int(text, 16) if _WRITTEN.fullmatch(text) else 0

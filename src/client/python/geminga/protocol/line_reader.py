@@ -1,4 +1,4 @@
-"""Puts lines together from the octets of a stream."""
+"""Lines put together from the octets of a stream."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from .statement import MAX_LINE_OCTETS, LineError
 
 
 class LineReader:
-    """Lines end in LF, or CR LF. Keeps at most one unfinished line."""
+    """Reads lines that end in LF or CR LF. Keeps at most one unfinished line."""
 
     def __init__(self) -> None:
         self._rest = b""
 
     def feed(self, octets: bytes) -> Iterator[bytes]:
-        """The lines that are whole now, without their ends. Raises LineError behind them where one is too long."""
+        """The lines that are whole now, without their ends. Raises LineError after them if the rest is too long."""
         *lines, self._rest = (self._rest + octets).split(b"\n")
         for line in lines:
             yield line.removesuffix(b"\r")

@@ -1,4 +1,4 @@
-"""Who listens to a publisher of `otm/stream` over UDP: those that said hello lately."""
+"""The listeners of a stream over UDP: those that said hello within the last seconds."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ Address = tuple[Any, ...]
 
 
 class Listeners:
-    """Addresses as the socket writes them. Time is seconds of a monotonic clock. Not thread-safe."""
+    """Keeps at most 64 listeners. Addresses are as the socket writes them, times are seconds of a monotonic clock. Not thread-safe."""
 
     def __init__(self) -> None:
         self._heard: dict[Address, float] = {}
 
     @property
     def addresses(self) -> list[Address]:
-        """All that are heard."""
+        """The addresses of all listeners."""
         return list(self._heard)
 
     def hello(self, address: Address, now: float) -> bool:
-        """Whether who says hello is heard: one more than 64 is not."""
+        """Adds a listener, or renews it. False if there is no room for one more."""
         if address not in self._heard and len(self._heard) >= MAX_LISTENERS:
             return False
         self._heard[address] = now
         return True
 
     def end(self, address: Address) -> None:
-        """It takes its leave."""
+        """A listener has ended."""
         self._heard.pop(address, None)
 
     def tick(self, now: float) -> None:
-        """Forgets who has been silent for 3 s."""
+        """Forgets listeners that have been silent for 3 s."""
         self._heard = {address: heard for address, heard in self._heard.items() if now - heard < LISTENER_SECONDS}

@@ -1,4 +1,4 @@
-"""What the daemon tells of a service that suits a request, or of a consumer that suits a publication."""
+"""The daemon's words on a counterpart: a service that suits a request, or a consumer that suits a publication."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from .life import KEY, read_life
 from .reserved import attribute_of
 from .statement import Statement
 
-_NAME = re.compile(r"<[^<>]*>|[^<>]+")  # between names stands ">", too
+_NAME = re.compile(r"<[^<>]*>|[^<>]+")  # names are separated by ">"
 
 
 @dataclass(frozen=True, slots=True)
 class Match:
-    """A provider as a subscriber is told of it, or a consumer as a publisher is. What is not stated is empty or 0."""
+    """A provider of a subscriber, or a consumer of a publisher. A value that is not stated is empty, 0 or None."""
 
     word: str  #: PARTICIPANT/PEER/NUMBER
-    life: int  #: of its channel; 0 where it has none
+    life: int  #: of its channel; 0 if it has none
     name: str
     participant_name: str
     address: str
@@ -31,9 +31,9 @@ class Match:
     text: str | None
     concept: str | None
     representation: str | None
-    convert: tuple[str, ...] = ()  #: the representations from what is offered to what is asked for
+    convert: tuple[str, ...] = ()  #: the representations from the offered one to the requested one
     cost: int = 0
-    via: str = ""  #: who does each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` where the consumer does
+    via: str = ""  #: the service of each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` for the consumer
     attributes: dict[str, str] = field(default_factory=dict)
 
 
@@ -45,7 +45,7 @@ def _number(text: str, least: int, most: int) -> int:
 
 
 def read_match(line: Statement) -> Match:
-    """Reads `pub add`, `pub modify`, `sub add` or `sub modify`. What cannot be read counts as not stated."""
+    """Reads `pub add`, `pub modify`, `sub add` or `sub modify`. A value that cannot be read counts as not stated."""
     convert = tuple(_NAME.findall(line.get("convert")))
     attributes = {}
     for key, value in line.parameters.items():

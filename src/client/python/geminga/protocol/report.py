@@ -1,4 +1,4 @@
-"""What a session found in what the daemon said."""
+"""Reports of a session about the lines of the daemon."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Welcome:
 
 @dataclass(eq=False, slots=True)
 class Asked:
-    """A statement whose answer is awaited. It ends in one Settled."""
+    """A statement whose answer is awaited. One Settled follows."""
 
     request: Request
     before: dict[str, str] | None  #: the parameters before a modify; None of a create
@@ -26,7 +26,7 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class Settled:
-    """The daemon has taken what was asked, or refused it."""
+    """The daemon has accepted a statement, or refused it."""
 
     asked: Asked
     error: ErrorLine | None
@@ -34,7 +34,7 @@ class Settled:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """`add`, `modify` or `del` for a request."""
+    """An `add`, `modify` or `del` for a request."""
 
     request: Request
     line: Statement
@@ -42,7 +42,7 @@ class Told:
 
 @dataclass(frozen=True, slots=True)
 class Complaint:
-    """An error that no statement waits for. `is_gone`: the daemon does not have the request any more."""
+    """An error that answers no statement. `is_gone`: the daemon no longer has the request."""
 
     request: Request | None
     error: ErrorLine

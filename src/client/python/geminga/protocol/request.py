@@ -1,4 +1,4 @@
-"""A publication or subscription as this library states it, whatever becomes of the daemon."""
+"""A publication or subscription as this library states it to every daemon."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .statement import Statement
 
 
 class State(Enum):
-    """How a request stands with the daemon."""
+    """The state of a request at the daemon."""
 
     WAITING = "not stated yet, or again to be stated"
     STATED = "stated; no answer yet"
@@ -20,7 +20,7 @@ class State(Enum):
 
 @dataclass(eq=False, slots=True)
 class Request:
-    """`command` is `pub` or `sub`. `parameters` are what holds now, as `create` would say it."""
+    """One request. `command` is `pub` or `sub`; `parameters` are those that hold now, as `create` states them."""
 
     number: int
     command: str
@@ -41,7 +41,7 @@ class Request:
 
     @property
     def is_wanted(self) -> bool:
-        """Whether it is stated when a daemon is there."""
+        """Whether it is to be stated to a daemon."""
         return self.state not in (State.REFUSED, State.REMOVED)
 
 
@@ -49,7 +49,7 @@ IDENTITY_KEYS = ("id", "text", "concept", "representation")
 
 
 def changed(parameters: dict[str, str], changes: dict[str, str]) -> dict[str, str]:
-    """What `create` has to say after `modify` with these changes: an empty value takes a key back."""
+    """The parameters of `create` after `modify` with these changes. An empty value takes a key back."""
     after = dict(parameters)
     if any(key in changes for key in ("id", "text")):
         for key in IDENTITY_KEYS:

@@ -12,7 +12,7 @@ RESERVED = frozenset(
     """.split()
 )
 
-#: Keys of the daemon's own lines that are no attributes there.
+#: Keys of the daemon's lines that are no attributes there.
 KEYS_OF_LINES = frozenset({"why", "because"})
 
 

@@ -1,4 +1,4 @@
-"""Which messages of which life are new: none twice, none out of order."""
+"""The last message of each life, by which new messages are told from old ones and missing ones are counted."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from .limits import MAX_REMEMBERED_LIVES
 
 
 class Sequence:
-    """What a subscriber delivered last of each life. Not thread-safe."""
+    """Remembers which message of each life a subscriber delivered last, of the lives that were heard last. Not thread-safe."""
 
     def __init__(self) -> None:
         self._last: OrderedDict[int, int] = OrderedDict()
         self._breaks: set[int] = set()
 
     def missed(self, life: int, sequence: int) -> int | None:
-        """How many messages of this life are missing before this one, which is new; or None where it is not new."""
+        """The number of messages that are missing before this one; None if it is old."""
         last = self._last.get(life)
         if last is None:
             self._last[life] = sequence
@@ -33,11 +33,11 @@ class Sequence:
         return sequence - last - 1
 
     def missed_at_end(self, life: int, last: int) -> int:
-        """How many are missing up to the last message of this life."""
+        """The number of messages that are missing up to the last one of this life."""
         heard = self._last.get(life)
         return max(0, last - heard) if heard is not None and life not in self._breaks else 0
 
     def interrupted(self, life: int) -> None:
-        """The channel was closed: what is sent until it is opened again is not missed."""
+        """The channel was closed: messages that are sent until it is opened again are not missed."""
         if life in self._last:
             self._breaks.add(life)

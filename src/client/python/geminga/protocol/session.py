@@ -1,4 +1,4 @@
-"""The conversation with a daemon, without a socket: which lines are said, and what the lines that come back mean."""
+"""The conversation with a daemon, without a socket: lines to send, and the meaning of the lines that come."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from .report import Asked, Complaint, Report, Settled, Told, Welcome
 from .request import Request, State, changed
 from .statement import ErrorLine, LineError, Statement, read_line, write_line
 
-#: Requests that are stated before the daemon has answered for those before them.
+#: Requests that may be stated before the daemon has answered.
 MAX_UNANSWERED = 256
-#: Codes of errors that come later and leave the request as it is.
+#: Codes of errors that leave a request as it is.
 _HARMLESS = (409,)
 _STOPPING = 503
 
 
 class Session:
-    """One for a node's life, over all connections. Not thread-safe. What is to be sent gathers in `outgoing`."""
+    """The session of a node, over all its connections. Octets to send gather in `outgoing`. Not thread-safe."""
 
     def __init__(self, name: str, room: int = 0) -> None:
         self._name = name
@@ -27,8 +27,8 @@ class Session:
         self._last_number = 0
         self._requests: dict[int, Request] = {}
         self._creates: dict[int, Asked] = {}
-        self._waiting: deque[Asked] = deque()  # to be said when there is room
-        self._unanswered: deque[Asked | None] = deque()  # one a ping; None where an error came before its pong
+        self._waiting: deque[Asked] = deque()  # to be stated when fewer are unanswered
+        self._unanswered: deque[Asked | None] = deque()  # one for each ping; None if an error came before its pong
         self._is_welcome = False
         self._has_asked_for_room = False
         self.is_open = False
@@ -37,7 +37,7 @@ class Session:
     # The connection
 
     def open(self) -> None:
-        """A connection is there: says hello, and states all requests."""
+        """A connection is open: says hello, and states all requests."""
         self._reader = LineReader()
         self.outgoing.clear()
         self.is_open, self._is_welcome = True, False
@@ -46,7 +46,7 @@ class Session:
         self._state_more()
 
     def close(self) -> list[Report]:
-        """The connection is lost. What was asked beside `create` counts as taken: it will be stated so."""
+        """The connection is lost. Changes without an answer count as accepted, because the requests will be stated with them."""
         settled: list[Report] = [
             Settled(asked, None) for asked in self._unanswered if asked is not None and asked.before is not None
         ]
@@ -59,19 +59,19 @@ class Session:
         return settled
 
     def receive(self, octets: bytes) -> Iterator[Report]:
-        """What these octets of the daemon tell. Raises LineError where they are no GCNP: close the connection."""
+        """Reports about octets of the daemon. Raises LineError if they are not GCNP: close the connection."""
         for line in self._reader.feed(octets):
             yield from self._take(read_line(line))
 
     def bye(self) -> None:
-        """Says that all is withdrawn."""
+        """Says goodbye, which withdraws everything."""
         if self.is_open:
             self._say(Statement(0, "sys", "bye"))
 
     # Requests
 
     def create(self, command: str, parameters: dict[str, str]) -> Asked:
-        """A new request. It is stated at once, or when a daemon is there. Raises LineError for what cannot be said."""
+        """Makes a request, which is stated at once or when a daemon is there. Raises LineError for a value that GCNP cannot carry."""
         number = self._last_number + 1
         write_line(Statement(number, command, "create", dict(parameters)))
         self._last_number = number
@@ -84,7 +84,7 @@ class Session:
         return asked
 
     def modify(self, request: Request, changes: dict[str, str]) -> Asked | None:
-        """Changes a request. None where no daemon has it now: then it will be stated so. Raises LineError."""
+        """Changes a request. None if no daemon has it now: then it will be stated with the change. Raises LineError."""
         write_line(request.modify(changes))
         before = request.parameters
         request.parameters = changed(before, changes)
@@ -96,7 +96,7 @@ class Session:
         return asked
 
     def remove(self, request: Request) -> None:
-        """Withdraws a request; nothing more is told about it."""
+        """Withdraws a request. No report about it follows."""
         if self.is_open and request.state in (State.STATED, State.TAKEN):
             self._say(request.remove())
         request.state = State.REMOVED
@@ -127,7 +127,7 @@ class Session:
                 self._ask(asked)
 
     def _ask(self, asked: Asked) -> None:
-        # The pong comes once everything before the ping has been handled, so an error is there by then.
+        # The daemon answers the ping after everything before it, so an error comes before the pong.
         self._say(Statement(0, "sys", "ping"))
         self._unanswered.append(asked)
 
@@ -150,7 +150,7 @@ class Session:
                 self._state_more()
         elif line.command in ("pub", "sub") and line.subcommand in ("add", "modify", "del"):
             request = self._requests.get(line.id)
-            # A subscription is told of publications, and the other way round.
+            # Events of a subscription are about publications, and the other way round.
             if request is not None and request.command != line.command:
                 yield Told(request, line)
 
@@ -168,7 +168,7 @@ class Session:
             if error.id == 0:
                 yield Complaint(None, error, False)
                 if not self._is_welcome and self._has_asked_for_room:
-                    self._hello(0)  # It is there all the same, with the room that everybody has.
+                    self._hello(0)  # The daemon goes on with the room of every client.
             return
         if error.code == _STOPPING:  # It will be stated again.
             yield Complaint(request, error, False)

@@ -20,12 +20,12 @@ _ESCAPED = {after: before for before, after in _UNESCAPED.items()}
 
 
 class LineError(ValueError):
-    """A line that GCNP does not have, or a value that it cannot carry."""
+    """A line that is not GCNP, or a value that GCNP cannot carry."""
 
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """`id command subcommand key=value ...`. A key without a value has None."""
+    """The line `id command subcommand key=value ...`. A key without a value has None."""
 
     id: int
     command: str
@@ -33,14 +33,14 @@ class Statement:
     parameters: dict[str, str | None] = field(default_factory=dict)
 
     def get(self, key: str, default: str = "") -> str:
-        """The value of a key, or the default where the key or its value is missing."""
+        """The value of a key, or the default if the key or its value is missing."""
         value = self.parameters.get(key)
         return default if value is None else value
 
 
 @dataclass(frozen=True, slots=True)
 class ErrorLine:
-    """`id code text`: an error that the daemon says."""
+    """The line `id code text`: an error of the daemon."""
 
     id: int
     code: int
@@ -75,7 +75,7 @@ def read_parameters(text: str) -> dict[str, str | None]:
                 value = re.sub(r"\\.", lambda escape: _UNESCAPED[escape[0]], quoted[1])
             else:
                 bare = _BARE.match(text, at + 1)
-                assert bare is not None  # it matches nothing, too
+                assert bare is not None  # the pattern matches an empty text, too
                 at, value = bare.end(), bare[0]
         if at < length and text[at] != " ":
             raise LineError(f"octet {at + 1}: behind a value a space is expected")
@@ -86,7 +86,7 @@ def read_parameters(text: str) -> dict[str, str | None]:
 
 
 def read_line(line: bytes) -> Statement | ErrorLine:
-    """Reads a line without its end. Raises LineError where it is none, or longer than 65536 octets."""
+    """Reads a line without its end. Raises LineError if it is not GCNP, or longer than 65536 octets."""
     if len(line) > MAX_LINE_OCTETS:
         raise LineError(f"a line has at most {MAX_LINE_OCTETS} octets")
     try:
@@ -111,7 +111,7 @@ def _written(value: str) -> str:
 
 
 def write_line(line: Statement | ErrorLine) -> bytes:
-    """The line with CR LF. Raises LineError for what cannot be read again: control characters, too long."""
+    """The line with CR LF. Raises LineError for a line that cannot be read again: control characters, or too long."""
     if isinstance(line, ErrorLine):
         written = f"{line.id} {line.code:03} {line.text}"
     else:
