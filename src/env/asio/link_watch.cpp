@@ -18,7 +18,7 @@ namespace net = boost::asio;
 /// Reports read in one turn; the rest is read in the next.
 constexpr int max_reports_per_turn = 64;
 
-/// A socket that is told of changes of links and addresses, or -1.
+/// A socket that the kernel tells of changes of links and addresses, or -1.
 int open_reports() {
   const int fd = ::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE);
   if (fd < 0) return -1;
@@ -67,7 +67,7 @@ class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
                         });
   }
 
-  /// What a report says does not matter: the look will see it. A full buffer (ENOBUFS) is a report too.
+  /// Reads the waiting reports away: the look will see what changed. A full buffer (ENOBUFS) is a report, too.
   void drain() {
     std::array<char, 8192> report;
     for (int turn = 0; turn < max_reports_per_turn; ++turn) {
