@@ -12,9 +12,9 @@
 namespace geminga::sealing {
 namespace {
 
-/// Higher ones take longer and gain some octets in a hundred.
+/// Higher levels take longer and gain some octets in a hundred.
 constexpr int level = 6;
-/// What each zstd frame begins with (RFC 8878, section 3.1.1); it is not said on the air.
+/// The beginning of each zstd frame (RFC 8878, section 3.1.1); it is not sent.
 constexpr std::array<std::byte, 4> frame_magic{std::byte{0x28}, std::byte{0xb5}, std::byte{0x2f}, std::byte{0xfd}};
 
 }  // namespace
@@ -27,7 +27,7 @@ class Compression::State {
         to_write(ZSTD_createCDict(dictionary().data(), dictionary().size(), level), &ZSTD_freeCDict),
         to_read(ZSTD_createDDict(dictionary().data(), dictionary().size()), &ZSTD_freeDDict) {
     GEMINGA_ASSERT(writer && reader && to_write && to_read);
-    // Neither how long it is nor which dictionary and checksum: the envelope knows all of that.
+    // The frame says neither its length nor dictionary nor checksum: the envelope knows all of that.
     for (const auto flag : {ZSTD_c_contentSizeFlag, ZSTD_c_checksumFlag, ZSTD_c_dictIDFlag}) {
       GEMINGA_ASSERT(ZSTD_isError(ZSTD_CCtx_setParameter(writer.get(), flag, 0)) == 0);
     }
