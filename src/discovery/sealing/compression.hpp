@@ -11,7 +11,8 @@
 
 namespace geminga::sealing {
 
-/// The memory of zstd for both directions; some hundred kilobytes.
+/// Compresses and expands with the contexts of zstd, some hundred kilobytes. They stay behind a pointer, so that only
+/// compression.cpp names zstd.
 class Compression {
  public:
   Compression();
@@ -27,8 +28,8 @@ class Compression {
                                                              std::span<std::byte> text);
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  class Contexts;
+  std::unique_ptr<Contexts> contexts_;
 };
 
 }  // namespace geminga::sealing

@@ -32,9 +32,9 @@ int open_reports() {
 
 }  // namespace
 
-class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
+class LinkWatch::Watcher : public std::enable_shared_from_this<LinkWatch::Watcher> {
  public:
-  State(net::io_context& context, bool is_well, Look look)
+  Watcher(net::io_context& context, bool is_well, Look look)
       : look_(std::move(look)), timer_(context), reports_(context), is_well_(is_well) {}
 
   void start() {
@@ -95,9 +95,9 @@ class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
 };
 
 LinkWatch::LinkWatch(net::io_context& context, bool is_well, Look look)
-    : state_(std::make_shared<State>(context, is_well, std::move(look))) {
-  state_->start();
+    : watcher_(std::make_shared<Watcher>(context, is_well, std::move(look))) {
+  watcher_->start();
 }
-LinkWatch::~LinkWatch() { state_->stop(); }
+LinkWatch::~LinkWatch() { watcher_->stop(); }
 
 }  // namespace geminga::env

@@ -18,7 +18,7 @@ inline constexpr std::chrono::seconds link_rescan_period{30};
 /// The time between two looks when many reports come: an interface that comes up causes half a dozen.
 inline constexpr std::chrono::milliseconds link_scan_pause{20};
 
-/// Listens to rtnetlink(7) and a timer. Its handlers share the state, which may outlive this object for a turn.
+/// Listens to rtnetlink(7) and a timer. Its handlers share the watcher, which may outlive this object for a turn.
 class LinkWatch {
  public:
   /// Looks at the interfaces. Returns whether all is well.
@@ -30,8 +30,8 @@ class LinkWatch {
   LinkWatch& operator=(const LinkWatch&) = delete;
 
  private:
-  class State;
-  std::shared_ptr<State> state_;
+  class Watcher;
+  std::shared_ptr<Watcher> watcher_;
 };
 
 }  // namespace geminga::env

@@ -39,10 +39,10 @@ std::optional<address> source_towards(net::io_context& context, const udp::endpo
 
 }  // namespace
 
-class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
+class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
  public:
-  State(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
-        base::LogSink& log, AirCounts& counts, Receive receive)
+  Sockets(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+          base::LogSink& log, AirCounts& counts, Receive receive)
       : context_(context),
         port_(port),
         admits_guests_(admits_guests),
@@ -257,14 +257,17 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
 
 Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
                  base::LogSink& log, AirCounts& counts, Receive receive)
-    : state_(std::make_shared<State>(context, std::move(peers), admits_guests, port, log, counts, std::move(receive))) {
-  state_->start();
+    : sockets_(
+          std::make_shared<Sockets>(context, std::move(peers), admits_guests, port, log, counts, std::move(receive))) {
+  sockets_->start();
 }
-Unicast::~Unicast() { state_->stop(); }
-void Unicast::set_links(const std::vector<Link>& links) { state_->set_links(links); }
-bool Unicast::is_sender_unnamed() const { return state_->is_sender_unnamed(); }
-void Unicast::answer_sender(base::Duration time) { state_->answer_sender(time); }
-UnicastCounts Unicast::counts() const { return state_->counts(); }
-void Unicast::send(InterfaceIndex interface, std::span<const std::byte> datagram) { state_->send(interface, datagram); }
+Unicast::~Unicast() { sockets_->stop(); }
+void Unicast::set_links(const std::vector<Link>& links) { sockets_->set_links(links); }
+bool Unicast::is_sender_unnamed() const { return sockets_->is_sender_unnamed(); }
+void Unicast::answer_sender(base::Duration time) { sockets_->answer_sender(time); }
+UnicastCounts Unicast::counts() const { return sockets_->counts(); }
+void Unicast::send(InterfaceIndex interface, std::span<const std::byte> datagram) {
+  sockets_->send(interface, datagram);
+}
 
 }  // namespace geminga::env

@@ -39,7 +39,7 @@ struct UnicastCounts {
 /// sides name each other. If guests are admitted (env/asio/guests.hpp), datagrams from elsewhere are handed over, too,
 /// since the receiver judges them by their seal; then it is enough that one side names the other.
 ///
-/// The handlers of its sockets share its state, which may outlive this object for a turn.
+/// The handlers of its sockets share the sockets, which may outlive this object for a turn.
 class Unicast {
  public:
   using Receive = std::function<void(InterfaceIndex interface, const boost::asio::ip::address& source,
@@ -61,8 +61,8 @@ class Unicast {
   [[nodiscard]] UnicastCounts counts() const;
 
  private:
-  class State;
-  std::shared_ptr<State> state_;
+  class Sockets;
+  std::shared_ptr<Sockets> sockets_;
 };
 
 }  // namespace geminga::env
