@@ -1,4 +1,3 @@
-// Reading, writing and comparing numeric addresses.
 #include "base/address.hpp"
 
 #include <arpa/inet.h>

@@ -22,7 +22,7 @@ Arena::~Arena() {
 }
 
 void* Arena::new_piece(std::size_t bytes) {
-  // The place in the list is made first, so that nothing leaks where memory runs out for either.
+  // The entry in the list is made first, so that nothing leaks if memory runs out for either.
   pieces_.push_back({nullptr, 0});
   void* piece = nullptr;
   try {
@@ -31,7 +31,7 @@ void* Arena::new_piece(std::size_t bytes) {
     pieces_.pop_back();
     throw;
   }
-  // Advice only: where it cannot be followed, ordinary pages do.
+  // This is only advice. If it cannot be followed, ordinary pages do.
   if (bytes >= huge_page_bytes) (void)::madvise(piece, bytes, MADV_HUGEPAGE);
   pieces_.back() = {piece, bytes};
   return piece;
@@ -41,7 +41,7 @@ void* Arena::cut(std::size_t size_class) {
   const std::size_t bytes = min_block_bytes << size_class;
   if (static_cast<std::size_t>(end_ - next_) < bytes) {
     if (bytes > max_piece_bytes / 8) return new_piece(bytes);
-    // The rest of a piece is lost; it is less than an eighth of it.
+    // The rest of a piece is lost; it is less than an eighth of the piece.
     const std::size_t last = pieces_.empty() ? first_piece_bytes / 2 : pieces_.back().bytes;
     const std::size_t piece_bytes = std::clamp(last * 2, bytes * 8, max_piece_bytes);
     next_ = static_cast<std::byte*>(new_piece(piece_bytes));

@@ -1,4 +1,5 @@
-// Memory for what grows in small pieces and is freed all at once: blocks of powers of two, cut from large pieces.
+// Memory for things that grow in small pieces and are freed all at once: blocks of powers of two, cut from large
+// pieces.
 #ifndef GEMINGA_BASE_ARENA_HPP
 #define GEMINGA_BASE_ARENA_HPP
 
@@ -10,8 +11,8 @@
 
 namespace geminga::base {
 
-/// Freed blocks are kept for their size. One thread at a time; a block may be released to another arena than the one
-/// that it came from, as long as both live until nobody uses it.
+/// Freed blocks are kept for reuse, by size. One thread at a time. A block may be released to another arena, if both
+/// live until nobody uses it.
 class Arena {
  public:
   static constexpr std::size_t min_block_bytes = 16;
@@ -31,7 +32,7 @@ class Arena {
     }
     return cut(size_class);
   }
-  /// `bytes` as they were asked for.
+  /// `bytes` is the number that was asked for.
   void release(void* block, std::size_t bytes) {
     const std::size_t size_class = class_of(bytes);
     free_[size_class] = ::new (block) Free{free_[size_class]};

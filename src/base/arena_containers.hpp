@@ -1,4 +1,4 @@
-// Lists and sets whose memory is an Arena's: sixteen and thirty-two bytes where they are empty, nothing to destroy.
+// Lists and sets in the memory of an Arena: sixteen and thirty-two bytes while empty, and nothing to destroy.
 #ifndef GEMINGA_BASE_ARENA_CONTAINERS_HPP
 #define GEMINGA_BASE_ARENA_CONTAINERS_HPP
 
@@ -15,7 +15,7 @@
 
 namespace geminga::base {
 
-/// A list of what can be copied byte by byte. Forgets its memory when it is destroyed: the arena frees it.
+/// A list of trivially copyable items. Its destructor frees nothing: the arena does.
 template <typename T>
 class ArenaList {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -23,13 +23,13 @@ class ArenaList {
  public:
   using value_type = T;
   void push_back(const T& item, Arena& arena) {
-    const T copy = item;  // it may be one of ours
+    const T copy = item;  // it may be an item of this list
     if (size_ == capacity_) grow(arena);
     items_[size_++] = copy;
   }
-  /// Takes the last away. There must be one.
+  /// Removes the last item and returns it. Requires one.
   T pop_back() { return items_[--size_]; }
-  /// Room for so many, where nothing is in it yet.
+  /// Makes room for so many, if the list has no memory yet.
   void reserve(std::uint32_t count, Arena& arena) {
     if (capacity_ != 0 || count == 0) return;
     capacity_ = std::max<std::uint32_t>(std::bit_ceil(count), Arena::min_block_bytes / sizeof(T));
@@ -51,7 +51,7 @@ class ArenaList {
 
  private:
   void grow(Arena& arena) {
-    // The first block is a whole one of the arena's smallest.
+    // The first block is a whole one of the arena's smallest size.
     const std::uint32_t wanted =
         capacity_ == 0 ? std::max<std::uint32_t>(1, Arena::min_block_bytes / sizeof(T)) : capacity_ * 2;
     T* larger = static_cast<T*>(arena.allocate(wanted * sizeof(T)));
@@ -66,12 +66,12 @@ class ArenaList {
   std::uint32_t capacity_ = 0;
 };
 
-/// A set that keeps the order in which its members came: a list, with a table of the keys themselves where it is long.
-/// Keys have `std::uint64_t hash_of_key(Key)`; the one whose bits are all set is not allowed.
+/// A set that keeps the order of insertion: a list, with a table of the keys when it is long. Keys have `std::uint64_t
+/// hash_of_key(Key)`. The key with all bits set is not allowed.
 template <typename Key>
 class ArenaSet {
  public:
-  /// False where the key was in it. Amortised O(1).
+  /// Returns false if the key was in the set. Amortised O(1).
   bool insert(Key key, Arena& arena) {
     if (slots_ == nullptr) {
       if (std::find(items_.begin(), items_.end(), key) != items_.end()) return false;
@@ -86,7 +86,7 @@ class ArenaSet {
     if (items_.size() * 4ULL > slot_count() * 3) make_table(items_.size(), arena);
     return true;
   }
-  /// Room for so many, if there is no table yet.
+  /// Makes room for so many, if there is no table yet.
   void reserve(std::uint32_t count, Arena& arena) {
     items_.reserve(count, arena);
     if (slots_ == nullptr && count > max_scanned) make_table(count, arena);
@@ -98,7 +98,7 @@ class ArenaSet {
   [[nodiscard]] std::uint32_t size() const { return items_.size(); }
   [[nodiscard]] Key operator[](std::size_t at) const { return items_[at]; }
   [[nodiscard]] std::span<const Key> items() const { return {items_.begin(), items_.end()}; }
-  /// For when nothing, or hardly anything, will be looked up any more.
+  /// Frees the table. Call when hardly anything will be looked up.
   void forget_table(Arena& arena) {
     if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
     slots_ = nullptr;
@@ -127,7 +127,7 @@ class ArenaSet {
     while (!(slots_[slot] == key) && !(slots_[slot] == free)) slot = (slot + 1) & mask;
     return slot;
   }
-  /// For so many and some more.
+  /// Makes a table for so many and some more.
   void make_table(std::uint32_t count, Arena& arena) {
     if (slots_ != nullptr) arena.release(slots_, slot_count() * sizeof(Key));
     slot_bits_ = static_cast<std::uint32_t>(std::bit_width(count * 4ULL / 3));

@@ -11,14 +11,14 @@
 
 namespace geminga::base {
 
-/// The component of each node. Components are numbered so that every edge leads to the same or a smaller number: what
-/// is reachable comes first. Linear in nodes and edges.
+/// The component of each node. Every edge leads to the same or a smaller component number: what is reachable comes
+/// first. Linear in nodes and edges.
 struct Components {
   std::vector<std::uint32_t> component;
   std::uint32_t count = 0;
 };
 
-/// `successors(node)` gives a span of numbers or of what converts by static_cast.
+/// `successors(node)` returns a span of numbers, or of what static_cast converts to numbers.
 template <typename Successors>
 [[nodiscard]] Components find_components(std::uint32_t node_count, Successors&& successors) {
   constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();

@@ -1,4 +1,4 @@
-// Three rows of the table of distances between beginnings: the one that is filled and the two above it.
+// Three rows of the table of distances between beginnings: the row that is filled, and the two above it.
 #include "base/edit_distance.hpp"
 
 #include <algorithm>

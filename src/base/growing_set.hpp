@@ -1,4 +1,4 @@
-// A set that keeps the order in which its members came: a list with an index that is built only when it pays.
+// A set that keeps the order of insertion: a list with an index that is built only when it pays.
 #ifndef GEMINGA_BASE_GROWING_SET_HPP
 #define GEMINGA_BASE_GROWING_SET_HPP
 
@@ -12,11 +12,11 @@ namespace geminga::base {
 /// Fibonacci hashing: the high bits of the product are well mixed.
 [[nodiscard]] inline std::uint64_t hash_of_key(std::uint32_t key) { return (key * 0x9e3779b97f4a7c15ULL) >> 32; }
 
-/// Members are small keys with `std::uint64_t hash_of_key(Key)`. Up to 12 members it is a list that is scanned.
+/// Members are small keys with `std::uint64_t hash_of_key(Key)`. Up to 12 members the list is scanned.
 template <typename Key>
 class GrowingSet {
  public:
-  /// False where the key was in it. Amortised O(1).
+  /// Returns false if the key was in the set. Amortised O(1).
   bool insert(Key key) {
     if (contains(key)) return false;
     items_.push_back(key);

@@ -16,7 +16,7 @@ namespace geminga::base {
 /// XXH32 without seed.
 [[nodiscard]] std::uint32_t hash32(std::string_view octets);
 
-/// XXH3 in 64 bits; without a seed it is that of seed 0.
+/// XXH3 in 64 bits. Without a seed the seed is 0.
 [[nodiscard]] std::uint64_t hash64(std::string_view octets);
 [[nodiscard]] std::uint64_t hash64(std::string_view octets, std::uint64_t seed);
 

@@ -1,4 +1,4 @@
-// Numbers of records found by content: the hash table under names, terms and expressions.
+// A table that finds the numbers of records by content: the hash table under names, terms and expressions.
 #ifndef GEMINGA_BASE_INTERNER_HPP
 #define GEMINGA_BASE_INTERNER_HPP
 
@@ -9,14 +9,14 @@
 
 namespace geminga::base {
 
-/// An open-addressing table of numbers of records that live elsewhere. It stores no keys but the upper half of each
-/// hash: a record is looked at only where that agrees, and none to grow. Eight bytes a slot, at most 3/4 full, never
+/// An open-addressing table of numbers of records that live elsewhere. It stores only the upper half of each hash: a
+/// record is compared only if that agrees, and none is read to grow. Eight bytes a slot, at most 3/4 full, never
 /// shrinks. Numbers must be below 2^32 - 1.
 class NumberTable {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// The number among those filed under `hash` for which `is_equal(number)` holds, or none.
+  /// The number filed under `hash` for which `is_equal(number)` holds, or none.
   template <typename IsEqual>
   [[nodiscard]] std::uint32_t find(std::uint64_t hash, IsEqual&& is_equal) const {
     if (slots_.empty()) return none;
@@ -41,12 +41,6 @@ class NumberTable {
     ++size_;
   }
 
-  /// The same for a caller who could give the hash of any filed number.
-  template <typename HashOf>
-  void insert(std::uint64_t hash, std::uint32_t number, HashOf&&) {
-    insert(hash, number);
-  }
-
  private:
   struct Slot {
     std::uint32_t hash = 0;
@@ -65,7 +59,7 @@ class NumberTable {
   std::size_t size_ = 0;
 };
 
-/// Carries one more number into a hash. Each step is a bijection of the hash so far.
+/// Adds one more number to a hash. Each step is a bijection of the hash so far.
 [[nodiscard]] inline std::uint64_t mixed(std::uint64_t hash, std::uint64_t number) {
   hash = (hash ^ number) * 0x9e3779b97f4a7c15ULL;
   return hash ^ hash >> 32;

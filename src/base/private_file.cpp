@@ -1,4 +1,3 @@
-// O_TMPFILE on a disk, memfd_create(2) in memory.
 #include "base/private_file.hpp"
 
 #include <fcntl.h>
@@ -19,13 +18,13 @@ namespace geminga::base {
 namespace {
 
 constexpr std::uint32_t xfs_magic = 0x58465342;  // <linux/magic.h> does not have it
-/// Whoever maps a file of these is not killed because a server or another program went away, and the octets are not
-/// held in memory twice.
+/// The file systems on local disks. A server or a program that goes away does not kill a process that maps their files,
+/// and their octets are not in memory twice.
 constexpr std::array<std::uint32_t, 5> disks{EXT4_SUPER_MAGIC, xfs_magic, BTRFS_SUPER_MAGIC, F2FS_SUPER_MAGIC,
                                              OVERLAYFS_SUPER_MAGIC};
 /// Octets that are copied by one call.
 constexpr std::size_t piece_bytes = std::size_t{1} << 30U;
-/// The same where the kernel cannot copy between the two file systems by itself.
+/// The same if the kernel cannot copy between the two file systems by itself.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 16U;
 
 std::string reason() { return std::generic_category().message(errno); }
@@ -36,13 +35,13 @@ bool is_on_disk(int descriptor) {
          std::ranges::find(disks, static_cast<std::uint32_t>(status.f_type)) != disks.end();
 }
 
-/// Keeps room for so many octets where the file system can; elsewhere copying finds out.
+/// Reserves room for so many octets if the file system can; if not, copying finds out.
 bool has_room(int descriptor, std::size_t size) {
   return size == 0 || ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(size)) == 0 ||
          (errno != ENOSPC && errno != EDQUOT && errno != EFBIG);
 }
 
-/// One read and what it takes to write all of it; 0 at the end of the file. Nothing with errno.
+/// Reads once, and writes all that was read. Returns 0 at the end of the file; nothing with errno.
 std::optional<std::size_t> copy_by_hand(int from, off_t at, int to, std::size_t most) {
   std::array<char, buffer_bytes> buffer;
   const ssize_t got = ::pread(from, buffer.data(), std::min(most, buffer.size()), at);
@@ -103,7 +102,7 @@ std::expected<std::size_t, std::string> PrivateFile::copy_from(int from, std::si
     if (count < 0 && errno == EINTR) continue;
     if (count < 0 && (errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EFBIG))
       return std::unexpected(reason());
-    // Between file systems, on older kernels and for files of /proc it fails for other reasons, or gives 0.
+    // It fails for other reasons, or returns 0, between file systems, on older kernels and for files of /proc.
     is_by_hand = count <= 0;
   }
   return static_cast<std::size_t>(at);

@@ -17,7 +17,7 @@ class Rows {
  public:
   Rows() = default;
 
-  /// Sorts pairs of (row, item) into `row_count` rows. Items of a row keep their order. Linear.
+  /// Sorts pairs of (row, item) into `row_count` rows. The items of a row keep their order. Linear.
   Rows(std::size_t row_count, std::span<const std::pair<std::uint32_t, Item>> pairs)
       : begin_(row_count + 1, 0), items_(pairs.size()) {
     for (const auto& [row, item] : pairs) ++begin_[row + 1];
@@ -28,7 +28,7 @@ class Rows {
 
   [[nodiscard]] std::size_t row_count() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   [[nodiscard]] std::size_t item_count() const { return items_.size(); }
-  /// The items of a row; an empty span for a row that is not there.
+  /// The items of a row; none for a row that does not exist.
   [[nodiscard]] std::span<const Item> operator[](std::size_t row) const {
     if (row >= row_count()) return {};
     return std::span(items_).subspan(begin_[row], begin_[row + 1] - begin_[row]);
@@ -36,7 +36,7 @@ class Rows {
 
   [[nodiscard]] std::span<Item> mutable_items() { return items_; }
 
-  /// Sorts each row and drops what is equal to its neighbour.
+  /// Sorts each row, and drops repeated items.
   void sort_unique() {
     std::uint32_t out = 0;
     for (std::size_t row = 0; row < row_count(); ++row) {

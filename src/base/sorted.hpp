@@ -6,7 +6,7 @@
 
 namespace geminga::base {
 
-/// Puts the items of a container in ascending order and drops repeated ones.
+/// Puts the items of a container in ascending order, and drops repeated ones.
 void sort_unique(auto& items) {
   std::ranges::sort(items);
   const auto repeated = std::ranges::unique(items);

@@ -1,4 +1,4 @@
-// Things by number that never move, added and read by many threads at once.
+// Numbered things that never move, added and read by many threads at once.
 #ifndef GEMINGA_BASE_STABLE_STORE_HPP
 #define GEMINGA_BASE_STABLE_STORE_HPP
 
@@ -13,7 +13,7 @@
 
 namespace geminga::base {
 
-/// Blocks of growing size: memory is touched only where a thing is.
+/// Stores things in blocks of growing size, so memory is touched only where a thing is.
 template <typename Thing>
 class StableStore {
   static_assert(std::is_nothrow_default_constructible_v<Thing>);
@@ -27,9 +27,9 @@ class StableStore {
     for (const auto& block : blocks_) ::operator delete(block.load(), alignment);
   }
 
-  /// The number of a new thing. Who gets it is alone with it until it tells others.
+  /// Adds a thing and returns its number. The caller is alone with it until it tells other threads.
   std::uint32_t add() {
-    // The block is there before the number is taken: where memory runs out, no number is without its thing.
+    // The block is there before the number is taken: if memory runs out, no number is without its thing.
     std::uint32_t number = count_.load(std::memory_order_relaxed);
     do {
       need_block(block_of(number));
@@ -64,7 +64,7 @@ class StableStore {
 
  private:
   static constexpr std::align_val_t alignment{alignof(Thing)};
-  // Block b holds the things first_block << b, as many as all blocks before it and first_block more.
+  // Block b holds first_block << b things: as many as all blocks before it, and first_block more.
   static constexpr std::size_t first_block = 64;
   static constexpr std::size_t first_block_bits = 6;
   [[nodiscard]] static std::size_t block_of(std::size_t number) {

@@ -1,4 +1,4 @@
-// Where characters begin and end in UTF-8 (RFC 3629).
+// The beginnings and ends of characters in UTF-8 (RFC 3629).
 #ifndef GEMINGA_BASE_UTF8_HPP
 #define GEMINGA_BASE_UTF8_HPP
 
@@ -9,7 +9,7 @@
 
 namespace geminga::base {
 
-/// Octets of the character that begins with this one; 1 where none does.
+/// The number of octets of the character that begins with this octet; 1 if none does.
 [[nodiscard]] constexpr std::size_t character_bytes(unsigned char lead) {
   if (lead < 0xc0) return 1;
   if (lead < 0xe0) return 2;
@@ -19,13 +19,13 @@ namespace geminga::base {
 /// The character at a place of well-formed UTF-8.
 [[nodiscard]] char32_t character_at(const char* place);
 
-/// Adds a character, which is no surrogate and at most U+10FFFF.
+/// Adds a character. Requires that it is no surrogate and at most U+10FFFF.
 void append_character(char32_t character, std::string& text);
 
-/// Where the first octets stand that are no UTF-8; nothing in well-formed text. Fast over ASCII.
+/// The position of the first octets that are no UTF-8; nothing in well-formed text. Fast over ASCII.
 [[nodiscard]] std::optional<std::size_t> find_invalid_utf8(std::string_view bytes);
 
-/// How many characters well-formed UTF-8 has.
+/// The number of characters of well-formed UTF-8.
 [[nodiscard]] std::size_t count_characters(std::string_view text);
 
 /// As much of the text as fits into so many octets, never cut inside a character.

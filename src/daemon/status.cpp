@@ -52,7 +52,7 @@ Usage read_usage() {
 std::string interface_words(const env::AsioEnv& env) {
   std::vector<std::string> words;
   for (const env::Interface& interface : env.interfaces()) {
-    if (interface.twin_of) continue;
+    if (interface.ipv6_side_of) continue;
     words.push_back(interface.name + (interface.addresses.empty() ? "" : " " + interface.addresses.front()));
   }
   return words.empty() ? "none: nobody can be heard" : base::joined(words, ", ");

@@ -1,2 +1,2 @@
-// Compiles the header on its own, so that it stands alone.
+// Compiles the header alone.
 #include "env/env.hpp"

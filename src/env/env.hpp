@@ -15,43 +15,45 @@
 
 namespace geminga::env {
 
-/// The largest datagram, of those sent and of those received. With its headers it fills one frame of every link that
-/// IPv6 runs on (RFC 8200 section 5: 1280 octets).
+/// The largest datagram that is sent or received. With its headers it fills one frame of every link that IPv6 runs on
+/// (RFC 8200 section 5: 1280 octets).
 inline constexpr std::size_t max_datagram_bytes = 1232;
-/// What sealing may add to a text: an announcement leaves so much of a datagram free, sealed or not.
+/// The octets that sealing may add. An announcement leaves them free, sealed or not.
 inline constexpr std::size_t max_envelope_bytes = 32;
 
-/// The number of a network interface, the kernel's but for twins; never reused while a participant lives.
+/// The number of a network interface: the kernel's, except on the IPv6 side of a dual-stack interface. Never reused
+/// while a participant lives.
 enum class InterfaceIndex : std::uint32_t {};
 
 /// A network interface that announcements go out on.
 struct Interface {
   InterfaceIndex index{};
   std::string name;
-  /// Numeric addresses that are valid there, IPv4 before IPv6, without scope. May be empty while it comes up.
+  /// Numeric addresses that are valid there, IPv4 before IPv6, without scope. May be empty while the interface comes
+  /// up.
   std::vector<std::string> addresses;
   bool is_loopback = false;
-  /// Where this is the IPv6 side of an interface that speaks IPv4, too (its *twin*): that one. What is said there is
-  /// said here only as far as somebody needs it.
-  std::optional<InterfaceIndex> twin_of{};
+  /// Set on the IPv6 side of a dual-stack interface: the number of its IPv4 side. What is said on the IPv4 side is said
+  /// here only as far as somebody needs it.
+  std::optional<InterfaceIndex> ipv6_side_of{};
   friend bool operator==(const Interface&, const Interface&) = default;
 };
 
-/// Names one connected GCNP client; never reused while a participant lives.
+/// The name of one connected GCNP client; never reused while a participant lives.
 enum class StreamId : std::uint64_t {};
 
-/// What a participant may ask of the world. None of these blocks, fails or calls back into the participant: what
-/// happens in the world reaches the participant by its on_...() functions, one event at a time, on one thread.
+/// The services of the world to a participant. No function blocks, fails or calls back into the participant. Events of
+/// the world reach the participant by its on_...() functions, one at a time, on one thread.
 class Env {
  public:
   virtual ~Env() = default;
 
-  /// Monotonic now; constant within one event.
+  /// The monotonic time; constant within one event.
   [[nodiscard]] virtual base::Instant now() const = 0;
-  /// The participant's one timer: on_timer() comes at `instant` or soon after it. A later call replaces an earlier one;
-  /// base::never stops it. An instant in the past comes at once, but not within this call.
+  /// Sets the participant's one timer: on_timer() comes at `instant` or soon after it. A later call replaces an earlier
+  /// one; base::never stops the timer. An instant in the past comes at once, but not within this call.
   virtual void wake_at(base::Instant instant) = 0;
-  /// 64 unpredictable bits on a robot, seeded ones in the simulator. For identifiers and jitter.
+  /// 64 random bits, for identifiers and jitter: unpredictable on a robot, seeded in the simulator.
   [[nodiscard]] virtual std::uint64_t random_bits() = 0;
 
   /// The interfaces in use, ordered by index. A change is told by on_interfaces_changed().
@@ -59,26 +61,26 @@ class Env {
   /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
   virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;
 
-  /// Within the event of a datagram: whether it came to us alone from somebody whom nobody has named (--peer). All
-  /// others hear us anyway.
+  /// Whether the datagram of this event came to us alone from a host that nobody has named (--peer). All other hosts
+  /// hear us anyway.
   [[nodiscard]] virtual bool is_sender_unnamed() const { return false; }
-  /// Then: he is sent copies of what goes out for this long, or, where that is 0, of one datagram which is not much
-  /// larger than his. For all others it does nothing.
+  /// Sends that host copies of what goes out for this long; if `time` is 0, of one datagram that is not much larger
+  /// than its own. Does nothing for all other hosts.
   virtual void answer_sender(base::Duration time) { (void)time; }
 
-  /// Queues bytes to a client. Who writes looks at unsent(): a client for which far too much waits is closed by the
-  /// world, and on_stream_closed() says so.
+  /// Queues bytes to a client. The caller bounds what waits by unsent(): a client for which far too much waits is
+  /// closed by the world, and on_stream_closed() tells it.
   virtual void write(StreamId stream, std::string_view bytes) = 0;
-  /// Octets that were written to a client and have not gone on their way: nothing goes before the end of an event.
-  /// Wherever this gave more than 0, on_stream_drained() comes when all of them have gone. 0 for a client that is gone.
+  /// Octets that were written to a client and are still queued; nothing is sent before the end of an event. After a
+  /// result above 0, on_stream_drained() comes when all of them are sent. 0 for a client that is gone.
   [[nodiscard]] virtual std::size_t unsent(StreamId stream) const = 0;
-  /// Whether more of what a client says is wanted, as it is from the start. What it says meanwhile waits with the
+  /// Sets whether more input of a client is wanted, as it is from the start. Input that comes meanwhile waits with the
   /// system, which holds the client back.
   virtual void want(StreamId stream, bool is_wanted) = 0;
-  /// Closes a client after what is queued has been written; on_stream_closed() is not called for it.
+  /// Closes a client after its queue has been written; on_stream_closed() is not called for it.
   virtual void close(StreamId stream) = 0;
 
-  /// Where the daemon's own words go.
+  /// The log of the daemon.
   [[nodiscard]] virtual base::LogSink& log() = 0;
 };
 

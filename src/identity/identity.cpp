@@ -31,7 +31,7 @@ std::string canonical_form(const Identity& identity) { return std::visit(Canonic
 Id32 id32(const Identity& identity) {
   if (const auto* numeric = std::get_if<NumericIdentity>(&identity)) return numeric->number;
 #ifdef GEMINGA_CONSTANT_ID32
-  return GEMINGA_CONSTANT_ID32;  // a test build in which everything collides: nothing but speed may change
+  return GEMINGA_CONSTANT_ID32;  // in a test build where everything collides, only speed may change
 #else
   return base::hash32(canonical_form(identity));
 #endif

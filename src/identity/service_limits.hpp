@@ -1,6 +1,5 @@
-// How much may be said of a service and of who is asked for one. A request that says more is refused
-// (src/discovery/gcnp/GCNP.md, Limits), and an announcement that does is not believed
-// (src/discovery/announcement/ANNOUNCEMENT.md).
+// The limits of a service and of a request. A request over a limit is refused (src/discovery/gcnp/GCNP.md, Limits), and
+// an announcement over a limit is not believed (src/discovery/announcement/ANNOUNCEMENT.md).
 #ifndef GEMINGA_IDENTITY_SERVICE_LIMITS_HPP
 #define GEMINGA_IDENTITY_SERVICE_LIMITS_HPP
 
@@ -24,11 +23,11 @@ inline constexpr std::size_t max_attribute_value_bytes = 255;
 inline constexpr std::size_t max_scope_bytes = 200;
 /// A `where` or `for` expression, in octets.
 inline constexpr std::size_t max_where_bytes = 400;
-/// Provider filters of one subscription, and providers that it favours.
+/// Provider filters of one subscription, and as many providers that it favours.
 inline constexpr std::size_t max_provider_filters = 16;
-/// Services that a subscription has chosen, as its host announces them.
+/// Services of a choice that a host announces with a subscription.
 inline constexpr std::size_t max_announced_choice = 64;
-/// What it prefers, and by what it ranks, in octets.
+/// Preferences and ranks of a subscription, in octets.
 inline constexpr std::size_t max_prefer_bytes = 200;
 inline constexpr std::size_t max_rank_bytes = 64;
 

@@ -1,4 +1,4 @@
-// Distances of mistyped words, at the limits of what is compared.
+// Distances of mistyped words, at the limits of compared words.
 #include "base/edit_distance.hpp"
 
 #include <gtest/gtest.h>

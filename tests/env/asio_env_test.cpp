@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// One AsioEnv with what it says.
+/// One AsioEnv with its log.
 struct Station {
   explicit Station(net::io_context& context) : env(context, log) {}
   void open(std::uint16_t port, std::vector<std::string> groups = {"239.192.47.17", "ff02::4717"},
@@ -157,8 +157,8 @@ TEST(AsioEnvUnicast, ReachesANamedPeerAndTakesOnlyNamedPeers) {
   Station a(context);
   Station b(context);
   a.open(port_a, {}, {{"127.0.0.1", port_b}});
-  // 127.1 is no address in numbers to us, so it goes the way of a name, and needs no hosts file, which a fresh system
-  // has not.
+  // 127.1 is no numeric address for us, so it is resolved as a name. It needs no hosts file, which a fresh system may
+  // lack.
   b.open(port_b, {}, {{"127.1", port_a}, {"127.0.0.1", port_b}});  // a list may name oneself
   net::ip::udp::socket stranger(context, {net::ip::make_address("127.0.0.2"), 0});
   stranger.send_to(net::buffer("from a stranger", 15), {net::ip::address_v4::loopback(), port_b});
@@ -168,7 +168,7 @@ TEST(AsioEnvUnicast, ReachesANamedPeerAndTakesOnlyNamedPeers) {
   EXPECT_EQ(b.events.datagrams[0].bytes, "hello b");
   EXPECT_EQ(b.env.air_counts().no_peer, 1U) << "what is not taken is counted";
   EXPECT_EQ(a.env.air_counts().no_peer, 0U);
-  // A name is resolved while the loop runs: what is sent before goes nowhere.
+  // A name is resolved while the loop runs: earlier datagrams go nowhere.
   net::steady_timer again(context);
   const std::function<void()> send_again = [&] {
     b.send("hello a");
@@ -189,7 +189,7 @@ TEST(AsioEnvAir, CountsWhatTheKernelDropsInAFlood) {
   const std::uint16_t port = free_port();
   Station station(context);
   station.open(port, {"239.192.47.17"});
-  // Nobody reads while these come: more than any receive buffer that we may have.
+  // Nobody reads while these come: they are more than any receive buffer that we may have.
   net::ip::udp::socket flood(context, {net::ip::make_address("127.0.0.1"), 0});
   flood.set_option(net::ip::multicast::outbound_interface(net::ip::address_v4::loopback()));
   const std::string bytes(1400, 'x');

@@ -1,4 +1,4 @@
-// Which groups an interface is given, and when it is two.
+// The groups that an interface is given, and dual-stack interfaces.
 #include "env/asio/families.hpp"
 
 #include <gmock/gmock.h>
@@ -30,11 +30,11 @@ TEST(Families, ALinkWithBothIsItselfOnIpv4AndItsTwinOnIpv6) {
   ASSERT_THAT(joined, SizeIs(3));
   EXPECT_THAT(joined[0].groups, ElementsAre(group4));
   EXPECT_THAT(joined[0].link.interface.addresses, ElementsAre("10.0.0.1", "fd00::1"));
-  EXPECT_FALSE(joined[0].link.interface.twin_of);
+  EXPECT_FALSE(joined[0].link.interface.ipv6_side_of);
   EXPECT_EQ(joined[1].link.interface.name, "eth3");
   const Interface& twin = joined[2].link.interface;
   EXPECT_THAT(joined[2].groups, ElementsAre(group6));
-  EXPECT_EQ(twin.twin_of, InterfaceIndex{2});
+  EXPECT_EQ(twin.ipv6_side_of, InterfaceIndex{2});
   EXPECT_EQ(twin.index, InterfaceIndex{0x80000002});
   EXPECT_EQ(twin.name, "eth2");
   EXPECT_THAT(twin.addresses, ElementsAre("fd00::1"));
@@ -52,7 +52,7 @@ TEST(Families, WithoutIpv4ItHearsNoIpv4ThatItCouldNotAnswer) {
   const auto joined = by_family({link_with(2, {"fe80::1"})}, both);
   ASSERT_THAT(joined, SizeIs(1));
   EXPECT_THAT(joined[0].groups, ElementsAre(group6));
-  EXPECT_FALSE(joined[0].link.interface.twin_of);
+  EXPECT_FALSE(joined[0].link.interface.ipv6_side_of);
 }
 
 TEST(Families, OnlyWhereThereAreGroupsOfBoth) {

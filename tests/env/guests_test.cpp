@@ -1,4 +1,4 @@
-// Who is spoken to though nobody named him, where, and how much of it.
+// Hosts that get copies though nobody named them: where, and how much of it.
 #include "env/asio/guests.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// An event loop for a test: runs until something holds, and keeps what the sink was told.
+// An event loop for a test: runs until a condition holds, and keeps what the sink was told.
 #ifndef GEMINGA_TESTS_ENV_LOOP_HPP
 #define GEMINGA_TESTS_ENV_LOOP_HPP
 
@@ -18,10 +18,10 @@
 
 namespace geminga::env {
 
-/// Far longer than anything takes; whoever waits this long has failed.
+/// The patience of a test: far longer than anything takes.
 inline constexpr std::chrono::seconds patience{30};
 
-/// Runs handlers until `holds`. False when patience ended first.
+/// Runs handlers until `holds`. False: patience ended first.
 [[nodiscard]] inline bool run_until(boost::asio::io_context& context, const std::function<bool()>& holds) {
   const auto until = std::chrono::steady_clock::now() + patience;
   context.restart();
@@ -32,7 +32,7 @@ inline constexpr std::chrono::seconds patience{30};
   return true;
 }
 
-/// A TCP and UDP port of the loopback interface that nobody has at this moment.
+/// A TCP and UDP port of the loopback interface that is free at this moment.
 [[nodiscard]] inline std::uint16_t free_port() {
   boost::asio::io_context context;
   boost::asio::ip::tcp::acceptor probe(context, {boost::asio::ip::address_v4::loopback(), 0});
@@ -46,7 +46,7 @@ class KeptLog final : public base::LogSink {
   std::vector<std::string> lines;
 };
 
-/// Keeps what it is told; `on_event` is called after each.
+/// Keeps the events that it is told; `on_event` is called after each.
 class KeptEvents final : public EventSink {
  public:
   struct Datagram {

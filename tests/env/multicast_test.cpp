@@ -1,4 +1,4 @@
-// One interface of the multicasts: what it says of sends that fail.
+// Multicasts on one interface: sends that fail.
 #include "env/asio/multicast.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Where a named host is spoken to, and when its name is looked at again.
+// The addresses of a named host, and when its name is resolved again.
 #include "env/asio/named_peer.hpp"
 
 #include <gtest/gtest.h>

@@ -20,7 +20,7 @@ TEST(SendQueue, GivesWhatCameInInItsOrder) {
   EXPECT_EQ(queue.waiting(), "");
 }
 
-/// A client that always reads a little and never all: what it has been sent must not stay.
+/// A client that always reads a little and never everything: sent bytes must not stay.
 TEST(SendQueue, ThatNeverRunsEmptyHoldsNoMoreThanSeveralTimesWhatWaits) {
   constexpr std::size_t most_waiting = 20'000;
   SendQueue queue;

@@ -1,4 +1,4 @@
-// Unix sockets: who may connect, who did, and whose file may be replaced or removed.
+// Unix sockets: users that may connect and have connected, and files that may be replaced or removed.
 #include "env/asio/socket_file.hpp"
 
 #include <gmock/gmock.h>

@@ -28,7 +28,7 @@ class StreamsTest : public testing::Test {
     env.serve(events);
   }
 
-  /// Connects, and runs until the sink knows.
+  /// Connects, and runs until the sink knows the client.
   tcp::socket connect() {
     tcp::socket client(context);
     client.connect({net::ip::address_v4::loopback(), port});
@@ -37,14 +37,14 @@ class StreamsTest : public testing::Test {
     return client;
   }
 
-  /// What the client can read at this moment.
+  /// The octets that the client can read at this moment.
   std::string take(tcp::socket& client) {
     std::string bytes(client.available(), '\0');
     net::read(client, net::buffer(bytes));
     return bytes;
   }
 
-  /// Whether the other side has closed, once all that was sent has been read away.
+  /// Whether the other side has closed, once everything that was sent was read.
   bool has_ended(tcp::socket& client) {
     client.non_blocking(true);
     char chunk[65536];

@@ -6,7 +6,7 @@
 
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
-#include "discovery/membership/deadline.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 #include "discovery/membership/neighbour_table.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "discovery/membership/deadline.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 #include "scenarios/moment.hpp"
 #include "scenarios/script.hpp"
 #include "scenarios/tables.hpp"

@@ -8,8 +8,8 @@
 
 #include "base/text.hpp"
 #include "discovery/announcement/codec.hpp"
-#include "discovery/membership/identifier_claim.hpp"
-#include "discovery/membership/schedule.hpp"
+#include "discovery/membership/claim/identifier_claim.hpp"
+#include "discovery/membership/schedule/schedule.hpp"
 #include "sim/team.hpp"
 
 namespace geminga::sim {

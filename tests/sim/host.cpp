@@ -173,7 +173,7 @@ void Host::attach_ipv6(const std::string& interface, std::uint32_t segment) {
   env::Interface added{.index = env::InterfaceIndex(next_interface_++),
                        .name = interface,
                        .addresses = {"fe80::" + std::to_string(number_)}};
-  if (other != interfaces_.end()) added.twin_of = other->index;
+  if (other != interfaces_.end()) added.ipv6_side_of = other->index;
   ports_.push_back(Port{.index = added.index, .segment = segment, .address = added.addresses.front()});
   interfaces_.push_back(std::move(added));
   event([](participant::Participant& participant) { participant.on_interfaces_changed(); });

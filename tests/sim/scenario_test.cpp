@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "discovery/membership/deadline.hpp"
-#include "discovery/membership/identifier_claim.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
+#include "discovery/membership/claim/identifier_claim.hpp"
 #include "sim/robots.hpp"
 
 namespace geminga::sim {

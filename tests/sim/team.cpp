@@ -4,7 +4,7 @@
 #include <map>
 
 #include "discovery/announcement/limits.hpp"
-#include "discovery/membership/deadline.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 
 namespace geminga::sim {
 namespace {

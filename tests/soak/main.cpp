@@ -1,4 +1,4 @@
-// Kills daemons of a team at random for an hour: nothing may be lost, nothing left over, nothing may grow.
+// Kills daemons of a team at random for an hour: nothing may be lost, left over, or grow.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

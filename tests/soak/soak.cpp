@@ -14,18 +14,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Longer than a deadline, so that in some rounds the others give a robot up before it comes back.
+/// A time longer than a deadline, so that in some rounds the others give a robot up before it comes back.
 constexpr milliseconds longest_away{9000};
 
-/// What the allocator may keep more than after the first tenth of the time. One forgotten life of a robot takes a few
-/// kilobytes, and an hour has some thousand lives. A sanitizer keeps what was freed: its quarantine has 256 MB.
+/// The growth of the allocator that is allowed after the first tenth of the time. One forgotten incarnation of a robot
+/// takes a few kilobytes, and an hour has some thousand incarnations. A sanitizer keeps freed memory: its quarantine
+/// has 256 MB.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr double allowed_growth_mb = 256;
 #else
 constexpr double allowed_growth_mb = 1;
 #endif
 
-/// Of the service that comes and goes.
+/// The service that comes and goes.
 constexpr std::uint32_t changing_id = 90;
 
 }  // namespace
@@ -101,7 +102,7 @@ void Soak::expect_right() {
 }
 
 void Soak::expect_told() {
-  // What a team that was never harmed is told, is what it must be told again.
+  // A team must be told again exactly what a team is told that was never harmed.
   const auto until = Clock::now() + (all_told_ ? system::patience : std::chrono::seconds(1));
   for (std::size_t host = 0; host < team_.size(); ++host) {
     Told& told = told_[host];

@@ -1,4 +1,4 @@
-// What one module was told of services, event by event.
+// The services that one module was told of, event by event.
 #ifndef GEMINGA_TESTS_SOAK_TOLD_HPP
 #define GEMINGA_TESTS_SOAK_TOLD_HPP
 
@@ -10,10 +10,10 @@
 
 namespace geminga::soak {
 
-/// The services that a module may use, by what it was told: `ID pub add service=KEY` and `ID pub del service=KEY`.
+/// The services that a module may use by what it was told: `ID pub add service=KEY` and `ID pub del service=KEY`.
 class Told {
  public:
-  /// Takes a line; others than events are passed over. What contradicts what was told is kept as a fault.
+  /// Takes a line. Lines other than events are ignored. A contradiction is kept as a fault.
   void hear(const std::string& line);
 
   /// Pairs of a subscription and a service.

@@ -1,4 +1,4 @@
-// Counts what a program that is linked with allocations.cpp asks the allocator for.
+// Counts the allocations of a program that is linked with allocations.cpp.
 #ifndef GEMINGA_TESTS_SUPPORT_ALLOCATIONS_HPP
 #define GEMINGA_TESTS_SUPPORT_ALLOCATIONS_HPP
 
@@ -6,7 +6,7 @@
 
 namespace geminga::tests {
 
-/// How often `new` was used in this thread since it began.
+/// The number of calls of `new` in this thread since it began.
 [[nodiscard]] std::uint64_t allocations();
 
 }  // namespace geminga::tests

@@ -45,7 +45,7 @@ void ip(const std::vector<std::string>& words) {
   command(line);
 }
 
-/// Becomes root of a user namespace of our own, once, where we are not root yet. With GEMINGA_LAB=lo in the environment
+/// Becomes root of a user namespace of our own, once, if we are not root yet. With GEMINGA_LAB=lo in the environment
 /// the answer is no, so that the other way can be tried anywhere.
 bool may_make_namespaces() {
   static const bool may = [] {
@@ -63,7 +63,7 @@ bool may_make_namespaces() {
   return may;
 }
 
-/// A TCP or UDP port that nobody uses on loopback at this moment.
+/// A TCP or UDP port on loopback that is free at this moment.
 std::uint16_t free_port(int type) {
   const int socket = ::socket(AF_INET, type | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
@@ -83,7 +83,7 @@ struct Lab::Host {
   std::unique_ptr<Process> daemon;
 };
 
-/// The namespaces of one lab: the test's own with the bridge, and one a host, each held open by its descriptor.
+/// The namespaces of one lab: the test's own with the bridge, and one for each host. Its descriptor holds each open.
 class Lab::Namespaces {
  public:
   explicit Namespaces(std::size_t hosts) {

@@ -1,5 +1,4 @@
-// Hosts on one network, each with a gemingad: in network namespaces where the user may make them, all on `lo`
-// otherwise.
+// Hosts on one network, each with a gemingad: in network namespaces if the user may make them, else all on `lo`.
 #ifndef GEMINGA_TESTS_SUPPORT_LAB_HPP
 #define GEMINGA_TESTS_SUPPORT_LAB_HPP
 
@@ -13,9 +12,10 @@
 
 namespace geminga::system {
 
-/// A lab of anonymous network namespaces, one a host, joined by a bridge in one more. Each lives as long as a process
-/// of the lab does, and the kernel kills those with the test: nothing has a name, so nothing can be left behind. Where
-/// namespaces may not be made, every host is a daemon on `lo` with a GCNP port of its own and one UDP port for the lab.
+/// A lab of anonymous network namespaces: one for each host, joined by a bridge in one more. Each lives as long as a
+/// process of the lab does, and the kernel kills those with the test. Nothing has a name, so nothing can be left
+/// behind. If namespaces may not be made, each host is a daemon on `lo` with a GCNP port of its own and one UDP port
+/// for the lab.
 class Lab {
  public:
   explicit Lab(std::size_t hosts);
@@ -29,10 +29,10 @@ class Lab {
 
   /// Starts a gemingad on the host, named `robotN`, with further flags, and waits until it is ready.
   void start(std::size_t host, const std::vector<std::string>& flags = {});
-  /// The two halves of start(), so that several are started at once: begins, and waits until it is ready.
+  /// The two halves of start(), to start several at once: begins, and waits until it is ready.
   void begin(std::size_t host, const std::vector<std::string>& flags = {});
   void wait_until_ready(std::size_t host);
-  /// start() for all hosts, one after the other.
+  /// Starts all hosts, one after the other.
   void start_all(const std::vector<std::string>& flags = {});
   /// The daemon of a host, as it was last started.
   [[nodiscard]] Process& daemon(std::size_t host);
@@ -46,25 +46,25 @@ class Lab {
   /// Calls `action` with the test's own thread on the host: sockets that it makes stay there.
   void visit(std::size_t host, const std::function<void()>& action) const;
 
-  /// Takes the host off the network, as a radio does that is switched off: its interface is set down. Without
-  /// namespaces its daemon is stopped (SIGSTOP) instead, so that nobody hears it and it hears nobody.
+  /// Takes the host off the network like a radio that is switched off: its interface is set down. Without namespaces
+  /// its daemon is stopped (SIGSTOP) instead, so that nobody hears it and it hears nobody.
   void cut(std::size_t host);
   void join(std::size_t host);
 
   /// Whether lose() and part() can be called: there are namespaces, and nftables.
   [[nodiscard]] static bool can_lose();
-  /// From now on each host misses this share of what the others send, each for itself. To be called once.
+  /// Makes each host miss this share of what the others send, each independently. Call once.
   void lose(double share);
 
-  /// Parts the network between the hosts below `border` and the others, and joins it again. Where can_lose().
+  /// Parts the network between the hosts below `border` and the others, or joins it again. Requires can_lose().
   void part(std::size_t border);
   void heal();
 
-  /// From now on the bridge keeps multicasts from the host, as a switch that snoops on IGMP may: it hears nobody, and
-  /// all hear it. Only with namespaces.
+  /// Makes the bridge keep multicasts from the host, as a switch that snoops on IGMP may: it hears nobody, and all hear
+  /// it. Only with namespaces.
   void keep_multicasts_from(std::size_t host);
 
-  /// Takes the host's IPv4 address away. Only with namespaces.
+  /// Removes the host's IPv4 address. Only with namespaces.
   void take_ipv4(std::size_t host);
 
   [[nodiscard]] std::uint16_t gcnp_port(std::size_t host) const;

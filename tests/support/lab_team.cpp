@@ -19,7 +19,8 @@ void LabTeam::start(std::size_t host) {
 }
 
 bool LabTeam::end(std::size_t host, int signal) {
-  // The connections end with the daemon: were they closed before, it would still tell that the services are withdrawn.
+  // The connections end with the daemon. If they were closed before, it would still tell that the services are
+  // withdrawn.
   lab_.daemon(host).signal(signal);
   const auto status = lab_.daemon(host).wait();
   Robot& robot = robots_.at(host);
@@ -65,7 +66,7 @@ bool LabTeam::wait_until_right() {
     return lines.size() == 1 && field(lines[0], "participants") == std::to_string(participants) &&
            field(lines[0], "publications") == std::to_string(publications);
   };
-  // Who is right stays so, as nothing changes meanwhile: one after the other is waited for.
+  // A robot that is right stays right, since nothing changes meanwhile. So each is waited for in turn.
   return std::ranges::all_of(
       robots_, [&](Robot& robot) { return !robot.observer || robot.observer->wait_until("status", is_right); });
 }

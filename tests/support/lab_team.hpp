@@ -1,5 +1,5 @@
-// A team of whole daemons in a lab, each with one module that offers and wants what a robot does, and what each of them
-// ought to know.
+// A team of whole daemons in a lab. Each has one module that offers and wants what a robot does; the team knows what
+// each ought to know.
 #ifndef GEMINGA_TESTS_SUPPORT_LAB_TEAM_HPP
 #define GEMINGA_TESTS_SUPPORT_LAB_TEAM_HPP
 
@@ -18,40 +18,39 @@ namespace geminga::system {
 class LabTeam {
  public:
   static constexpr std::size_t publications_each = 9;
-  static constexpr std::size_t subscriptions_each = 7;  ///< that somebody serves
+  static constexpr std::size_t subscriptions_each = 7;  ///< those that somebody serves
 
   explicit LabTeam(std::size_t hosts) : lab_(hosts), robots_(hosts) {}
 
   [[nodiscard]] Lab& lab() { return lab_; }
   [[nodiscard]] std::size_t size() const { return robots_.size(); }
 
-  /// Starts all at once. When it returns, each module has said what it offers and wants.
+  /// Starts all at once. When it returns, each module has stated its services and requests.
   void start_together();
-  /// Starts one. When it returns, its module has said what it offers and wants.
+  /// Starts one. When it returns, its module has stated its services and requests.
   void start(std::size_t host);
-  /// Ends one by this signal, e.g. SIGKILL, and waits for its end. False where it had ended by itself.
+  /// Ends one by this signal, e.g. SIGKILL, and waits for its end. False: it had ended by itself.
   bool end(std::size_t host, int signal);
   [[nodiscard]] bool is_running(std::size_t host) const { return robots_.at(host).module.has_value(); }
 
-  /// The module of a robot that runs, whose lines nobody reads but the caller.
+  /// The module of a running robot, whose lines only the caller reads.
   [[nodiscard]] Talk& module(std::size_t host) { return *robots_.at(host).module; }
-  /// Lets a module offer one thing more, or end it. The identifier is the caller's.
+  /// Lets a module offer one more service, or end it. The caller chooses the identifier.
   void publish(std::size_t host, std::uint32_t id, const std::string& text);
   void withdraw(std::size_t host, std::uint32_t id);
 
-  /// Waits until every robot that runs knows all of them and their publications, and no more. False when patience
-  /// ended.
+  /// Waits until every running robot knows exactly the running ones and their publications. False: patience ended.
   [[nodiscard]] bool wait_until_right();
-  /// What a robot knows instead, in words.
+  /// The knowledge of a robot that differs, in words.
   [[nodiscard]] std::string knowledge(std::size_t host);
 
-  /// What all daemons that run have sent since each was started.
+  /// The traffic of all running daemons since each was started.
   struct Sent {
     double datagrams = 0;
     double octets = 0;  ///< without headers
   };
   [[nodiscard]] Sent sent();
-  /// How many services the modules were told have expired, in what they were told since they were last read.
+  /// The number of services that the modules were told have expired, in the lines since the last read.
   [[nodiscard]] std::size_t departures();
 
  private:

@@ -13,7 +13,7 @@
 
 namespace geminga::system {
 
-/// How long a test waits for something that must happen before it fails. Far beyond what anything takes.
+/// The time that a test waits for something that must happen before it fails. Far longer than anything takes.
 inline constexpr std::chrono::seconds patience{120};
 
 /// One child process; its standard output and error are kept. The kernel kills it when the test dies.
@@ -32,15 +32,15 @@ class Process {
 
   [[nodiscard]] pid_t pid() const { return pid_; }
   void signal(int number) const;
-  /// Waits until what it said contains `text`. False when it ended without, or patience did.
+  /// Waits until its output contains `text`. False: it ended without, or patience did.
   [[nodiscard]] bool wait_for(const std::string& text);
-  /// The same for what it says after this call began to count: forgets what it said until now.
+  /// Forgets the output until now, then waits in the same way.
   void forget();
-  /// Takes what it has said, so that it never has to wait until somebody does.
+  /// Reads its output, so that it never has to wait for a reader.
   void listen();
-  /// Waits for its end. The exit status, 128 + N for signal N; nothing when patience ended first.
+  /// Waits for its end. Returns the exit status, 128 + N for signal N; nothing: patience ended first.
   [[nodiscard]] std::optional<int> wait();
-  /// What it has said so far on both.
+  /// The output so far on both.
   [[nodiscard]] const std::string& said() const { return said_; }
 
  private:
@@ -56,7 +56,7 @@ class Process {
 /// The path of a program of this build.
 [[nodiscard]] std::string program(const std::string& name);
 
-/// Runs to the end and gives exit status and words; the status is -1 where it did not end.
+/// Runs to the end; returns exit status and output. The status is -1 if it did not end.
 struct Ran {
   int status = -1;
   std::string said;

@@ -10,7 +10,7 @@ namespace {
 
 std::string folder_of(pid_t pid) { return "/proc/" + std::to_string(pid) + '/'; }
 
-/// The number behind `key` in a file of /proc/PID; -1 where there is none.
+/// The number behind `key` in a file of /proc/PID; -1 if there is none.
 double number_of(pid_t pid, const std::string& file, const std::string& key) {
   std::ifstream lines(folder_of(pid) + file);
   std::string line;

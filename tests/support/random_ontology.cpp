@@ -16,8 +16,8 @@ using owl::TermKind;
 constexpr std::string_view name_space = "http://random.example/#";
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
 
-/// Properties s0.. are simple: no chain or transitivity is below them. t0.. are not; a chain's result comes later in
-/// the order than its links, which makes it regular.
+/// Properties s0.. are simple: no chain or transitivity is below them. t0.. are not. The result of a chain comes later
+/// in the order than its links, which makes it regular.
 constexpr std::uint64_t simple_count = 3;
 constexpr std::uint64_t other_count = 3;
 
@@ -73,7 +73,7 @@ class Maker {
     return source_.datatype(std::string(xsd) + std::string(types[below(types.size())]));
   }
 
-  /// What may stand on the left in a Horn ontology: no universals, no complements.
+  /// A class that may stand on the left in a Horn ontology: no universals, no complements.
   TermId left(int depth) {
     const std::uint64_t choice = below(depth == 0 ? 4 : 8);
     if (choice < 4) return named();
@@ -115,7 +115,7 @@ class Maker {
     }
   }
 
-  /// Anything that the profile has, on either side.
+  /// Any class of the profile, on either side.
   TermId any(int depth) {
     if (depth == 0) return named();
     const std::uint64_t choice = below(16);

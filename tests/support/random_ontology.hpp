@@ -1,4 +1,4 @@
-// Random ontologies by seed, in the terms of a profile: what one engine can do and the next can do better.
+// Random ontologies by seed, in the terms of a profile that one engine can handle and the next can handle better.
 #ifndef GEMINGA_TESTS_SUPPORT_RANDOM_ONTOLOGY_HPP
 #define GEMINGA_TESTS_SUPPORT_RANDOM_ONTOLOGY_HPP
 
@@ -9,7 +9,7 @@
 
 namespace geminga::compare {
 
-/// Each profile but the last has what those before it have.
+/// Each profile except the last includes those before it.
 enum class Profile : std::uint8_t {
   horn,      ///< EL, functional and inverse properties, universals on the right, at most one: no choice anywhere
   choices,   ///< and unions, complements, cardinalities: ALCHIQ
@@ -23,8 +23,8 @@ inline constexpr Profile profiles[] = {Profile::horn,     Profile::choices, Prof
 
 [[nodiscard]] std::string_view to_string(Profile profile);
 
-/// About `axioms` axioms over few names, so that they meet. The same for the same arguments, on every machine. Chains
-/// are regular, and properties with cardinalities and self restrictions are simple, as OWL 2 DL wants them.
+/// About `axioms` axioms over few names, so that they interact. The same for the same arguments on every machine.
+/// Chains are regular, and properties with cardinalities and self restrictions are simple, as OWL 2 DL requires.
 [[nodiscard]] owl::Ontology random_ontology(Profile profile, std::uint64_t seed, std::size_t axioms);
 
 }  // namespace geminga::compare

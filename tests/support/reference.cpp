@@ -1,4 +1,4 @@
-// The naive fixpoint, and the generator of what it is asked.
+// The naive fixpoint, and the generator of its inputs.
 #include "reference.hpp"
 
 #include <algorithm>

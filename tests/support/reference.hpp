@@ -1,5 +1,5 @@
-// A second, slow reasoner that shares nothing with the first but the axioms: the rules of EL over sets of terms,
-// applied everywhere until nothing changes.
+// A second, slow reasoner that shares only the axioms with the first: the rules of EL over sets of terms, applied
+// everywhere until nothing changes.
 #ifndef GEMINGA_TESTS_SUPPORT_REFERENCE_HPP
 #define GEMINGA_TESTS_SUPPORT_REFERENCE_HPP
 
@@ -11,11 +11,11 @@
 
 namespace geminga::owl {
 
-/// As closure() of written.hpp. Without individuals, data and what is beyond EL.
+/// The closure, as closure() of written.hpp. Without individuals, data and constructs beyond EL.
 std::vector<std::string> reference_closure(const Ontology& source);
 
-/// Whether a range of a property does not hold for the last property of a chain below it, of which the naive reasoner
-/// does not know what follows.
+/// Whether a range of a property does not hold for the last property of a chain below it. The naive reasoner does not
+/// know what follows from that.
 bool has_range_over_chain(const Ontology& source);
 
 /// A random ontology in the syntax of written.hpp. `size` is about the number of axioms.

@@ -1,4 +1,4 @@
-// The smallest of what a random test did that still fails.
+// The smallest part of a random test's steps that still fails.
 #ifndef GEMINGA_TESTS_SUPPORT_SHRINK_HPP
 #define GEMINGA_TESTS_SUPPORT_SHRINK_HPP
 
@@ -9,9 +9,9 @@
 
 namespace geminga::test {
 
-/// Leaves out all of `steps` that is not needed for `fails` to be true of the rest, first many at once and at last one
-/// by one (Zeller's delta debugging, without its complements). Requires fails(steps); each step must make sense without
-/// any other. `runs` is how often `fails` may be asked.
+/// Removes every step that is not needed for `fails` to be true of the rest, first many at once and at last one by one
+/// (Zeller's delta debugging, without its complements). Requires fails(steps); each step must make sense without any
+/// other. `runs` bounds the calls of `fails`.
 template <typename Step, typename Fails>
 [[nodiscard]] std::vector<Step> shrunk(std::vector<Step> steps, const Fails& fails, std::size_t runs = 2000) {
   std::size_t size = std::max<std::size_t>(steps.size() / 2, 1);

@@ -1,4 +1,4 @@
-// A raw GCNP client: what a TCP client and a patient reader see, line by line.
+// A raw GCNP client that reads line by line, like a TCP client with a patient reader.
 #ifndef GEMINGA_TESTS_SUPPORT_TALK_HPP
 #define GEMINGA_TESTS_SUPPORT_TALK_HPP
 
@@ -14,7 +14,7 @@ namespace geminga::system {
 /// One connection to a daemon. Lines are read in their order; each is given out once.
 class Talk {
  public:
-  /// Connects to a loopback address, or to a Unix socket by its path; throws std::runtime_error where nobody listens.
+  /// Connects to a loopback address, or to a Unix socket by its path. Throws std::runtime_error if nobody listens.
   Talk(const std::string& address, std::uint16_t port);
   ~Talk();
   Talk(Talk&& other) noexcept;
@@ -22,20 +22,20 @@ class Talk {
 
   /// Sends a line, CR LF added.
   void say(std::string_view line);
-  /// Sends these bytes. False when the daemon has closed.
+  /// Sends these bytes. False: the daemon has closed.
   bool send(std::string_view bytes);
-  /// Says that we have no more to say, as `nc -N` does.
+  /// Shuts our side down, as `nc -N` does.
   void half_close();
-  /// The next line without its end; nothing when the daemon closed or patience ended.
+  /// The next line without its end; nothing: the daemon closed, or patience ended.
   [[nodiscard]] std::optional<std::string> line();
   /// Skips to the next line that contains all these texts.
   [[nodiscard]] std::optional<std::string> line_with(const std::vector<std::string>& texts);
-  /// Says `sys ping` and gives every line before its answer: all that the daemon had to say until now.
+  /// Sends `sys ping` and returns every line before its answer: everything that the daemon had to say until now.
   [[nodiscard]] std::vector<std::string> lines_until_pong();
-  /// Asks `ID query WORDS` and gives the answer's lines without the end.
+  /// Asks `ID query WORDS` and returns the lines of the answer without the end.
   [[nodiscard]] std::vector<std::string> query(const std::string& words);
-  /// Asks until the answer's lines satisfy `holds`, for what no event tells: again at the daemon's next words, or after
-  /// a moment without any. False when the daemon closed or patience ended first.
+  /// Asks until the lines of the answer satisfy `holds`, for facts that no event tells. Asks again at the daemon's next
+  /// line, or after a moment without one. False: the daemon closed, or patience ended first.
   [[nodiscard]] bool wait_until(const std::string& words,
                                 const std::function<bool(const std::vector<std::string>&)>& holds);
   /// Whether the daemon closes the connection, whatever it says before.

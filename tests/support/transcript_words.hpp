@@ -1,4 +1,4 @@
-// The words of transcripts (discovery/participant/transcripts/README.md), whoever plays them.
+// The words of transcripts (discovery/participant/transcripts/README.md), for all programs that play them.
 #ifndef GEMINGA_TESTS_SUPPORT_TRANSCRIPT_WORDS_HPP
 #define GEMINGA_TESTS_SUPPORT_TRANSCRIPT_WORDS_HPP
 
@@ -9,18 +9,17 @@
 
 namespace geminga::test {
 
-/// Takes the first word off.
+/// Removes the first word and returns it.
 [[nodiscard]] std::string next_word(std::string_view& rest);
-/// Turns \r, \n, \t, \\ and \xHH into what they stand for.
+/// Replaces \r, \n, \t, \\ and \xHH by their octets.
 [[nodiscard]] std::string unescaped(std::string_view text);
 
-/// What `{name}` stands for in one file.
+/// The values of each `{name}` in one file.
 class BoundWords {
  public:
-  /// With what was told before in place of each `{name}`, and a hundred x in place of `{x*100}`; nothing where a name
-  /// is not known yet.
+  /// The text with its values for each `{name}`, and a hundred x for `{x*100}`; nothing if a name is not known yet.
   [[nodiscard]] std::optional<std::string> substituted(std::string_view text) const;
-  /// Whether a line is as the pattern says. What its names stand for is known from then on.
+  /// Whether a line matches the pattern. From then on the values of its names are known.
   [[nodiscard]] bool matches(std::string_view pattern, const std::string& text);
 
  private:

@@ -12,11 +12,10 @@
 
 namespace geminga::owl {
 
-/// One axiom a line, e.g. `SubClassOf(A ObjectSomeValuesFrom(r B))`; line numbers are those of the text, `#` is a
+/// Reads one axiom a line, e.g. `SubClassOf(A ObjectSomeValuesFrom(r B))`; line numbers are those of the text, `#` is a
 /// comment. Upper case names are classes, lower case ones object properties, `d:x` data properties, `i:x` individuals,
 /// `_:x` blank nodes, `x:integer` XML Schema datatypes, `"1"^x:integer` literals, numbers are cardinalities. `Thing`
-/// and `Nothing` are OWL's; other names are in `t:` = https://t.example/#. What cannot be read fails the test that
-/// asks.
+/// and `Nothing` are OWL's; other names are in `t:` = https://t.example/#. An unreadable text fails the test.
 Ontology written(std::string_view text, const std::string& path = "written.ofn");
 /// Adds to a source.
 void write_into(Ontology& source, std::string_view text, const std::string& path);
@@ -28,11 +27,11 @@ compiled::Ontology loaded(const Ontology& source);
 compiled::Ontology loaded(std::string_view text);
 
 /// Every subsumption between different named classes other than T and F as `A < B`, sorted; of unsatisfiable classes
-/// only `A < Nothing`; of equivalents of T also `Thing < A`. `inconsistent` alone where the ontology is.
+/// only `A < Nothing`; of equivalents of T also `Thing < A`. Only `inconsistent` if the ontology is.
 std::vector<std::string> closure(const compiled::Ontology& ontology);
 std::vector<std::string> closure(std::string_view text);
 
-/// What a team of robots knows about balls: an equivalence, two ways up, and a class that can have no instance.
+/// The knowledge of a team of robots about balls: an equivalence, two ways up, and a class that can have no instance.
 inline constexpr std::string_view robots =
     "SubClassOf(BallInfo TrackedObject)\n"
     "SubClassOf(SharedBallInfo BallInfo)\n"

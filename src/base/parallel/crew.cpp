@@ -1,4 +1,4 @@
-// Threads wait at a gate, so that who runs them knows how many there are before the first begins.
+// Threads wait at a gate, so that the caller knows how many there are before the first begins.
 #include "base/parallel/crew.hpp"
 
 #include <new>

@@ -1,5 +1,5 @@
-// Threads that work on one thing together: the one place that starts them, and brings what one of them throws to the
-// caller.
+// A crew of threads that work on one thing. Only this file starts threads for reasoning; what one of them throws
+// reaches the caller.
 #ifndef GEMINGA_BASE_PARALLEL_CREW_HPP
 #define GEMINGA_BASE_PARALLEL_CREW_HPP
 
@@ -12,11 +12,10 @@
 
 namespace geminga::parallel {
 
-/// The caller and threads that wait until there is something to do. Not thread-safe.
+/// The caller, and threads that wait until there is something to do. Not thread-safe.
 class Crew {
  public:
-  /// Starts so many threads less one, or fewer where the system gives no more: size() says how many there are with the
-  /// caller.
+  /// Starts one thread less than wanted, or fewer if the system gives no more. size() counts them and the caller.
   explicit Crew(unsigned wanted);
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
@@ -24,9 +23,9 @@ class Crew {
 
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
-  /// Calls `work` with each number below size(), 0 in the caller's thread and the others in their own, and returns when
-  /// all have returned. Where one throws, `stop` is called, which must make the others return soon and may not throw;
-  /// what was thrown first is thrown again when all have ended. Once only.
+  /// Calls `work` with each number below size(): 0 in the caller's thread, the others in their own. Returns when all
+  /// have returned. If one throws, `stop` is called, which must make the others return soon and must not throw; the
+  /// first exception is thrown again when all have ended. Call it once only.
   void run(const std::function<void(unsigned)>& work, const std::function<void()>& stop);
 
  private:
@@ -34,7 +33,7 @@ class Crew {
   void work_as(unsigned me);
   void join();
 
-  std::mutex mutex_;  ///< guards what follows, but for the threads
+  std::mutex mutex_;  ///< guards the members below, except the threads
   std::condition_variable changed_;
   const std::function<void(unsigned)>* work_ = nullptr;
   const std::function<void()>* stop_ = nullptr;

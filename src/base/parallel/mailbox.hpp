@@ -12,17 +12,17 @@ namespace geminga::parallel {
 template <typename Message>
 class Mailbox {
  public:
-  /// Of a thing that nobody else knows, or while there is one thread.
+  /// Marks the object as owned. Requires that no other thread knows it, or that there is one thread.
   void hold() { newest_.store(mark(), std::memory_order_relaxed); }
 
-  /// Takes the thing in hand if it is at rest.
+  /// Takes ownership of the object if it is at rest.
   [[nodiscard]] bool take() {
     Message* at_rest = nullptr;
     return newest_.load(std::memory_order_relaxed) == nullptr &&
            newest_.compare_exchange_strong(at_rest, mark(), std::memory_order_acq_rel);
   }
 
-  /// True where the thing was at rest after all: whoever put the message has it in hand, with the message to be read.
+  /// Puts a message. Returns true if the object was at rest: then the caller owns it, with the message to be read.
   [[nodiscard]] bool put(Message* message) {
     Message* before = newest_.load(std::memory_order_relaxed);
     do {
@@ -31,13 +31,13 @@ class Mailbox {
     return before == nullptr;
   }
 
-  /// The messages, the newest first, or nullptr. The thing stays in the hand of the caller.
+  /// Takes the messages, newest first, or nullptr. The caller still owns the object.
   [[nodiscard]] Message* empty() {
     Message* const newest = newest_.exchange(mark(), std::memory_order_acq_rel);
     return newest == mark() ? nullptr : newest;
   }
 
-  /// Puts the thing to rest. False where a message has come: then it stays in hand.
+  /// Puts the object to rest. Returns false if a message has come: then the caller still owns it.
   [[nodiscard]] bool rest() {
     Message* in_hand = mark();
     return newest_.compare_exchange_strong(in_hand, nullptr, std::memory_order_acq_rel);

@@ -1,5 +1,5 @@
-// Work by several threads on contexts that know of each other: each worker has a queue of its own that nobody else
-// sees. When somebody is idle, it puts the older half of it on its work queue, from which others may take.
+// Work by several threads on contexts that know each other. Each worker has a queue of its own that no other thread
+// sees. When another worker is idle, it puts the older half of it on its work queue, from which others may take.
 #ifndef GEMINGA_BASE_PARALLEL_THREADS_HPP
 #define GEMINGA_BASE_PARALLEL_THREADS_HPP
 
@@ -16,31 +16,33 @@
 
 namespace geminga::parallel {
 
-/// More are not started: each keeps memory of its own.
+/// The most threads that are started: each keeps memory of its own.
 inline constexpr unsigned max_threads = 64;
 
-/// What others may take of one worker. The only lock that the threads have between them, and taken only where one of
-/// them has nothing to do.
+/// The contexts that others may take from one worker. Its lock is the only one between the threads, and is taken only
+/// when one of them has nothing to do.
 struct WorkQueue {
   std::mutex mutex;
   std::vector<std::uint32_t> contexts;
   std::atomic<bool> is_empty = true;
 };
 
-/// Shared has contexts by number and says when it has ended; Worker has a queue of them and works on one.
+/// Requires that Shared has contexts by number and says when it has ended, and that Worker has a queue of them and
+/// works on one.
 template <typename Shared, typename Worker>
 class Team {
  public:
   Team(Shared& shared, std::span<const std::unique_ptr<Worker>> workers)
       : shared_(shared), workers_(workers), work_queues_(workers.size()), seen_round_(workers.size(), 0) {}
 
-  /// The crew is as large as there are workers. What one of them throws ends the work of all, and is thrown here.
+  /// Runs all workers. Requires a crew of as many threads. An exception of one ends the work of all, and is thrown
+  /// here.
   void run(Crew& crew) {
     crew.run([this](unsigned me) { work(me); }, [this] { end(); });
   }
 
  private:
-  /// Conclusions are counted together only now and then.
+  /// Conclusions that a worker makes before they are added to the common count.
   static constexpr std::size_t counted_at_once = std::size_t{1} << 14;
 
   void work(std::size_t me) {
@@ -83,8 +85,8 @@ class Team {
     wake_all();
   }
 
-  /// A thread that was idle counts as busy before others see the work queue empty, so that where all are idle nothing
-  /// is left.
+  /// Takes contexts from a work queue. An idle thread counts as busy before others see the queue empty, so if all are
+  /// idle nothing is left.
   bool take(std::size_t me, std::size_t from, bool was_idle) {
     if (work_queues_[from].is_empty.load()) return false;
     const std::scoped_lock lock(work_queues_[from].mutex);
@@ -108,7 +110,7 @@ class Team {
     return false;
   }
 
-  /// False where the work is done.
+  /// Waits for work. Returns false if all work is done.
   bool wait_for_work(std::size_t me) {
     ++idle_;
     for (;;) {
@@ -118,7 +120,7 @@ class Team {
       }
       if (is_done()) return false;
       if (idle_.load() == workers_.size()) {
-        // All are idle. The one that gets the lock begins the next round.
+        // All are idle. The thread that gets the lock begins the next round.
         const std::scoped_lock lock(rounds_);
         if (idle_.load() != workers_.size()) continue;
         if (!workers_[me]->begin_round()) return false;
@@ -127,7 +129,7 @@ class Team {
         wake_all();
         return true;
       }
-      // A thread that comes too late for a round finds nothing, and is idle as before.
+      // A thread that comes too late for a round finds nothing, and stays idle.
       if (const std::uint32_t round = round_.load(); round != seen_round_[me]) {
         seen_round_[me] = round;
         --idle_;
@@ -155,13 +157,13 @@ class Team {
   std::atomic<std::size_t> conclusions_ = 0;
   std::atomic<std::uint32_t> wake_ups_ = 0;
   std::atomic<bool> is_done_ = false;
-  std::mutex rounds_;  ///< whoever has it begins the next round
+  std::mutex rounds_;  ///< its holder begins the next round
   std::atomic<std::uint32_t> round_ = 0;
   std::vector<std::uint32_t> seen_round_;
 };
 
-/// Works with so many threads, the caller's among them, or with fewer where the system gives no more. Workers are added
-/// as they are needed. What a thread throws is thrown here when all have ended; what is shared is then of no use.
+/// Works with so many threads, the caller's among them, or with fewer if the system gives no more. Adds workers as
+/// needed. An exception of a thread is thrown here when all have ended; the shared object is then of no use.
 template <typename Shared, typename Worker>
 void run_together(Shared& shared, std::vector<std::unique_ptr<Worker>>& workers, unsigned threads) {
   Crew crew(threads);

@@ -1,4 +1,3 @@
-// The whole answer to whether a service can be announced: its rules, and its size.
 #include "discovery/announcement/announceable.hpp"
 
 #include <limits>
@@ -11,7 +10,7 @@
 namespace geminga::announcement {
 namespace {
 
-/// Numbers of up to two terms and their namespaces may take one octet more in a full datagram than alone.
+/// The numbers of up to two terms and their namespaces may take one octet more in a full datagram than alone.
 constexpr std::size_t number_reserve = 4;
 
 template <typename Numbered>

@@ -1,4 +1,4 @@
-// Announcements as datagrams and back; src/discovery/announcement/ANNOUNCEMENT.md is the specification,
+// Announcements as datagrams and back. src/discovery/announcement/ANNOUNCEMENT.md is the specification,
 // announcement.proto the schema.
 #ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_CODEC_HPP
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_CODEC_HPP
@@ -16,7 +16,8 @@
 
 namespace geminga::announcement {
 
-/// Why a datagram was refused. Words are only ever appended; to_string() gives the word for counters and the log.
+/// The reason why a datagram was refused. Words are only ever appended; to_string() gives the word for counters and the
+/// log.
 enum class DecodeError : std::uint8_t {
   too_large,       ///< over max_datagram_bytes
   not_protobuf,    ///< cannot be parsed: truncated, random, or bad UTF-8
@@ -27,16 +28,16 @@ enum class DecodeError : std::uint8_t {
   bad_name,        ///< a name too long, with control characters, `/` or `,`
   bad_interval,    ///< outside [min_interval, max_interval], or doubled more than max_doublings times
   bad_part,        ///< part not below the number of parts, or more than max_parts
-  bad_address,     ///< not 4 or 16 octets, one that nobody can be reached at, or too many
+  bad_address,     ///< not 4 or 16 octets, at which no host can be reached, or too many
   bad_table,       ///< an index into the tables of namespaces and terms that is out of range
-  bad_identity,    ///< no identity, one that is too long, an IRI with characters that an IRI cannot hold
+  bad_identity,    ///< no identity, one that is too long, or an IRI with characters that no IRI has
   bad_mode,        ///< an unknown channel mode
   bad_degree,      ///< an unknown degree of match
   bad_port,        ///< over 65535, or 0 for a publication
   bad_protocol,    ///< too long or not a word
   bad_attribute,   ///< a limit or the grammar of attributes is violated
   bad_filter,      ///< a limit of provider filters or of the where expression is violated
-  bad_witness,     ///< what is said of others has a wrong size, names too many or the identifier 0
+  bad_witness,     ///< testimony of a wrong size, or too many names, or the identifier 0
   bad_change,      ///< a change that begins from its own revision or a later one
 };
 inline constexpr std::size_t decode_error_count = 20;
@@ -44,23 +45,24 @@ inline constexpr std::size_t decode_error_count = 20;
 /// "too-large", "not-protobuf", ... Static storage.
 [[nodiscard]] std::string_view to_string(DecodeError error);
 
-/// Reads one datagram. Everything in the result is within the named limits and valid: a caller need not check again.
+/// Reads one datagram. Everything in the result is valid and within the named limits: a caller need not check again.
 /// Unknown fields are ignored (a newer minor version). Linear in the size of the datagram; allocates at most a small
-/// multiple of it (each octet of the term table may be repeated once an entry). Reads bytes from anywhere.
+/// multiple of it (each octet of the term table may be repeated once an entry). Takes bytes from anywhere.
 [[nodiscard]] std::expected<Announcement, DecodeError> decode(std::span<const std::byte> datagram);
-/// The same into an announcement whose memory is used again: where it and the last one are presences, nothing is
-/// allocated. Nothing: it was read; else what is in it is of no use.
+/// Reads into an announcement whose memory is reused: if it and the last one are presences, nothing is allocated.
+/// Nothing: it was read. After an error the announcement is of no use.
 [[nodiscard]] std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcement& announcement);
 
 using Datagram = std::vector<std::byte>;
 
-/// Writes an announcement as one datagram, or a state that does not fit as several, numbered from
+/// Writes an announcement as one datagram, or a state that does not fit as several. They are numbered from
 /// `announcement.sequence` on; the caller's next sequence number is greater by their count. Each has at most
-/// max_datagram_bytes and is complete in itself. Peers without any service are left out. Equal announcements give equal
-/// bytes. A change that does not fit into one datagram gives none: only the state tells it. A service that does not
-/// pass check() (announceable.hpp) and services beyond max_services_per_participant are left out: the caller has
-/// refused them before. Names and addresses over their limits are cut. Requires a participant other than 0 and an
-/// interval within its limits.
+/// max_datagram_bytes and is complete in itself. Equal announcements give equal bytes.
+///
+/// Peers without a service are left out. A change that does not fit into one datagram gives none: only the state tells
+/// it. A service that does not pass check() (announceable.hpp) and services beyond max_services_per_participant are
+/// left out: the caller has refused them before. Names and addresses over their limits are cut. Requires a participant
+/// other than 0, and an interval within its limits.
 [[nodiscard]] std::vector<Datagram> encode(const Announcement& announcement);
 
 }  // namespace geminga::announcement

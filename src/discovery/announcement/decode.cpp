@@ -1,4 +1,4 @@
-// Reads one datagram strictly: size, then protobuf, then every field.
+// Strict reading: first the size, then protobuf, then every field.
 #include <google/protobuf/stubs/logging.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ bool parse(std::span<const std::byte> datagram, wire::Announcement& message) {
   return message.ParseFromArray(datagram.data(), static_cast<int>(datagram.size()));
 }
 
-/// The message that datagrams are parsed into, one after the other. It keeps the memory of a presence, and none of what
-/// has many small pieces.
+/// The message that datagrams are parsed into, one after the other. It keeps the memory of a presence, but not that of
+/// messages with many small pieces.
 class Scratch {
  public:
   Scratch() = default;
@@ -46,7 +46,7 @@ class Scratch {
 };
 thread_local wire::Announcement Scratch::message_;
 
-/// As it is made, but that it keeps its memory.
+/// Resets an announcement, but keeps its memory.
 void reset(Announcement& announcement) {
   Announcement fresh;
   fresh.witness.heard = std::move(announcement.witness.heard);
@@ -106,7 +106,7 @@ Decoded<Degree> degree_of(wire::Degree degree) {
   }
 }
 
-/// The text of 4 or 16 octets that somebody can be reached at.
+/// The text of an address of 4 or 16 octets at which a host can be reached.
 Decoded<std::string> address_of(const std::string& octets) {
   const base::Address address{{octets.begin(), octets.end()}, {}};
   if ((octets.size() != 4 && octets.size() != 16) || address.scope() == base::AddressScope::unspecified) {
@@ -124,7 +124,7 @@ Decoded<std::vector<std::string>> terms_of(const wire::Announcement& message) {
     if (number > static_cast<std::uint32_t>(message.namespaces_size())) return Failure(DecodeError::bad_table);
     std::string iri = number == 0 ? std::string() : message.namespaces(static_cast<int>(number - 1));
     iri += term.local();
-    // Checked here and not where it is used, so that a term costs the same however often it is used.
+    // Checked here and not at its use, so that a term costs the same however often it is used.
     if (!is_valid_iri(iri)) return Failure(DecodeError::bad_identity);
     terms.push_back(std::move(iri));
   }
@@ -227,7 +227,7 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   return numbered;
 }
 
-/// Whether numbers are all other than 0 and no two the same.
+/// Whether no number is 0 and none occurs twice.
 bool are_identifiers(std::vector<std::uint32_t> numbers) {
   std::ranges::sort(numbers);
   return (numbers.empty() || numbers.front() != 0) && std::ranges::adjacent_find(numbers) == numbers.end();
@@ -278,7 +278,7 @@ Decoded<void> read_named(const google::protobuf::RepeatedField<std::uint32_t>& i
   return {};
 }
 
-/// What only a presence says.
+/// The fields of a presence only.
 Decoded<void> read_presence(const wire::Announcement& message, Announcement& announcement) {
   if (const auto read = read_witness(message.witness(), announcement.witness); !read) return read;
   if (const auto read = read_named(message.lacks(), announcement.lacks); !read) return read;

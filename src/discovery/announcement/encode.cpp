@@ -1,4 +1,4 @@
-// Writes announcements as datagrams, and splits a state that is too large for one.
+// Writing announcements, and splitting a state that is too large for one datagram.
 #include <algorithm>
 #include <ranges>
 #include <utility>
@@ -13,10 +13,10 @@
 namespace geminga::announcement {
 namespace {
 
-/// Octets that `part` and `part_count` take at most: a tag and a number below 2^14 each.
+/// The most octets that `part` and `part_count` take: a tag and a number below 2^14 each.
 constexpr std::size_t part_fields_bytes = 6;
 
-/// What each kind says.
+/// The fields of every kind.
 wire::Announcement beginning_of(const Announcement& announcement) {
   wire::Announcement header;
   header.set_format(format_major << 24 | format_magic);
@@ -50,7 +50,7 @@ std::string group_of(const Announcement& announcement) {
   return std::string(base::first_characters(announcement.group, max_name_bytes));
 }
 
-/// All that is the same in every part.
+/// The fields that are the same in every part.
 wire::Announcement header_of(const Announcement& announcement) {
   auto header = beginning_of(announcement);
   header.set_group(group_of(announcement));
@@ -78,7 +78,7 @@ std::string octets_of(const Witness& witness) {
   return octets;
 }
 
-/// What a presence and a change begin with: all else is as the state says.
+/// The fields that a presence and a change begin with. All else is as the state says.
 wire::Announcement short_header_of(const Announcement& announcement) {
   auto message = beginning_of(announcement);
   if (announcement.group != default_group) message.set_group(group_of(announcement));
@@ -97,7 +97,7 @@ wire::Announcement presence_of(const Announcement& announcement) {
 /// Fills one datagram after the other with services, in their order.
 class Packer {
  public:
-  /// `base_bytes`: what a datagram takes without any service.
+  /// `base_bytes`: the octets of a datagram without any service.
   explicit Packer(std::size_t base_bytes) : base_bytes_(base_bytes) { parts_.emplace_back(); }
 
   void add(const PeerState& peer, const NumberedPublication& entry) {
@@ -136,7 +136,7 @@ class Packer {
   [[nodiscard]] std::vector<Part> take() { return std::move(parts_); }
 
  private:
-  /// Writes one entry; where it does not fit into this part any more, into the next one.
+  /// Writes one entry into this part, or into the next part if it does not fit.
   template <typename Write>
   void put(const PeerState& peer, const Write& write) {
     if (try_put(peer, write)) return;
@@ -163,7 +163,7 @@ class Packer {
       added.set_name(std::string(base::first_characters(peer.name, max_name_bytes)));
       open = added.ByteSizeLong();
     }
-    // The message is written into a peer of its own first, so that nothing needs to be taken back out.
+    // The message is written into a peer of its own first, so that nothing needs to be taken back.
     wire::Peer entry;
     open += write(entry, part.terms);
     if (base_bytes_ + part.terms.bytes() + closed + framed_bytes(2, open) > max_datagram_bytes) {
@@ -238,7 +238,7 @@ std::vector<Datagram> encode(const Announcement& announcement) {
   if (announcement.kind == Kind::change) return encode_change(announcement);
   GEMINGA_ASSERT(announcement.interval >= min_interval && announcement.interval <= max_interval);
   auto header = header_of(announcement);
-  // The sequence number grows with each part; sizes are reckoned with the greatest.
+  // The sequence number grows with each part; sizes are computed with the greatest.
   header.set_sequence(announcement.sequence + max_parts);
   const auto base_bytes = header.ByteSizeLong();
   auto parts = pack(announcement, base_bytes);

@@ -1,4 +1,3 @@
-// Every limit and grammar of one service, in one place.
 #include "discovery/announcement/fault.hpp"
 
 #include <algorithm>
@@ -24,7 +23,8 @@ Found oversized(DecodeError word, std::string_view field, std::size_t size, std:
                    std::to_string(limit) + " can be announced");
 }
 
-/// A tab and line ends may stand in free text, since GCNP can write them; nothing else that could steer a terminal.
+/// Free text may have a tab and line ends, since GCNP can write them, and no other character that could steer a
+/// terminal.
 bool is_free_text(std::string_view text) {
   return base::is_valid_utf8(text) && std::ranges::none_of(text, [](char c) {
            const auto octet = static_cast<unsigned char>(c);
@@ -149,7 +149,7 @@ Found filter_fault(std::string_view what, const std::string& text, std::size_t m
                std::string(what) + " must be UTF-8 without control characters");
 }
 
-/// Keys that exist, in ascending order, each once.
+/// Whether the keys exist, ascend, and occur once each.
 Found chosen_fault(const std::vector<ServiceKey>& chosen) {
   const bool are_keys = std::ranges::all_of(chosen, [](const ServiceKey& key) {
     return key.participant != ParticipantId{} && key.peer != PeerId{} && key.number != 0;

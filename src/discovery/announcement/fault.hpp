@@ -1,4 +1,4 @@
-// What is wrong with a service, for both directions: the answer to a local peer and the word for a datagram's counter.
+// The rules of one service, for both directions: the answer to a local peer, and the word for a datagram's counter.
 #ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_FAULT_HPP
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_FAULT_HPP
 
@@ -17,7 +17,7 @@ struct Fault {
   Error error;
 };
 
-/// The first rule that a service violates, its total size apart. No fault: everything in it may be announced.
+/// The first rule that a service violates, its total size apart; nothing: everything in it may be announced.
 [[nodiscard]] std::optional<Fault> find_fault(const Publication& publication);
 [[nodiscard]] std::optional<Fault> find_fault(const Subscription& subscription);
 

@@ -1,4 +1,4 @@
-// How lately many participants were heard, two bits for each, as it stands in a datagram.
+// The list of how lately many participants were heard, two bits for each, as it stands in a datagram.
 #ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_HEARD_LIST_HPP
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_HEARD_LIST_HPP
 
@@ -12,7 +12,7 @@
 
 namespace geminga::announcement {
 
-/// How lately a participant was heard by somebody, in shares of the interval that it announces.
+/// The age of the last sign of life of a participant, in shares of the interval that it announces.
 enum class HeardWithin : std::uint8_t {
   longer,    ///< not within one interval
   interval,  ///< within one
@@ -20,7 +20,7 @@ enum class HeardWithin : std::uint8_t {
   quarter,   ///< within a quarter of one
 };
 
-/// A list of them, four in an octet, so that a word about a thousand is copied and not unpacked.
+/// A list of these, four in an octet, so that testimony about a thousand participants is copied and not unpacked.
 class HeardList {
  public:
   static constexpr std::size_t per_octet = 4;
@@ -64,7 +64,7 @@ class HeardList {
   }
   [[nodiscard]] const_iterator begin() const { return {*this, 0}; }
   [[nodiscard]] const_iterator end() const { return {*this, size_}; }
-  /// The first in the lowest bits of the first; what is over in the last one is `longer`.
+  /// The first is in the lowest bits of the first octet; the rest of the last octet is `longer`.
   [[nodiscard]] std::span<const std::uint8_t> octets() const { return octets_; }
 
   void reserve(std::size_t size) { octets_.reserve((size + per_octet - 1) / per_octet); }

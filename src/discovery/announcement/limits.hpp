@@ -1,5 +1,5 @@
-// Every number that an announcement must keep, with those of env/env.hpp (a datagram) and identity/service_limits.hpp
-// (a service); src/discovery/announcement/ANNOUNCEMENT.md names the same ones.
+// The limits of an announcement, beside those of env/env.hpp (a datagram) and identity/service_limits.hpp (a service).
+// src/discovery/announcement/ANNOUNCEMENT.md names the same numbers.
 #ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_LIMITS_HPP
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_LIMITS_HPP
 
@@ -14,18 +14,19 @@
 
 namespace geminga::announcement {
 
-/// One announcement, without its envelope.
+/// One announcement without its envelope.
 inline constexpr std::size_t max_datagram_bytes = env::max_datagram_bytes - env::max_envelope_bytes;
 
-/// What one publication or subscription may take of a datagram, its share of the tables included. The rest is kept for
-/// the largest possible header, so whether a service fits depends on nothing but the service.
+/// The octets of a datagram that one publication or subscription may take, its share of the tables included. The rest
+/// is kept for the largest possible header, so whether a service fits depends on nothing but the service.
 inline constexpr std::size_t max_entry_bytes = 720;
 
 /// A concept or representation IRI, in octets.
 inline constexpr std::size_t max_iri_bytes = 255;
 /// A class expression that is asked for instead of a concept, in octets of its canonical form.
 inline constexpr std::size_t max_expression_bytes = 400;
-/// Services of a choice that are written one by one; of more the participants are written once (wire_choice.hpp).
+/// Services of a choice that are written one by one. For more than these each participant is written once
+/// (wire_choice.hpp).
 inline constexpr std::size_t max_listed_choice = 16;
 /// Addresses of one interface; further ones are not announced.
 inline constexpr std::size_t max_addresses = 8;
@@ -34,16 +35,18 @@ inline constexpr std::size_t max_addresses = 8;
 inline constexpr std::size_t max_services_per_participant = 1024;
 /// Parts of one state: enough for the most services, each alone in its part.
 inline constexpr std::size_t max_parts = max_services_per_participant;
-/// Participants that are remembered. One more takes the place of somebody less proved (admission.hpp), or none.
+/// Participants that are known at once. One more takes the place of a less proved one (admission.hpp), or gets none.
 inline constexpr std::size_t max_participants = 1024;
-/// Those of one source address that never give way to a stranger, however much of it there is; a host has one daemon.
+/// Participants of one source address that never give way to a stranger, however many the address has. A host has one
+/// daemon.
 inline constexpr std::size_t max_seasoned_per_source = 32;
 /// Strangers that are remembered while all places are taken, so that they can prove themselves by a second datagram. At
-/// ten thousand forged ones a second each is remembered for 0.8 s on average, which outlasts the copies of a newcomer.
+/// ten thousand forged strangers a second each is remembered for 0.8 s on average, which outlasts the first copies of a
+/// newcomer.
 inline constexpr std::size_t max_waiting = 8192;
-/// What every known participant has room for, whatever others take: twice the sixteen services of a robot.
+/// Services for which every known participant has room, whatever others take: twice the sixteen services of a robot.
 inline constexpr std::size_t reserved_services = 32;
-/// Publications and subscriptions of all remote participants together beyond what is reserved for each.
+/// Publications and subscriptions of all remote participants together beyond the reserve of each.
 inline constexpr std::size_t max_remote_services = 8192;
 /// Services of all participants that are remembered for a short while after they were withdrawn, in case that was a
 /// lie.
@@ -53,29 +56,29 @@ inline constexpr std::size_t max_paths = 4;
 
 /// Participants that one announcement says it lacks, and as many that it doubts.
 inline constexpr std::size_t max_named = 16;
-/// Octets in which a participant says how lately it has heard each of so many (Witness).
+/// Octets of the testimony about so many participants (Witness).
 constexpr std::size_t witness_bytes(std::size_t members) { return 2 + (members + 3) / 4; }
 /// The group that a presence means when it names none.
 inline constexpr std::string_view default_group = "default";
 
-/// The announced interval. A shorter one would be a flood, a longer one would keep the dead for minutes.
+/// The announced interval. A shorter one would be a flood; a longer one would keep dead participants for minutes.
 inline constexpr base::Duration min_interval = std::chrono::milliseconds(50);
 inline constexpr base::Duration max_interval = std::chrono::seconds(60);
-/// So often the interval is doubled at most where many share the air.
+/// The most doublings of the interval where many share the air.
 inline constexpr unsigned max_doublings = 8;
 
-/// The interval of a stranger counts only up to this, the usual one, until it is heard again.
+/// The longest interval that counts for a stranger until it is heard again: the usual one.
 inline constexpr base::Duration stranger_interval = std::chrono::seconds(2);
-/// Who was heard for so long never gives way to a stranger.
+/// A participant that was heard for so long never gives way to a stranger.
 inline constexpr base::Duration seasoned_after = std::chrono::seconds(60);
-/// What a sender has said counts for so many of its intervals against another word, once somebody lies in its name; and
-/// what it has said for less is undone then.
+/// The intervals for which something that a sender said stands against something else, once somebody lies in its name.
+/// What it has said for a shorter time is undone then.
 inline constexpr int hold_intervals = 2;
-/// So many intervals without a contradiction end it: what it takes to believe that somebody is gone.
+/// The intervals without a contradiction that end a contest: what it takes to believe that somebody is gone.
 inline constexpr int contest_intervals = 5;
-/// A datagram may be overtaken by later ones for so long. What comes later than that was not overtaken.
+/// The longest time for which a datagram may be overtaken by later ones.
 inline constexpr base::Duration overtaken_time = std::chrono::milliseconds(200);
-/// How far a revision may be from the one before it at its first word: a change each 10 us for all of ten seconds.
+/// The largest step from one revision to the next that is taken at once: a change each 10 us for all of ten seconds.
 inline constexpr std::uint64_t max_revision_step = std::uint64_t{1} << 20;
 
 }  // namespace geminga::announcement

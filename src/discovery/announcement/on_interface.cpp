@@ -1,4 +1,3 @@
-// Takes from a state what is not valid on one interface.
 #include "discovery/announcement/on_interface.hpp"
 
 #include <algorithm>
@@ -10,11 +9,11 @@ namespace geminga::announcement {
 namespace {
 
 std::uint32_t link_of(const env::Interface& interface) {
-  const auto number = static_cast<std::uint32_t>(interface.twin_of.value_or(interface.index));
-  return interface.twin_of ? number | twin_link : number;
+  const auto number = static_cast<std::uint32_t>(interface.ipv6_side_of.value_or(interface.index));
+  return interface.ipv6_side_of ? number | ipv6_side_bit : number;
 }
 
-/// The canonical text without its zone; what is no address stays as it is.
+/// The canonical text without its zone; a text that is no address stays as it is.
 std::string without_zone(const std::string& text) {
   auto address = base::parse_address(text);
   if (!address) return text;

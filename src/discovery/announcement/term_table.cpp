@@ -1,4 +1,3 @@
-// Numbers and sizes of the term table.
 #include "discovery/announcement/term_table.hpp"
 
 #include <algorithm>

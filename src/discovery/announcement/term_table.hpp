@@ -10,14 +10,14 @@
 
 namespace geminga::announcement {
 
-/// Splits an IRI behind its last `#` or `/`; without either the namespace is empty.
+/// An IRI split behind its last `#` or `/`; without either the namespace is empty.
 struct SplitIri {
   std::string_view name_space;
   std::string_view local;
 };
 [[nodiscard]] SplitIri split_iri(std::string_view iri);
 
-/// Octets of a field with a one-octet or two-octet tag and a length before its content.
+/// The octets of a field with a one-octet or two-octet tag and a length before its content.
 [[nodiscard]] std::size_t framed_bytes(std::size_t tag_bytes, std::size_t content_bytes);
 
 /// Numbers IRIs in the order of their first use. Look-ups are linear: a datagram holds some dozens of terms.
@@ -28,12 +28,12 @@ class TermTable {
     std::string local;
   };
 
-  /// The number of a term, counted from 1; adds it where it is new. The empty IRI is 0.
+  /// The number of a term, counted from 1; adds a new one. The empty IRI is 0.
   std::uint32_t number(std::string_view iri);
-  /// What the tables take of a datagram.
+  /// The octets of the tables in a datagram.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
-  /// A state to go back to, when what was added does not fit.
+  /// A mark to go back to when an entry does not fit.
   struct Mark {
     std::size_t name_spaces = 0;
     std::size_t terms = 0;

@@ -1,4 +1,4 @@
-// What a consumer's host has chosen, as it stands in the message of a subscription.
+// The choice of a consumer's host, as it stands in the message of a subscription.
 #ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_WIRE_CHOICE_HPP
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_WIRE_CHOICE_HPP
 
@@ -10,11 +10,11 @@
 
 namespace geminga::announcement {
 
-/// Requires ascending keys. Up to max_listed_choice are listed as every receiver knows it; more are grouped by their
-/// participants.
+/// Writes a choice. Requires ascending keys. Up to max_listed_choice are listed, as every receiver can read; more are
+/// grouped by participant.
 void write_choice(const std::vector<ServiceKey>& chosen, wire::Subscription& message);
 
-/// Nothing where the groups are no groups, or both forms are used. The order of the keys is not looked at.
+/// Reads a choice. Nothing: the groups are malformed, or both forms are used. Does not check the order of the keys.
 [[nodiscard]] std::optional<std::vector<ServiceKey>> read_choice(const wire::Subscription& message);
 
 }  // namespace geminga::announcement

@@ -1,4 +1,3 @@
-// Writes one service into its message.
 #include "discovery/announcement/wire_entry.hpp"
 
 #include <utility>

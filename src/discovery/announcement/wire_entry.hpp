@@ -15,10 +15,10 @@ inline constexpr std::uint32_t format_magic = 0x4E4D47;
 inline constexpr std::uint32_t format_major = 1;
 inline constexpr std::uint32_t format_minor = 0;
 
-/// The octets of a numeric address; empty for an empty text or for what is no address.
+/// The octets of a numeric address; empty for any other text.
 [[nodiscard]] std::string address_octets(const std::string& text);
 
-/// Requires that find_fault() finds none. Adds the identity's IRIs to `terms`.
+/// Writes a service. Requires that find_fault() finds none. Adds the identity's IRIs to `terms`.
 [[nodiscard]] wire::Publication to_wire(const NumberedPublication& numbered, TermTable& terms);
 [[nodiscard]] wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& terms);
 

@@ -11,18 +11,18 @@
 
 namespace geminga::gcnp {
 
-/// The key from which `word` differs by one slip: a letter that is wrong, missing, too many, of the other case, or
-/// swapped. The first where there are several.
+/// The key from which `word` differs by one slip: one letter that is wrong, missing, too many or of the other case, or
+/// two swapped. Of several keys the first.
 [[nodiscard]] std::optional<std::string_view> mistyped_key(std::string_view word,
                                                            std::span<const std::string_view> keys);
 
-/// The attribute that a parameter of the daemon's lines states: what is behind `attr.`, or the key itself; nothing
-/// where that is reserved. Every other key is one, so that a daemon may say more than its client knows.
+/// The attribute that a parameter of the daemon's lines states: the text behind `attr.`, or the key itself; nothing if
+/// the key is reserved. Every other key is an attribute, so that a daemon may say more than its client knows.
 [[nodiscard]] std::optional<std::string_view> shown_attribute(std::string_view key);
 
-/// The key under which the daemon shows an attribute: its name, or `attr.NAME` where that could be taken for a key.
+/// The key under which the daemon shows an attribute: its name, or `attr.NAME` if that could be taken for a key.
 [[nodiscard]] std::string shown_key(std::string_view attribute);
-/// The key under which a client states an attribute: its name where attribute_name() takes it, else `attr.NAME`.
+/// The key under which a client states an attribute: its name if attribute_name() takes it, else `attr.NAME`.
 [[nodiscard]] std::string stated_key(std::string_view attribute);
 
 }  // namespace geminga::gcnp

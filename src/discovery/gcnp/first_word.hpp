@@ -1,4 +1,4 @@
-// Tells, as early as can be, whether what a connection begins with can be GCNP.
+// The test of a connection's first octets: whether they can be GCNP, decided as early as possible.
 #ifndef GEMINGA_DISCOVERY_GCNP_FIRST_WORD_HPP
 #define GEMINGA_DISCOVERY_GCNP_FIRST_WORD_HPP
 
@@ -7,13 +7,13 @@
 
 namespace geminga::gcnp {
 
-/// The first word of a connection is a number, as that of every statement; what begins otherwise is another protocol
-/// (HTTP, TLS, STUN, ...), whatever stands in it further on. Decides at the first octet that settles it.
+/// The first word of a connection is a number, as that of every statement. Another beginning is another protocol (HTTP,
+/// TLS, STUN, ...), whatever follows. Decides at the first octet that settles it.
 class FirstWord {
  public:
   enum class Verdict : std::uint8_t {
     open,     ///< only digits yet
-    number,   ///< GCNP, or somebody's attempt at it
+    number,   ///< GCNP, or an attempt at it
     foreign,  ///< another protocol
   };
 

@@ -253,7 +253,7 @@ Statement KeyReader::behind(std::string_view prefix) {
 
 std::optional<std::string> KeyReader::attribute(std::string_view key) {
   if (may_convert_ && key == converts_key) return std::string(key);
-  // The keys of this very statement come first: where a word may be a slip of several, the likely one is among them.
+  // The keys of this statement come first: if a word may be a slip of several, the likely one is among them.
   const bool is_told = key.starts_with(attribute_prefix) || is_reserved(key);
   if (const auto meant = is_told ? std::nullopt : mistyped_key(key, asked_)) {
     fail(ErrorCode::malformed, base::printable(key, 64) + " is no key: did you mean " + std::string(*meant) +

@@ -1,4 +1,4 @@
-// Takes the parameters of one statement by key, each once, and says what is wrong with them.
+// A reader of the parameters of one statement: takes each by its key, once, and says what is wrong with them.
 #ifndef GEMINGA_DISCOVERY_GCNP_KEY_READER_HPP
 #define GEMINGA_DISCOVERY_GCNP_KEY_READER_HPP
 
@@ -19,8 +19,8 @@
 
 namespace geminga::gcnp {
 
-/// Each function takes a key if it is there; nothing where it is not. The first thing that is wrong is kept in error(),
-/// and what comes after it does not matter. Borrows the statement for its life.
+/// Each function takes a key if it is there, and returns nothing if it is not. error() keeps the first error; later
+/// ones do not matter. Borrows the statement for its life.
 class KeyReader {
  public:
   explicit KeyReader(const Statement& statement);
@@ -35,7 +35,7 @@ class KeyReader {
   std::optional<std::uint32_t> number(std::string_view key);
   std::optional<std::int32_t> priority();
   std::optional<std::uint16_t> port();
-  /// A numeric IP address that somebody can send to, or an empty text; else 422.
+  /// A numeric IP address that can be sent to, or an empty text; else 422.
   std::optional<std::string> address();
   std::optional<ChannelMode> mode();
   std::optional<Degree> degree(std::string_view key);
@@ -50,15 +50,15 @@ class KeyReader {
   /// At most one of `id`, `text`, and `concept` with or without `representation`.
   std::optional<IdentityChange> identity_change();
   std::optional<NamedIdentity> identity();
-  /// Takes the parameters whose keys begin with this: a statement of their own, without it.
+  /// Takes the parameters whose keys begin with this prefix: a statement of their own, without the prefix.
   Statement behind(std::string_view prefix);
-  /// Every key that is left, as attribute_name() takes it; to be called after all others.
+  /// Takes every key that is left as an attribute (attribute_name()). Call it after all others.
   Attributes attributes();
-  /// The same of a publication: `converts=FROM>TO` is an attribute, too, although it is a slip of `convert`.
+  /// The same for a publication: `converts=FROM>TO` is an attribute, too, although it is a slip of `convert`.
   Attributes offered_attributes();
   /// Whether every key has been taken.
   [[nodiscard]] bool is_empty() const { return std::ranges::find(taken_, false) == taken_.end(); }
-  /// 400 where a key is left, with the key of this statement that it is a slip of.
+  /// 400 if a key is left, with the key of this statement that it is a slip of.
   void finish();
 
  private:
@@ -67,7 +67,7 @@ class KeyReader {
   /// The value of a key that must have one.
   std::optional<std::string_view> value(std::string_view key);
   void fail_value(std::string_view key, std::string_view expected);
-  /// The attribute that a key that is left states, or nothing and an error.
+  /// The attribute that a remaining key states, or nothing and an error.
   std::optional<std::string> attribute(std::string_view key);
   bool may_convert_ = false;  ///< `converts` is an attribute
 

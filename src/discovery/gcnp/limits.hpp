@@ -1,5 +1,5 @@
-// How long the parts of a request may be; a longer one is refused with 413 (src/discovery/gcnp/GCNP.md, Limits). What
-// describes a service is bounded by what an announcement carries: identity/service_limits.hpp.
+// The limits of the parts of a request; a longer one is refused with 413 (src/discovery/gcnp/GCNP.md, Limits). A
+// service is bounded by what an announcement carries: identity/service_limits.hpp.
 #ifndef GEMINGA_DISCOVERY_GCNP_LIMITS_HPP
 #define GEMINGA_DISCOVERY_GCNP_LIMITS_HPP
 

@@ -1,4 +1,4 @@
-// Cuts the bytes of a stream into GCNP lines of bounded length, whatever way they arrive.
+// Cuts the bytes of a stream into GCNP lines of bounded length, in whatever pieces they arrive.
 #ifndef GEMINGA_DISCOVERY_GCNP_LINE_READER_HPP
 #define GEMINGA_DISCOVERY_GCNP_LINE_READER_HPP
 
@@ -11,8 +11,8 @@
 
 namespace geminga::gcnp {
 
-/// A line ends with CR LF or a bare LF, which are not part of it. A line over the limit is told once, as soon as it is
-/// known to be too long, by its beginning; the rest is skipped to its end. Keeps at most the limit and what was fed
+/// A line ends with CR LF or a bare LF, which are not part of it. A line over the limit is told once, by its beginning,
+/// as soon as it is known to be too long; the rest is skipped to its end. Keeps at most the limit and what was fed
 /// last. Linear in what is fed. Not thread-safe.
 class LineReader {
  public:
@@ -21,7 +21,7 @@ class LineReader {
     bool is_too_long = false;
   };
 
-  /// How much of a line over the limit is given, so that the id of its statement can be told.
+  /// The octets of a line over the limit that are given, so that the id of its statement can be told.
   static constexpr std::size_t beginning_bytes = 64;
 
   explicit LineReader(std::size_t max_bytes = max_line_bytes) : max_bytes_(max_bytes) {}
@@ -30,11 +30,11 @@ class LineReader {
   void feed(std::string_view bytes);
   /// The next line, or nothing until more is fed. An empty line is a line.
   [[nodiscard]] std::optional<Line> next();
-  /// Whether next() would give one.
+  /// Whether next() would give a line.
   [[nodiscard]] bool has_line();
 
  private:
-  /// A line by its place in the buffer.
+  /// A line by its position in the buffer.
   struct Found {
     std::size_t begin = 0;
     std::size_t size = 0;
@@ -44,8 +44,8 @@ class LineReader {
 
   std::size_t max_bytes_;
   std::string buffer_;
-  std::size_t begin_ = 0;    ///< where the first line that was not found yet begins
-  std::size_t scanned_ = 0;  ///< up to where no LF has been found
+  std::size_t begin_ = 0;    ///< the beginning of the first line that was not found yet
+  std::size_t scanned_ = 0;  ///< the octets without LF that were searched
   bool is_skipping_ = false;
   std::optional<Found> found_;  ///< found by has_line() and not given yet
 };

@@ -1,4 +1,4 @@
-// Appends typed values to the parameters of a statement; the way back of KeyReader.
+// Appends typed values to the parameters of a statement: the inverse of KeyReader.
 #ifndef GEMINGA_DISCOVERY_GCNP_PARAMETERS_HPP
 #define GEMINGA_DISCOVERY_GCNP_PARAMETERS_HPP
 
@@ -29,9 +29,9 @@ inline void append_stated(std::vector<Parameter>& parameters, std::string_view k
 /// `A/1,B`, as in `provider=`.
 [[nodiscard]] std::string provider_list(const std::vector<ProviderFilter>& providers);
 
-/// `udp,tcp`, as in a subscription's `protocol=`.
 /// The value of `convert=` for the largest accepted cost: "no", "yes" for any_cost, or the number.
 [[nodiscard]] std::string conversion_word(std::uint32_t cost);
+/// `udp,tcp`, as in a subscription's `protocol=`.
 [[nodiscard]] std::string protocol_list(const std::vector<std::string>& protocols);
 
 }  // namespace geminga::gcnp

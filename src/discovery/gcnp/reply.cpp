@@ -1,4 +1,3 @@
-// From a line of the daemon to an event, an error or a message.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +8,7 @@
 namespace geminga::gcnp {
 namespace {
 
-/// `N EEE text`, where the text is no parameters; nothing where the line is no error.
+/// Reads `N EEE text`, whose text is no parameters; nothing if the line is no error.
 std::optional<Event> read_error(std::string_view line) {
   const auto id_end = line.find(' ');
   if (id_end == std::string_view::npos) return std::nullopt;
@@ -48,7 +47,7 @@ Number number_of(const Statement& statement, std::string_view key) {
   return base::parse_number<Number>(statement.value(key).value_or("")).value_or(Number{});
 }
 
-/// What pub and sub events have in common. `service` is the publication or subscription that the event tells of.
+/// Reads what pub and sub events have in common. `service` is the publication or subscription that the event tells of.
 template <typename Event, typename Service>
 std::optional<Error> fill(const Statement& statement, Event& event, Service& service) {
   if (event.change == Change::del) {

@@ -1,4 +1,4 @@
-// From a statement to a request. The way back is in request_statement.cpp.
+// From a statement to a request. request_statement.cpp has the way back.
 #include "discovery/gcnp/request.hpp"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ Request read_pub_modify(KeyReader& keys) {
 
 Request read_pub_remove(KeyReader&) { return PubRemove{}; }
 
-/// What a subscription may say beside its mode and identity.
+/// The keys of a subscription beside its mode and identity.
 void read_wishes(KeyReader& keys, NamedSubscription& subscription) {
   subscription.weakest = keys.degree("match").value_or(Degree::narrower);
   subscription.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
@@ -198,7 +198,7 @@ Request read_query_why(KeyReader& keys) {
     asked.is_any_mode = !mode;
     asked.subscription.mode = mode.value_or(ChannelMode::one_to_one);
     read_wishes(keys, asked.subscription);
-    // With their prefix only, so that a key that is none is told.
+    // With their prefix only, so that a key without it is told.
     for (const auto& [name, value] : keys.behind(attribute_prefix).parameters) {
       asked.subscription.attributes.emplace(name, value.value_or(""));
     }
@@ -221,7 +221,7 @@ Request read_query_interfaces(KeyReader&) { return QueryInterfaces{}; }
 Request read_query_peers(KeyReader&) { return QueryPeers{}; }
 Request read_query_security(KeyReader&) { return QuerySecurity{}; }
 
-/// One row a statement that a client may send.
+/// One row for each statement that a client may send.
 struct Row {
   std::string_view command;
   std::string_view subcommand;
@@ -251,7 +251,7 @@ constexpr std::array<Row, 20> rows{{
     {"query", "security", read_query_security},
 }};
 
-/// Why no row has this command and subcommand, with the words that there are.
+/// The reason why no row has this command and subcommand, with the known words.
 Error unknown_statement(const Statement& statement) {
   std::string words;
   for (const auto& row : rows) {

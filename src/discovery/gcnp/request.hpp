@@ -1,4 +1,4 @@
-// What a client asks for, read from a statement: every key checked, names not yet resolved
+// The requests of a client, read from statements: every key is checked, names are not resolved yet
 // (src/discovery/gcnp/GCNP.md).
 #ifndef GEMINGA_DISCOVERY_GCNP_REQUEST_HPP
 #define GEMINGA_DISCOVERY_GCNP_REQUEST_HPP
@@ -59,16 +59,16 @@ struct SubRemove {
   friend bool operator==(const SubRemove&, const SubRemove&) = default;
 };
 
-/// What `services` and `requests` list, and what they leave out: everything given must hold.
+/// The filter of `services` and `requests`: everything given must hold.
 struct ListFilter {
   std::optional<NamedIdentity> identity;
   std::optional<ChannelMode> mode;
   std::vector<ProviderFilter> providers;
-  std::string text;  ///< `filter=TEXT`: occurs in some value of the line (matches_text())
+  std::string text;  ///< `filter=TEXT`: occurs in a value of the line (matches_text())
   friend bool operator==(const ListFilter&, const ListFilter&) = default;
 };
 
-/// Before the keys of a service that nobody offers, in `query why`.
+/// The prefix of the keys of an assumed service in `query why`.
 inline constexpr std::string_view offer_prefix = "offer.";
 
 /// `N query KIND ...`; the answers are specified in src/discovery/participant/QUERIES.md.
@@ -101,21 +101,22 @@ struct QueryExplain {
   std::string super;
   friend bool operator==(const QueryExplain&, const QueryExplain&) = default;
 };
-/// A request that nobody has stated: what it would be given. Its keys are those of `sub create`.
+/// An assumed request: what it would be given. Its keys are those of `sub create`.
 struct HypotheticalRequest {
   NamedSubscription subscription;
   bool is_any_mode = false;  ///< no mode was stated: it takes each offer's own
   friend bool operator==(const HypotheticalRequest&, const HypotheticalRequest&) = default;
 };
-/// A service that nobody offers: who would take it. Its keys are those of `pub create` behind `offer.`.
+/// An assumed service: what would take it. Its keys are those of `pub create` behind `offer.`.
 struct HypotheticalOffer {
   NamedPublication publication;
-  bool is_any_mode = false;  ///< no mode was stated: it has that of the request, without one that of each request
-  ProviderFilter provider;   ///< by whom; nobody: by a peer of this participant
+  bool is_any_mode =
+      false;  ///< no mode was stated: it has that of the request, or that of each request if none is given
+  ProviderFilter provider;  ///< its provider; empty: a peer of this participant
   friend bool operator==(const HypotheticalOffer&, const HypotheticalOffer&) = default;
 };
-/// Why a request and an offer meet or do not; without an offer why nobody answers the request, or who does; without a
-/// request why nobody takes the offer, or who does. One of them is there.
+/// Why a request and an offer meet or do not. Without an offer: why nobody answers the request, or who does. Without a
+/// request: why nobody takes the offer, or who does. At least one is present.
 struct QueryWhy {
   std::variant<std::monostate, ServiceKey, HypotheticalRequest> request;
   std::variant<std::monostate, ServiceKey, HypotheticalOffer> offer;
@@ -143,16 +144,16 @@ using Request = std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, 
                              QueryOntology, QueryStatus, QueryInterfaces, QueryPeers, QuerySecurity>;
 
 /// The request of a statement. Errors: 400 for an unknown command, a missing, doubled or unreadable key, a reserved key
-/// where it means nothing, or an id that the command may not have (0 but for sys, and nothing else for sys); 413 for a
-/// value over its limit; 422 for an address that is no IP address. Whether the id is in use is for the participant.
+/// where it means nothing, or an id that the command may not have (0 except for sys, and any other for sys); 413 for a
+/// value over its limit; 422 for an address that is no IP address. The participant checks whether the id is in use.
 [[nodiscard]] std::expected<Request, Error> read_request(const Statement& statement);
 
-/// The statement of a request, as a client sends it; read_request() gives the request back.
+/// The statement of a request, as a client sends it; read_request() is the inverse.
 [[nodiscard]] Statement to_statement(std::uint32_t id, const Request& request);
 
 /// The publication with its identity resolved.
 [[nodiscard]] Publication with_identity(const NamedPublication& named, Identity identity);
-/// The subscription with its identity resolved; a limit that is not stated becomes 1 for `oto` and 0 (all) otherwise.
+/// The subscription with its identity resolved. A limit that is not stated becomes 1 for `oto` and 0 (all) otherwise.
 [[nodiscard]] Subscription with_identity(const NamedSubscription& named, Identity identity);
 
 /// Changes everything but the identity, which the participant resolves.

@@ -1,4 +1,4 @@
-// From a request to its statement, as a client sends it. What has its default is left out.
+// From a request to its statement, as a client sends it. Defaults are left out.
 #include <utility>
 
 #include "base/text.hpp"
@@ -24,7 +24,7 @@ void append_change(Parameters& parameters, const IdentityChange& change) {
   }
 }
 
-/// As a client states them, which must not be taken for mistyped keys.
+/// Attributes as a client states them, which must not be taken for mistyped keys.
 void append_own_attributes(Parameters& parameters, const Attributes& attributes) {
   for (const auto& [name, value] : attributes) append(parameters, stated_key(name), value);
 }

@@ -8,8 +8,9 @@
 
 namespace geminga::gcnp {
 
-/// The one table. In a statement where a word has no meaning it is refused with 400, so that a misplaced key is told;
-/// an attribute of that name is written with its prefix (gcnp/attribute.hpp). Words are only ever appended.
+/// The one table of reserved keys. A statement in which a word has no meaning is refused with 400, so that a misplaced
+/// key is told. An attribute of that name is written with its prefix (gcnp/attribute.hpp). Words are only ever
+/// appended.
 inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "id",
                                                                        "text",
@@ -44,8 +45,8 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "rank",
                                                                        "for"});
 
-/// Keys of the daemon's own lines that a client may all the same state as attributes: these are written `attr.NAME` in
-/// every line of the daemon, so that no attribute can be taken for them. Words are only ever appended.
+/// Keys of the daemon's own lines that a client may still state as attributes. Such attributes are written `attr.NAME`
+/// in every line of the daemon, so that none can be taken for a key. Words are only ever appended.
 inline constexpr auto keys_of_lines = std::to_array<std::string_view>({"why", "because"});
 
 [[nodiscard]] constexpr bool is_key_of_lines(std::string_view key) {

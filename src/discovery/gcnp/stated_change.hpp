@@ -1,4 +1,4 @@
-// What a `modify` does to a publication or subscription, be its identity stated by names or resolved.
+// The effect of a `modify` on a publication or subscription, whether its identity is stated by names or resolved.
 #ifndef GEMINGA_DISCOVERY_GCNP_STATED_CHANGE_HPP
 #define GEMINGA_DISCOVERY_GCNP_STATED_CHANGE_HPP
 
@@ -6,7 +6,7 @@
 
 namespace geminga::gcnp {
 
-/// What both kinds have in common.
+/// The fields that both kinds have.
 template <typename Change, typename Service>
 void apply_common(const Change& change, Service& service) {
   service.mode = change.mode.value_or(service.mode);
@@ -17,13 +17,13 @@ void apply_common(const Change& change, Service& service) {
   for (const auto& [key, value] : change.attributes) service.attributes.insert_or_assign(key, value);
 }
 
-/// An empty `converts` is none: it takes back what was stated.
+/// Drops an empty `converts`, which takes back what was stated.
 inline void drop_empty_conversion(Attributes& attributes) {
   const auto conversion = attributes.find("converts");
   if (conversion != attributes.end() && conversion->second.empty()) attributes.erase(conversion);
 }
 
-/// All but the identity, which is the caller's to change, of a Publication or a NamedPublication.
+/// Changes all but the identity of a Publication or a NamedPublication; the caller changes that.
 template <typename Publication>
 void apply_stated(const PublicationChange& change, Publication& publication) {
   apply_common(change, publication);
@@ -32,7 +32,7 @@ void apply_stated(const PublicationChange& change, Publication& publication) {
   drop_empty_conversion(publication.attributes);
 }
 
-/// The same of a Subscription or a NamedSubscription.
+/// The same for a Subscription or a NamedSubscription.
 template <typename Subscription>
 void apply_stated(const SubscriptionChange& change, Subscription& subscription) {
   apply_common(change, subscription);

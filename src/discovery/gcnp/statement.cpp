@@ -46,7 +46,7 @@ class Cursor {
   std::size_t at_ = 0;
 };
 
-/// The octets that no line may have, wherever they stand.
+/// The octets that no line may have at any position.
 std::optional<Error> forbidden_octet(std::string_view line) {
   const auto control = std::ranges::find_if(line, is_control);
   const auto* const bad = utf8::find_invalid(line.begin(), line.end());
@@ -145,7 +145,7 @@ std::expected<void, Error> read_rest(Cursor& cursor, Statement& statement) {
   return {};
 }
 
-/// What to_line() writes of a text: well-formed UTF-8 without control characters that have no escape.
+/// The text as to_line() writes it: well-formed UTF-8 without control characters that have no escape.
 std::string clean(std::string_view text) {
   std::string cleaned;
   if (base::is_valid_utf8(text)) {
@@ -191,7 +191,7 @@ bool Statement::has(std::string_view key) const {
 
 std::expected<Statement, Malformed> parse(std::string_view line) {
   Malformed malformed;
-  // The id is told even where the rest cannot be read, so that the error reaches the request that it belongs to.
+  // The id is told even if the rest cannot be read, so that the error reaches the request that it belongs to.
   Cursor cursor(line.substr(0, max_line_bytes));
   auto id = read_id(cursor);
   if (id) malformed.id = *id;

@@ -2,196 +2,151 @@
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_TABLE_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_TABLE_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
-#include "discovery/membership/hearing.hpp"
-#include "discovery/membership/witnesses.hpp"
+#include "discovery/membership/admission/admission.hpp"
+#include "discovery/membership/claim/first_claims.hpp"
+#include "discovery/membership/former_incarnations.hpp"
+#include "discovery/membership/lacks_and_doubts.hpp"
+#include "discovery/membership/namesakes.hpp"
+#include "discovery/membership/neighbour/arrival.hpp"
+#include "discovery/membership/neighbour/change.hpp"
+#include "discovery/membership/neighbour/hearing.hpp"
+#include "discovery/membership/neighbour/neighbour.hpp"
+#include "discovery/membership/neighbour/neighbour_record.hpp"
+#include "discovery/membership/neighbour/service_room.hpp"
+#include "discovery/membership/records.hpp"
+#include "discovery/membership/report.hpp"
+#include "discovery/membership/timetable.hpp"
+#include "discovery/membership/witnesses/witnesses.hpp"
 #include "env/env.hpp"
 #include "geminga/service.hpp"
 
 namespace geminga::membership {
 
-/// Why something remote is gone. The words of matching::Reason.
-enum class Departure : std::uint8_t {
-  withdrawn,  ///< its participant does not announce it any more
-  expired,    ///< not heard of before the deadline
-  left,       ///< its participant said goodbye
-};
-
-/// A remote publication is there, has changed, or was said again (then only `heard` differs); that a presence affirms
-/// it is told by NeighbourTable::affirmed(). The address is never empty unless nothing is known of the sender; an IPv6
-/// link-local one carries our interface as zone.
-struct PutPublication {
-  ServiceKey key;
-  Publication publication;
-  std::string peer_name;
-  std::string participant_name;
-  base::Instant heard;  ///< registry::PublicationEntry::updated
-  friend bool operator==(const PutPublication&, const PutPublication&) = default;
-};
-struct PutSubscription {
-  ServiceKey key;
-  Subscription subscription;
-  std::string peer_name;
-  std::string participant_name;
-  base::Instant heard;
-  friend bool operator==(const PutSubscription&, const PutSubscription&) = default;
-};
-struct RemovePublication {
-  ServiceKey key;
-  Departure reason = Departure::withdrawn;
-  friend bool operator==(const RemovePublication&, const RemovePublication&) = default;
-};
-struct RemoveSubscription {
-  ServiceKey key;
-  Departure reason = Departure::withdrawn;
-  friend bool operator==(const RemoveSubscription&, const RemoveSubscription&) = default;
-};
-/// A participant and everything of it is gone; its services are not removed one by one.
-struct RemoveParticipant {
-  ParticipantId participant{};
-  Departure reason = Departure::expired;
-  friend bool operator==(const RemoveParticipant&, const RemoveParticipant&) = default;
-};
-/// What the caller does to its registry, in this order.
-using Change = std::variant<PutPublication, PutSubscription, RemovePublication, RemoveSubscription, RemoveParticipant>;
-
-/// How a datagram came in.
-struct Arrival {
-  env::InterfaceIndex interface{};
-  std::string_view interface_name;  ///< becomes the zone of IPv6 link-local addresses
-  /// The sender's numeric address, which its ways belong to; also used for a sender that announces no address of its
-  /// own. May be empty.
-  std::string_view source;
-  base::Instant now;
-};
-
-/// One way on which a participant is heard: our interface and its interface.
-struct Path {
-  env::InterfaceIndex interface{};
-  std::string interface_name;
-  std::uint32_t link = 0;
-  std::vector<std::string> addresses;  ///< the sender's there; IPv6 link-local ones with our zone
-  base::Instant heard;
-  double loss = 0;  ///< the share of its last 64 datagrams on this way that were not heard
-};
-
-/// What is known of one participant.
-struct Neighbour {
-  ParticipantId id{};
-  announcement::BootNonce boot{};
-  std::string name;  ///< the identifier where it says none
-  std::uint64_t ontology_digest = 0;
-  base::Duration interval{};
-  base::Instant heard;
-  base::Instant deadline;
-  std::string address;  ///< what its services without address are given; may be empty
-  std::vector<Path> paths;
-  double loss = 0;  ///< of the best path
-  std::size_t publications = 0;
-  std::size_t subscriptions = 0;
-  bool is_deaf = false;      ///< it says that it has not heard us for long, though we hear it
-  bool is_complete = false;  ///< all parts of its newest revision were heard
-};
-
-/// What is said of others in a presence (announcement::Announcement has the fields of these names).
-struct Report {
-  announcement::Witness witness;
-  std::vector<ParticipantId> lacks;
-  std::vector<ParticipantId> doubts;
-};
-
-/// Goodbyes are remembered so long, so that datagrams which they overtook bring nobody back; at most max_participants.
-inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
-
-/// The table of one participant. Not thread-safe. Deterministic: no clock, no chance, no order of a hash map. What a
-/// participant announces is kept by (participant, peer, number); a newer revision wins over an older one; what is in no
-/// part of a completely heard revision is withdrawn; a datagram of the newest, complete revision keeps all alive. Who
-/// is believed when a datagram may be forged is told in ANNOUNCEMENT.md. The address of a path is kept as long as the
-/// path is alive and none of a better rank (address_rank()) turns up.
-class NeighbourTable {
+/// The table of one participant. Not thread-safe. Deterministic: it uses no clock, no randomness and no order of a hash
+/// map. Services are kept by (participant, peer, number). A newer revision wins over an older one. A service that is in
+/// no part of a completely heard revision is withdrawn; any datagram of the newest, complete revision keeps all
+/// services alive. ANNOUNCEMENT.md tells which datagram is believed when one may be forged. The address of a path is
+/// kept while the path is alive and no address of a better rank (address_rank()) turns up.
+class NeighbourTable final : private ServiceRoom {
  public:
-  /// Whether what is heard again is told as a change of `heard`, or only by affirmed().
-  enum class Affirmed : std::uint8_t { told, known };
-  explicit NeighbourTable(std::string group, Affirmed affirmed = Affirmed::told);
-  ~NeighbourTable();
+  explicit NeighbourTable(std::string group) : group_(std::move(group)) {}
+  ~NeighbourTable() override = default;
   NeighbourTable(const NeighbourTable&) = delete;
   NeighbourTable& operator=(const NeighbourTable&) = delete;
 
-  /// Who we are, to be told from others; again after each draw of IdentifierClaim.
+  /// Sets our own identity. Call again after each draw of IdentifierClaim.
   void set_self(ParticipantId id, announcement::BootNonce boot);
 
-  /// Random bits that nobody else knows, so that nobody can aim a flood at the places of others. Before anything is
-  /// heard.
-  void set_secret(std::uint64_t secret);
+  /// Random bits that nobody else knows, so that nobody can aim a flood at the places of others. Call before anything
+  /// is heard.
+  void set_secret(std::uint64_t secret) { admission_.set_secret(secret); }
 
   /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and when something has
-  /// changed (or a sixteenth of an interval has gone by) all entries of its sender; while all room for services is
-  /// taken also a look at every participant for each service that others make room for.
+  /// changed (or a sixteenth of an interval has gone by) all entries of its sender. While the room for services is
+  /// full, it also looks at every participant for each service that others make room for.
   [[nodiscard]] Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival);
-  /// Removes what has its deadline at or before `now`. How many participants of them may come back into reach: who was
-  /// heard for sought_after, and whose next life does not seem to have begun.
+  /// Removes what has its deadline at or before `now`. Returns how many of the removed participants may come back into
+  /// reach: those heard for sought_after whose next incarnation does not seem to have begun.
   std::size_t expire(base::Instant now);
   /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
-  [[nodiscard]] base::Instant next_deadline() const;
-  /// We were not awake when something was due: nobody's deadline is before `until`, so that what has come in meanwhile
-  /// can be heard. It may have been said long ago, so we do not testify by what we hear until then.
+  [[nodiscard]] base::Instant next_deadline() const { return timetable_.next(); }
+  /// Moves every deadline before `until` to `until`. Call it when we were not awake, so that what came in meanwhile can
+  /// be heard. It may have been said long ago, so we do not testify by what we hear until then.
   void postpone(base::Instant until);
-  /// An interface of ours is gone: its paths are, and addresses are chosen anew. Participants stay until their
-  /// deadline.
+  /// Removes the paths of an interface of ours, and chooses addresses anew. Participants stay until their deadline.
   void forget_interface(env::InterfaceIndex interface);
 
   /// The changes since the last call, in the order in which they must be done.
-  [[nodiscard]] std::vector<Change> take_changes();
+  [[nodiscard]] std::vector<Change> take_changes() { return std::exchange(changes_, {}); }
 
-  /// What we have heard of others, for our next presence. Who is doubted counts as asked with it. Costs a look at every
+  /// The part of our next presence that is about others. A doubted participant counts as asked by it. Looks at every
   /// participant.
   [[nodiscard]] Report report(base::Instant now);
-  /// Whether report() would name anybody in `lacks` that is to be said at once; or in `doubts`.
-  [[nodiscard]] bool lacks_anybody(base::Instant now);
-  [[nodiscard]] bool doubts_anybody() const;
-  /// Somebody else says that it doubts these, whom all can hear answer: that counts as asked by us, too. Whether all
-  /// whom we doubt are among them.
+  /// Whether report() would name anybody in `lacks` that is to be said at once.
+  [[nodiscard]] bool lacks_anybody(base::Instant now) { return lacks_and_doubts_.lacks_anybody(now); }
+  /// Whether report() would name anybody in `doubts`.
+  [[nodiscard]] bool doubts_anybody() const { return lacks_and_doubts_.doubts_anybody(); }
+  /// Takes in the doubts of another participant. Everybody hears the answers, so they count as asked by us, too.
+  /// Returns whether all that we doubt are among them.
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
-  /// Whom somebody known, who says this, does not know (Witnesses::compare()).
-  Unknown compare(const announcement::Announcement& presence, base::Instant now);
-  /// Whether the last of these could not be told (Witnesses::is_unlike()).
-  [[nodiscard]] bool is_unlike(base::Instant now) const;
-  /// Whether somebody known, who says this, may have heard nothing of us since then (Witnesses::misses_us()).
+  /// Takes in the fold of a known participant's presence; see Witnesses::compare().
+  Unknown compare(const announcement::Announcement& presence, base::Instant now) {
+    return witnesses_.compare(presence, now);
+  }
+  /// Whether a known participant may have heard nothing of us since then; see Witnesses::misses_us().
   [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
-                               base::Instant now);
+                               base::Instant now) {
+    return witnesses_.misses_us(presence, since, interval, now);
+  }
+  /// Whether the last fold that differed from ours is still unclear; see Witnesses::is_unlike().
+  [[nodiscard]] bool is_unlike(base::Instant now) const { return witnesses_.is_unlike(now); }
   /// Whether we testify that we have heard it ourselves within one of its intervals.
-  [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const;
+  [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const {
+    return witnesses_.has_heard(id, now);
+  }
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
-  [[nodiscard]] std::optional<double> loss() const;
+  [[nodiscard]] std::optional<double> loss() const { return records_.loss(); }
 
-  [[nodiscard]] bool is_known(ParticipantId id) const;
+  [[nodiscard]] bool is_known(ParticipantId id) const { return records_.record(id) != nullptr; }
   [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;
-  /// When a datagram last proved that all is there which somebody known was last heard to offer and to ask for.
+  /// When a datagram last proved that a known participant still offers and asks for what was last heard of it.
   [[nodiscard]] std::optional<base::Instant> affirmed(ParticipantId id) const;
-  /// Counts how often somebody came or went, or said something else of itself: the same number, the same participants
-  /// with the same names and ontologies.
-  [[nodiscard]] std::uint64_t roster() const;
+  /// Counts how often a participant came or went, or changed its name or ontology. The same number means the same
+  /// participants with the same names and ontologies.
+  [[nodiscard]] std::uint64_t roster() const { return roster_; }
   /// In ascending order of identifier.
   void for_each(const std::function<void(const Neighbour&)>& visit) const;
-  [[nodiscard]] std::size_t size() const;
-  /// Those of them that were heard for seasoned_after.
-  [[nodiscard]] std::size_t seasoned() const;
+  [[nodiscard]] std::size_t size() const { return records_.size(); }
+  /// How many participants were heard for seasoned_after.
+  [[nodiscard]] std::size_t seasoned() const { return admission_.seasoned(); }
   /// Services that were not taken because of max_services_per_participant or max_remote_services.
-  [[nodiscard]] std::uint64_t refused_services() const;
+  [[nodiscard]] std::uint64_t refused_services() const { return refused(); }
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  /// Takes in a presence or a change, which says something of a state that is known or is not.
+  Hearing hear_short(const announcement::Announcement& announcement, const Arrival& arrival);
+  Hearing hear_claim(const announcement::Announcement& announcement, const Arrival& arrival);
+  Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
+  /// Decides who owns an identifier: ANNOUNCEMENT.md, "Whose an identifier is".
+  Hearing hear_state(const announcement::Announcement& announcement, const Arrival& arrival);
+  Hearing hear_holder(Records::iterator holder, const announcement::Announcement& announcement, const Arrival& arrival);
+  Hearing hear_newcomer(const announcement::Announcement& announcement, const Arrival& arrival, Turn since);
+  /// Tells every participant that a newcomer may be its next incarnation: those of its name at its address, and those
+  /// of its lasting identity.
+  void succeed(const announcement::Announcement& newcomer, const Arrival& arrival);
+  void add(std::unique_ptr<NeighbourRecord> one, const announcement::Announcement& announcement,
+           const Arrival& arrival);
+  void displace(ParticipantId id);
+  std::unique_ptr<NeighbourRecord> remove(Records::iterator known, Departure reason);
+  /// Brings everything that is derived from a record up to date, its next deadline included.
+  void update(Records::value_type& known, base::Instant now);
+  bool make_room(ParticipantId asks) override;
+
+  std::string group_;
+  ParticipantId self_{};
+  announcement::BootNonce self_boot_{};
+  Admission admission_;
+  Witnesses witnesses_;
+  FormerIncarnations former_;
+  FirstClaims claims_;
+  LacksAndDoubts lacks_and_doubts_;
+  Namesakes namesakes_;
+  Turn turn_ = 0;
+  Records records_;
+  Timetable timetable_;  ///< when expire() has something to do for which participant
+  std::uint64_t roster_ = 0;
+  std::vector<Change> changes_;
 };
 
 }  // namespace geminga::membership

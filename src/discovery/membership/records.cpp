@@ -5,34 +5,34 @@
 
 namespace geminga::membership {
 
-std::size_t Records::place_of(ParticipantId id) const {
+std::size_t Records::index_of(ParticipantId id) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
 }
 
 Records::iterator Records::find(ParticipantId id) {
-  const auto place = place_of(id);
-  return place < ids_.size() && ids_[place] == id ? found_[place] : map_.end();
+  const auto index = index_of(id);
+  return index < ids_.size() && ids_[index] == id ? found_[index] : map_.end();
 }
 
 const NeighbourRecord* Records::record(ParticipantId id) const {
-  const auto place = place_of(id);
-  return place < ids_.size() && ids_[place] == id ? found_[place]->second.record.get() : nullptr;
+  const auto index = index_of(id);
+  return index < ids_.size() && ids_[index] == id ? found_[index]->second.record.get() : nullptr;
 }
 
 Records::iterator Records::add(ParticipantId id, Known known) {
   const auto one = map_.emplace(id, std::move(known)).first;
-  const auto place = static_cast<std::ptrdiff_t>(place_of(id));
-  ids_.insert(ids_.begin() + place, id);
-  found_.insert(found_.begin() + place, one);
+  const auto index = static_cast<std::ptrdiff_t>(index_of(id));
+  ids_.insert(ids_.begin() + index, id);
+  found_.insert(found_.begin() + index, one);
   return one;
 }
 
 void Records::erase(iterator one) {
   heard_ -= one->second.heard;
   span_ -= one->second.span;
-  const auto place = static_cast<std::ptrdiff_t>(place_of(one->first));
-  ids_.erase(ids_.begin() + place);
-  found_.erase(found_.begin() + place);
+  const auto index = static_cast<std::ptrdiff_t>(index_of(one->first));
+  ids_.erase(ids_.begin() + index);
+  found_.erase(found_.begin() + index);
   map_.erase(one);
 }
 

@@ -7,22 +7,22 @@
 #include <optional>
 #include <vector>
 
-#include "discovery/membership/admission.hpp"
-#include "discovery/membership/neighbour_record.hpp"
+#include "discovery/membership/admission/admission.hpp"
+#include "discovery/membership/neighbour/neighbour_record.hpp"
 #include "discovery/membership/timetable.hpp"
 
 namespace geminga::membership {
 
-/// One known participant, with what the parts of the table have to do with it.
+/// One known participant, with its entries in the other parts of the table.
 struct Known {
   std::unique_ptr<NeighbourRecord> record;
-  Slot slot{};                        ///< when something is to be done for it
-  Admission::Place* place = nullptr;  ///< among those who have one
-  int heard = 0;                      ///< of its last datagrams on all ways
-  int span = 0;                       ///< how many there were of them
+  Slot slot{};  ///< when its record has something to do
+  Admission::Member* member = nullptr;
+  int heard = 0;  ///< its last datagrams on all ways that were heard
+  int span = 0;   ///< all its last datagrams
 };
 
-/// A map that is looked into with every datagram: found by a flat list of identifiers.
+/// A map that is searched for every datagram, through a flat list of identifiers.
 class Records {
  public:
   using Map = std::map<ParticipantId, Known>;
@@ -39,18 +39,18 @@ class Records {
 
   iterator add(ParticipantId id, Known known);
   void erase(iterator one);
-  /// To be called when something of it was heard.
+  /// Counts its losses anew. Call when something of it was heard.
   void count(Known& known);
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
   [[nodiscard]] std::optional<double> loss() const;
 
  private:
-  [[nodiscard]] std::size_t place_of(ParticipantId id) const;
+  [[nodiscard]] std::size_t index_of(ParticipantId id) const;
 
   Map map_;
   std::vector<ParticipantId> ids_;  ///< ascending
   std::vector<iterator> found_;     ///< in the same order
-  int heard_ = 0;                   ///< of all of them
+  int heard_ = 0;                   ///< of all participants
   int span_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Participants of which something is heard, but whose state is not known.
+// Participants that are heard, but whose state is not known.
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_STRANGERS_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_STRANGERS_HPP
 
@@ -11,10 +11,11 @@
 
 namespace geminga::membership {
 
-/// The last few whose presence was heard before their state. Each is forgotten when it has not been heard for a while.
+/// The last few participants whose presence was heard before their state. Each is forgotten when it was not heard for a
+/// while.
 class Strangers {
  public:
-  /// The oldest one gives way where there are too many.
+  /// Adds a participant, or renews it. The oldest one gives way if there are too many.
   void hear(ParticipantId id, base::Instant now) {
     forget(id);
     if (heard_.size() == announcement::max_named) heard_.erase(heard_.begin());
@@ -23,7 +24,7 @@ class Strangers {
   void forget(ParticipantId id) {
     std::erase_if(heard_, [id](const Stranger& each) { return each.id == id; });
   }
-  /// Forgets whom nobody has heard for long. Whether somebody is left.
+  /// Forgets participants that were not heard for long. Returns whether one is left.
   bool prune(base::Instant now) {
     std::erase_if(heard_, [now](const Stranger& each) { return now - each.heard >= remembered; });
     return !heard_.empty();

@@ -1,4 +1,4 @@
-// When something is to be done for whom.
+// The timetable of all participants: when something is to be done for which of them.
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_TIMETABLE_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_TIMETABLE_HPP
 
@@ -13,11 +13,11 @@
 
 namespace geminga::membership {
 
-/// A place in a timetable, for as long as it is not given back.
+/// An entry of a timetable, until it is given back.
 enum class Slot : std::uint32_t {};
 
-/// Nearly every datagram puts a deadline off. That costs one word here: what lies in the heap is no later than what
-/// holds, and is found out when it comes to the top.
+/// Nearly every datagram moves a deadline to later, which costs one word: an entry in the heap is no later than the
+/// deadline that holds, and is corrected when it comes to the top.
 class Timetable {
  public:
   [[nodiscard]] Slot take(ParticipantId id) {
@@ -42,9 +42,9 @@ class Timetable {
     if (due < known.listed) list(slot);
     settle();
   }
-  /// The earliest; base::never: none is set.
+  /// The earliest time; base::never: none is set.
   [[nodiscard]] base::Instant next() const { return heap_.empty() ? base::never : heap_.front().due; }
-  /// For whom something is due at `now` or before, in ascending order.
+  /// The participants for which something is due at `now` or before, in ascending order.
   [[nodiscard]] std::vector<ParticipantId> due(base::Instant now) const {
     std::vector<ParticipantId> ids;
     if (next() > now) return ids;
@@ -54,14 +54,14 @@ class Timetable {
     std::ranges::sort(ids);
     return ids;
   }
-  /// Entries, those included that count no more.
+  /// Entries of the heap, stale ones included.
   [[nodiscard]] std::size_t entries() const { return heap_.size(); }
 
  private:
   struct Due {
     ParticipantId id{};
     base::Instant due = base::never;
-    base::Instant listed = base::never;  ///< its entry that counts; no later than `due`
+    base::Instant listed = base::never;  ///< the entry in the heap that counts; no later than `due`
   };
   struct Entry {
     base::Instant due;
@@ -79,12 +79,12 @@ class Timetable {
     heap_.push_back({at(slot).due, slot});
     std::ranges::push_heap(heap_, std::greater<>());
   }
-  /// Deadlines that come nearer again and again leave entries behind.
+  /// Deadlines that come nearer again and again leave stale entries.
   void drop_stale() {
     std::erase_if(heap_, [this](const Entry& entry) { return at(entry.slot).listed != entry.due; });
     std::ranges::make_heap(heap_, std::greater<>());
   }
-  /// Until the first entry holds. Each entry that does not is listed again once at most.
+  /// Corrects the heap until its first entry holds. Each stale entry is listed again once at most.
   void settle() {
     while (!heap_.empty()) {
       const auto first = heap_.front();

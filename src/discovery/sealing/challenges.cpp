@@ -95,7 +95,7 @@ Greeting Challenges::greeting(env::InterfaceIndex interface, const Keyring& keys
   } else {
     greeting.calls_everybody = false;
   }
-  // Those who are named answer each time, so they are named beside a call, too: an answer may have been lost.
+  // Sessions that are named answer each time, so they are named beside a call, too: an answer may have been lost.
   if (greeting.challenge) {
     for (const Asked& one : asked_ | std::views::reverse | std::views::filter(is_here)) {
       if (fits(listed_bytes)) greeting.asked.push_back(tag_of(one.session));

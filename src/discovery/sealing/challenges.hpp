@@ -1,4 +1,5 @@
-// Who has still to show that it is no recording, and to whom we have still to show that.
+// The open questions of freshness: which sessions must still prove that they are no recording, and to which we owe a
+// proof.
 #ifndef GEMINGA_DISCOVERY_SEALING_CHALLENGES_HPP
 #define GEMINGA_DISCOVERY_SEALING_CHALLENGES_HPP
 
@@ -12,35 +13,35 @@
 
 namespace geminga::sealing {
 
-/// The talk between participants about freshness, which rides in their announcements (after RFC 8967, section 4.3).
+/// The exchange between participants about freshness, which rides in their announcements (after RFC 8967, section 4.3).
 class Challenges {
  public:
-  /// Our session begins with this challenge, and calls everybody for calling_time.
+  /// Begins our session with this challenge, and calls everybody for calling_time.
   void begin(Session own, Challenge challenge, base::Instant now);
-  /// From now on only this challenge proves anything.
+  /// Replaces our challenge: from now on only this one proves anything.
   void renew(Challenge challenge) { own_challenge_ = challenge; }
 
-  /// Somebody with our key has said this; we owe what it asks of us. It may be a recording.
+  /// Takes in the greeting of a sender with our key: we owe what it asks of us. It may be a recording.
   void hear(const Greeting& greeting, Session from, env::InterfaceIndex interface, base::Instant now);
   /// Whether it gives our challenge back, so that it was made after that was drawn.
   [[nodiscard]] bool is_proof(const Greeting& greeting) const;
-  /// A session that has proved nothing has spoken, so it is asked.
+  /// Takes in that a session without a proof has spoken, so it is asked.
   void ask(Session session, env::InterfaceIndex interface, base::Instant now);
-  /// It has proved itself.
+  /// Takes in that it has proved itself.
   void settle(Session session);
 
-  /// Whether somebody is asked: then something is to be said soon, and again and again.
+  /// Whether a session is asked. While one is, something is to be said soon, and again and again.
   [[nodiscard]] bool asks(base::Instant now);
-  /// Whether somebody waits for a proof of ours that nothing has carried yet.
+  /// Whether somebody waits for a proof of ours that no datagram has carried yet.
   [[nodiscard]] bool is_asked(base::Instant now) const;
 
-  /// Whether somebody is asked on this interface who was not heard on the other one.
+  /// Whether a session is asked on this interface that was not heard on the other one.
   [[nodiscard]] bool asks_only_on(env::InterfaceIndex interface, env::InterfaceIndex other, base::Instant now);
-  /// Nothing is said on this interface: what is owed there is not said.
+  /// Forgets what is owed on this interface, since nothing is said there.
   void forget_owed(env::InterfaceIndex interface);
 
-  /// What the next datagram on this interface says, in at most `room` octets; it counts as said. `keys` are named where
-  /// there are several.
+  /// The greeting of the next datagram on this interface, in at most `room` octets; it counts as said. `keys` are named
+  /// if there are several.
   [[nodiscard]] Greeting greeting(env::InterfaceIndex interface, const Keyring& keys, std::size_t room,
                                   base::Instant now);
 
@@ -65,9 +66,9 @@ class Challenges {
   Session own_{};
   Challenge own_challenge_{};
   base::Instant calls_until_ = base::Instant::min();
-  std::vector<Asked> asked_;   ///< who spoke last is the last
+  std::vector<Asked> asked_;   ///< in the order in which they last spoke
   bool are_too_many_ = false;  ///< more than can be named
-  std::vector<Owed> owed_;     ///< who asked last is the last
+  std::vector<Owed> owed_;     ///< in the order in which they last asked
 };
 
 }  // namespace geminga::sealing

@@ -1,4 +1,4 @@
-// Makes announcements smaller by a dictionary of what announcements are made of, and bounded texts of them again.
+// Compression of announcements by a dictionary of their common octets, and the way back into a bounded text.
 #ifndef GEMINGA_DISCOVERY_SEALING_COMPRESSION_HPP
 #define GEMINGA_DISCOVERY_SEALING_COMPRESSION_HPP
 
@@ -11,7 +11,8 @@
 
 namespace geminga::sealing {
 
-/// What zstd needs for one direction and the other; some hundred kilobytes.
+/// Compresses and expands with the contexts of zstd, some hundred kilobytes. They stay behind a pointer, so that only
+/// compression.cpp names zstd.
 class Compression {
  public:
   Compression();
@@ -19,16 +20,16 @@ class Compression {
   Compression(const Compression&) = delete;
   Compression& operator=(const Compression&) = delete;
 
-  /// Writes the text smaller into `octets`, which has room for it as it is, and gives the size; 0: it does not pay.
+  /// Compresses the text into `octets`, which has room for the text as it is. Returns the size; 0: it does not pay.
   [[nodiscard]] std::size_t compress(std::span<const std::byte> text, std::span<std::byte> octets);
-  /// Puts the text that was compressed into `text` and gives its size. It never writes behind `text`: what would not
-  /// fit there is malformed, and so is what is no compressed text.
+  /// Expands into `text` and returns the size. Never writes behind `text`: what would not fit there is malformed, and
+  /// so is what is no compressed text.
   [[nodiscard]] std::expected<std::size_t, Rejection> expand(std::span<const std::byte> octets,
                                                              std::span<std::byte> text);
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  class Contexts;
+  std::unique_ptr<Contexts> contexts_;
 };
 
 }  // namespace geminga::sealing

@@ -1,5 +1,5 @@
-// Octets that announcements have in common, for their compression. The dictionary is part of the format: another one
-// takes another bit of the envelope.
+// The octets that announcements have in common, for their compression. The dictionary is part of the format: another
+// one takes another bit of the envelope.
 #ifndef GEMINGA_DISCOVERY_SEALING_DICTIONARY_HPP
 #define GEMINGA_DISCOVERY_SEALING_DICTIONARY_HPP
 

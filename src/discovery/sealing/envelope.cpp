@@ -43,7 +43,7 @@ void write_header(const Header& header, std::span<std::byte> octets) {
   write_number(octets.subspan(12, 4), header.counter);
 }
 
-/// The header and eight zeros: so each of its octets is authenticated by being part of the nonce.
+/// The header and eight zeros: each of its octets is authenticated as part of the nonce.
 Nonce nonce_of(std::span<const std::byte> datagram) {
   Nonce nonce{};
   std::memcpy(nonce.data(), datagram.data(), header_bytes);
@@ -89,7 +89,7 @@ std::size_t seal(const Key& key, const Header& header, std::span<const std::byte
   const Nonce nonce = nonce_of(datagram);
   const auto body = datagram.subspan(header_bytes, text.size());
   const auto tag = datagram.subspan(header_bytes + text.size(), tag_bytes);
-  // Authenticated only: the text is the additional data of an empty message.
+  // Only authenticated: the text is the additional data of an empty message.
   const bool is_encrypted = header.protection == Protection::encrypted;
   if (!is_encrypted) std::copy_n(text.data(), text.size(), body.data());
   crypto_aead_xchacha20poly1305_ietf_encrypt_detached(

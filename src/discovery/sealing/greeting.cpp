@@ -22,7 +22,7 @@ class Writer {
   std::size_t at_ = 0;
 };
 
-/// Whoever reads has made sure that there is enough.
+/// Requires that there are enough octets for each read.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> octets) : octets_(octets) {}

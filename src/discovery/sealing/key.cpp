@@ -10,13 +10,13 @@
 namespace geminga::sealing {
 namespace {
 
-/// What is derived from a secret (libsodium's crypto_kdf: BLAKE2b). A number is never given another meaning.
+/// The values that are derived from a secret (libsodium's crypto_kdf: BLAKE2b). A number never gets another meaning.
 constexpr std::uint64_t subkey_of_sealing = 1;
 constexpr std::uint64_t subkey_of_id = 2;
 constexpr const char* context = "GemSeal1";
 static_assert(crypto_kdf_KEYBYTES == key_bytes);
 
-/// Chooses what this processor can do; safe at any time and as often as one likes.
+/// Chooses the code for this processor; safe at any time and as often as wanted.
 void begin_sodium() { GEMINGA_ASSERT(sodium_init() >= 0); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One team key: what it seals with, and the number by which it is known on the air.
+// One team key: what is derived from it, and the number by which it is known on the air.
 #ifndef GEMINGA_DISCOVERY_SEALING_KEY_HPP
 #define GEMINGA_DISCOVERY_SEALING_KEY_HPP
 
@@ -12,7 +12,7 @@
 
 namespace geminga::sealing {
 
-/// Tells which key a datagram was sealed with. It is derived from the key and says nothing about it.
+/// The number of the key that a datagram was sealed with. It is derived from the key and says nothing about it.
 enum class KeyId : std::uint16_t {};
 /// Four hexadecimal digits: "3fa9".
 [[nodiscard]] std::string to_string(KeyId id);
@@ -22,14 +22,14 @@ class Key {
  public:
   using Secret = std::array<unsigned char, key_bytes>;
 
-  /// Derives from the secret of a key file what is used on the air, and keeps only that.
+  /// Derives the values for the air from the secret of a key file, and keeps only those.
   explicit Key(const Secret& secret);
   Key(const Key&) = default;
   Key& operator=(const Key&) = default;
   ~Key();
 
   [[nodiscard]] KeyId id() const { return id_; }
-  /// For the envelope, and nothing else.
+  /// For the envelope only.
   [[nodiscard]] const Secret& sealing() const { return sealing_; }
   friend bool operator==(const Key& one, const Key& other);
 
@@ -48,9 +48,9 @@ class Keyring {
   };
   Added add(const Key& key);
   [[nodiscard]] bool is_empty() const { return keys_.empty(); }
-  /// The one that seals. Requires that there is one.
+  /// The key that seals. Requires that there is one.
   [[nodiscard]] const Key& first() const { return keys_.front(); }
-  /// Null: there is none of this number.
+  /// The key of this number, or null.
   [[nodiscard]] const Key* find(KeyId id) const;
   [[nodiscard]] std::span<const Key> keys() const { return keys_; }
   /// Whether each of these keys is in `other`, too.

@@ -38,7 +38,7 @@ std::expected<Key, KeyFileError> read_line(std::string_view line, std::size_t nu
   if (!is_whole) {
     return failure(number, "the secret is not " + std::to_string(key_bytes) + " octets in base64");
   }
-  // A character that was lost or changed gives another key, and nobody would be heard.
+  // A lost or changed character gives another key, and nobody would be heard.
   if (to_string(key.id()) != id) {
     return failure(number, "the secret is not that of the key " + base::printable(id, 16) + ": it was changed");
   }

@@ -1,4 +1,4 @@
-// The text of a key file: comments, and one line `key ID SECRET`. Reading and writing files is the daemon's.
+// The text of a key file: comments, and one line `key ID SECRET`. The daemon reads and writes the files.
 #ifndef GEMINGA_DISCOVERY_SEALING_KEY_FILE_HPP
 #define GEMINGA_DISCOVERY_SEALING_KEY_FILE_HPP
 
@@ -13,13 +13,13 @@ namespace geminga::sealing {
 
 struct KeyFileError {
   std::size_t line = 0;  ///< from 1
-  std::string text;      ///< what is wrong and what to do; never anything of the key
+  std::string text;      ///< the fault and the remedy; never a part of the key
 };
 
 /// Reads the text of a key file, whatever it is.
 [[nodiscard]] std::expected<Key, KeyFileError> read_key(std::string_view text);
 
-/// The text that read_key() reads, with comments that say what it is. The caller wipes it.
+/// The text that read_key() reads, with comments that explain it. The caller wipes it.
 [[nodiscard]] std::string write_key(const Key::Secret& secret);
 
 }  // namespace geminga::sealing

@@ -8,7 +8,7 @@
 namespace geminga::sealing {
 namespace {
 
-/// What is the matter, and what to do, for the log.
+/// The cause and the remedy, for the log.
 std::string_view remedy(Rejection rejection) {
   switch (rejection) {
     case Rejection::plain:
@@ -38,7 +38,7 @@ std::string_view remedy(Rejection rejection) {
   return "no sealed announcement of this version";
 }
 
-/// A recording looks like a newcomer at first, and newcomers are no news.
+/// A recording looks like a newcomer at first, and newcomers are not logged.
 constexpr std::uint64_t unproved_before_told = 100;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What was heard of late and how it was sealed, and what was rejected, why, and from where.
+// The ledger of datagrams: how those heard of late were sealed, and which were rejected, why, and from where.
 #ifndef GEMINGA_DISCOVERY_SEALING_LEDGER_HPP
 #define GEMINGA_DISCOVERY_SEALING_LEDGER_HPP
 
@@ -17,7 +17,7 @@
 
 namespace geminga::sealing {
 
-/// Where a datagram came in.
+/// The interface and source of a datagram.
 struct Arrival {
   env::InterfaceIndex interface{};
   std::string_view interface_name;
@@ -25,15 +25,15 @@ struct Arrival {
   base::Instant now;
 };
 
-/// How a datagram was sealed, as far as one can tell, and what became of it.
+/// How a datagram was sealed, as far as that can be told, and what became of it.
 struct Outcome {
   Protection protection = Protection::plain;
-  std::optional<KeyId> key;            ///< that it names
+  std::optional<KeyId> key;            ///< the key that it names
   std::optional<Rejection> rejection;  ///< nothing: it was heard
   friend auto operator<=>(const Outcome&, const Outcome&) = default;
 };
 
-/// What was rejected of one source for one reason.
+/// The datagrams of one source that were rejected for one reason.
 struct Rejected {
   std::string source;  ///< "10.0.0.66 on wlan0"
   Outcome outcome;
@@ -45,18 +45,18 @@ class Ledger {
  public:
   Ledger();
 
-  /// One datagram; costs the same whatever is in it.
+  /// Enters one datagram, at constant cost.
   void enter(const Outcome& outcome, const Arrival& arrival);
-  /// A line for the log about what was rejected, when there is one to be told.
+  /// A line for the log about rejected datagrams, if one is due.
   [[nodiscard]] std::optional<std::string> take_complaint();
 
-  /// Since the start.
+  /// The counts since the start.
   [[nodiscard]] std::uint64_t rejected(Rejection rejection) const {
     return rejected_.at(static_cast<std::size_t>(rejection));
   }
-  /// The last remembered_datagrams by how they were sealed and what became of them.
+  /// The last remembered_datagrams, by how they were sealed and what became of them.
   [[nodiscard]] std::map<Outcome, std::size_t> recent() const;
-  /// The last max_sources of whom something was rejected, the last one first.
+  /// The last max_sources with a rejected datagram, the last one first.
   [[nodiscard]] std::vector<Rejected> sources() const;
 
  private:
@@ -64,7 +64,7 @@ class Ledger {
     std::uint64_t hash = 0;  ///< of source, interface and outcome
     Rejected rejected;
   };
-  /// When the log was told of one reason, and how many there were since.
+  /// When the log was told of one reason, and how many rejections followed.
   struct Told {
     base::Instant at = base::Instant::min();
     std::uint64_t since = 0;

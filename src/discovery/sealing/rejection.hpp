@@ -1,4 +1,4 @@
-// Why a datagram was not heard, in the order in which it is found out.
+// The reasons why a datagram was not heard, in the order in which they are found.
 #ifndef GEMINGA_DISCOVERY_SEALING_REJECTION_HPP
 #define GEMINGA_DISCOVERY_SEALING_REJECTION_HPP
 
@@ -10,18 +10,18 @@ namespace geminga::sealing {
 
 /// Words are only ever appended.
 enum class Rejection : std::uint8_t {
-  plain,          ///< not sealed, and only what is sealed is heard
+  plain,          ///< not sealed, and only sealed datagrams are heard
   too_large,      ///< sealed, and over env::max_datagram_bytes
   too_short,      ///< sealed, and too short for an envelope
   other_version,  ///< sealed in a way that this version does not know
   unknown_key,    ///< sealed with a key that we do not have
   replayed,       ///< this datagram was heard, or is so old that it may have been
   forged,         ///< not sealed with the key that it names, or changed on the way
-  malformed,      ///< sealed with our key, and what is in it cannot be read
-  unproved,       ///< of a session that has not shown yet that it is not a recording
-  downgraded,     ///< not sealed, in the name of somebody who seals
-  own,            ///< what we have sealed ourselves, given back by the link: no fault, and not counted as one
-  unreadable,     ///< not sealed, which would be heard, and no announcement
+  malformed,      ///< sealed with our key, and its content cannot be read
+  unproved,       ///< of a session that has not proved yet that it is no recording
+  downgraded,     ///< not sealed, in the name of a participant that seals
+  own,            ///< our own datagram, given back by the link: no fault, and not counted as one
+  unreadable,     ///< not sealed, which is allowed, but no announcement
 };
 inline constexpr std::size_t rejection_count = 12;
 

@@ -1,4 +1,4 @@
-// Which datagrams of one session were heard, so that none is heard twice, and none that somebody has kept back.
+// The datagrams of one session that were heard: none is heard twice, and none that somebody has kept back is heard.
 #ifndef GEMINGA_DISCOVERY_SEALING_REPLAY_WINDOW_HPP
 #define GEMINGA_DISCOVERY_SEALING_REPLAY_WINDOW_HPP
 
@@ -12,22 +12,22 @@
 
 namespace geminga::sealing {
 
-/// A sliding window over counters (RFC 4303, section 3.4.3) which closes with time, too: what is later than
-/// overtaken_time behind a higher counter is refused, heard or not. A sender says each datagram once; where two of our
+/// A sliding window over counters (RFC 4303, section 3.4.3) that also closes with time: a datagram that comes more than
+/// overtaken_time after a higher counter is refused, heard or not. A sender says each datagram once. If two of our
 /// interfaces are on its link each of them hears it once, and each is a way to it.
 class ReplayWindow {
  public:
-  /// The session has just proved itself by the datagram with this counter. What is older counts as heard.
+  /// Begins a window: the session has just proved itself by the datagram with this counter. Older ones count as heard.
   ReplayWindow(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now);
 
   /// Whether a datagram with this counter may be heard. Changes nothing, since the datagram may be forged.
   [[nodiscard]] bool is_open(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now) const;
-  /// It was heard. Requires is_open().
+  /// Enters that it was heard. Requires is_open().
   void take(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now);
 
  private:
   static_assert(window_counters == 64);
-  /// What was heard on one interface: bit i is the counter highest_ - i.
+  /// The datagrams heard on one interface: bit i is the counter highest_ - i.
   struct Way {
     env::InterfaceIndex interface{};
     std::uint64_t heard = 0;
@@ -41,7 +41,7 @@ class ReplayWindow {
   base::Instant highest_at_;
   std::uint32_t mark_;  ///< the highest one at mark_at_, which becomes the floor when it is old enough
   base::Instant mark_at_;
-  std::uint32_t floor_;  ///< nothing up to this is heard any more
+  std::uint32_t floor_;  ///< counters up to this are refused
   std::array<Way, max_ways> ways_{};
   std::size_t way_count_ = 1;
 };

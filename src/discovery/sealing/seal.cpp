@@ -29,7 +29,7 @@ Seal::Seal(RandomBits random_bits) : random_bits_(std::move(random_bits)) {}
 void Seal::adopt(const Policy& policy, base::Instant now) {
   GEMINGA_ASSERT(policy.keys.is_empty() == (policy.mode == Mode::plain));
   const Policy before = std::exchange(policy_, policy);
-  // Who is `prepared` says nothing sealed, so nobody could prove anything to it.
+  // A participant in mode `prepared` sends nothing sealed, so nobody could prove anything to it.
   const bool is_proof_lost = !before.keys.is_within(policy_.keys) || before.mode == Mode::prepared;
   if (is_proof_lost) {
     sessions_.clear();
@@ -80,7 +80,7 @@ std::expected<Opened, Rejection> Seal::open(std::span<const std::byte> datagram,
     return Opened{.text = datagram};
   }();
   if (!opened) outcome.rejection = opened.error();
-  // What is heard without a seal is entered by attribute(), which may still reject it.
+  // An unsealed datagram is entered by attribute(), which may still reject it.
   if (opened || opened.error() != Rejection::own) {
     if (!opened || opened->session) ledger_.enter(outcome, arrival);
   }
@@ -124,7 +124,7 @@ std::expected<Opened, Rejection> Seal::open_sealed(std::span<const std::byte> da
   return Opened{.text = text, .protection = header->protection, .session = header->session};
 }
 
-/// Whether what was sealed with one of our keys is to be heard: it is neither a copy nor a recording.
+/// Whether a datagram sealed with one of our keys is to be heard: it is neither a copy nor a recording.
 bool Seal::admit(const Read& read, const Arrival& arrival) {
   const Header& header = read.header;
   const Greeting& greeting = read.greeting;
@@ -146,13 +146,13 @@ bool Seal::admit(const Read& read, const Arrival& arrival) {
   known->heard = arrival.now;
   known->protection = header.protection;
   known->key = header.key;
-  // Who has several keys names them in each datagram that has room for them.
+  // A sender with several keys names them in each datagram that has room for them.
   if (!greeting.keys.empty() || read.had_room) known->keys = greeting.keys;
   return true;
 }
 
-/// Where a running process was copied (a virtual machine, say), both copies go on with one session. Whoever hears that
-/// begins another: no nonce may be used twice.
+/// If a running process was copied (a virtual machine, say), both copies go on with one session. The one that hears
+/// that begins another: no nonce may be used twice.
 void Seal::look_at_own(const Header& header, std::span<const std::byte> datagram, const Arrival& arrival) {
   if (header.counter < counter_) return;
   if (sealing::open(*policy_.keys.find(header.key), header, datagram, heard_)) begin_session(arrival.now);

@@ -1,4 +1,4 @@
-// What stands between a participant and the air: seals what it says, and lets through what the team has said.
+// The seal between a participant and the air: seals what it says, and lets through what the team has said.
 #ifndef GEMINGA_DISCOVERY_SEALING_SEAL_HPP
 #define GEMINGA_DISCOVERY_SEALING_SEAL_HPP
 
@@ -24,76 +24,78 @@
 
 namespace geminga::sealing {
 
-/// What a participant says and what it hears. A team goes from `plain` to `encrypted` by way of the two in between.
+/// The mode: how a participant sends and what it hears. A team goes from `plain` to `encrypted` by way of the two in
+/// between.
 enum class Mode : std::uint8_t {
   plain,          ///< there are no keys: nothing is sealed
-  prepared,       ///< says what is not sealed, hears both
-  mixed,          ///< says what is encrypted, hears both
-  authenticated,  ///< says what everybody can read, hears only what is sealed
-  encrypted,      ///< says what only the team can read, hears only what is sealed
+  prepared,       ///< sends unsealed, hears both
+  mixed,          ///< sends encrypted, hears both
+  authenticated,  ///< sends what everybody can read, hears only sealed datagrams
+  encrypted,      ///< sends encrypted, hears only sealed datagrams
 };
 /// "plain", "prepared", ... Static storage.
 [[nodiscard]] std::string_view to_string(Mode mode);
 /// The mode of this word, or nothing.
 [[nodiscard]] std::optional<Mode> read_mode(std::string_view word);
 
-/// `keys` are empty where the mode is plain, and only there.
+/// `keys` are empty if the mode is plain, and only then.
 struct Policy {
   Mode mode = Mode::plain;
   Keyring keys{};
   friend bool operator==(const Policy&, const Policy&) = default;
 };
 
-/// An announcement, and what a compressed one may come to.
+/// The largest announcement, also after expanding a compressed one.
 inline constexpr std::size_t max_text_bytes = env::max_datagram_bytes - env::max_envelope_bytes;
 
-/// A datagram that may be decoded now.
+/// A datagram that may be decoded.
 struct Opened {
   std::span<const std::byte> text;  ///< borrowed until the next call
   Protection protection = Protection::plain;
-  std::optional<Session> session{};  ///< there unless it is plain
+  std::optional<Session> session{};  ///< present unless it is plain
 };
 
 /// How a participant of the team seals.
 struct Sealing {
   Protection protection{};
   KeyId key{};
-  std::vector<KeyId> keys;  ///< that it opens with; the one that it seals with among them
+  std::vector<KeyId> keys;  ///< keys that it opens with, the one that it seals with included
   base::Instant heard{};
 };
 
 class Seal {
  public:
-  /// Gives 64 unpredictable bits; asked only where there are keys.
+  /// Gives 64 unpredictable bits; called only if there are keys.
   using RandomBits = std::function<std::uint64_t()>;
   explicit Seal(RandomBits random_bits);
 
-  /// From now on this holds. Where a key was taken away, everybody has to prove itself anew, since whoever has that key
-  /// may have spoken in anybody's name.
+  /// Sets the policy. If a key was taken away, everybody must prove itself anew, since a holder of that key may have
+  /// spoken in anybody's name.
   void adopt(const Policy& policy, base::Instant now);
   [[nodiscard]] const Policy& policy() const { return policy_; }
 
-  /// What is to be sent for this announcement on this interface, borrowed until the next call and from `text`. Requires
-  /// that it has at most max_text_bytes octets.
+  /// The datagram to send for this announcement on this interface, borrowed until the next call and from `text`.
+  /// Requires that the text has at most max_text_bytes octets.
   [[nodiscard]] std::span<const std::byte> seal(std::span<const std::byte> text, env::InterfaceIndex interface,
                                                 base::Instant now);
-  /// What a datagram says, if it is to be heard. Bytes from anywhere; what is forged costs less than 1 us.
+  /// The text of a datagram, if it is to be heard. Takes bytes from anywhere; a forged datagram costs less than 1 us.
   [[nodiscard]] std::expected<Opened, Rejection> open(std::span<const std::byte> datagram, const Arrival& arrival);
-  /// Who has said what was opened last. False: it is not to be heard, since he seals, and this was not sealed.
+  /// Tells which participant said what was opened last. False: it is not to be heard, since that participant seals, and
+  /// this was not sealed.
   [[nodiscard]] bool attribute(const Opened& opened, ParticipantId participant, const Arrival& arrival);
-  /// What was opened last says nothing that can be read.
+  /// Tells that what was opened last cannot be read.
   void reject_unreadable(const Opened& opened, const Arrival& arrival);
 
-  /// Whether somebody is to be asked for a proof: something is to be said soon, and again and again.
+  /// Whether a session is to be asked for a proof: something is to be said soon, and again and again.
   [[nodiscard]] bool asks(base::Instant now) { return is_sealing() && challenges_.asks(now); }
   /// Whether somebody waits for a proof of ours: something is to be said at once.
   [[nodiscard]] bool is_asked(base::Instant now) const { return is_sealing() && challenges_.is_asked(now); }
 
-  /// Whether somebody is to be asked on this interface who was not heard on the other one.
+  /// Whether a session is to be asked on this interface that was not heard on the other one.
   [[nodiscard]] bool asks_only_on(env::InterfaceIndex interface, env::InterfaceIndex other, base::Instant now) {
     return is_sealing() && challenges_.asks_only_on(interface, other, now);
   }
-  /// Nothing is said on this interface.
+  /// Tells that nothing is said on this interface.
   void be_silent_on(env::InterfaceIndex interface) { challenges_.forget_owed(interface); }
 
   /// How this participant seals; nothing: it has not been heard sealed, or it is forgotten.
@@ -105,10 +107,10 @@ class Seal {
   [[nodiscard]] bool is_sealing() const { return policy_.mode > Mode::prepared; }
   [[nodiscard]] bool hears_plain() const { return policy_.mode <= Mode::mixed; }
   void begin_session(base::Instant now);
-  /// Only the envelope: `outcome` says what was found on the way.
+  /// Opens the envelope; `outcome` says what was found.
   [[nodiscard]] std::expected<Opened, Rejection> open_sealed(std::span<const std::byte> datagram,
                                                              const Arrival& arrival, Outcome& outcome);
-  /// What was sealed with one of our keys.
+  /// Takes in a datagram that was sealed with one of our keys.
   struct Read {
     Header header;
     Greeting greeting{};
@@ -123,13 +125,13 @@ class Seal {
   std::uint32_t counter_ = 0;  ///< of the next datagram
   Sessions sessions_;
   Challenges challenges_;
-  std::unique_ptr<Compression> compression_;  ///< where there are keys
+  std::unique_ptr<Compression> compression_;  ///< null: there are no keys
   Ledger ledger_;
-  std::map<ParticipantId, Session> sealers_;  ///< who was heard sealed, and by which session last
+  std::map<ParticipantId, Session> sealers_;  ///< participants that were heard sealed, and the session of each
   std::array<std::byte, env::max_datagram_bytes> said_{};
   std::array<std::byte, env::max_datagram_bytes> heard_{};
-  std::array<std::byte, max_text_bytes> expanded_{};          ///< what was heard, where it was compressed
-  std::array<std::byte, max_text_bytes> compressed_{};        ///< what is said, likewise
+  std::array<std::byte, max_text_bytes> expanded_{};          ///< a received text after expanding
+  std::array<std::byte, max_text_bytes> compressed_{};        ///< a sent text after compressing
   std::array<std::byte, env::max_datagram_bytes> greeted_{};  ///< a greeting with the text behind it
 };
 

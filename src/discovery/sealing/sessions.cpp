@@ -22,7 +22,7 @@ bool Sessions::add(Session session, KnownSession known) {
   return is_full;
 }
 
-/// Half of them at once, because a new challenge must follow.
+/// Forgets half of them at once, because a new challenge must follow.
 void Sessions::forget_silent_half() {
   std::vector<std::pair<base::Instant, Session>> by_silence;
   for (const auto& [session, known] : sessions_) by_silence.emplace_back(known.heard, session);

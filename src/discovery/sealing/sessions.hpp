@@ -16,17 +16,17 @@ struct KnownSession {
   ReplayWindow window;
   base::Instant heard{};
   Protection protection{};  ///< of the last datagram
-  KeyId key{};              ///< that it was sealed with
-  std::vector<KeyId> keys;  ///< that its sender opens with, as far as it has said
+  KeyId key{};              ///< the key that it was sealed with
+  std::vector<KeyId> keys;  ///< the keys that its sender opens with, as far as it has said
 };
 
-/// Only who has a key and has proved its session gets a place, so that a forger has none and a recording neither.
+/// Only a session that has a key and has proved itself gets an entry: no forger and no recording does.
 class Sessions {
  public:
-  /// Null: not known.
+  /// The session, or null.
   [[nodiscard]] KnownSession* find(Session session);
   [[nodiscard]] const KnownSession* find(Session session) const;
-  /// Adds one that is not known. Gives whether others had to be forgotten for it: whatever proved them must prove
+  /// Adds an unknown session. Returns whether others had to be forgotten for it. If so, what proved those must prove
   /// nothing from then on, or their recordings would be heard again.
   [[nodiscard]] bool add(Session session, KnownSession known);
   void clear() { sessions_.clear(); }

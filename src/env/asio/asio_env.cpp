@@ -3,20 +3,11 @@
 #include <sys/random.h>
 
 #include <algorithm>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <chrono>
-#include <map>
-#include <set>
 #include <system_error>
 
 #include "base/assert.hpp"
 #include "env/asio/families.hpp"
-#include "env/asio/link_watch.hpp"
-#include "env/asio/links.hpp"
-#include "env/asio/multicast.hpp"
-#include "env/asio/streams.hpp"
-#include "env/asio/unicast.hpp"
 
 namespace geminga::env {
 namespace {
@@ -35,234 +26,180 @@ std::chrono::steady_clock::time_point to_steady(base::Instant instant) {
 
 }  // namespace
 
-class AsioEnv::State {
- public:
-  State(net::io_context& context, base::LogSink& log)
-      : context_(context),
-        log_(log),
-        timer_(context),
-        streams_(context,
-                 {.opened =
-                      [this](StreamId id, const std::string& user) {
-                        tell([&](EventSink& sink) { sink.on_stream_opened(id, user); });
-                      },
-                  .bytes =
-                      [this](StreamId id, std::string_view bytes) {
-                        tell([&](EventSink& sink) { sink.on_stream_bytes(id, bytes); });
-                      },
-                  .drained = [this](StreamId id) { tell([&](EventSink& sink) { sink.on_stream_drained(id); }); },
-                  .closed = [this](StreamId id) { tell([&](EventSink& sink) { sink.on_stream_closed(id); }); }}),
-        now_(read_clock()) {}
+AsioEnv::AsioEnv(net::io_context& context, base::LogSink& log)
+    : context_(context), log_(log), timer_(context), now_(read_clock()) {
+  streams_ = std::make_shared<Streams>(
+      context,
+      Streams::Handlers{
+          .opened = [this](StreamId id,
+                           const std::string& user) { tell([&](auto& sink) { sink.on_stream_opened(id, user); }); },
+          .bytes = [this](StreamId id,
+                          std::string_view bytes) { tell([&](auto& sink) { sink.on_stream_bytes(id, bytes); }); },
+          .drained = [this](StreamId id) { tell([&](auto& sink) { sink.on_stream_drained(id); }); },
+          .closed = [this](StreamId id) { tell([&](auto& sink) { sink.on_stream_closed(id); }); }});
+}
 
-  template <typename Action>
-  void event(Action&& action) {
-    now_ = read_clock();
-    action();
-    streams_.flush();
+AsioEnv::~AsioEnv() { streams_->shut_down(); }
+
+void AsioEnv::begin_event() { now_ = read_clock(); }
+
+void AsioEnv::event(const std::function<void()>& action) {
+  begin_event();
+  action();
+  streams_->flush();
+}
+
+void AsioEnv::open_air(AirSettings settings) {
+  settings_ = std::move(settings);
+  groups_.clear();
+  for (const std::string& group : settings_.groups) groups_.push_back(net::ip::make_address(group));
+  links_.clear();
+  problems_.clear();
+  unicast_.reset();
+  if (!settings_.peers.empty() || settings_.admits_guests) {
+    unicast_ = std::make_unique<Unicast>(
+        context_, settings_.peers, settings_.admits_guests, settings_.port, log_, air_counts_,
+        [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
+          receive(interface, source, datagram);
+        });
   }
+  const bool is_well = scan();
+  watch_ = std::make_unique<LinkWatch>(context_, is_well, [this] { return scan(); });
+}
 
-  /// One event for the sink; nothing where there is none yet.
-  template <typename Action>
-  void tell(Action&& action) {
-    if (sink_ != nullptr) event([&] { action(*sink_); });
+void AsioEnv::serve(EventSink& sink) {
+  sink_ = &sink;
+  streams_->serve();
+}
+
+void AsioEnv::wake_at(base::Instant instant) {
+  wanted_ = instant;
+  if (wanted_ >= armed_) return;  // the timer comes earlier, and is then set again
+  arm();
+}
+
+void AsioEnv::send(InterfaceIndex interface, std::span<const std::byte> datagram) {
+  if (const auto found = links_.find(interface); found != links_.end()) {
+    found->second->send(datagram);
+    watch_sending(*found->second);
   }
+  if (unicast_) unicast_->send(interface, datagram);
+}
 
-  void open_air(AirSettings settings) {
-    settings_ = std::move(settings);
-    groups_.clear();
-    for (const std::string& group : settings_.groups) groups_.push_back(net::ip::make_address(group));
-    links_.clear();
-    problems_.clear();
-    unicast_.reset();
-    if (!settings_.peers.empty() || settings_.admits_guests) {
-      unicast_ = std::make_unique<Unicast>(
-          context_, settings_.peers, settings_.admits_guests, settings_.port, log_, air_counts_,
-          [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
-            receive(interface, source, datagram);
-          });
-    }
-    const bool is_well = scan();
-    watch_ = std::make_unique<LinkWatch>(context_, is_well, [this] { return scan(); });
+bool AsioEnv::is_sender_unnamed() const { return unicast_ && unicast_->is_sender_unnamed(); }
+void AsioEnv::answer_sender(base::Duration time) {
+  if (unicast_) unicast_->answer_sender(time);
+}
+UnicastCounts AsioEnv::unicast_counts() const { return unicast_ ? unicast_->counts() : UnicastCounts{}; }
+
+void AsioEnv::arm() {
+  armed_ = wanted_;
+  if (armed_ == base::never) {
+    timer_.cancel();
+    return;
   }
-
-  void serve(EventSink& sink) {
-    sink_ = &sink;
-    streams_.serve();
-  }
-
-  void wake_at(base::Instant instant) {
-    wanted_ = instant;
-    if (wanted_ >= armed_) return;  // the timer comes earlier, and is then set again
-    arm();
-  }
-
-  void send(InterfaceIndex interface, std::span<const std::byte> datagram) {
-    if (const auto found = links_.find(interface); found != links_.end()) {
-      found->second->send(datagram);
-      watch_sending(*found->second);
-    }
-    if (unicast_) unicast_->send(interface, datagram);
-  }
-
-  [[nodiscard]] bool is_sender_unnamed() const { return unicast_ && unicast_->is_sender_unnamed(); }
-  void answer_sender(base::Duration time) {
-    if (unicast_) unicast_->answer_sender(time);
-  }
-  [[nodiscard]] UnicastCounts unicast_counts() const { return unicast_ ? unicast_->counts() : UnicastCounts{}; }
-
-  net::io_context& context_;
-  base::LogSink& log_;
-  net::steady_timer timer_;
-  Streams streams_;
-  base::Instant now_;
-  std::vector<Interface> interfaces_;
-  AirCounts air_counts_;
-
- private:
-  void arm() {
-    armed_ = wanted_;
-    if (armed_ == base::never) {
-      timer_.cancel();
+  timer_.expires_at(to_steady(armed_));
+  timer_.async_wait([this](const boost::system::error_code& error) {
+    if (error || armed_ == base::never) return;
+    if (read_clock() < armed_) return;  // an expiry that was on its way when the timer was set anew
+    armed_ = base::never;
+    if (read_clock() < wanted_) {
+      arm();
       return;
     }
-    timer_.expires_at(to_steady(armed_));
-    timer_.async_wait([this](const boost::system::error_code& error) {
-      if (error || armed_ == base::never) return;
-      if (read_clock() < armed_) return;  // an expiry that was already on its way when the timer was set anew
-      armed_ = base::never;
-      if (read_clock() < wanted_) {
-        arm();
-        return;
-      }
-      wanted_ = base::never;
-      tell([](EventSink& sink) { sink.on_timer(); });
-    });
-  }
+    wanted_ = base::never;
+    tell([](EventSink& sink) { sink.on_timer(); });
+  });
+}
 
-  void receive(InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
-    tell([&](EventSink& sink) { sink.on_datagram(interface, source.to_string(), datagram); });
-  }
+void AsioEnv::receive(InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
+  tell([&](EventSink& sink) { sink.on_datagram(interface, source.to_string(), datagram); });
+}
 
-  /// Compares the interfaces with those in use, and joins what is new or came back. Whether all are there that were
-  /// asked for, and all of them can be used.
-  bool scan() {
-    const std::vector<Link> links = scan_links(settings_.interfaces);
-    const std::vector<Joined> found = by_family(links, groups_);
-    bool is_changed = std::erase_if(links_, [&](const auto& entry) {
-                        return std::ranges::none_of(
-                            found, [&](const Joined& one) { return one.link.interface.index == entry.first; });
-                      }) > 0;
-    for (const auto& [link, groups] : found) {
-      const auto in_use = links_.find(link.interface.index);
-      const bool was_open = in_use != links_.end();
-      if (was_open && in_use->second->is_sound() && in_use->second->update(link)) continue;
-      const bool was_sound = was_open && in_use->second->is_sound();
-      if (was_open) links_.erase(in_use);
-      const bool is_sound = open(link, groups);
-      is_changed = is_changed || !was_open || was_sound || is_sound;
-    }
-    if (unicast_) unicast_->set_links(links);
-    std::vector<Interface> seen;
-    for (const Joined& one : found) seen.push_back(one.link.interface);
-    say_missing(seen);
-    bool is_well = missing_.empty();
-    for (const auto& [index, link] : links_) is_well = !link->take_failure() && link->is_sound() && is_well;
-    if (!is_changed && seen == interfaces_) return is_well;
-    interfaces_ = std::move(seen);
-    tell([](EventSink& sink) { sink.on_interfaces_changed(); });
-    return is_well;
+bool AsioEnv::scan() {
+  const std::vector<Link> links = scan_links(settings_.interfaces);
+  const std::vector<Joined> found = by_family(links, groups_);
+  bool is_changed =
+      std::erase_if(links_, [&](const auto& entry) {
+        return std::ranges::none_of(found, [&](const Joined& one) { return one.link.interface.index == entry.first; });
+      }) > 0;
+  for (const auto& [link, groups] : found) {
+    const auto in_use = links_.find(link.interface.index);
+    const bool was_open = in_use != links_.end();
+    if (was_open && in_use->second->is_sound() && in_use->second->update(link)) continue;
+    const bool was_sound = was_open && in_use->second->is_sound();
+    if (was_open) links_.erase(in_use);
+    const bool is_sound = open(link, groups);
+    is_changed = is_changed || !was_open || was_sound || is_sound;
   }
+  if (unicast_) unicast_->set_links(links);
+  std::vector<Interface> seen;
+  for (const Joined& one : found) seen.push_back(one.link.interface);
+  say_missing(seen);
+  bool is_well = missing_.empty();
+  for (const auto& [index, link] : links_) is_well = !link->take_failure() && link->is_sound() && is_well;
+  if (!is_changed && seen == interfaces_) return is_well;
+  interfaces_ = std::move(seen);
+  tell([](EventSink& sink) { sink.on_interfaces_changed(); });
+  return is_well;
+}
 
-  /// Whether it can be used.
-  bool open(const Link& link, const std::vector<address>& groups) {
-    auto opened = std::make_unique<MulticastLink>(
-        context_, link, groups, settings_.port, air_counts_,
-        [this, index = link.interface.index](const address& source, std::span<const std::byte> datagram) {
-          receive(index, source, datagram);
-        });
-    for (const std::string& problem : opened->problems()) {
-      if (problems_.insert(problem).second) {
-        log_.write(opened->is_sound() ? base::LogLevel::debug : base::LogLevel::warning, problem);
-      }
-    }
-    const bool is_sound = opened->is_sound();
-    links_.emplace(link.interface.index, std::move(opened));
-    return is_sound;
-  }
-
-  /// An interface that was asked for by name and is not there is worth a line, once until it comes.
-  void say_missing(const std::vector<Interface>& seen) {
-    for (const std::string& name : settings_.interfaces) {
-      const bool is_there =
-          std::ranges::any_of(seen, [&](const Interface& interface) { return interface.name == name; });
-      if (is_there) {
-        missing_.erase(name);
-      } else if (missing_.insert(name).second) {
-        log_.write(base::LogLevel::warning, "interface " + name + " is not there or not up: waiting for it");
-      }
+bool AsioEnv::open(const Link& link, const std::vector<address>& groups) {
+  auto opened = std::make_unique<MulticastLink>(
+      context_, link, groups, settings_.port, air_counts_,
+      [this, index = link.interface.index](const address& source, std::span<const std::byte> datagram) {
+        receive(index, source, datagram);
+      });
+  for (const std::string& problem : opened->problems()) {
+    if (problems_.insert(problem).second) {
+      log_.write(opened->is_sound() ? base::LogLevel::debug : base::LogLevel::warning, problem);
     }
   }
+  const bool is_sound = opened->is_sound();
+  links_.emplace(link.interface.index, std::move(opened));
+  return is_sound;
+}
 
-  /// Says once that sending fails, and once that it works again.
-  void watch_sending(const MulticastLink& link) {
-    int& last = send_errors_[link.link().interface.index];
-    if (link.last_send_error() == last) return;
-    last = link.last_send_error();
-    const bool is_twin = link.link().interface.twin_of.has_value();
-    const std::string name = link.link().interface.name + (is_twin ? " over IPv6" : "");
-    if (last == 0) {
-      log_.write(is_twin ? base::LogLevel::debug : base::LogLevel::info, "sending on " + name + " works again");
-    } else {
-      // A twin says one word, perhaps while its address is still being tried (RFC 4862, 5.4), and then nothing for
-      // long.
-      log_.write(is_twin ? base::LogLevel::debug : base::LogLevel::warning,
-                 "cannot send on " + name + ": " + std::generic_category().message(last));
+void AsioEnv::say_missing(const std::vector<Interface>& seen) {
+  for (const std::string& name : settings_.interfaces) {
+    const bool is_there = std::ranges::any_of(seen, [&](const Interface& interface) { return interface.name == name; });
+    if (is_there) {
+      missing_.erase(name);
+    } else if (missing_.insert(name).second) {
+      log_.write(base::LogLevel::warning, "interface " + name + " is not there or not up: waiting for it");
     }
   }
+}
 
-  AirSettings settings_;
-  std::vector<address> groups_;
-  EventSink* sink_ = nullptr;
-  std::map<InterfaceIndex, std::unique_ptr<MulticastLink>> links_;
-  std::map<InterfaceIndex, int> send_errors_;
-  std::set<std::string> problems_;
-  std::set<std::string> missing_;
-  std::unique_ptr<Unicast> unicast_;
-  std::unique_ptr<LinkWatch> watch_;
-  base::Instant wanted_ = base::never;  // by the participant
-  base::Instant armed_ = base::never;   // of the timer
-};
-
-AsioEnv::AsioEnv(net::io_context& context, base::LogSink& log) : state_(std::make_unique<State>(context, log)) {}
-AsioEnv::~AsioEnv() = default;
+void AsioEnv::watch_sending(const MulticastLink& link) {
+  int& last = send_errors_[link.link().interface.index];
+  if (link.last_send_error() == last) return;
+  last = link.last_send_error();
+  const bool is_ipv6_side = link.link().interface.ipv6_side_of.has_value();
+  const std::string name = link.link().interface.name + (is_ipv6_side ? " over IPv6" : "");
+  if (last == 0) {
+    log_.write(is_ipv6_side ? base::LogLevel::debug : base::LogLevel::info, "sending on " + name + " works again");
+  } else {
+    // An IPv6 side sends one datagram, perhaps while its address is still being tried (RFC 4862, 5.4), and then nothing
+    // for long.
+    log_.write(is_ipv6_side ? base::LogLevel::debug : base::LogLevel::warning,
+               "cannot send on " + name + ": " + std::generic_category().message(last));
+  }
+}
 
 std::expected<void, std::string> AsioEnv::listen(const Endpoint& endpoint, bool may_be_missing) {
-  const auto listening = state_->streams_.listen(endpoint);
+  const auto listening = streams_->listen(endpoint);
   if (listening) return {};
   const ListenError& error = listening.error();
-  if (error.kind == ListenError::Kind::in_use) {
+  if (error.cause == ListenError::Cause::in_use) {
     return std::unexpected(to_string(endpoint) + " is already in use: another gemingad? choose another with --gcnp");
   }
-  if (error.kind == ListenError::Kind::not_available && may_be_missing) {
-    state_->log_.write(base::LogLevel::info,
-                       to_string(endpoint) + " is not available on this host: going on without it");
+  if (error.cause == ListenError::Cause::not_available && may_be_missing) {
+    log_.write(base::LogLevel::info, to_string(endpoint) + " is not available on this host: going on without it");
     return {};
   }
   return std::unexpected("cannot listen on " + to_string(endpoint) + ": " + error.text);
 }
-
-std::expected<void, std::string> AsioEnv::listen(const std::string& path) { return state_->streams_.listen(path); }
-
-void AsioEnv::open_air(AirSettings settings) { state_->open_air(std::move(settings)); }
-void AsioEnv::serve(EventSink& sink) { state_->serve(sink); }
-void AsioEnv::stop_listening() { state_->streams_.stop_listening(); }
-void AsioEnv::event(const std::function<void()>& action) { state_->event(action); }
-const AirCounts& AsioEnv::air_counts() const { return state_->air_counts_; }
-UnicastCounts AsioEnv::unicast_counts() const { return state_->unicast_counts(); }
-bool AsioEnv::is_writing() const { return state_->streams_.is_writing(); }
-
-base::Instant AsioEnv::now() const { return state_->now_; }
-void AsioEnv::wake_at(base::Instant instant) { state_->wake_at(instant); }
 
 std::uint64_t AsioEnv::random_bits() {
   std::uint64_t bits = 0;
@@ -272,15 +209,5 @@ std::uint64_t AsioEnv::random_bits() {
   }
   return bits;
 }
-
-const std::vector<Interface>& AsioEnv::interfaces() const { return state_->interfaces_; }
-void AsioEnv::send(InterfaceIndex interface, std::span<const std::byte> datagram) { state_->send(interface, datagram); }
-bool AsioEnv::is_sender_unnamed() const { return state_->is_sender_unnamed(); }
-void AsioEnv::answer_sender(base::Duration time) { state_->answer_sender(time); }
-void AsioEnv::write(StreamId stream, std::string_view bytes) { state_->streams_.write(stream, bytes); }
-std::size_t AsioEnv::unsent(StreamId stream) const { return state_->streams_.unsent(stream); }
-void AsioEnv::want(StreamId stream, bool is_wanted) { state_->streams_.want(stream, is_wanted); }
-void AsioEnv::close(StreamId stream) { state_->streams_.close(stream); }
-base::LogSink& AsioEnv::log() { return state_->log_; }
 
 }  // namespace geminga::env

@@ -2,83 +2,124 @@
 #ifndef GEMINGA_ENV_ASIO_ASIO_ENV_HPP
 #define GEMINGA_ENV_ASIO_ASIO_ENV_HPP
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <cstdint>
 #include <expected>
 #include <functional>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "env/asio/endpoint.hpp"
 #include "env/asio/event_sink.hpp"
+#include "env/asio/link_watch.hpp"
+#include "env/asio/links.hpp"
+#include "env/asio/multicast.hpp"
 #include "env/asio/reception.hpp"
+#include "env/asio/streams.hpp"
 #include "env/asio/unicast.hpp"
 #include "env/env.hpp"
 
-namespace boost::asio {
-class io_context;
-}
-
 namespace geminga::env {
 
-/// Which interfaces, groups and hosts are spoken with.
+/// The interfaces, groups and hosts that the daemon speaks with.
 struct AirSettings {
   std::vector<std::string> interfaces;  ///< empty: every one that can multicast, without the loopback
   std::vector<std::string> groups;      ///< numeric multicast addresses
   std::uint16_t port = 0;
-  std::vector<HostPort> peers;  ///< unicast copies go there
-  /// What others send to us alone is heard, too: all that is heard is sealed.
+  std::vector<HostPort> peers;  ///< hosts that get copies by unicast
+  /// Whether datagrams that others send to us alone are heard, too, since all that is heard is sealed.
   bool admits_guests = false;
   friend bool operator==(const AirSettings&, const AirSettings&) = default;
 };
 
-/// One event loop, one thread. Everything that happens reaches the EventSink as one event, within which now() stands
-/// still and after which what was written goes out. No function throws, but for want of memory.
+/// One event loop, one thread. Everything that happens reaches the EventSink as one event, within which now() is
+/// constant and after which queued output goes out. No function throws, except for lack of memory.
 class AsioEnv final : public Env {
  public:
-  /// Borrows all for its life. No socket is opened yet.
+  /// Borrows its arguments for its life. Opens no socket yet.
   AsioEnv(boost::asio::io_context& context, base::LogSink& log);
   ~AsioEnv() override;
   AsioEnv(const AsioEnv&) = delete;
   AsioEnv& operator=(const AsioEnv&) = delete;
 
-  /// Listens for GCNP clients, who wait until serve(). An address that `may_be_missing` and does not exist on this host
-  /// is left out with a line in the log. The error is one line that says what to do.
+  /// Listens for GCNP clients, which wait until serve(). An address that `may_be_missing` and does not exist on this
+  /// host is left out with a line in the log. The error is one line that says what to do.
   [[nodiscard]] std::expected<void, std::string> listen(const Endpoint& endpoint, bool may_be_missing);
-  /// The same at a path: a Unix socket (env/asio/socket_file.hpp).
-  [[nodiscard]] std::expected<void, std::string> listen(const std::string& path);
-  /// Opens the interfaces; interfaces() is filled when this returns. Called again, it changes to other settings and
+  /// Listens at a path, with a Unix socket (env/asio/socket_file.hpp).
+  [[nodiscard]] std::expected<void, std::string> listen(const std::string& path) { return streams_->listen(path); }
+  /// Opens the interfaces; interfaces() is filled when this returns. A further call changes to other settings, and
   /// tells the sink of the change.
   void open_air(AirSettings settings);
-  /// From now on `sink` is told what happens. It is borrowed for the life of this object.
+  /// Tells `sink` from now on what happens. It is borrowed for the life of this object.
   void serve(EventSink& sink);
   /// Takes no more clients; for the end.
-  void stop_listening();
+  void stop_listening() { streams_->stop_listening(); }
   /// Calls `action` as one event: for what the owner itself does with the participant.
   void event(const std::function<void()>& action);
   /// The datagrams that were not handed over.
-  [[nodiscard]] const AirCounts& air_counts() const;
-  /// The hosts that are spoken to alone.
+  [[nodiscard]] const AirCounts& air_counts() const { return air_counts_; }
+  /// The hosts that are sent copies.
   [[nodiscard]] UnicastCounts unicast_counts() const;
   /// Whether bytes for a client are still on their way.
-  [[nodiscard]] bool is_writing() const;
+  [[nodiscard]] bool is_writing() const { return streams_->is_writing(); }
 
-  [[nodiscard]] base::Instant now() const override;
+  [[nodiscard]] base::Instant now() const override { return now_; }
   void wake_at(base::Instant instant) override;
   [[nodiscard]] std::uint64_t random_bits() override;
-  [[nodiscard]] const std::vector<Interface>& interfaces() const override;
+  [[nodiscard]] const std::vector<Interface>& interfaces() const override { return interfaces_; }
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) override;
   [[nodiscard]] bool is_sender_unnamed() const override;
   void answer_sender(base::Duration time) override;
-  void write(StreamId stream, std::string_view bytes) override;
-  [[nodiscard]] std::size_t unsent(StreamId stream) const override;
-  void want(StreamId stream, bool is_wanted) override;
-  void close(StreamId stream) override;
-  [[nodiscard]] base::LogSink& log() override;
+  void write(StreamId stream, std::string_view bytes) override { streams_->write(stream, bytes); }
+  [[nodiscard]] std::size_t unsent(StreamId stream) const override { return streams_->unsent(stream); }
+  void want(StreamId stream, bool is_wanted) override { streams_->want(stream, is_wanted); }
+  void close(StreamId stream) override { streams_->close(stream); }
+  [[nodiscard]] base::LogSink& log() override { return log_; }
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  void begin_event();
+  /// Calls the action as one event for the sink; does nothing before serve().
+  template <typename Action>
+  void tell(const Action& action) {
+    if (sink_ == nullptr) return;
+    begin_event();
+    action(*sink_);
+    streams_->flush();
+  }
+  void arm();
+  void receive(InterfaceIndex interface, const boost::asio::ip::address& source, std::span<const std::byte> datagram);
+  /// Compares the interfaces with those in use, and joins those that are new or came back. Returns whether all that
+  /// were asked for are there and can be used.
+  bool scan();
+  /// Opens an interface. Returns whether it can be used.
+  bool open(const Link& link, const std::vector<boost::asio::ip::address>& groups);
+  /// Logs an interface that was asked for by name and is not there, once until it comes.
+  void say_missing(const std::vector<Interface>& seen);
+  /// Logs once that sending fails, and once that it works again.
+  void watch_sending(const MulticastLink& link);
+
+  boost::asio::io_context& context_;
+  base::LogSink& log_;
+  boost::asio::steady_timer timer_;
+  std::shared_ptr<Streams> streams_;
+  base::Instant now_;
+  std::vector<Interface> interfaces_;
+  AirCounts air_counts_;
+  AirSettings settings_;
+  std::vector<boost::asio::ip::address> groups_;
+  EventSink* sink_ = nullptr;
+  std::map<InterfaceIndex, std::unique_ptr<MulticastLink>> links_;
+  std::map<InterfaceIndex, int> send_errors_;
+  std::set<std::string> problems_;
+  std::set<std::string> missing_;
+  std::unique_ptr<Unicast> unicast_;
+  std::unique_ptr<LinkWatch> watch_;
+  base::Instant wanted_ = base::never;  ///< the participant wants its timer
+  base::Instant armed_ = base::never;   ///< the timer is set
 };
 
 }  // namespace geminga::env

@@ -1,4 +1,4 @@
-// A file descriptor that somebody owns, and reading and writing as a whole.
+// A file descriptor with one owner, and reading and writing as a whole.
 #pragma once
 
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 namespace geminga::env {
 
-/// Owns a descriptor and closes it at its end; a negative number is none.
+/// Owns a descriptor, and closes it at its end; a negative number is none.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -25,10 +25,10 @@ class Descriptor {
   int number_;
 };
 
-/// Reads until the end, or until the text is full, which is cut to what was read. It never grows, so that no copy of a
-/// secret is left behind. False with errno.
+/// Reads until the end or until the text is full, and cuts the text to what was read. The text never grows, so no copy
+/// of a secret is left behind. False with errno.
 [[nodiscard]] bool read_all(int descriptor, std::string& text);
-/// Writes the whole text and has the system keep it (fsync). False with errno.
+/// Writes the whole text, and has the system store it (fsync). False with errno.
 [[nodiscard]] bool write_all(int descriptor, std::string_view text);
 
 }  // namespace geminga::env

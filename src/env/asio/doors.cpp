@@ -12,16 +12,16 @@ namespace {
 namespace net = boost::asio;
 using net::ip::tcp;
 
-/// How long accepting pauses when the process has no descriptor left.
+/// The pause of accepting when the process has no descriptor left.
 constexpr std::chrono::milliseconds accept_pause{100};
 
 ListenError listen_error(const boost::system::error_code& error) {
-  auto kind = ListenError::Kind::other;
-  if (error == net::error::address_in_use) kind = ListenError::Kind::in_use;
+  auto cause = ListenError::Cause::other;
+  if (error == net::error::address_in_use) cause = ListenError::Cause::in_use;
   if (error == boost::system::errc::address_not_available || error == net::error::address_family_not_supported) {
-    kind = ListenError::Kind::not_available;
+    cause = ListenError::Cause::not_available;
   }
-  return {kind, error.message()};
+  return {cause, error.message()};
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void Doors::accept(std::size_t number) {
   doors_[number].acceptor.async_accept(
       [self = shared_from_this(), number](const boost::system::error_code& error, Socket socket) {
         if (!self->doors_[number].acceptor.is_open() || !self->take_) return;
-        if (!error) Take(self->take_)(std::move(socket));  // a copy, since who is told may close the doors
+        if (!error) Take(self->take_)(std::move(socket));  // a copy, since it may close the doors
         if (!self->doors_[number].acceptor.is_open()) return;
         if (error && error != net::error::connection_aborted) return self->accept_later(number);
         self->accept(number);

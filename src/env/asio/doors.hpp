@@ -1,4 +1,4 @@
-// Where clients come in: listening sockets on loopback addresses, and on a path.
+// The listening sockets that clients connect to: on loopback addresses, and on a path.
 #ifndef GEMINGA_ENV_ASIO_DOORS_HPP
 #define GEMINGA_ENV_ASIO_DOORS_HPP
 
@@ -17,27 +17,27 @@
 
 namespace geminga::env {
 
-/// Why a GCNP address cannot be listened on.
+/// The reason why a GCNP address cannot be listened on.
 struct ListenError {
-  enum class Kind { in_use, not_available, other } kind = Kind::other;
+  enum class Cause { in_use, not_available, other } cause = Cause::other;
   std::string text;  ///< the system's own words
 };
 
-/// Accepts on all of them alike. Not thread-safe; outlives the handlers that it posts, since they hold it.
+/// Accepts on all sockets alike. Not thread-safe. The handlers that it posts hold it, so it lives as long as they do.
 class Doors : public std::enable_shared_from_this<Doors> {
  public:
   using Socket = boost::asio::generic::stream_protocol::socket;
-  /// Given each client that came in.
+  /// Takes each client that connects.
   using Take = std::function<void(Socket)>;
 
   explicit Doors(boost::asio::io_context& context) : context_(context) {}
 
-  /// Binds and listens; clients wait in the backlog until serve().
+  /// Binds and listens. Clients wait in the backlog until serve().
   [[nodiscard]] std::expected<void, ListenError> listen(const Endpoint& endpoint);
-  /// The same at a path; the error is one line that says what to do.
+  /// Listens at a path. The error is one line that says what to do.
   [[nodiscard]] std::expected<void, std::string> listen(const std::string& path);
   void serve(Take take);
-  /// Accepts nobody any more, removes the path and forgets whom to give clients to.
+  /// Stops accepting, removes the path, and forgets the function that takes clients.
   void close();
 
  private:

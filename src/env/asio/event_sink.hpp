@@ -1,4 +1,4 @@
-// What happens in the world, one event at a time; env/asio tells it to whoever owns the participant.
+// The events of the world, one at a time; env/asio tells them to the owner of the participant.
 #ifndef GEMINGA_ENV_ASIO_EVENT_SINK_HPP
 #define GEMINGA_ENV_ASIO_EVENT_SINK_HPP
 
@@ -11,7 +11,7 @@
 namespace geminga::env {
 
 /// The functions of a participant that env/asio calls, always from the event loop and never from within an Env call.
-/// What is handed over is borrowed for the call.
+/// Arguments are borrowed for the call.
 class EventSink {
  public:
   virtual ~EventSink() = default;
@@ -21,10 +21,10 @@ class EventSink {
   /// so that it can be counted and refused.
   virtual void on_datagram(InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram) = 0;
   virtual void on_interfaces_changed() = 0;
-  /// `user` is who connected, where the system tells: over a Unix socket. Empty over TCP.
+  /// `user` is the user that connected over a Unix socket, where the system tells; empty over TCP.
   virtual void on_stream_opened(StreamId stream, std::string_view user) = 0;
   virtual void on_stream_bytes(StreamId stream, std::string_view bytes) = 0;
-  /// All that was written has gone on its way, after some of it had to wait.
+  /// Everything that was written has been sent, after some of it had to wait.
   virtual void on_stream_drained(StreamId stream) = 0;
   virtual void on_stream_closed(StreamId stream) = 0;
 };

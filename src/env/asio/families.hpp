@@ -1,4 +1,4 @@
-// On which groups an interface speaks and listens: IPv4, IPv6, or both as two interfaces.
+// The groups that an interface joins: IPv4, IPv6, or both as two interfaces.
 #ifndef GEMINGA_ENV_ASIO_FAMILIES_HPP
 #define GEMINGA_ENV_ASIO_FAMILIES_HPP
 
@@ -15,10 +15,10 @@ struct Joined {
   std::vector<boost::asio::ip::address> groups;
 };
 
-/// The links with the groups of the families that they have addresses of. A link that speaks both is there twice, as
-/// itself with the IPv4 groups and as its twin (Interface::twin_of) with the IPv6 ones; twins come last. Who has no
-/// address of a family cannot answer what he hears there. The loopback joins all, and so does a link for whose
-/// addresses there is no group: both are heard for what they are worth, and neither has a twin.
+/// The links with the groups of the families that they have addresses of. A dual-stack link is listed twice: itself
+/// with the IPv4 groups, and its IPv6 side (Interface::ipv6_side_of) with the IPv6 groups. The IPv6 sides come last. A
+/// host without an address of a family cannot answer there. The loopback joins all groups, and so does a link for whose
+/// addresses there is no group; neither has an IPv6 side.
 [[nodiscard]] std::vector<Joined> by_family(const std::vector<Link>& links,
                                             const std::vector<boost::asio::ip::address>& groups);
 

@@ -1,4 +1,4 @@
-// Hosts that nobody has named and that send to us alone, with the team's key.
+// Hosts that nobody has named, and that send to us alone with the team's key.
 #ifndef GEMINGA_ENV_ASIO_GUESTS_HPP
 #define GEMINGA_ENV_ASIO_GUESTS_HPP
 
@@ -12,11 +12,12 @@
 
 namespace geminga::env {
 
-/// Who is spoken to because he has proved himself; of more the one gives way that would go first.
+/// The most hosts that are sent copies because they have proved themselves. Of more, the one whose time ends first
+/// gives way.
 inline constexpr std::size_t max_guests = 64;
-/// Who has not proved himself is answered by one datagram of at most so many times the octets of his own, so that a
-/// recording from a forged address strikes nobody harder than the recording itself; and all of them together by so many
-/// a second.
+/// The bounds of answers to a host that has not proved itself: one datagram of at most so many times the octets of its
+/// own, so that a recording from a forged address hits nobody harder than the recording itself; and so many a second
+/// for all such hosts.
 inline constexpr std::size_t max_answer_ratio = 3;
 inline constexpr std::size_t max_answers_per_second = 32;
 
@@ -29,11 +30,11 @@ class Guests {
     std::size_t octets = 0;  ///< of its datagram
   };
 
-  /// From now on for this long; 0: with one datagram.
+  /// Sends copies to this host for so long; 0: of one datagram.
   void answer(const Sender& sender, base::Duration time, Clock::time_point now);
-  /// Where a datagram of this size goes that goes out on this interface.
+  /// The routes of the copies of a datagram of this size on this interface.
   [[nodiscard]] std::vector<Route> take_routes(std::size_t octets, InterfaceIndex interface, Clock::time_point now);
-  /// Those that have proved themselves.
+  /// The hosts that have proved themselves.
   [[nodiscard]] std::size_t count(Clock::time_point now) const;
 
  private:
@@ -44,7 +45,7 @@ class Guests {
   std::vector<Guest> guests_;
   std::vector<Sender> answered_once_;
   std::size_t answers_ = 0;     ///< since `second_`
-  Clock::time_point second_{};  ///< when the last second began
+  Clock::time_point second_{};  ///< when the current second began
 };
 
 }  // namespace geminga::env

@@ -18,7 +18,7 @@ namespace net = boost::asio;
 /// Reports read in one turn; the rest is read in the next.
 constexpr int max_reports_per_turn = 64;
 
-/// A socket that is told of changes of links and addresses, or -1.
+/// A socket that the kernel tells of changes of links and addresses, or -1.
 int open_reports() {
   const int fd = ::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE);
   if (fd < 0) return -1;
@@ -32,9 +32,9 @@ int open_reports() {
 
 }  // namespace
 
-class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
+class LinkWatch::Watcher : public std::enable_shared_from_this<LinkWatch::Watcher> {
  public:
-  State(net::io_context& context, bool is_well, Look look)
+  Watcher(net::io_context& context, bool is_well, Look look)
       : look_(std::move(look)), timer_(context), reports_(context), is_well_(is_well) {}
 
   void start() {
@@ -67,7 +67,7 @@ class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
                         });
   }
 
-  /// What a report says does not matter: the look will see it. A full buffer (ENOBUFS) is a report too.
+  /// Reads the waiting reports away: the look will see what changed. A full buffer (ENOBUFS) is a report, too.
   void drain() {
     std::array<char, 8192> report;
     for (int turn = 0; turn < max_reports_per_turn; ++turn) {
@@ -95,9 +95,9 @@ class LinkWatch::State : public std::enable_shared_from_this<LinkWatch::State> {
 };
 
 LinkWatch::LinkWatch(net::io_context& context, bool is_well, Look look)
-    : state_(std::make_shared<State>(context, is_well, std::move(look))) {
-  state_->start();
+    : watcher_(std::make_shared<Watcher>(context, is_well, std::move(look))) {
+  watcher_->start();
 }
-LinkWatch::~LinkWatch() { state_->stop(); }
+LinkWatch::~LinkWatch() { watcher_->stop(); }
 
 }  // namespace geminga::env

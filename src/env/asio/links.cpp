@@ -25,7 +25,7 @@ unsigned leading_ones(const unsigned char* bytes, std::size_t count) {
   return ones;
 }
 
-/// The address of one entry of getifaddrs(), without scope, and its prefix; nothing where it is of another family.
+/// The address of one entry of getifaddrs(), without scope, and its prefix; nothing if it is of another family.
 std::optional<Prefix> prefix_of(const ifaddrs& entry) {
   if (entry.ifa_addr == nullptr || entry.ifa_netmask == nullptr) return std::nullopt;
   if (entry.ifa_addr->sa_family == AF_INET) {

@@ -1,4 +1,4 @@
-// The host's network interfaces as the kernel shows them at this moment, and who is on link there.
+// The host's network interfaces as the kernel shows them at this moment, with their addresses and networks.
 #ifndef GEMINGA_ENV_ASIO_LINKS_HPP
 #define GEMINGA_ENV_ASIO_LINKS_HPP
 
@@ -13,7 +13,7 @@ struct ifaddrs;
 
 namespace geminga::env {
 
-/// An address of an interface and the length of its network's prefix.
+/// An address of an interface, and the length of its network's prefix.
 struct Prefix {
   boost::asio::ip::address address;
   unsigned length = 0;
@@ -31,26 +31,26 @@ struct Link {
   /// Whether the address is in one of the interface's networks.
   [[nodiscard]] bool has_network_of(const boost::asio::ip::address& address) const;
   /// Whether a datagram from this source can have been sent on this very link: it is in one of the interface's
-  /// networks, or link-local. True where the interface is the loopback, or has no address of that family to judge by.
+  /// networks, or link-local. True if the interface is the loopback, or has no address of that family to judge by.
   [[nodiscard]] bool is_on_link(const boost::asio::ip::address& source) const;
 };
 
-/// The most interfaces in use; what is over it is ignored, in order of index. A robot has two or three.
+/// The most interfaces in use. Further ones are ignored, in order of index. A robot has two or three.
 inline constexpr std::size_t max_links = 16;
 /// The most addresses of one interface that are announced. More would only make announcements longer.
 inline constexpr std::size_t max_addresses_per_link = 4;
 
-/// What is announced of the addresses: IPv4 first, then IPv6, link-local only where there is nothing else; at most
+/// The addresses that are announced: IPv4 first, then IPv6; link-local ones only if there is nothing else; at most
 /// max_addresses_per_link.
 [[nodiscard]] std::vector<std::string> announced_addresses(const std::vector<Prefix>& prefixes);
 
-/// The interface that an entry of getifaddrs() is about as a whole, and not by one of its IP addresses: it has the
-/// address of the link layer, or none where that has none (TUN).
+/// The interface that an entry of getifaddrs() describes as a whole, not by one of its IP addresses: the entry has the
+/// address of the link layer, or none if the link layer has none (TUN).
 [[nodiscard]] std::optional<InterfaceIndex> link_of(const ifaddrs& entry);
 
-/// The interfaces that are up and running and can multicast, without the loopback; or, where `names` is not empty,
-/// those with these names, whatever they are, as long as they are up. Ordered by index. An IPv6 link-local address is
-/// announced only where there is no other address: without a scope nobody else can use it. Cost: two netlink dumps.
+/// The interfaces that are up and running and can multicast, without the loopback. If `names` is not empty: those with
+/// these names, of any kind, if they are up. Ordered by index. An IPv6 link-local address is announced only if there is
+/// no other address: without a scope nobody else can use it. Cost: two netlink dumps.
 [[nodiscard]] std::vector<Link> scan_links(const std::vector<std::string>& names);
 
 }  // namespace geminga::env

@@ -22,7 +22,7 @@ namespace net = boost::asio;
 using net::ip::address;
 using net::ip::udp;
 
-/// Receive buffer asked of the kernel: a burst of a few hundred datagrams.
+/// The receive buffer that the kernel is asked for: a burst of a few hundred datagrams.
 constexpr int receive_buffer_bytes = 1 << 20;
 
 bool set_option(udp::socket& socket, int level, int option, const void* value, std::size_t size) {
@@ -64,7 +64,7 @@ bool aim(udp::socket& socket, bool is_v4, int index) {
          set_int(socket, IPPROTO_IPV6, IPV6_MULTICAST_HOPS, 1) && set_int(socket, IPPROTO_IPV6, IPV6_MULTICAST_LOOP, 1);
 }
 
-/// The address with the interface as its scope, where its family and reach need one.
+/// The address with the interface as its scope, if its family needs one.
 address scoped(const address& group, int index) {
   if (group.is_v4()) return group;
   net::ip::address_v6 v6 = group.to_v6();
@@ -87,14 +87,16 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
   std::vector<Socket> receivers;
   std::optional<udp::socket> sender;
   std::vector<udp::endpoint> targets;
-  udp::endpoint own;  // of the sender; its address may be unspecified
+  udp::endpoint own;  // the sender's; its address may be unspecified
   std::vector<std::string> problems;
   int send_error = 0;
   bool has_failed = false;
   bool is_closed = false;
 
-  /// The kernel's.
-  [[nodiscard]] int index() const { return static_cast<int>(link.interface.twin_of.value_or(link.interface.index)); }
+  /// The kernel's index.
+  [[nodiscard]] int index() const {
+    return static_cast<int>(link.interface.ipv6_side_of.value_or(link.interface.index));
+  }
 
   void open_receiver(net::io_context& context, const address& group, std::uint16_t port) {
     udp::socket socket(context);
@@ -112,7 +114,7 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
       problems.push_back("cannot join " + group.to_string() + " on " + link.interface.name + ": " + reason());
       return;
     }
-    set_int(socket, SOL_SOCKET, SO_RCVBUF, receive_buffer_bytes);  // less is served as well
+    set_int(socket, SOL_SOCKET, SO_RCVBUF, receive_buffer_bytes);  // a smaller buffer works, too
     Receiver receiver;
     receiver.watch_drops(socket);
     receivers.push_back({std::move(socket), group.is_v4(), receiver});
@@ -128,7 +130,7 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
     udp::socket socket(context);
     boost::system::error_code error;
     socket.open(on_v4 ? udp::v4() : udp::v6(), error);
-    // Bound to the interface's own address, because the kernel would not choose 127.0.0.1 for a datagram to a group.
+    // Bound to the interface's own address: the kernel would not choose 127.0.0.1 for a datagram to a group.
     if (!error) socket.bind(on_v4 ? udp::endpoint(*v4, 0) : udp::endpoint(udp::v6(), 0), error);
     if (!error) own = socket.local_endpoint(error);
     if (!error && !aim(socket, on_v4, index())) error.assign(errno, boost::system::generic_category());

@@ -1,4 +1,4 @@
-// Reading datagrams with what the kernel knows of each; and the count of those that are not taken.
+// Reading datagrams with the kernel's information about each, and the counts of those that are not taken.
 #ifndef GEMINGA_ENV_ASIO_RECEPTION_HPP
 #define GEMINGA_ENV_ASIO_RECEPTION_HPP
 
@@ -10,27 +10,27 @@
 
 namespace geminga::env {
 
-/// Datagrams that reached this host and that nobody was told of, since the start.
+/// The datagrams that reached this host and were not handed over, since the start.
 struct AirCounts {
   std::uint64_t off_link = 0;   ///< sent to a group from an address that is not on that link
   std::uint64_t no_peer = 0;    ///< sent to us alone by a host that we do not name by --peer
-  std::uint64_t wrong_way = 0;  ///< claims a peer's address and came in where that peer cannot be
+  std::uint64_t wrong_way = 0;  ///< has a peer's address as source, and came in where that peer cannot be
   std::uint64_t overrun = 0;    ///< came faster than they were read: the kernel dropped them
 };
 
-/// What the kernel says of one datagram.
+/// A datagram's properties, as the kernel tells them.
 struct Reception {
   boost::asio::ip::udp::endpoint from;
   std::size_t size = 0;
-  unsigned interface = 0;  ///< where it came in; 0 unless watch_interface() was called
+  unsigned interface = 0;  ///< the interface that it came in on; 0 unless watch_interface() was called
 };
 
 /// Reads the datagrams of one socket.
 class Receiver {
  public:
-  /// Asks the kernel to say how many datagrams it drops. What it does not know is not counted.
+  /// Asks the kernel to tell how many datagrams it drops. A kernel that cannot tell is not asked again.
   void watch_drops(boost::asio::ip::udp::socket& socket);
-  /// Asks the kernel to say where each datagram came in. False with errno.
+  /// Asks the kernel to tell where each datagram came in. False with errno.
   [[nodiscard]] static bool watch_interface(boost::asio::ip::udp::socket& socket, bool is_v4);
 
   /// The next datagram that waits, cut to the buffer; nothing with errno. Adds to `counts.overrun`.
@@ -38,7 +38,7 @@ class Receiver {
                                                  AirCounts& counts);
 
  private:
-  std::uint32_t drops_ = 0;  ///< of this socket, as the kernel last said; it counts modulo 2^32
+  std::uint32_t drops_ = 0;  ///< the kernel's last count for this socket, modulo 2^32
 };
 
 }  // namespace geminga::env

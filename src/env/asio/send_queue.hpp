@@ -1,4 +1,4 @@
-// What waits to be sent to one client: bytes come in at the end and go out at the front.
+// The queue of bytes to one client: they come in at the end and go out at the front.
 #ifndef GEMINGA_ENV_ASIO_SEND_QUEUE_HPP
 #define GEMINGA_ENV_ASIO_SEND_QUEUE_HPP
 
@@ -8,26 +8,26 @@
 
 namespace geminga::env {
 
-/// Holds at most about twice what waits, and little more than nothing when nothing waits: what was sent is dropped even
-/// where the queue never runs empty. Each octet is moved at most twice, so that sending stays linear. Not thread-safe.
+/// Holds at most about twice what waits, and almost nothing when nothing waits: sent bytes are dropped even if the
+/// queue never runs empty. Each octet is moved at most twice, so sending stays linear. Not thread-safe.
 class SendQueue {
  public:
   /// The memory that an empty queue keeps for the next lines.
   static constexpr std::size_t kept_bytes = std::size_t{16} * 1024;
 
   void append(std::string_view bytes) { bytes_ += bytes; }
-  /// What waits; borrowed until the next change.
+  /// The bytes that wait; borrowed until the next change.
   [[nodiscard]] std::string_view waiting() const { return std::string_view(bytes_).substr(sent_); }
-  /// The memory that is held, which is what a limit has to count.
+  /// The memory that is held, which a limit has to count.
   [[nodiscard]] std::size_t held() const { return bytes_.capacity(); }
 
-  /// Takes away what has been sent from the front; requires at most so many octets to wait.
+  /// Drops sent bytes from the front. Requires that so many wait.
   void drop(std::size_t count) {
     sent_ += count;
     const std::size_t rest = bytes_.size() - sent_;
     if (sent_ < rest) return;  // moving the rest now would cost more than it gives back
     if (bytes_.capacity() > kept_bytes && bytes_.capacity() > 4 * rest) {
-      std::string(waiting()).swap(bytes_);  // an assignment would keep the room
+      std::string(waiting()).swap(bytes_);  // an assignment would keep the memory
     } else {
       bytes_.erase(0, sent_);
     }

@@ -36,7 +36,7 @@ sockaddr_un address_of(const std::string& path) {
 
 int new_socket() { return ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0); }
 
-/// Whether nobody listens any more. Anything but a clear no counts as somebody.
+/// Whether no process listens on the socket. Every answer but a clear no counts as a process.
 bool is_abandoned(const sockaddr_un& address) {
   const Descriptor probe(new_socket());
   if (probe.get() < 0) return false;
@@ -44,7 +44,7 @@ bool is_abandoned(const sockaddr_un& address) {
          errno == ECONNREFUSED;
 }
 
-/// Makes room at the path; the error says why that must not be.
+/// Makes room at the path. The error says why that must not be.
 std::optional<std::string> clear_path(const std::string& path, const sockaddr_un& address, const std::string& shown) {
   struct stat there{};
   if (::lstat(path.c_str(), &there) != 0) {
@@ -59,7 +59,8 @@ std::optional<std::string> clear_path(const std::string& path, const sockaddr_un
   return std::nullopt;
 }
 
-/// Binds so that the file has its mode from its first moment: the socket's own, which the mask must not cut.
+/// Binds so that the file has its mode from its first moment: the mode is the socket's own, which the mask must not
+/// cut.
 bool bind_with_mode(int socket, const sockaddr_un& address) {
   if (::fchmod(socket, socket_mode) != 0) return false;
   const mode_t mask = ::umask(0);

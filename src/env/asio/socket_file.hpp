@@ -1,4 +1,4 @@
-// The file by which a Unix socket is found: made for one daemon, and removed by nobody else.
+// The file by which a Unix socket is found: made for one daemon, and removed by no other.
 #ifndef GEMINGA_ENV_ASIO_SOCKET_FILE_HPP
 #define GEMINGA_ENV_ASIO_SOCKET_FILE_HPP
 
@@ -13,18 +13,18 @@ namespace geminga::env {
 /// The longest path of a Unix socket: sockaddr_un has room for it and the zero behind it (unix(7)).
 inline constexpr std::size_t max_socket_path_bytes = 107;
 
-/// A listening Unix socket at a path, for the daemon's user and group (mode 0660). Moves; the one that is left removes
-/// the file, if it is still the one that was made.
+/// A listening Unix socket at a path, for the daemon's user and group (mode 0660). It can be moved. Its destructor
+/// removes the file if that is still the one that was made.
 class SocketFile {
  public:
-  /// Binds and listens. A socket that nobody listens on was left by a dead daemon and is replaced; one that somebody
-  /// listens on is not, and nothing else is ever removed. The error is one line that says what to do.
+  /// Binds and listens. A socket that nobody listens on was left by a dead daemon and is replaced. One that a process
+  /// listens on is not replaced, and nothing else is ever removed. The error is one line that says what to do.
   [[nodiscard]] static std::expected<SocketFile, std::string> make(const std::string& path);
   ~SocketFile();
   SocketFile(SocketFile&& other) noexcept;
   SocketFile& operator=(SocketFile&&) = delete;
 
-  /// The listening socket, which is the caller's from now on.
+  /// Gives the listening socket to the caller, who owns it then.
   [[nodiscard]] int take_descriptor();
 
  private:
@@ -37,8 +37,8 @@ class SocketFile {
   ino_t inode_;
 };
 
-/// The user at the other end of a connected Unix socket, by name where /etc/passwd has one, else by number; empty for
-/// any other socket. Reads that one file and asks no name service, which could block.
+/// The user at the other end of a connected Unix socket: the name in /etc/passwd, else the number; empty for any other
+/// socket. Reads only that file and asks no name service, which could block.
 [[nodiscard]] std::string user_of(int socket);
 
 }  // namespace geminga::env

@@ -39,10 +39,10 @@ std::optional<address> source_towards(net::io_context& context, const udp::endpo
 
 }  // namespace
 
-class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
+class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
  public:
-  State(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
-        base::LogSink& log, AirCounts& counts, Receive receive)
+  Sockets(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+          base::LogSink& log, AirCounts& counts, Receive receive)
       : context_(context),
         port_(port),
         admits_guests_(admits_guests),
@@ -68,7 +68,7 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
     std::map<address, InterfaceIndex> wanted;
     for (const Link& link : links) {
       for (const Prefix& prefix : link.prefixes) {
-        // A link-local peer would need a scope in --peer; such hosts are on link and reached by multicast.
+        // A link-local peer would need a scope in --peer. Such hosts are on link, and multicast reaches them.
         if (prefix.address.is_v6() && prefix.address.to_v6().is_link_local()) continue;
         wanted.emplace(prefix.address, link.interface.index);
       }
@@ -179,9 +179,9 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
     }
   }
 
-  /// Whether what this peer sends from one of its addresses can come in on that interface.
+  /// Whether a datagram of this peer from one of its addresses can come in on that interface.
   [[nodiscard]] bool can_come_in(const NamedPeer& peer, const address& from, InterfaceIndex interface) const {
-    // Another daemon of this host: the kernel lets nothing in from outside that has an address of ours as its source.
+    // Another daemon of this host: the kernel lets no datagram in from outside whose source is an address of ours.
     if (sockets_.contains(from)) return true;
     const auto via = peer.via(from);
     const auto way = via ? sockets_.find(*via) : sockets_.end();
@@ -203,7 +203,7 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
     }
   }
 
-  /// Resolves the names that are due, one after the other, then waits. Names alone cost a thread (of the resolver).
+  /// Resolves the names that are due, one after the other, then waits. Only names cost a thread (of the resolver).
   void resolve_names(std::size_t number = 0) {
     while (number < peers_.size() && !peers_[number].is_due(Clock::now())) ++number;
     if (number == peers_.size()) return wait_and_resolve();
@@ -248,7 +248,7 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
   net::steady_timer timer_;
   std::vector<NamedPeer> peers_;
   Guests guests_;
-  std::optional<Guests::Sender> speaking_;  ///< who has sent what is being handed over, where nobody names him
+  std::optional<Guests::Sender> speaking_;  ///< the sender of the datagram of this event, if nobody names it
   std::vector<Link> links_;
   std::map<address, std::shared_ptr<Socket>> sockets_;  // by our own address
   std::map<address, std::string> complaints_;
@@ -257,14 +257,17 @@ class Unicast::State : public std::enable_shared_from_this<Unicast::State> {
 
 Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
                  base::LogSink& log, AirCounts& counts, Receive receive)
-    : state_(std::make_shared<State>(context, std::move(peers), admits_guests, port, log, counts, std::move(receive))) {
-  state_->start();
+    : sockets_(
+          std::make_shared<Sockets>(context, std::move(peers), admits_guests, port, log, counts, std::move(receive))) {
+  sockets_->start();
 }
-Unicast::~Unicast() { state_->stop(); }
-void Unicast::set_links(const std::vector<Link>& links) { state_->set_links(links); }
-bool Unicast::is_sender_unnamed() const { return state_->is_sender_unnamed(); }
-void Unicast::answer_sender(base::Duration time) { state_->answer_sender(time); }
-UnicastCounts Unicast::counts() const { return state_->counts(); }
-void Unicast::send(InterfaceIndex interface, std::span<const std::byte> datagram) { state_->send(interface, datagram); }
+Unicast::~Unicast() { sockets_->stop(); }
+void Unicast::set_links(const std::vector<Link>& links) { sockets_->set_links(links); }
+bool Unicast::is_sender_unnamed() const { return sockets_->is_sender_unnamed(); }
+void Unicast::answer_sender(base::Duration time) { sockets_->answer_sender(time); }
+UnicastCounts Unicast::counts() const { return sockets_->counts(); }
+void Unicast::send(InterfaceIndex interface, std::span<const std::byte> datagram) {
+  sockets_->send(interface, datagram);
+}
 
 }  // namespace geminga::env

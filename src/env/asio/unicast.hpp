@@ -1,4 +1,4 @@
-// Copies of announcements for named hosts, where multicast does not pass, and what those hosts send us.
+// Copies of announcements for named hosts that multicast does not reach, and the datagrams that those hosts send us.
 #ifndef GEMINGA_ENV_ASIO_UNICAST_HPP
 #define GEMINGA_ENV_ASIO_UNICAST_HPP
 
@@ -21,35 +21,38 @@ namespace geminga::env {
 /// The most hosts that are named.
 inline constexpr std::size_t max_unicast_peers = 64;
 
-/// Hosts that are spoken to alone.
+/// The hosts that are sent copies.
 struct UnicastCounts {
   std::size_t named = 0;   ///< by --peer
   std::size_t silent = 0;  ///< those of them that were not heard for peer_silence
-  std::size_t guests = 0;  ///< that nobody named, and who have the team's key
+  std::size_t guests = 0;  ///< hosts that nobody named, and that have the team's key
 };
 
-/// The unicast side of all interfaces. One socket an own address, bound to that address and the UDP port, without
-/// address sharing: a second daemon of this host cannot steal our datagrams (it is told that the address is in use),
-/// and the multicast sockets, which are bound to group addresses, are not in the way. A copy goes out when the
-/// participant sends on the interface that the kernel's route to the peer leads through, so that it carries the
-/// addresses that are valid on the way there. Only datagrams from the peers' own addresses are taken, and only where
-/// the peer can be: on the interface that the route to it leads through, or on one whose network it is in. So a spoofed
-/// source from another network says nothing in a peer's name, whatever the kernel's rp_filter lets pass. Both sides
-/// name each other. Where guests are admitted (env/asio/guests.hpp) what comes from elsewhere is handed over, too,
-/// since the receiver judges it by its seal, and one side that names the other is enough.
+/// The unicast side of all interfaces. Each own address has one socket, bound to that address and the UDP port without
+/// address sharing. So a second daemon of this host cannot take our datagrams (it is told that the address is in use),
+/// and the multicast sockets, which are bound to group addresses, are not in the way.
+///
+/// A copy goes out when the participant sends on the interface that the kernel's route to the peer leads through, so it
+/// carries the addresses that are valid on that way. Datagrams are taken only from the peers' own addresses, and only
+/// where the peer can be: on the interface that the route to it leads through, or on one whose network it is in. So a
+/// spoofed source from another network says nothing in a peer's name, whatever the kernel's rp_filter lets pass. Both
+/// sides name each other. If guests are admitted (env/asio/guests.hpp), datagrams from elsewhere are handed over, too,
+/// since the receiver judges them by their seal; then it is enough that one side names the other.
+///
+/// The handlers of its sockets share the sockets, which may outlive this object for a turn.
 class Unicast {
  public:
   using Receive = std::function<void(InterfaceIndex interface, const boost::asio::ip::address& source,
                                      std::span<const std::byte> datagram)>;
 
-  /// What is not taken is added to `counts`, which is borrowed for the life of this object.
+  /// Adds the datagrams that are not taken to `counts`, which is borrowed for the life of this object.
   Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
           base::LogSink& log, AirCounts& counts, Receive receive);
   ~Unicast();
   Unicast(const Unicast&) = delete;
   Unicast& operator=(const Unicast&) = delete;
 
-  /// The interfaces as they are now; also looks at the routes again. To be called regularly.
+  /// Sets the interfaces, and looks at the routes again. Call regularly.
   void set_links(const std::vector<Link>& links);
   void send(InterfaceIndex interface, std::span<const std::byte> datagram);
   /// Env::is_sender_unnamed(), Env::answer_sender().
@@ -58,8 +61,8 @@ class Unicast {
   [[nodiscard]] UnicastCounts counts() const;
 
  private:
-  class State;
-  std::shared_ptr<State> state_;
+  class Sockets;
+  std::shared_ptr<Sockets> sockets_;
 };
 
 }  // namespace geminga::env

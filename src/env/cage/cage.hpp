@@ -1,4 +1,4 @@
-// What a process gives up, for good and for all that it becomes, before it reads what somebody else wrote.
+// The cage of a process: rights that it and its successors give up for good before it reads what strangers wrote.
 #ifndef GEMINGA_ENV_CAGE_CAGE_HPP
 #define GEMINGA_ENV_CAGE_CAGE_HPP
 
@@ -8,33 +8,36 @@
 namespace geminga::cage {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-/// A sanitizer maps its shadow, reads /proc and, looking for leaks at the end, stops its threads by tracing them.
+/// A sanitizer maps its shadow, reads /proc, and stops its threads by tracing them when it looks for leaks at the end.
 inline constexpr bool is_sanitized = true;
 #else
 inline constexpr bool is_sanitized = false;
 #endif
 
-/// What is still allowed. Everything else is forbidden, because no list of dangers would ever be complete.
+/// The freedom that is left. Everything else is forbidden, because no list of dangers would ever be complete.
 struct Freedom {
-  /// May become another program, which is then in this cage and may only make it narrower.
+  /// Allows to become another program, which is then in this cage and can only make it narrower.
   bool may_become = false;
-  /// What may be opened for reading, folders with all below them; what does not exist is passed over. Landlock.
+  /// The files that may be opened for reading, and folders with all below them. A path that does not exist is passed
+  /// over. Landlock.
   std::vector<std::string> readable;
-  /// Nothing: reading is not restricted, for a process that does not know yet what its program needs to start.
+  /// Does not restrict reading: for a process that does not know yet what its program needs to start.
   bool may_read_all = false;
-  /// Folders in which files may be written, renamed and removed. Where Landlock is missing, any file may then.
+  /// Folders in which files may be written, renamed and removed. Without Landlock any file may be, if there is such a
+  /// folder.
   std::vector<std::string> writable_folders;
 };
 
-/// What holds from now on.
+/// The parts of the cage that hold.
 struct Held {
   bool by_system_calls = false;  ///< seccomp: no sockets, processes, signals, traces, and no file opened for writing
   bool by_paths = false;         ///< Landlock: of files, only those that are named
 };
 
-/// Closes the cage: no new privileges, no capabilities but to read and write files as before, Landlock, seccomp. What
-/// is forbidden fails with EACCES and does nothing. Not with a signal: a C library that is newer than the list of
-/// system calls tries one, and takes another when that fails. Before it the process has one thread.
+/// Closes the cage: no new privileges, no capabilities except to read and write files as before, Landlock, seccomp.
+/// What is forbidden fails with EACCES and does nothing. It does not end in a signal: a C library that is newer than
+/// the list of system calls tries a new one and takes another when that fails. Call it while the process has one
+/// thread.
 Held close(const Freedom& freedom);
 
 }  // namespace geminga::cage

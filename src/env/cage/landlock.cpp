@@ -1,4 +1,4 @@
-// By raw system calls: the C library of Debian 12 has none of them, and its headers only the first version.
+// Raw system calls: the C library of Debian 12 has no wrappers for them, and its headers only the first version.
 #include "env/cage/landlock.hpp"
 
 #include <fcntl.h>
@@ -57,7 +57,7 @@ class Rules {
   Rules(const Rules&) = delete;
   Rules& operator=(const Rules&) = delete;
 
-  /// What does not exist needs no right.
+  /// Allows these rights below a path. A path that does not exist needs none.
   void allow(const std::string& path, std::uint64_t rights) {
     const int place = ::open(path.c_str(), O_PATH | O_CLOEXEC);
     if (place < 0) return;

@@ -1,4 +1,4 @@
-// Which files may be opened, by Landlock (Linux 5.13 and later).
+// The files that may be opened, by Landlock (Linux 5.13 and later).
 #ifndef GEMINGA_ENV_CAGE_LANDLOCK_HPP
 #define GEMINGA_ENV_CAGE_LANDLOCK_HPP
 
@@ -6,7 +6,8 @@
 
 namespace geminga::cage {
 
-/// Also forbids TCP, abstract Unix sockets and signals to others where the kernel knows how. False: no Landlock here.
+/// Also forbids TCP, abstract Unix sockets and signals to other processes where the kernel can. False: this kernel has
+/// no Landlock.
 bool restrict_paths(const Freedom& freedom);
 
 }  // namespace geminga::cage

@@ -1,4 +1,4 @@
-// libseccomp with the list of what reading, reasoning and writing need.
+// The list of the system calls that reading, reasoning and writing need.
 #include "env/cage/system_calls.hpp"
 
 #include <fcntl.h>
@@ -18,8 +18,8 @@
 namespace geminga::cage {
 namespace {
 
-/// Whatever their arguments are, they reach nothing but this process, what it has open, and what it may read. Those
-/// that an architecture does not have are passed over.
+/// With any arguments these reach nothing but this process, its open files, and what it may read. Those that an
+/// architecture does not have are passed over.
 constexpr std::array plain{
     // files
     SCMP_SYS(read), SCMP_SYS(readv), SCMP_SYS(pread64), SCMP_SYS(write), SCMP_SYS(writev), SCMP_SYS(pwrite64),
@@ -70,7 +70,7 @@ class Filter {
     for (const int call : calls) seccomp_rule_add(context_, SCMP_ACT_ALLOW, call, 0);
   }
   void allow(int call, scmp_arg_cmp argument) { seccomp_rule_add(context_, SCMP_ACT_ALLOW, call, 1, argument); }
-  /// As if the kernel did not know the call, so that the C library takes an older one.
+  /// Fails as if the kernel did not know the call, so that the C library takes an older one.
   void hide(int call) { seccomp_rule_add(context_, SCMP_ACT_ERRNO(ENOSYS), call, 0); }
   [[nodiscard]] bool load() { return context_ != nullptr && seccomp_load(context_) == 0; }
 
@@ -83,7 +83,7 @@ scmp_arg_cmp masked(unsigned argument, std::uint64_t mask, std::uint64_t value) 
   return {argument, SCMP_CMP_MASKED_EQ, mask, value};
 }
 
-/// A thread, and neither a process nor a namespace. clone3() has its flags in memory, where no filter sees them.
+/// Allows threads, but neither processes nor namespaces. clone3() has its flags in memory, where no filter sees them.
 void allow_threads(Filter& filter) {
   constexpr std::uint64_t namespaces =
       CLONE_NEWNS | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWCGROUP;
@@ -100,7 +100,7 @@ void allow_reading(Filter& filter) {
   filter.allow(SCMP_SYS(openat), masked(2, writing, O_RDONLY));
 }
 
-/// Its own process only: a signal to ourselves is how abort() ends.
+/// Allows signals and limits for the own process only: abort() sends a signal to itself.
 void allow_on_itself(Filter& filter) {
   const auto self = static_cast<std::uint64_t>(::getpid());
   filter.allow(SCMP_SYS(tgkill), equals(0, self));
@@ -111,7 +111,7 @@ void allow_on_itself(Filter& filter) {
     filter.allow(SCMP_SYS(prctl), equals(0, static_cast<std::uint64_t>(option)));
 }
 
-/// Not those that send signals to an owner of the descriptor, or words to a terminal.
+/// Allows commands on descriptors, except those that send signals to an owner or input to a terminal.
 void allow_on_descriptors(Filter& filter) {
   for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL})
     filter.allow(SCMP_SYS(fcntl), equals(1, static_cast<std::uint64_t>(command)));
@@ -119,7 +119,7 @@ void allow_on_descriptors(Filter& filter) {
     filter.allow(SCMP_SYS(ioctl), equals(1, request));
 }
 
-/// Only what was a program before can be executed: memory that can be written to never is.
+/// Forbids executable memory that was ever writable, so that only code that was there before runs.
 void allow_memory(Filter& filter, bool may_become) {
   if (may_become) return filter.allow(std::array{SCMP_SYS(mmap), SCMP_SYS(mprotect)});
   filter.allow(SCMP_SYS(mmap), masked(2, PROT_EXEC, 0));

@@ -1,4 +1,4 @@
-// Which system calls are left, by seccomp.
+// The system calls that are left, by seccomp.
 #ifndef GEMINGA_ENV_CAGE_SYSTEM_CALLS_HPP
 #define GEMINGA_ENV_CAGE_SYSTEM_CALLS_HPP
 

@@ -110,7 +110,7 @@ void ExpressionBase::index_terms() {
     const owl::Term term = source_.term(owl::TermId{id});
     return hash_of(term.kind, term.name, term.number, term.arguments);
   };
-  for (std::uint32_t id = 0; id < source_.term_count(); ++id) term_table_.insert(hash(id), id, hash);
+  for (std::uint32_t id = 0; id < source_.term_count(); ++id) term_table_.insert(hash(id), id);
 }
 
 std::optional<owl::TermId> ExpressionBase::find_term(owl::TermKind kind, std::string_view name,

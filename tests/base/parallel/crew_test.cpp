@@ -26,8 +26,8 @@ TEST(Crew, CallsEachNumberOnce) {
 }
 
 TEST(Crew, EndsItsWaitingThreadsWithoutWork) {
-  // In a child process: a thread that is not woken would hang it until the alarm, one that is not joined would abort
-  // it.
+  // It runs in a child process: a thread that is not woken would hang it until the alarm, and one that is not joined
+  // would abort it.
   const auto make_and_end = [] {
     alarm(60);
     unsigned size = 0;

@@ -1,4 +1,4 @@
-// Numeric addresses, their scopes, and which are announced where.
+// Numeric addresses, their scopes, and the interfaces on which they are announced.
 #include "base/address.hpp"
 
 #include <gmock/gmock.h>
@@ -139,11 +139,12 @@ TEST(OnInterface, AnnouncesAtMostTheNamedNumberOfAddresses) {
 
 TEST(OnInterface, ATwinIsNumberedAfterItsInterfaceAndSaysWhatCanBeReachedThere) {
   const Interface own{.index = InterfaceIndex{3}, .name = "wlan0", .addresses = {"10.0.0.1"}};
-  const Interface twin{.index = InterfaceIndex{77}, .name = "wlan0", .addresses = {"fe80::1"}, .twin_of = own.index};
+  const Interface twin{
+      .index = InterfaceIndex{77}, .name = "wlan0", .addresses = {"fe80::1"}, .ipv6_side_of = own.index};
   const std::vector<Interface> ours{own, twin};
   EXPECT_EQ(on_interface({}, own, ours).link, 3U);
   const Announcement there = on_interface({}, twin, ours);
-  EXPECT_EQ(there.link, twin_link | 3U);
+  EXPECT_EQ(there.link, ipv6_side_bit | 3U);
   EXPECT_THAT(there.addresses, testing::ElementsAre("fe80::1"));
   EXPECT_TRUE(is_announced_on("10.0.0.1", own, ours));
   EXPECT_FALSE(is_announced_on("10.0.0.1", twin, ours)) << "who speaks IPv6 alone cannot reach it";

@@ -1,4 +1,4 @@
-// What a peer is told of a service that cannot be announced.
+// The answers to a peer whose service cannot be announced.
 #include "discovery/announcement/announceable.hpp"
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ std::optional<ErrorCode> subscription_code_of(const SubscriptionEdit& edit) {
   return error ? std::optional(error->code) : std::nullopt;
 }
 
-/// Whether a field may have limit - 1 and limit octets and gets 413 for limit + 1.
+/// Whether a field may have limit - 1 and limit octets, and gets 413 for limit + 1.
 void expect_limit(std::size_t limit, const std::function<std::optional<ErrorCode>(std::size_t)>& with) {
   EXPECT_EQ(with(limit - 1), std::nullopt) << limit;
   EXPECT_EQ(with(limit), std::nullopt) << limit;

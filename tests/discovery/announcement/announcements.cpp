@@ -1,4 +1,3 @@
-// Makes announcements for tests.
 #include "discovery/announcement/announcements.hpp"
 
 #include <algorithm>

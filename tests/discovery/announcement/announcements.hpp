@@ -15,13 +15,13 @@ namespace geminga::announcement {
 /// The worked example of ANNOUNCEMENT.md.
 Announcement worked_example();
 
-/// Any announcement that may be: all kinds, identities, modes, addresses, names up to their limits. Its entries fit.
+/// A random valid announcement: all kinds, identities, modes, addresses, names up to their limits. Its entries fit.
 Announcement random_announcement(base::Random& random, std::size_t max_services = 12);
 
-/// Any presence.
+/// A random presence.
 Announcement random_presence(base::Random& random);
 
-/// Any change, which may be too large for a datagram.
+/// A random change, which may be too large for a datagram.
 Announcement random_change(base::Random& random);
 
 /// A publication of the numeric identity 7 at a port.

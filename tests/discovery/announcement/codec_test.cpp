@@ -1,4 +1,4 @@
-// Announcements survive the way through datagrams, whatever is in them, and large states are split.
+// Announcements survive the way through datagrams, whatever their content, and large states are split.
 #include "discovery/announcement/codec.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ std::vector<Announcement> decode_all(const std::vector<Datagram>& datagrams) {
   return parts;
 }
 
-/// A state of `count` publications, each `padding` octets longer than it must be.
+/// A state of `count` publications, each with `padding` octets more than needed.
 Announcement state_of(std::size_t count, std::size_t padding = 0) {
   auto state = worked_example();
   state.peers.resize(1);
@@ -194,7 +194,7 @@ TEST(Codec, FitsTheLargestServiceUnderTheLargestHeader) {
   state.peers[0].name = std::string(max_name_bytes, 'p');
   auto publication = simple_publication(65535);
   publication.identity = SemanticIdentity{std::string(max_iri_bytes - 1, 'c') + "/", std::string(max_iri_bytes, 'r')};
-  // As large as check() lets it be.
+  // The service is as large as check() admits.
   for (std::size_t size = 0; !check(publication); ++size) publication.attributes["a"] = std::string(size, 'x');
   publication.attributes["a"].pop_back();
   ASSERT_FALSE(check(publication));

@@ -120,7 +120,7 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
       chosen->set_number(static_cast<std::uint32_t>(i + 1));
     }
   };
-  // Groups of what is chosen: their participants, their sizes, and what follows each.
+  // Groups of a choice: their participants, their sizes, and the rest of each.
   const auto set_groups = [](M& m, const std::vector<std::vector<std::uint32_t>>& groups) {
     std::uint32_t participant = 0;
     for (const auto& group : groups) {

@@ -1,4 +1,4 @@
-// What the robots of the paper's section 4 cost the air: octets, which do not depend on the machine.
+// The cost of the robots of the paper's section 4 on the air: octets, which do not depend on the machine.
 #include <gmock/gmock.h>
 
 #include <numeric>

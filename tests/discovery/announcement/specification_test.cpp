@@ -1,4 +1,4 @@
-// The worked example of ANNOUNCEMENT.md is what the codec reads and writes.
+// The worked example of ANNOUNCEMENT.md against the codec.
 #include <gmock/gmock.h>
 
 #include <fstream>

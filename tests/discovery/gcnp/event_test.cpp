@@ -45,7 +45,7 @@ TEST(ServiceEvent, OfAConvertedMatchSaysByWhichChainAndCost) {
   EXPECT_THAT(line, HasSubstr(" convert=s:Robot>s:Field cost=12 "));
   EXPECT_THAT(line, HasSubstr(" attr.cost=\"3 euros\""));
   EXPECT_EQ(read(line), (Event{7, event}));
-  // Where nothing is converted, cost is the name of an attribute as any other.
+  // Without a conversion cost is the name of an attribute like any other.
   event.degree = Degree::narrower;
   event.convert.clear();
   event.cost = 0;
@@ -68,7 +68,7 @@ TEST(ServiceEvent, OfAConvertedMatchSaysWhoConverts) {
   EXPECT_THAT(line, HasSubstr(" attr.via=tunnel"));
   EXPECT_EQ(read(line), (Event{7, event}));
   EXPECT_TRUE(std::get<ServiceEvent>(read(without).what).via.empty());
-  // Where nothing is converted, via is the name of an attribute as any other.
+  // Without a conversion via is the name of an attribute like any other.
   event.convert.clear();
   EXPECT_THAT(to_line(to_statement(7, event)), HasSubstr(" via=tunnel"));
 }

@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Feeds the pieces and gives every line, a too long one with `!` before its beginning.
+/// Feeds the pieces and returns every line; a too long one with `!` before its beginning.
 std::vector<std::string> lines(LineReader& reader, const std::vector<std::string>& pieces) {
   std::vector<std::string> found;
   for (const auto& piece : pieces) {
@@ -72,7 +72,7 @@ TEST(LineReader, GivesTheSameLinesHoweverTheStreamIsCutWhateverItsSeed) {
       at += size;
     }
     LineReader cut(8);
-    // Of a line over the limit as much is told as has come: compare that it is told, not how much.
+    // A line over the limit is told with as many octets as have come: the test compares only that it is told.
     auto found = lines(cut, pieces);
     ASSERT_EQ(found.size(), expected.size()) << "seed " << seed;
     for (std::size_t i = 0; i < found.size(); ++i) {

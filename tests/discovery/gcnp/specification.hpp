@@ -8,13 +8,13 @@
 
 namespace geminga::gcnp {
 
-/// A line of an example and what the line behind `=` says; where there is none, the line itself.
+/// A line of an example, and the line behind `=`; if there is none, the line itself.
 struct Example {
   std::string line;
   std::string expected;
 };
 
-/// The examples of the fenced block with this name. Empty where there is no such block.
+/// The examples of the fenced block with this name; none if there is no such block.
 [[nodiscard]] std::vector<Example> examples(std::string_view block);
 
 }  // namespace geminga::gcnp

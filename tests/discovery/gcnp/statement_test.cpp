@@ -126,7 +126,7 @@ TEST(Statement, IsTheSameAfterWritingAndReadingWhateverItsSeed) {
 }
 
 TEST(Statement, IsNeverReadFromNoiseInTwoWays) {
-  // What is read from any octets is written to a line that reads the same.
+  // A statement read from any octets is written to a line that reads the same.
   static constexpr std::string_view alphabet = "019 ab=\"\\nt\t\xc3\xbc.-/:\x01";
   for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
     base::Random random(seed);

@@ -1,4 +1,4 @@
-// Who keeps a place, and room for services, when more is heard than can be remembered.
+// Places and room for services, when more is heard than can be remembered.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace {
 constexpr auto interval = seconds(2);
 constexpr ParticipantId robot{7};
 
-/// A table in a flood of ten thousand datagrams a second, and a true robot that announces itself as robots do: at once,
-/// four quick copies, then each interval.
+/// A table in a flood of ten thousand datagrams a second, and a true robot that announces itself: at once, by four
+/// quick copies, then in each interval.
 struct Flood {
-  /// Every identity is sent `copies` times from one of `sources` addresses, `gap` between two copies.
+  /// Each identity is sent `copies` times from one of `sources` addresses, `gap` apart.
   struct Shape {
     std::size_t sources = 1;
     std::size_t copies = 1;
@@ -44,7 +44,7 @@ struct Flood {
   }
   /// The datagram with this number of the flood; 10^4 a second.
   void forge(const Shape& shape, std::uint64_t number) {
-    // Copies of one identity are `gap` apart: as many others come between them.
+    // Copies of one identity are `gap` apart, and as many others come between them.
     const auto between = static_cast<std::uint64_t>(shape.gap / std::chrono::microseconds(100));
     const auto round = number / (between * shape.copies);
     const auto within = number % (between * shape.copies);
@@ -57,7 +57,8 @@ struct Flood {
                           ? robots_address
                           : "10.0." + std::to_string(1 + which / 250) + "." + std::to_string(1 + which % 250));
   }
-  /// Lets the flood go on; in it the robot arrives after `arrival`. How long it was unknown from then on, altogether.
+  /// Lets the flood go on; the robot arrives after `arrival`. Returns for how long it was unknown from then on, in
+  /// total.
   base::Duration run(const Shape& shape, base::Duration arrival, base::Duration time) {
     const std::array<base::Duration, 5> copies = {milliseconds(0), milliseconds(20), milliseconds(60),
                                                   milliseconds(140), milliseconds(300)};
@@ -130,7 +131,7 @@ TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
   for (const auto known_for :
        {announcement::seasoned_after - milliseconds(1), base::Duration(announcement::seasoned_after)}) {
     Flood flood;
-    // Four robots behind one address, which so has the most of all places; the newest would go first.
+    // Four robots behind one address have the most places of all; the newest would give way first.
     const auto say_all = [&] {
       for (std::uint32_t id = 1; id <= 4; ++id) (void)flood.hear(speaker(id, 1), "10.0.0.9");
     };
@@ -198,7 +199,7 @@ std::string address_of(std::uint32_t which) {
 TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
   for (const bool is_filler_proved : {false, true}) {
     Flood flood;
-    // Everybody has one place and an address of its own, and keeps it alive.
+    // Each participant has one place and an address of its own, and keeps it alive.
     const auto keep = [&] {
       for (std::uint32_t id = 1; id < announcement::max_participants; ++id)
         (void)flood.hear(speaker(1000 + id, 1), address_of(id));
@@ -223,7 +224,7 @@ TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
 }
 
 TEST(Flood, ThatFallsSilentGivesWayThoughOneOfItGoesOn) {
-  // Whichever of the addresses goes on: no place is guarded by the order of their names.
+  // This holds for each address: the order of their names guards no place.
   for (const std::uint32_t goes_on : {0U, 100U, 255U}) {
     Flood flood;
     const auto pass = [&](base::Duration time) { flood.pass_to(flood.now + time); };
@@ -271,7 +272,7 @@ TEST(Flood, OfOneDatagramWithTheHighestNumberKeepsNoWaitingStrangerOut) {
   EXPECT_TRUE(flood.rig.table.is_known(robot)) << "after " << unknown / milliseconds(1) << " ms";
 }
 
-/// All services from 1 to `count`, in as many parts as it takes.
+/// All services from 1 to `count`, in as many parts as needed.
 void offer(Flood& flood, std::uint32_t id, std::uint32_t count, const std::string& source) {
   const auto parts = (count + 99) / 100;
   for (std::uint32_t part = 0; part < parts; ++part) {

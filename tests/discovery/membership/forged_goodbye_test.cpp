@@ -1,4 +1,4 @@
-// Goodbyes that nobody said, and what comes after them.
+// Forged goodbyes, and the datagrams that follow them.
 #include <gmock/gmock.h>
 
 #include "discovery/announcement/limits.hpp"
@@ -58,7 +58,7 @@ TEST(Forged, GoodbyesEverySecondHideNobodyAfterTheFirst) {
     if (i % 2 == 0) (void)air.say();
     EXPECT_TRUE(air.is_right()) << i;
   }
-  // A true one then is believed when nothing follows it for two intervals.
+  // A true goodbye is believed then if nothing follows it for two intervals.
   (void)air.hear(goodbye_of(air), "10.0.0.1");
   air.pass(2 * interval);
   EXPECT_FALSE(air.rig.table.is_known(victim));
@@ -75,7 +75,7 @@ TEST(Forged, LifeUnderAKnownIdentifierAfterAForgedGoodbyeGivesWayToTheTrueOne) {
   air.pass(seconds(1));
   EXPECT_EQ(air.say(), Hearing::returned);
   for (int i = 0; i < 100; ++i) {
-    // What comes right after it has lost the identifier may have been sent before that.
+    // A datagram right after the loss of the identifier may have been sent before it.
     EXPECT_EQ(air.hear(usurper, "10.0.0.66"), i == 0 ? Hearing::stale : Hearing::rival);
     if (i % 10 == 0) (void)air.say();
     air.pass(milliseconds(200));

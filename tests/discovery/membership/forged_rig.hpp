@@ -1,4 +1,4 @@
-// A participant that speaks each interval, whoever else speaks in its name: what the tests of forged datagrams have.
+// The rig of the tests of forged datagrams: a participant that speaks each interval, whoever else speaks in its name.
 #ifndef GEMINGA_TESTS_DISCOVERY_MEMBERSHIP_FORGED_RIG_HPP
 #define GEMINGA_TESTS_DISCOVERY_MEMBERSHIP_FORGED_RIG_HPP
 
@@ -14,7 +14,8 @@ namespace geminga::membership {
 inline constexpr auto interval = seconds(2);
 inline constexpr ParticipantId victim{1};
 
-/// A participant that speaks each interval, whoever else speaks in its name, and what a registry makes of it all.
+/// A participant that speaks each interval, whoever else speaks in its name, and the registry that follows from all of
+/// it.
 struct Air {
   Air() { rig.source = "10.0.0.1"; }
 
@@ -42,7 +43,7 @@ struct Air {
       registry.take(rig.table);
     }
   }
-  /// What is told of the services of the victim is what it says, and nothing else.
+  /// Whether the told services of the victim are exactly those that it says.
   [[nodiscard]] bool is_right() const {
     const auto at = [](std::uint16_t p) { return "10.0.0.1:" + std::to_string(p) + " of robot1/vision"; };
     return registry.services == std::map<ServiceKey, std::string>{{{victim, PeerId{1}, 5}, at(port)},

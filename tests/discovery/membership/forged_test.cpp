@@ -1,4 +1,4 @@
-// What forged datagrams do to what is known of a participant: nothing for longer than until it speaks again.
+// The effect of forged datagrams on a participant: it lasts until the participant speaks again.
 #include <gmock/gmock.h>
 
 #include <functional>
@@ -6,8 +6,8 @@
 #include <string>
 
 #include "discovery/announcement/limits.hpp"
-#include "discovery/membership/deadline.hpp"
 #include "discovery/membership/forged_rig.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 
 namespace geminga::membership {
 namespace {
@@ -17,7 +17,7 @@ struct Lie {
   std::function<void(announcement::Announcement&)> forge;
 };
 
-/// Each field of a state changed, alone and together with numbers that make it look newer.
+/// Each field of a state changed, alone, and together with numbers that make the state look newer.
 std::vector<Lie> lies() {
   const std::vector<Lie> fields = {
       {"no services", [](announcement::Announcement& lie) { lie.peers.clear(); }},
@@ -94,7 +94,7 @@ TEST(Forged, StatesFromTheSameAddressLastUntilTheirVictimSpeaks) {
         forged.revision = 10;
         air.revision = 10;
         lie.forge(forged);
-        // Its victim is at revision 10 as well, unless this is the first that is heard of it.
+        // The victim is at revision 10 as well, unless it was not heard yet.
         (void)air.hear(forged, "10.0.0.1");
       }
       const auto what = lie.what + ", " + std::to_string(copies) + " times";
@@ -105,7 +105,7 @@ TEST(Forged, StatesFromTheSameAddressLastUntilTheirVictimSpeaks) {
       (void)air.say();
       air.pass(seconds(1));
       expect_truth(air, what);
-      // Nothing of it comes back, nor is anything of the victim lost later.
+      // Nothing of the lie comes back, and nothing of the victim is lost later.
       for (int i = 0; i < 10; ++i, air.pass(interval)) (void)air.say();
       expect_truth(air, what + ", later");
       EXPECT_TRUE(air.rig.table.find(victim)->is_complete) << what;
@@ -121,7 +121,7 @@ TEST(Forged, StatesThatGoOnDoNothingToWhatTheirVictimGoesOnSaying) {
       for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
       for (int i = 0; i < 200; ++i) {
         if (i % 20 == 0) (void)air.say();
-        // After the first contradiction the true services are there at every instant, whatever else is.
+        // After the first contradiction the true services are there at every instant.
         if (i > 40) {
           for (const auto number : {5U, 6U, 7U}) {
             const auto key = ServiceKey{victim, PeerId{1}, number};
@@ -166,7 +166,7 @@ TEST(Forged, OldWordsThatGoOnDelayAChangeUntilTwoIntervalsAfterThemAndNoNewServi
     auto state = air.truth();
     state.peers[0].publications.push_back({8, announcement::simple_publication()});
     (void)air.say(state);
-    // It is not to be told from a true sender whose services somebody wants to redirect: what was believed stays.
+    // It cannot be told from a true sender whose services somebody wants to redirect: what was believed stays.
     EXPECT_EQ(air.registry.services.at({victim, PeerId{1}, 5}), "10.0.0.1:5000 of robot1/vision") << i;
     EXPECT_TRUE(air.registry.services.contains({victim, PeerId{1}, 8})) << i;
     air.pass(interval / 2);
@@ -258,7 +258,7 @@ TEST(Forged, AnAddressThatSpeaksAgainHasNeverMoved) {
   EXPECT_FALSE(air.is_right());
   EXPECT_EQ(air.say(), Hearing::contradiction);
   EXPECT_TRUE(air.is_right());
-  // And is not moved again while it speaks at least every other interval.
+  // The way is not moved again while the victim speaks at least every other interval.
   for (int i = 0; i < 100; ++i) {
     EXPECT_NE(forge(), Hearing::known) << i;
     EXPECT_TRUE(air.is_right()) << i;
@@ -366,8 +366,7 @@ TEST(Forged, NothingRandomOutlastsItsSenderByTwoIntervals) {
     live(seconds(5), 0, true);
     live(seconds(30), 0.01 + 0.5 * random.unit(), true);
     live(2 * interval, 0, false);
-    // The lies are over for two intervals, and nothing has changed since: one more announcement, which may be on its
-    // way.
+    // The lies are over for two intervals, and nothing has changed since. One more announcement may be on its way.
     (void)air.say();
     EXPECT_TRUE(air.is_right()) << "seed " << seed << "\n" << testing::PrintToString(air.registry.services);
     const auto known = air.rig.table.find(victim);

@@ -1,4 +1,4 @@
-// A forger who knows everything and may send anything from any address plays at random against the rules of
+// A forger that knows everything and may send anything from any address plays at random against the rules of
 // ANNOUNCEMENT.md ("Whose an identifier is", "Who is believed"), while its victim only goes on announcing itself.
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ constexpr base::Duration two_intervals = 2 * longest_interval;
 struct Walk {
   explicit Walk(std::uint64_t seed) : random(seed) {}
 
-  /// The victim is there with all it says and as it says it, whatever else is said in its name.
+  /// Checks that the victim is there with exactly the services that it says, whatever else is said in its name.
   [[nodiscard]] bool is_there() const {
     const auto known = air.rig.table.find(victim);
     if (!known || known->boot != announcement::BootNonce{1}) return false;
@@ -55,8 +55,7 @@ struct Walk {
     }
   }
   announcement::Announcement any_word() {
-    // Its victim's words, somebody else's under any identifier, or nonsense.
-    // From a stream of their own, so that a new field of announcements makes no other walks.
+    // The victim's announcements, others' under any identifier, or nonsense.
     base::Random words(random.next());
     auto word = random.chance(0.6) ? air.truth() : announcement::random_announcement(words);
     word.group = "default";
@@ -74,7 +73,7 @@ struct Walk {
     if (word.kind == announcement::Kind::change) make_change(word);
     return word;
   }
-  /// One word, and often the same again or the same by a slightly different speaker: so whole plots come about.
+  /// Sends one announcement, and often the same again or a slightly changed one, so that whole plots arise.
   void move() {
     if (random.chance(0.4)) {
       last = any_word();
@@ -86,15 +85,15 @@ struct Walk {
       if (random.chance(0.2)) last.participant = victim;
     }
     const bool is_victims = last.participant == victim && last.boot == announcement::BootNonce{1} && last_source == own;
-    // Who speaks first in its name and life, from its address, is not to be told from it.
+    // A forger that speaks first in its name and incarnation, from its address, cannot be told from it.
     if (is_victims && !has_spoken) return;
     (void)air.hear(last, last_source);
   }
-  /// Lets time go by in which the victim speaks when it is due, and the forger so often.
+  /// Lets time go by. The victim speaks when it is due, and the forger so often.
   void live(base::Duration time, double moves_a_second, bool is_watched) {
     constexpr base::Duration step = milliseconds(20);
     for (const auto end = air.now + time; air.now < end; air.pass(step)) {
-      // Who is doubted answers: a forger of claims can pretend that its next life has begun.
+      // A doubted participant answers: a forger of claims can pretend that its next incarnation has begun.
       if (const auto doubts = air.rig.table.report(air.now).doubts; std::ranges::find(doubts, victim) != doubts.end()) {
         (void)air.say();
       }
@@ -129,10 +128,10 @@ struct Walk {
 };
 
 TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
-  // About one walk in 400 hides somebody for up to twice as long: ANNOUNCEMENT.md, "Who has a place", tells how.
+  // About one walk in 400 hides a participant for up to twice as long: see ANNOUNCEMENT.md, "Who has a place".
   int longer = 0;
-  // About one in 2000 makes an interval of up to a minute believed: then two of that are what two intervals are, for
-  // what it added, and in one of 4000 for who is hidden.
+  // In about one walk of 2000 an interval of up to a minute is believed. Then two of those intervals take the place of
+  // the two intervals above for what it added, and in one of 4000 for the hidden participant.
   int left_behind = 0;
   int much_longer = 0;
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {

@@ -1,4 +1,4 @@
-// Whose an identifier is when several speak under it: the one that was first heard under it, and nobody's for good.
+// The holder of an identifier under which several speak: the incarnation that was heard first, and none for good.
 #include <gmock/gmock.h>
 
 #include "discovery/announcement/limits.hpp"
@@ -10,7 +10,7 @@ namespace {
 constexpr const char* stranger = "10.0.0.66";
 constexpr const char* own = "10.0.0.1";
 
-announcement::Announcement life(announcement::BootNonce boot, std::uint32_t id = 1) {
+announcement::Announcement incarnation(announcement::BootNonce boot, std::uint32_t id = 1) {
   auto state = speaker(id, 1, {9});
   state.boot = boot;
   state.name = "liar";
@@ -23,7 +23,7 @@ announcement::Announcement as(announcement::Kind kind, announcement::Announcemen
   return announcement;
 }
 
-/// The victim goes on to speak, and somebody else to say this five times a second.
+/// The victim goes on speaking, and another sender says this five times a second.
 void expect_right_while_repeated(Air& air, const announcement::Announcement& lie, const std::string& source) {
   for (int i = 0; i < 100; ++i) {
     (void)air.hear(lie, source);
@@ -36,20 +36,20 @@ void expect_right_while_repeated(Air& air, const announcement::Announcement& lie
 TEST(Identifier, IsNotGivenToAStrangerThatWasKnownForLongerThanItsOwnerUnderAnotherOne) {
   Air air;
   const announcement::BootNonce decoy{66};
-  for (int i = 0; i < 2; ++i, air.pass(seconds(1))) (void)air.hear(life(decoy, 77), stranger);
+  for (int i = 0; i < 2; ++i, air.pass(seconds(1))) (void)air.hear(incarnation(decoy, 77), stranger);
   for (int i = 0; i < 5; ++i, air.pass(interval)) {
-    (void)air.hear(life(decoy, 77), stranger);
+    (void)air.hear(incarnation(decoy, 77), stranger);
     (void)air.say();
   }
-  EXPECT_EQ(air.hear(as(announcement::Kind::goodbye, life(decoy, 77)), stranger), Hearing::goodbye);
-  EXPECT_EQ(air.hear(life(decoy), stranger), Hearing::rival);
-  expect_right_while_repeated(air, life(decoy), stranger);
+  EXPECT_EQ(air.hear(as(announcement::Kind::goodbye, incarnation(decoy, 77)), stranger), Hearing::goodbye);
+  EXPECT_EQ(air.hear(incarnation(decoy), stranger), Hearing::rival);
+  expect_right_while_repeated(air, incarnation(decoy), stranger);
 }
 
 TEST(Identifier, IsNotGivenToAUsurperThatSaysGoodbyeAndComesBack) {
   for (const auto* source : {stranger, own}) {
     Air air;
-    const auto usurper = life(announcement::BootNonce{66});
+    const auto usurper = incarnation(announcement::BootNonce{66});
     for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
     (void)air.hear(as(announcement::Kind::goodbye, speaker(1, 0, {})), own);
     EXPECT_EQ(air.hear(usurper, source), Hearing::newcomer);
@@ -64,7 +64,7 @@ TEST(Identifier, IsNotGivenToAUsurperThatSaysGoodbyeAndComesBack) {
 
 TEST(Identifier, IsGivenBackToWhoeverWasSilentForTwoIntervals) {
   Air air;
-  const auto usurper = life(announcement::BootNonce{66});
+  const auto usurper = incarnation(announcement::BootNonce{66});
   for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
   air.pass(interval);  // two since its last word
   (void)air.hear(usurper, stranger);
@@ -77,18 +77,18 @@ TEST(Identifier, IsGivenBackToWhoeverWasSilentForTwoIntervals) {
 TEST(Identifier, IsTheFirstClaimantsAndNotThatOfWhoeverAnticipatesItsFirstState) {
   for (const auto* source : {stranger, own}) {
     for (const auto boot : {announcement::BootNonce{66}, announcement::BootNonce{1}}) {
-      if (boot == announcement::BootNonce{1} && source == own) continue;  // the same life: each word of it is weighed
+      if (boot == announcement::BootNonce{1} && source == own) continue;  // the same incarnation: each word of it is weighed
       Air air;
       (void)air.hear(as(announcement::Kind::claim, speaker(1, 0, {})), own);
-      for (int i = 0; i < 5; ++i, air.pass(milliseconds(20))) (void)air.hear(life(boot), source);
+      for (int i = 0; i < 5; ++i, air.pass(milliseconds(20))) (void)air.hear(incarnation(boot), source);
       EXPECT_EQ(air.say(), Hearing::newcomer) << source;
       EXPECT_TRUE(air.is_right()) << source;
-      // With its own boot nonce it is a move to another address, which is undone when the first one speaks.
+      // With its own boot nonce it is a move to another address, which is undone when the first address speaks.
       for (int i = 0; boot == announcement::BootNonce{1} && i < 30; ++i, air.pass(milliseconds(200))) {
-        (void)air.hear(life(boot), source);
+        (void)air.hear(incarnation(boot), source);
         if (i % 10 == 0) (void)air.say();
       }
-      expect_right_while_repeated(air, life(boot), source);
+      expect_right_while_repeated(air, incarnation(boot), source);
     }
   }
 }
@@ -96,8 +96,8 @@ TEST(Identifier, IsTheFirstClaimantsAndNotThatOfWhoeverAnticipatesItsFirstState)
 TEST(Identifier, IsTheFirstClaimantsThoughSomebodySaidHelloAndGoodbyeWithItsBootNonce) {
   Air air;
   (void)air.hear(as(announcement::Kind::claim, speaker(1, 0, {})), own);
-  (void)air.hear(life(announcement::BootNonce{1}), stranger);
-  (void)air.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{1})), stranger);
+  (void)air.hear(incarnation(announcement::BootNonce{1}), stranger);
+  (void)air.hear(as(announcement::Kind::goodbye, incarnation(announcement::BootNonce{1})), stranger);
   EXPECT_EQ(air.say(), Hearing::newcomer);
   EXPECT_TRUE(air.is_right());
 }
@@ -107,7 +107,7 @@ TEST(Identifier, IsTheFirstClaimantsThoughItsClaimIsOvertakenByAnAnswerToIt) {
     for (const auto late :
          {announcement::overtaken_time - base::Duration(1), base::Duration(announcement::overtaken_time)}) {
       Air air;
-      (void)air.hear(life(boot), stranger);
+      (void)air.hear(incarnation(boot), stranger);
       air.pass(late);
       (void)air.hear(as(announcement::Kind::claim, speaker(1, 0, {})), own);
       EXPECT_EQ(air.say() == Hearing::newcomer, late < announcement::overtaken_time);
@@ -118,7 +118,7 @@ TEST(Identifier, IsTheFirstClaimantsThoughItsClaimIsOvertakenByAnAnswerToIt) {
 
 TEST(Identifier, IsNotGivenToAClaimThatWasMadeWhileSomebodyHadIt) {
   Air air;
-  const auto usurper = life(announcement::BootNonce{66});
+  const auto usurper = incarnation(announcement::BootNonce{66});
   for (int i = 0; i < 5; ++i, air.pass(interval)) {
     (void)air.say();
     (void)air.hear(as(announcement::Kind::claim, usurper), stranger);
@@ -131,10 +131,10 @@ TEST(Identifier, IsGivenBackThoughAHundredsOfOthersHaveLeftMeanwhile) {
   for (int i = 0; i < 5; ++i, air.pass(interval)) (void)air.say();
   (void)air.hear(as(announcement::Kind::goodbye, speaker(1, 0, {})), own);
   for (std::uint32_t id = 1000; id < 1000 + 2 * announcement::max_participants; ++id) {
-    (void)air.hear(life(announcement::BootNonce{id}, id), stranger);
-    (void)air.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{id}, id)), stranger);
+    (void)air.hear(incarnation(announcement::BootNonce{id}, id), stranger);
+    (void)air.hear(as(announcement::Kind::goodbye, incarnation(announcement::BootNonce{id}, id)), stranger);
   }
-  (void)air.hear(life(announcement::BootNonce{66}), stranger);
+  (void)air.hear(incarnation(announcement::BootNonce{66}), stranger);
   air.pass(seconds(1));
   EXPECT_EQ(air.say(), Hearing::returned);
   EXPECT_TRUE(air.is_right());
@@ -150,9 +150,9 @@ TEST(Identifier, OfALongIntervalIsGivenBackWithinIt) {
   (void)say();
   for (int i = 0; i < 5; ++i, air.pass(announcement::max_interval)) (void)say();
   (void)air.hear(as(announcement::Kind::goodbye, speaker(1, 0, {})), own);
-  (void)air.hear(life(announcement::BootNonce{66}), stranger);
+  (void)air.hear(incarnation(announcement::BootNonce{66}), stranger);
   air.pass(announcement::max_interval - seconds(4));
-  (void)air.hear(life(announcement::BootNonce{66}), stranger);
+  (void)air.hear(incarnation(announcement::BootNonce{66}), stranger);
   EXPECT_EQ(say(), Hearing::returned);
   EXPECT_TRUE(air.is_right());
 }
@@ -183,7 +183,7 @@ TEST(Identifier, IsGivenBackThoughItsOwnerWasMovedToAnotherAddressBeforeTheGoodb
   auto goodbye = as(announcement::Kind::goodbye, speaker(1, 0, {}));
   goodbye.sequence = 102;
   ASSERT_EQ(air.hear(goodbye, stranger), Hearing::goodbye);
-  (void)air.hear(life(announcement::BootNonce{66}), stranger);
+  (void)air.hear(incarnation(announcement::BootNonce{66}), stranger);
   air.pass(seconds(1));
   EXPECT_EQ(air.say(), Hearing::returned);
   EXPECT_TRUE(air.is_right());
@@ -205,7 +205,7 @@ TEST(Identifier, MovesWithItsOwnerToANewAddressThoughSomebodyForgesTheHighestNum
   EXPECT_EQ(air.rig.table.find(victim)->address, "10.0.0.9");
 }
 
-TEST(FormerLives, AreRememberedUpToTheNamedNumberAndTheYoungestGivesWay) {
+TEST(FormerIncarnations, AreRememberedUpToTheNamedNumberAndTheYoungestGivesWay) {
   for (const auto count :
        {announcement::max_participants - 1, announcement::max_participants, announcement::max_participants + 1}) {
     TableRig rig;
@@ -214,15 +214,15 @@ TEST(FormerLives, AreRememberedUpToTheNamedNumberAndTheYoungestGivesWay) {
     };
     std::uint32_t returned = 0;
     each([&](std::uint32_t id) {
-      (void)rig.hear(life(announcement::BootNonce{id}, id), rig_start + milliseconds(id));
-      (void)rig.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{id}, id)),
+      (void)rig.hear(incarnation(announcement::BootNonce{id}, id), rig_start + milliseconds(id));
+      (void)rig.hear(as(announcement::Kind::goodbye, incarnation(announcement::BootNonce{id}, id)),
                      rig_start + milliseconds(id));
     });
     each([&](std::uint32_t id) {
-      const auto hearing = rig.hear(life(announcement::BootNonce{id}, id), rig_start + seconds(1));
+      const auto hearing = rig.hear(incarnation(announcement::BootNonce{id}, id), rig_start + seconds(1));
       returned += hearing == Hearing::returned ? 1 : 0;
       EXPECT_EQ(hearing == Hearing::returned, id <= announcement::max_participants) << id;
-      (void)rig.hear(as(announcement::Kind::goodbye, life(announcement::BootNonce{id}, id)), rig_start + seconds(1));
+      (void)rig.hear(as(announcement::Kind::goodbye, incarnation(announcement::BootNonce{id}, id)), rig_start + seconds(1));
     });
     EXPECT_EQ(returned, std::min(count, announcement::max_participants));
   }

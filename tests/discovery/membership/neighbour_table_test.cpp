@@ -1,4 +1,4 @@
-// Who is known and until when: newcomers, clashes, restarts, goodbyes, deadlines, limits.
+// The known participants and their ends: newcomers, clashes, restarts, goodbyes, deadlines, limits.
 #include "discovery/membership/neighbour_table.hpp"
 
 #include <gmock/gmock.h>
@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "discovery/announcement/limits.hpp"
-#include "discovery/membership/claims.hpp"
-#include "discovery/membership/deadline.hpp"
-#include "discovery/membership/loss_window.hpp"
+#include "discovery/membership/claim/first_claims.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 #include "discovery/membership/table_rig.hpp"
 
 namespace geminga::membership {
@@ -137,7 +136,8 @@ TEST(NeighbourTable, KeepsAllServicesOfWhoIsThereWithTheSameRevision) {
     const auto now = rig_start + i * seconds(2);
     EXPECT_EQ(rig.hear(presence_of(speaker(1, 1)), now), Hearing::known);
     rig.table.expire(now);
-    EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1"));
+    EXPECT_THAT(rig.lines(), IsEmpty());
+    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 1U);
   }
   EXPECT_TRUE(rig.table.report(rig_start + seconds(40)).lacks.empty());
 }
@@ -240,7 +240,7 @@ TEST(NeighbourTable, RemovesAParticipantAtItsGoodbyeAndLetsNoLateDatagramBringIt
   EXPECT_EQ(rig.hear(late, rig_start + goodbye_memory), Hearing::newcomer);
 }
 
-TEST(NeighbourTable, TakesTheNextLifeInRightAfterAGoodbye) {
+TEST(NeighbourTable, TakesTheNextIncarnationInRightAfterAGoodbye) {
   TableRig rig;
   (void)rig.hear(speaker(1, 1));
   auto goodbye = speaker(1, 2, {});
@@ -263,7 +263,7 @@ TEST(NeighbourTable, IgnoresAGoodbyeOfSomebodyElse) {
   EXPECT_TRUE(rig.table.is_known(ParticipantId{1}));
 }
 
-TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals) {
+TEST(NeighbourTable, LetsANewIncarnationReplaceTheOldOneWhenThatIsSilentForTwoIntervals) {
   TableRig rig;
   (void)rig.hear(speaker(1, 9, {5, 6}));
   rig.lines();
@@ -275,7 +275,7 @@ TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals
   EXPECT_EQ(rig.hear(next, rig_start + seconds(4)), Hearing::newcomer);
   EXPECT_THAT(rig.lines(), ElementsAre("remove 00000001 expired", "put pub 00000001/1/6 at 10.0.0.1",
                                        "put pub 00000001/1/7 at 10.0.0.1"));
-  // What the old life said until then brings it not back; what it says now does, because it was not over.
+  // A datagram that the former incarnation sent before that does not bring it back. A later one does: it was not over.
   auto late = speaker(1, 9, {5});
   late.sequence = 1;
   EXPECT_EQ(rig.hear(late, rig_start + seconds(5)), Hearing::stale);
@@ -284,7 +284,7 @@ TEST(NeighbourTable, LetsANewLifeReplaceTheOldOneWhenThatIsSilentForTwoIntervals
   EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, announcement::BootNonce{1});
 }
 
-TEST(NeighbourTable, GivesAnIdentifierToTheLifeThatClaimedItBeforeWhoAnticipatedIt) {
+TEST(NeighbourTable, GivesAnIdentifierToTheIncarnationThatClaimedItBeforeWhoAnticipatedIt) {
   TableRig rig;
   auto owner = speaker(1, 9, {5});
   (void)rig.hear(owner);
@@ -327,7 +327,7 @@ TEST(NeighbourTable, RemembersClaimsUpToTheNamedNumberAndForTheNamedTime) {
   }
 }
 
-TEST(NeighbourTable, IgnoresAnotherLifeUnderAnIdentifierWhoseOwnerIsThere) {
+TEST(NeighbourTable, IgnoresAnotherIncarnationUnderAnIdentifierWhoseOwnerIsThere) {
   TableRig rig;
   auto other = speaker(1, 1, {});
   other.boot = announcement::BootNonce{77};
@@ -364,35 +364,6 @@ TEST(NeighbourTable, HasADifferentWordForEachHearing) {
   std::set<std::string_view> words;
   for (int i = 0; i <= static_cast<int>(Hearing::returned); ++i) words.insert(to_string(static_cast<Hearing>(i)));
   EXPECT_EQ(words.size(), static_cast<std::size_t>(Hearing::returned) + 1);
-}
-
-TEST(LossWindow, CountsNeitherCopiesNorReorderingAsLoss) {
-  LossWindow window;
-  EXPECT_EQ(window.loss(), 0);
-  for (const std::uint64_t sequence : {10U, 12U, 11U, 12U, 9U, 13U}) window.count(sequence);
-  EXPECT_EQ(window.loss(), 0);
-}
-
-TEST(LossWindow, ForgetsWhatIsLongerAgoThanSixtyFour) {
-  LossWindow window;
-  window.count(0);
-  window.count(63);
-  EXPECT_DOUBLE_EQ(window.loss(), 62.0 / 64);
-  window.count(64);
-  EXPECT_DOUBLE_EQ(window.loss(), 62.0 / 64);
-  for (std::uint64_t sequence = 65; sequence < 200; ++sequence) window.count(sequence);
-  EXPECT_EQ(window.loss(), 0);
-}
-
-TEST(LossWindow, BeginsAnewWhenTheSenderDoes) {
-  LossWindow window;
-  window.count(1000);
-  window.count(1010);
-  EXPECT_GT(window.loss(), 0.7);
-  window.count(1010 - 64);
-  EXPECT_EQ(window.loss(), 0);
-  window.count(std::numeric_limits<std::uint64_t>::max());
-  EXPECT_DOUBLE_EQ(window.loss(), 63.0 / 64);
 }
 
 }  // namespace

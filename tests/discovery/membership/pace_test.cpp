@@ -1,9 +1,9 @@
-// How much slower everybody speaks where many share the air.
-#include "discovery/membership/pace.hpp"
+// The pace where many share the air.
+#include "discovery/membership/schedule/pace.hpp"
 
 #include <gtest/gtest.h>
 
-#include "discovery/membership/schedule.hpp"
+#include "discovery/membership/schedule/schedule.hpp"
 #include "discovery/membership/table_rig.hpp"
 
 namespace geminga::membership {

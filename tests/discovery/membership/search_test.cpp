@@ -1,4 +1,4 @@
-#include "discovery/membership/search.hpp"
+#include "discovery/membership/schedule/search.hpp"
 
 #include <gtest/gtest.h>
 

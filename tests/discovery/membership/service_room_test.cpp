@@ -1,4 +1,4 @@
-// How much room for services one neighbour takes, and all of them together.
+// The room for services of one neighbour, and of all together.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace geminga::membership {
 namespace {
 
-/// The numbers 1 to `count` in as many parts of at most 200 as it takes.
+/// The services 1 to `count`, in as many parts of at most 200 as needed.
 void hear_many(TableRig& rig, std::uint32_t id, std::uint64_t revision, std::uint32_t count) {
   const auto parts = (count + 199) / 200;
   for (std::uint32_t part = 0; part < parts; ++part) {
@@ -31,7 +31,7 @@ TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfOneParticipant) {
     EXPECT_EQ(rig.table.find(ParticipantId{1})->publications,
               std::min(count, announcement::max_services_per_participant));
     EXPECT_EQ(rig.table.refused_services(), count > announcement::max_services_per_participant ? 1U : 0U);
-    // What was told cannot be trusted to be all, so nothing would be withdrawn by it.
+    // The list may be incomplete, so it withdraws nothing.
     EXPECT_EQ(rig.table.find(ParticipantId{1})->is_complete, count <= announcement::max_services_per_participant);
   }
 }

@@ -1,8 +1,8 @@
-// A daemon that is started again takes the place of its former life, unless that one shows that it lives.
+// A restarted daemon takes the place of its former incarnation, unless that one shows that it lives.
 #include <gmock/gmock.h>
 
-#include "discovery/membership/deadline.hpp"
-#include "discovery/membership/names.hpp"
+#include "discovery/membership/namesakes.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 #include "discovery/membership/table_rig.hpp"
 
 namespace geminga::membership {
@@ -11,7 +11,7 @@ namespace {
 constexpr ParticipantId former{1};
 constexpr const char* address = "10.0.0.1";
 
-announcement::Announcement next_life() {
+announcement::Announcement next_incarnation() {
   auto claim = speaker(2, 0, {});
   claim.kind = announcement::Kind::claim;
   claim.name = "robot1";
@@ -35,7 +35,7 @@ struct Succession : ::testing::Test {
 };
 
 TEST_F(Succession, OfOneThatDoesNotAnswerIsBelievedAtOnce) {
-  ASSERT_EQ(rig.hear(next_life(), now), Hearing::claim);
+  ASSERT_EQ(rig.hear(next_incarnation(), now), Hearing::claim);
   EXPECT_THAT(rig.table.report(now).doubts, ::testing::ElementsAre(former));
   EXPECT_TRUE(is_known_after(least_answer_time - base::Duration(1)));
   EXPECT_FALSE(is_known_after(least_answer_time));
@@ -45,63 +45,63 @@ TEST(YoungSuccession, OfOneThatWasHeardOnceIsBelieved) {
   TableRig rig;
   rig.source = address;
   (void)rig.hear(speaker(1, 1));
-  (void)rig.hear(next_life(), rig_start + seconds(1));
+  (void)rig.hear(next_incarnation(), rig_start + seconds(1));
   EXPECT_THAT(rig.table.report(rig_start + seconds(1)).doubts, ::testing::ElementsAre(former));
   rig.table.expire(rig_start + seconds(1) + least_answer_time);
   EXPECT_FALSE(rig.table.is_known(former));
 }
 
 TEST_F(Succession, OfOneThatNobodyAskedIsNotBelievedBeforeItsDeadline) {
-  (void)rig.hear(next_life(), now);
+  (void)rig.hear(next_incarnation(), now);
   EXPECT_TRUE(is_known_after(seconds(3)));
 }
 
 TEST_F(Succession, IsNotTriedAgainWhenItWasWrong) {
-  (void)rig.hear(next_life(), now);
+  (void)rig.hear(next_incarnation(), now);
   (void)rig.table.report(now);
   ASSERT_FALSE(is_known_after(least_answer_time));
   now += seconds(1);
   EXPECT_EQ(rig.hear(speaker(1, 1), now), Hearing::newcomer) << "it lives, and has not heard the question";
   (void)rig.hear(speaker(1, 1), now + milliseconds(20));
-  (void)rig.hear(next_life(), now + seconds(1));
+  (void)rig.hear(next_incarnation(), now + seconds(1));
   EXPECT_TRUE(rig.table.report(now + seconds(1)).doubts.empty());
 }
 
 TEST_F(Succession, OfOneThatAnswersIsNotBelieved) {
-  (void)rig.hear(next_life(), now);
+  (void)rig.hear(next_incarnation(), now);
   (void)rig.hear(speaker(1, 1), now + milliseconds(50));
   EXPECT_TRUE(rig.table.report(now + milliseconds(50)).doubts.empty());
   EXPECT_TRUE(is_known_after(seconds(4)));
 }
 
 TEST_F(Succession, IsOfTheSameNameFromTheSameAddress) {
-  auto other = next_life();
+  auto other = next_incarnation();
   other.name = "robot2";
   (void)rig.hear(other, now);
   EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "another name";
   rig.source = "10.0.0.9";
-  (void)rig.hear(next_life(), now);
+  (void)rig.hear(next_incarnation(), now);
   EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "another address";
   rig.source = address;
-  auto redrawn = next_life();
+  auto redrawn = next_incarnation();
   redrawn.boot = speaker(1, 1).boot;
   (void)rig.hear(redrawn, now);
-  EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "the same life takes another identifier";
-  auto nameless = next_life();
+  EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "the same incarnation takes another identifier";
+  auto nameless = next_incarnation();
   nameless.name.clear();
   (void)rig.hear(nameless, now);
   EXPECT_TRUE(rig.table.report(now).doubts.empty()) << "nameless";
 }
 
 TEST_F(Succession, BeginsWithTheFirstStateWhereTheClaimsWereLost) {
-  auto state = next_life();
+  auto state = next_incarnation();
   state.kind = announcement::Kind::state;
   ASSERT_EQ(rig.hear(state, now), Hearing::newcomer);
   EXPECT_THAT(rig.table.report(now).doubts, ::testing::ElementsAre(former));
 }
 
-TEST(Names, FindsThoseOfOneNameAtOneAddressAndNobodyWhereTheyAreMany) {
-  Names names;
+TEST(Namesakes, FindsThoseOfOneNameAtOneAddressAndNobodyWhereTheyAreMany) {
+  Namesakes names;
   for (std::uint32_t id = 1; id <= max_namesakes; ++id) names.update(ParticipantId{id}, {"robot1", address}, 0);
   names.update(ParticipantId{100}, {"robot1", "10.0.0.9"}, 0);
   names.update(ParticipantId{101}, {"robot2", address}, 0);
@@ -114,12 +114,12 @@ TEST(Names, FindsThoseOfOneNameAtOneAddressAndNobodyWhereTheyAreMany) {
 }
 
 TEST_F(Succession, IsTriedOnceInFiveIntervalsHoweverOftenItIsClaimed) {
-  (void)rig.hear(next_life(), now);
+  (void)rig.hear(next_incarnation(), now);
   (void)rig.hear(speaker(1, 1), now + milliseconds(10));
-  (void)rig.hear(next_life(), now + milliseconds(20));
+  (void)rig.hear(next_incarnation(), now + milliseconds(20));
   EXPECT_TRUE(rig.table.report(now).doubts.empty());
   (void)rig.hear(speaker(1, 1), now + seconds(10));
-  (void)rig.hear(next_life(), now + seconds(10));
+  (void)rig.hear(next_incarnation(), now + seconds(10));
   EXPECT_THAT(rig.table.report(now + seconds(10)).doubts, ::testing::ElementsAre(former));
 }
 
@@ -133,8 +133,8 @@ TEST(AnswerTime, GrowsWithTheLossAndIsNeverEndless) {
   EXPECT_LT(answer_time(1), seconds(10));
 }
 
-TEST(Names, FindsThoseOfOneLastingIdentityWhateverTheyAreCalled) {
-  Names names;
+TEST(Namesakes, FindsThoseOfOneLastingIdentityWhateverTheyAreCalled) {
+  Namesakes names;
   for (std::uint32_t id = 1; id <= max_namesakes; ++id) {
     names.update(ParticipantId{id}, {"robot" + std::to_string(id), address}, 7);
   }
@@ -150,9 +150,9 @@ TEST(Names, FindsThoseOfOneLastingIdentityWhateverTheyAreCalled) {
   EXPECT_EQ(names.find({"new", "10.0.0.9"}, 7).size(), max_namesakes);
 }
 
-/// A next life at another address, of another name.
+/// A next incarnation at another address, with another name.
 announcement::Announcement moved_life(std::uint32_t lasting) {
-  auto claim = next_life();
+  auto claim = next_incarnation();
   claim.name = "renamed";
   claim.lasting = lasting;
   return claim;

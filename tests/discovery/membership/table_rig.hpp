@@ -25,9 +25,9 @@ inline constexpr env::InterfaceIndex wlan{3};
 /// One change as a line: "put pub 00000001/1/5 at 10.0.0.1", "remove pub 00000001/1/5 withdrawn", ...
 std::string line_of(const Change& change);
 
-/// What a registry holds after it has done all changes.
+/// A registry that does all changes.
 struct Registry {
-  /// Does the changes since the last call. Removing what was never put is a failure.
+  /// Does the changes since the last call. Removing an unknown service is a failure.
   void take(NeighbourTable& table);
 
   std::map<ServiceKey, std::string> services;  ///< "10.0.0.1:5000 of robot1/vision"
@@ -36,7 +36,7 @@ struct Registry {
 struct TableRig {
   TableRig() { table.set_self(self_id, self_boot); }
 
-  /// Hears an announcement from `source`. One without a sequence number gets the next of its life and link.
+  /// Hears an announcement from `source`. One without a sequence number gets the next of its incarnation and link.
   Hearing hear(announcement::Announcement announcement, base::Instant now = rig_start, env::InterfaceIndex on = eth) {
     auto& last = sequences[{announcement.boot, announcement.link}];
     if (announcement.sequence == 0) announcement.sequence = last + 1;
@@ -59,7 +59,7 @@ struct TableRig {
 /// A participant with one peer, and as many publications as it has numbers.
 announcement::Announcement speaker(std::uint32_t id, std::uint64_t revision,
                                    const std::vector<std::uint32_t>& numbers = {5});
-/// The same, of which only `numbers` are in part `part` of `count`.
+/// Such a participant, of which only `numbers` are in part `part` of `count`.
 announcement::Announcement part_of(announcement::Announcement announcement, std::uint32_t part, std::uint32_t count,
                                    const std::vector<std::uint32_t>& numbers);
 

@@ -1,4 +1,4 @@
-// Deadlines that are put off, come nearer and go.
+// Deadlines that move to later, move nearer and go.
 #include "discovery/membership/timetable.hpp"
 
 #include <gmock/gmock.h>

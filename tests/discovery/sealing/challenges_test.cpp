@@ -1,4 +1,4 @@
-// The talk about freshness: who is asked, who answers, and for how long.
+// The exchange about freshness: who is asked, who answers, and for how long.
 #include "discovery/sealing/challenges.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What compression gains, and that nothing that is expanded goes beyond its bound.
+// The gain of compression, and the bound of expanding.
 #include "discovery/sealing/compression.hpp"
 
 #include <gmock/gmock.h>
@@ -20,13 +20,13 @@ std::string state() {
 }
 
 struct Compressing : testing::Test {
-  /// Compressed, or empty where it does not pay.
+  /// The compressed text, or empty if that does not pay.
   Octets smaller(const Octets& text) {
     Octets octets(text.size());
     octets.resize(compression.compress(text, octets));
     return octets;
   }
-  /// Expanded into so much room, or the word of why not.
+  /// The text expanded into so much room, or the word for the failure.
   std::string expanded(std::span<const std::byte> octets, std::size_t room = max_text_bytes) {
     Octets text(room);
     const auto size = compression.expand(octets, text);
@@ -61,7 +61,7 @@ TEST_F(Compressing, ExpandsNothingBeyondItsBound) {
   for (const std::size_t room : {text.size() + 1, text.size(), text.size() - 1, std::size_t{0}}) {
     EXPECT_EQ(expanded(octets, room), room >= text.size() ? text : "malformed") << room;
   }
-  // Sixteen megabytes of zeros in some octets: what a key that fell into the wrong hands could send.
+  // Sixteen megabytes of zeros in some octets: a stolen key could send that.
   std::string zeros(std::size_t{1} << 24, '\0');
   std::string bomb(ZSTD_compressBound(zeros.size()), ' ');
   bomb.resize(ZSTD_compress(bomb.data(), bomb.size(), zeros.data(), zeros.size(), 1));

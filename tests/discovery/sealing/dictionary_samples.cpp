@@ -1,4 +1,4 @@
-// Writes states as teams announce them into a folder, one a file: what tools/dev/train-dictionary trains on.
+// Writes states as teams announce them into a folder, one a file, for tools/dev/train-dictionary.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The envelope: what was sealed opens, and nothing else does.
+// The envelope: a sealed text opens, and nothing else does.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ Octets sealed(const Header& header, std::string_view text) {
   return datagram;
 }
 
-/// The text, or the word of why it is not opened.
+/// The text, or the word for why it is not opened.
 std::string opened(const Octets& datagram, const Key& key = key_of(1)) {
   const auto header = read_header(datagram);
   if (!header) return std::string(to_string(header.error()));

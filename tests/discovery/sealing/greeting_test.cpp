@@ -1,4 +1,4 @@
-// What a sealed datagram says beside its text, at each limit.
+// The greeting of a sealed datagram, at each limit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What was heard and rejected, at the limits of what is remembered of it.
+// Heard and rejected datagrams, at the limits of what is remembered of them.
 #include "discovery/sealing/ledger.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Teams of which not everybody has the same keys or the same mode, and how they get there.
+// Teams whose hosts differ in keys or mode, and the ways to one mode.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Policy, OfAnotherKeyHearsNothing) {
 }
 
 TEST(Policy, GoesFromPlainToEncryptedHostByHostAndNobodyIsLost) {
-  // Each step begins when the one before is over everywhere; within a step the hosts are in any order.
+  // Each step begins when all hosts have made the one before. Within a step the hosts are in any order.
   const std::vector<Policy> steps{
       {}, policy(Mode::prepared, {1}), policy(Mode::mixed, {1}), policy(Mode::encrypted, {1})};
   for (std::size_t step = 0; step + 1 < steps.size(); ++step) {

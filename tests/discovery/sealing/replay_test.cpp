@@ -1,4 +1,4 @@
-// Recordings, forgeries and floods of them, against a seal.
+// Recordings and forgeries against a seal, and floods of them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Which counters are still open: each once on each interface, and never long after a higher one.
+// The open counters: each once on each interface, and never long after a higher one.
 #include "discovery/sealing/replay_window.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ constexpr env::InterfaceIndex one{1};
 constexpr env::InterfaceIndex two{2};
 constexpr base::Instant start{std::chrono::hours(1)};
 
-/// Whether it is heard; then it is taken.
+/// Whether a counter may be heard; if so, it is taken.
 bool hears(ReplayWindow& window, std::uint32_t counter, base::Instant now = start, env::InterfaceIndex on = one) {
   if (!window.is_open(on, counter, now)) return false;
   window.take(on, counter, now);

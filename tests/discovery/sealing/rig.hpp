@@ -1,4 +1,4 @@
-// What the tests of sealing have in common: keys by number, texts as octets, and members of a team on one link.
+// The rig of the tests of sealing: keys by number, texts as octets, and members of a team on one link.
 #ifndef GEMINGA_TESTS_DISCOVERY_SEALING_RIG_HPP
 #define GEMINGA_TESTS_DISCOVERY_SEALING_RIG_HPP
 
@@ -17,14 +17,14 @@ namespace geminga::sealing {
 
 using Octets = std::vector<std::byte>;
 
-/// The same key for the same number.
+/// A key; the same for the same number.
 [[nodiscard]] Key key_of(int number);
 [[nodiscard]] Policy policy(Mode mode, std::initializer_list<int> keys);
 
 [[nodiscard]] Octets octets_of(std::string_view text);
 [[nodiscard]] std::string text_of(std::span<const std::byte> octets);
 [[nodiscard]] Octets copy_of(std::span<const std::byte> octets);
-/// A text that cannot be said in fewer octets; the same for the same size.
+/// A text that cannot be compressed; the same for the same size.
 [[nodiscard]] std::string noise(std::size_t size);
 /// An octet with other bits.
 [[nodiscard]] Octets bent(Octets octets, std::size_t at, std::uint8_t bits = 1);
@@ -38,7 +38,7 @@ class Member {
   explicit Member(int seed, const Policy& how, base::Instant start = base::Instant(std::chrono::hours(1)));
 
   [[nodiscard]] Octets say(std::string_view text, env::InterfaceIndex interface = wlan);
-  /// The text, or the word of why it was not heard.
+  /// The text, or the word for why it was not heard.
   [[nodiscard]] std::string hear(std::span<const std::byte> datagram, env::InterfaceIndex interface = wlan,
                                  std::string_view source = "10.0.0.1");
   [[nodiscard]] Arrival arrival(env::InterfaceIndex interface = wlan, std::string_view source = "10.0.0.1") const;

@@ -1,4 +1,4 @@
-// The worked examples of SEALING.md are what is sealed and opened.
+// The worked examples of SEALING.md against sealing and opening.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

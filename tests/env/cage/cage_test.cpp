@@ -36,9 +36,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int no_cage = 200;  ///< of a child on a system that has none
+constexpr int no_cage = 200;  ///< the status of a child on a system without a cage
 
-/// The exit status of a child that does this, or 1000 + N where signal N ended it.
+/// The exit status of a child that does this, or 1000 + N if signal N ended it.
 int in_child(const std::function<int()>& deed) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(deed());
@@ -228,7 +228,7 @@ TEST(Cage, OpensOnlyWhatIsNamed) {
   EXPECT_EQ(open_error(folder / "named.ttl"), 0);
   for (const fs::path& forbidden : {folder / "secret", folder / "team" / "link.ttl", fs::path("/etc/passwd"), folder})
     EXPECT_EQ(open_error(forbidden), EACCES) << forbidden;
-  // With a folder to write to.
+  // A folder may be written to.
   fs::create_directory(folder / "out");
   freedom.writable_folders = {folder / "out"};
   EXPECT_EQ(open_error(folder / "out" / "new", O_WRONLY | O_CREAT), 0);

@@ -26,7 +26,7 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
     : env_(env),
       settings_(settings),
       own_(std::move(own)),
-      neighbours_(settings.group, membership::NeighbourTable::Affirmed::known),
+      neighbours_(settings.group),
       seal_([&env] { return env.random_bits(); }),
       announcer_({.env = env,
                   .settings = settings_,
@@ -98,7 +98,7 @@ void Air::speak_to(const env::Interface& on, membership::Hearing hearing, bool i
   using membership::Hearing;
   if (hearing == Hearing::own || hearing == Hearing::clash || hearing == Hearing::other_group) return;
   const bool is_guest = is_sealed && env_.is_sender_unnamed();
-  if (!on.twin_of && !is_guest) return;
+  if (!on.ipv6_side_of && !is_guest) return;
   const auto known = neighbours_.find(heard_.participant);
   const base::Duration time =
       announcement::contest_intervals * std::max(known ? known->interval : base::Duration(0), settings_.interval);

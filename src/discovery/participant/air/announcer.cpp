@@ -9,7 +9,7 @@
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/on_interface.hpp"
-#include "discovery/membership/pace.hpp"
+#include "discovery/membership/schedule/pace.hpp"
 
 namespace geminga::participant {
 namespace {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "discovery/announcement/announcement.hpp"
-#include "discovery/membership/identifier_claim.hpp"
+#include "discovery/membership/claim/identifier_claim.hpp"
 #include "discovery/membership/neighbour_table.hpp"
-#include "discovery/membership/schedule.hpp"
-#include "discovery/membership/search.hpp"
+#include "discovery/membership/schedule/schedule.hpp"
+#include "discovery/membership/schedule/search.hpp"
 #include "discovery/participant/air/change_log.hpp"
 #include "discovery/participant/air/contest.hpp"
 #include "discovery/participant/air/counters.hpp"

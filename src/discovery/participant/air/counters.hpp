@@ -7,7 +7,7 @@
 #include <map>
 
 #include "discovery/announcement/codec.hpp"
-#include "discovery/membership/hearing.hpp"
+#include "discovery/membership/neighbour/hearing.hpp"
 #include "env/env.hpp"
 
 namespace geminga::participant {

@@ -12,8 +12,8 @@
 
 namespace geminga::participant {
 
-/// The participants on each twin (the IPv6 side of an interface, env::Interface::twin_of) that speak IPv6 alone, as
-/// each of their datagrams shows (announcement::twin_link). ANNOUNCEMENT.md, "IPv4 and IPv6".
+/// The participants on each twin (the IPv6 side of an interface, env::Interface::ipv6_side_of) that speak IPv6 alone, as
+/// each of their datagrams shows (announcement::ipv6_side_bit). ANNOUNCEMENT.md, "IPv4 and IPv6".
 class DualStack {
  public:
   /// Participants that are told apart on one interface; to know that somebody is there, more are not needed.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "discovery/matching/matcher.hpp"
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbour/change.hpp"
 #include "discovery/participant/knowledge/expressions.hpp"
 #include "discovery/participant/knowledge/neighbour_queue.hpp"
 #include "discovery/participant/knowledge/ontology_change.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbour/change.hpp"
 
 namespace geminga::participant {
 

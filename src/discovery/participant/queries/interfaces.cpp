@@ -21,9 +21,9 @@ Answer answer_interfaces(const env::Env& env, Air& air) {
   Answer answer{.kind = "interfaces", .lines = {}, .end = {}};
   const auto& interfaces = env.interfaces();
   for (const env::Interface& interface : interfaces) {
-    if (interface.twin_of) continue;
+    if (interface.ipv6_side_of) continue;
     InterfaceCounters counters = counters_of(air, interface.index);
-    const auto twin = std::ranges::find(interfaces, std::optional(interface.index), &env::Interface::twin_of);
+    const auto twin = std::ranges::find(interfaces, std::optional(interface.index), &env::Interface::ipv6_side_of);
     if (twin != interfaces.end()) {
       const InterfaceCounters there = counters_of(air, twin->index);
       counters.sent += there.sent;

@@ -23,7 +23,7 @@ Line ourselves(const env::Env& env, const Self& self, base::Duration interval, s
                const Sessions& sessions) {
   std::vector<std::string> addresses;
   for (const env::Interface& interface : env.interfaces()) {
-    if (interface.twin_of) continue;
+    if (interface.ipv6_side_of) continue;
     addresses.insert(addresses.end(), interface.addresses.begin(), interface.addresses.end());
   }
   Line line;

@@ -19,7 +19,7 @@ DependencySet DependencySets::cons(std::uint32_t branch, DependencySet rest) {
   if (found != base::NumberTable::none) return found;
   const auto number = static_cast<DependencySet>(cells_.size());
   cells_.push_back(cell);
-  table_.insert(hash, number, [this](std::uint32_t at) { return hash_of(cells_[at]); });
+  table_.insert(hash, number);
   return number;
 }
 

@@ -1,0 +1,223 @@
+// Everything that is kept of one participant, and the rules for what is believed when somebody lies in its name.
+#ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_NEIGHBOUR_RECORD_HPP
+#define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_NEIGHBOUR_RECORD_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/time.hpp"
+#include "discovery/membership/admission/standing.hpp"
+#include "discovery/membership/claim/first_claims.hpp"
+#include "discovery/membership/neighbour/announced_interval.hpp"
+#include "discovery/membership/neighbour/arrival.hpp"
+#include "discovery/membership/neighbour/change.hpp"
+#include "discovery/membership/neighbour/hearing.hpp"
+#include "discovery/membership/neighbour/life_signs.hpp"
+#include "discovery/membership/neighbour/neighbour.hpp"
+#include "discovery/membership/neighbour/neighbour_services.hpp"
+#include "discovery/membership/neighbour/neighbour_ways.hpp"
+#include "discovery/membership/neighbour/revocable.hpp"
+#include "discovery/membership/neighbour/rising_count.hpp"
+#include "discovery/membership/neighbour/service_room.hpp"
+#include "discovery/membership/schedule/search.hpp"
+#include "discovery/membership/witnesses/witnesses.hpp"
+
+namespace geminga::membership {
+
+/// The time for which a goodbye is remembered, so that datagrams which it overtook bring nobody back.
+inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
+
+/// One incarnation of a participant: one boot nonce. Each call appends what changes to the list that it is given.
+///
+/// A sender numbers its datagrams in rising order, and its revision never falls. Two datagrams that do not fit together
+/// prove that one of them is forged, but not which. From then on the participant is *contested*, until everything has
+/// fitted for `hold_intervals`. What was changed within that time is undone, and what is believed stays believed while
+/// it is repeated. New services are taken in; a service that nobody repeats lapses. So a lie in the name of a
+/// participant lasts until the participant speaks, and the next lie changes nothing that it keeps saying.
+class NeighbourRecord {
+ public:
+  /// `since`: when it came to own its identifier. Borrows the room that its services take, and the testimony of others.
+  NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room,
+                  const Witnesses& witnesses);
+  NeighbourRecord(const NeighbourRecord&) = delete;
+  NeighbourRecord& operator=(const NeighbourRecord&) = delete;
+
+  [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
+  /// The source address that it was first heard from. It takes a place of the share of that address.
+  [[nodiscard]] const std::string& source() const { return source_; }
+  /// When it was first heard under its identifier; a claim counts, too. Of several incarnations under one identifier
+  /// the one that was heard first owns it.
+  [[nodiscard]] Turn since() const { return since_; }
+  [[nodiscard]] const Standing& standing() const { return standing_; }
+  void set_standing(const Standing& standing) { standing_ = standing; }
+
+  /// Takes in a state, change or presence of this incarnation. Returns `known`, or why it was ignored (copied,
+  /// elsewhere, leap) or doubted (contradiction).
+  Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
+  /// Takes in a goodbye of this incarnation. Returns whether it ends it at once (Hearing::goodbye). A goodbye of a
+  /// contested participant only shortens its deadline, so that it stays if it goes on speaking.
+  [[nodiscard]] Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
+  /// Remembers the number of a goodbye on its way. A datagram with a higher number was sent after it.
+  void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
+  /// The proof in a state of a participant that seemed to leave at `left`.
+  enum class Proof : std::uint8_t {
+    none,   ///< nothing: it is from elsewhere, or may be older than that
+    echo,   ///< its number is known: it may be a copy
+    alive,  ///< it was sent after that
+  };
+  [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival, base::Instant left);
+  /// Whether a datagram is new and from the address that its way belongs to.
+  [[nodiscard]] bool is_bound(const announcement::Announcement& announcement, const Arrival& arrival) const {
+    const auto* way = ways_.find_bound(announcement, arrival);
+    return way == nullptr ? ways_.all().empty() && arrival.source == source_ : !way->has(announcement.sequence);
+  }
+  /// The time for which it is remembered when it seems to leave: long enough to hear it again if somebody has lied
+  /// about it.
+  [[nodiscard]] base::Duration memory(base::Instant now) const;
+  /// Brings it back: somebody has lied in its name, and all that is known of it is to be told again.
+  void come_back(base::Instant now, std::vector<Change>& changes);
+  /// Takes in that another incarnation speaks under this identifier. Returns whether this one gives way, because it has
+  /// been silent for too long.
+  [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
+
+  /// Looks up what others have testified about it.
+  void ask_witnesses(base::Instant now);
+  /// Takes in that a participant of its name claims an identifier or is new, at the address of one of its ways: that
+  /// seems to be its next incarnation. Until this one shows that it lives it is doubted, and its deadline is near.
+  /// Counts once in contest_intervals.
+  void succeed(std::uint32_t lasting, const Arrival& arrival);
+  /// Takes in that our presence says that we doubt it.
+  void ask(base::Instant now) { signs_.ask(now, answer_time(known_loss())); }
+  [[nodiscard]] std::optional<base::Instant> succeeded() const { return signs_.succeeded(); }
+  void set_succeeded(std::optional<base::Instant> succeeded) { signs_.set_succeeded(succeeded); }
+  /// Whether it is looked for after its deadline, since it may only be out of reach.
+  [[nodiscard]] bool is_sought(base::Instant now) const {
+    const auto succeeded = signs_.succeeded();
+    const bool has_next_incarnation = succeeded && now - *succeeded < announcement::contest_intervals * interval();
+    return standing_.span() >= sought_after && !has_next_incarnation;
+  }
+  /// When we last heard it ourselves.
+  [[nodiscard]] base::Instant heard() const { return signs_.heard(); }
+  [[nodiscard]] const std::string& name() const { return header_.value().name; }
+  /// Whether its name, ontology or lasting identity has changed since the last call.
+  [[nodiscard]] bool take_anew() { return std::exchange(is_anew_, false); }
+  /// When a datagram last proved that a complete revision still holds.
+  [[nodiscard]] base::Instant affirmed() const { return affirmed_; }
+  /// The lasting identity of all its incarnations; 0: it has none.
+  [[nodiscard]] std::uint32_t lasting() const { return header_.value().lasting; }
+  /// The time between two of its announcements, as it announces it.
+  [[nodiscard]] base::Duration interval() const { return interval_.value(); }
+  /// Whether its newest state is unknown or uncertain, or is unknown for one of its ways, or had no room.
+  [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
+  /// Whether its newest state is to be asked for at once. While somebody goes on lying in its name, our next presence
+  /// is early enough.
+  [[nodiscard]] bool is_missed(base::Instant now) const {
+    return is_state_lacking() && (!is_contested_ || now - contested_since_ < urgent_time);
+  }
+  /// Whether it gave no sign of life for so long that its deadline is near.
+  [[nodiscard]] bool is_doubted() const { return signs_.is_doubted(); }
+  /// Moves every deadline before `until` to `until`.
+  void postpone(base::Instant until);
+  [[nodiscard]] const std::vector<NeighbourWay>& ways() const { return ways_.all(); }
+
+  /// Drops ways and services that have their deadline at or before `now`. The participant itself is dropped by the
+  /// table.
+  void expire(base::Instant now, std::vector<Change>& changes);
+  void forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes);
+
+  [[nodiscard]] base::Instant deadline() const { return signs_.deadline(); }
+  /// When expire() has something to do, or a little before. Its cost is constant.
+  [[nodiscard]] base::Instant next_deadline() const;
+  [[nodiscard]] Neighbour snapshot() const;
+  /// The highest sequence number that was heard on its first way.
+  [[nodiscard]] std::uint64_t newest() const { return ways().empty() ? 0 : ways().front().newest(); }
+  [[nodiscard]] NeighbourServices& services() { return services_; }
+  [[nodiscard]] const NeighbourServices& services() const { return services_; }
+
+ private:
+  /// The time after the first lie in which its state is asked for at once.
+  static constexpr base::Duration urgent_time = std::chrono::milliseconds(500);
+
+  /// The part of a state that is about the participant itself.
+  struct Header {
+    std::string name;
+    std::uint64_t ontology_digest = 0;
+    base::Duration interval{};
+    std::uint32_t lasting = 0;
+    friend bool operator==(const Header&, const Header&) = default;
+  };
+  /// Another incarnation that wants this identifier.
+  struct Rival {
+    announcement::BootNonce boot{};
+    std::string source;
+    std::uint64_t sequence = 0;
+  };
+
+  [[nodiscard]] bool is_state_lacking() const {
+    return !is_complete_ || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
+  }
+  static Header header_of(const announcement::Announcement& announcement);
+  [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const announcement::Announcement& announcement,
+                                          const Arrival& arrival) const;
+  void take_in(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival,
+               std::vector<Change>& changes);
+  /// Takes in what a state says of the participant and the way.
+  void take_state(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival);
+  /// Takes in a change; beyond the services that it names it says what a presence says.
+  void take_change(NeighbourWay& way, const announcement::Announcement& announcement, base::Instant now,
+                   std::vector<Change>& changes);
+  void take_interval(const announcement::Announcement& announcement, base::Instant now);
+  void take_revision(NeighbourWay& way, const announcement::Announcement& announcement, base::Instant now,
+                     std::vector<Change>& changes);
+  /// Begins or prolongs the contest: somebody has lied in its name.
+  void contest(base::Instant now, std::vector<Change>& changes);
+  void end_contest(base::Instant now);
+  void set_deadlines(NeighbourWay& way, base::Instant now);
+  /// Chooses the address for services without one.
+  void choose_address();
+
+  /// The time for which something that was said stands against something else. An interval counts up to the time for
+  /// which the participant is known.
+  [[nodiscard]] base::Duration hold(base::Instant now) const;
+  /// The interval that deadlines use: no single datagram makes them shorter or longer.
+  [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
+  [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
+  [[nodiscard]] Reception reception(base::Instant now) const;
+  /// The loss of its best way, or a bad one if too few datagrams were heard to tell.
+  [[nodiscard]] double known_loss() const;
+
+  ParticipantId id_;
+  announcement::BootNonce boot_;
+  std::string source_;
+  Turn since_;
+  bool has_spoken_ = false;
+  Standing standing_;
+  Revocable<Header> header_;
+  bool is_anew_ = false;        ///< the header has changed since take_anew()
+  AnnouncedInterval interval_;  ///< the interval that it keeps: that of the header, stretched
+  LifeSigns signs_;
+  std::uint64_t revision_;       ///< the revision that is believed
+  std::uint64_t said_revision_;  ///< the last revision of which a state was heard
+  RisingCount revisions_;        ///< when it and the revisions before it were first heard
+  bool is_complete_ = false;
+  std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
+  base::Instant affirmed_;               ///< when a datagram last proved that a complete revision still holds
+  bool is_contested_ = false;
+  base::Instant contested_since_;
+  base::Instant contested_until_;
+  base::Instant next_lapse_ = base::never;  ///< while contested: the first instant at which a service may lapse
+  base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier deadline
+  std::optional<Rival> rival_;
+  NeighbourWays ways_;
+  NeighbourServices services_;
+  const Witnesses& witnesses_;
+};
+
+}  // namespace geminga::membership
+
+#endif

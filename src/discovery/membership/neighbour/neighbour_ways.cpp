@@ -1,0 +1,77 @@
+#include "discovery/membership/neighbour/neighbour_ways.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::membership {
+
+using base::Duration;
+
+NeighbourWay* NeighbourWays::find(const announcement::Announcement& announcement, const Arrival& arrival) {
+  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return each.interface() == arrival.interface && each.link() == announcement.link;
+  });
+  return way == ways_.end() ? nullptr : &*way;
+}
+
+const NeighbourWay* NeighbourWays::find_bound(const announcement::Announcement& announcement,
+                                              const Arrival& arrival) const {
+  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return each.interface() == arrival.interface && each.link() == announcement.link && each.source() == arrival.source;
+  });
+  return way == ways_.end() ? nullptr : &*way;
+}
+
+bool NeighbourWays::may_open(const announcement::Announcement& announcement, const Arrival& arrival, Duration hold,
+                             bool is_contested) {
+  if (ways_.empty()) return true;
+  const auto is_alive = [&](const NeighbourWay& way) { return arrival.now - way.heard() < hold; };
+  const auto is_of_source = [&](const NeighbourWay& way) { return way.source() == arrival.source; };
+  const auto is_here = [&](const NeighbourWay& way) { return way.is_on(arrival.interface); };
+  if ((is_contested || was_misled_) && std::ranges::any_of(ways_, is_alive)) return false;
+  // Where one way is alive, no second one from the same link of ours is needed.
+  const auto here = std::ranges::find_if(ways_, [&](const NeighbourWay& way) { return is_here(way) && is_alive(way); });
+  if (here != ways_.end() && !is_of_source(*here)) return false;
+  if (here == ways_.end() && std::ranges::any_of(ways_, is_of_source)) return true;
+  // A new address, or a known address with another interface number, must say so twice, and nobody else between.
+  const bool is_repeated = opening_ && opening_->interface == arrival.interface &&
+                           opening_->link == announcement.link && opening_->source == arrival.source &&
+                           announcement.sequence != opening_->sequence;
+  opening_ = Opening{arrival.interface, announcement.link, std::string(arrival.source), announcement.sequence};
+  return is_repeated;
+}
+
+NeighbourWay* NeighbourWays::open(const announcement::Announcement& announcement, const Arrival& arrival, Duration hold,
+                                  bool is_contested) {
+  if (ways_.size() == announcement::max_paths || !may_open(announcement, arrival, hold, is_contested)) return nullptr;
+  opening_.reset();
+  const auto place = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
+    return std::tuple(each.interface(), each.link()) > std::tuple(arrival.interface, announcement.link);
+  });
+  return &*ways_.emplace(place, announcement, arrival);
+}
+
+bool NeighbourWays::close_later(const NeighbourWay& way, const Arrival& arrival) {
+  if (opening_ && opening_->interface == arrival.interface) opening_.reset();
+  const auto opened = way.opened();
+  const auto closed = std::erase_if(ways_, [&](const NeighbourWay& each) {
+    return each.is_on(arrival.interface) && each.source() == arrival.source && each.opened() > opened;
+  });
+  was_misled_ |= closed > 0;
+  return closed > 0;
+}
+
+double NeighbourWays::loss() const {
+  double best = ways_.empty() ? 0 : 1;
+  for (const auto& way : ways_) best = std::min(best, way.loss());
+  return best;
+}
+
+bool NeighbourWays::is_loss_known() const {
+  return std::ranges::any_of(ways_,
+                             [](const NeighbourWay& way) { return way.losses().span() >= LossWindow::least_span; });
+}
+
+}  // namespace geminga::membership

@@ -1,0 +1,55 @@
+// The ways on which one participant is heard, and the rules for opening another one.
+#ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_NEIGHBOUR_WAYS_HPP
+#define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_NEIGHBOUR_WAYS_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "discovery/membership/neighbour/neighbour_way.hpp"
+
+namespace geminga::membership {
+
+class NeighbourWays {
+ public:
+  [[nodiscard]] const std::vector<NeighbourWay>& all() const { return ways_; }
+  [[nodiscard]] std::vector<NeighbourWay>& all() { return ways_; }
+
+  /// The way of a datagram, from whatever address it came; null: there is none.
+  [[nodiscard]] NeighbourWay* find(const announcement::Announcement& announcement, const Arrival& arrival);
+  /// The way of a datagram if it came from the address that the way belongs to; null otherwise.
+  [[nodiscard]] const NeighbourWay* find_bound(const announcement::Announcement& announcement,
+                                               const Arrival& arrival) const;
+  /// Opens a way for a datagram; null: it may not be opened, or there are max_paths. A way that was heard within `hold`
+  /// is alive.
+  [[nodiscard]] NeighbourWay* open(const announcement::Announcement& announcement, const Arrival& arrival,
+                                   base::Duration hold, bool is_contested);
+  /// Closes the ways that were opened from the same address after this one, since its own address has spoken. Returns
+  /// whether there were any: somebody opened them in its name.
+  bool close_later(const NeighbourWay& way, const Arrival& arrival);
+
+  /// The loss of the best way. 1: no way was measured; 0: there is no way.
+  [[nodiscard]] double loss() const;
+  /// Whether one way has heard enough datagrams for its loss to mean something.
+  [[nodiscard]] bool is_loss_known() const;
+
+ private:
+  /// A datagram that asks for a way.
+  struct Opening {
+    env::InterfaceIndex interface{};
+    std::uint32_t link = 0;
+    std::string source;
+    std::uint64_t sequence = 0;
+  };
+  [[nodiscard]] bool may_open(const announcement::Announcement& announcement, const Arrival& arrival,
+                              base::Duration hold, bool is_contested);
+
+  std::vector<NeighbourWay> ways_;  ///< by interface and link
+  std::optional<Opening> opening_;
+  bool was_misled_ = false;  ///< a way was opened although another one went on speaking
+};
+
+}  // namespace geminga::membership
+
+#endif

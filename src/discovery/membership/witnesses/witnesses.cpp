@@ -1,0 +1,225 @@
+#include "discovery/membership/witnesses/witnesses.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "base/hash.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
+
+namespace geminga::membership {
+namespace {
+
+using announcement::HeardWithin;
+using base::Duration;
+using base::Instant;
+
+std::uint64_t fold_of(ParticipantId id, announcement::BootNonce boot) {
+  const std::array<std::uint64_t, 2> numbers{std::to_underlying(id), std::to_underlying(boot)};
+  return base::hash64(base::octets_of(std::span(numbers)));
+}
+
+HeardWithin heard_within(Duration age, Duration interval) {
+  if (age > interval) return HeardWithin::longer;
+  if (age > interval / 2) return HeardWithin::interval;
+  return age > interval / 4 ? HeardWithin::half : HeardWithin::quarter;
+}
+
+/// The greatest age of a sign of life that was heard within this share of the interval.
+Duration age_of(HeardWithin within, Duration interval) {
+  switch (within) {
+    case HeardWithin::half:
+      return interval / 2;
+    case HeardWithin::quarter:
+      return interval / 4;
+    default:
+      return interval;
+  }
+}
+
+}  // namespace
+
+void Witnesses::set_self(ParticipantId id, announcement::BootNonce boot) {
+  settle();
+  self_ = id;
+  self_fold_ = fold_of(id, boot);
+  begin_anew();
+}
+
+std::size_t Witnesses::place_of(ParticipantId id) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
+}
+
+void Witnesses::begin_anew() {
+  own_place_ = place_of(self_);
+  pending_.resize(ids_.size() + 1);
+}
+
+void Witnesses::add(ParticipantId id, announcement::BootNonce boot) {
+  settle();
+  const auto place = static_cast<std::ptrdiff_t>(place_of(id));
+  ids_.insert(ids_.begin() + place, id);
+  Member member;
+  member.boot = boot;
+  others_.insert(others_.begin() + place, member);
+  others_fold_ ^= fold_of(id, boot);
+  begin_anew();
+}
+
+void Witnesses::remove(ParticipantId id) {
+  settle();
+  const auto place = static_cast<std::ptrdiff_t>(place_of(id));
+  others_fold_ ^= fold_of(id, others_[static_cast<std::size_t>(place)].boot);
+  ids_.erase(ids_.begin() + place);
+  others_.erase(others_.begin() + place);
+  begin_anew();
+}
+
+void Witnesses::update(ParticipantId id, Instant heard, Duration interval) {
+  const auto place = place_of(id);
+  if (others_[place].interval != interval) settle();  // what is pending was said of the interval before
+  others_[place].heard = heard;
+  others_[place].interval = interval;
+}
+
+std::uint16_t Witnesses::fold() const { return static_cast<std::uint16_t>(others_fold_ ^ self_fold_); }
+
+HeardWithin Witnesses::testimony(const Member& member, Instant now) const {
+  if (member.heard <= distrusted_until_) return HeardWithin::longer;
+  return heard_within(now - member.heard, member.interval);
+}
+
+bool Witnesses::has_heard(ParticipantId id, Instant now) const {
+  const auto place = place_of(id);
+  return is_at(place, id) && testimony(others_[place], now) != HeardWithin::longer;
+}
+
+announcement::Witness Witnesses::say(Instant now) const {
+  announcement::Witness witness{.members = fold(), .heard = {}};
+  witness.heard.reserve(others_.size() + 1);
+  for (std::size_t place = 0; place < others_.size(); ++place) {
+    if (place == own_place_) witness.heard.push_back(HeardWithin::longer);
+    witness.heard.push_back(testimony(others_[place], now));
+  }
+  if (own_place_ == others_.size()) witness.heard.push_back(HeardWithin::longer);
+  return witness;
+}
+
+Unknown Witnesses::explain(std::uint16_t difference) const {
+  const auto cut = [](std::uint64_t fold) { return static_cast<std::uint16_t>(fold); };
+  const auto ours = cut(self_fold_);
+  if (difference == ours) return Unknown::us;
+  if (others_.size() > max_told_apart) return Unknown::unclear;
+  std::array<std::uint16_t, max_told_apart> all{};
+  const auto folds = std::span(all).first(others_.size());
+  for (std::size_t place = 0; place < folds.size(); ++place) {
+    folds[place] = cut(fold_of(ids_[place], others_[place].boot));
+  }
+  auto unknown = Unknown::unclear;
+  for (const std::uint16_t one : folds) {
+    if (difference == (one ^ ours)) return Unknown::us;
+    // One other is unknown, or two are.
+    const auto is_other = [&](std::uint16_t two) { return difference == one || difference == (one ^ two); };
+    if (std::ranges::any_of(folds, is_other)) unknown = Unknown::others;
+  }
+  return unknown;
+}
+
+Unknown Witnesses::compare(const announcement::Announcement& presence, Instant now) {
+  const auto note = [now](std::uint16_t& said, Instant& changed, std::uint16_t fold) {
+    if (std::exchange(said, fold) != fold) changed = now;
+  };
+  const auto place = place_of(presence.participant);
+  if (!is_at(place, presence.participant)) return Unknown::nobody;
+  auto& member = others_[place];
+  note(member.said_fold, member.fold_changed, presence.witness.members);
+  note(said_fold_, fold_changed_, fold());
+  unlike_until_ = {};
+  const auto difference = static_cast<std::uint16_t>(presence.witness.members ^ fold());
+  const auto newly_until = std::max(member.fold_changed, fold_changed_) + 2 * member.interval;
+  if (difference == 0 || now >= newly_until) return Unknown::nobody;
+  const auto unknown = explain(difference);
+  if (unknown == Unknown::unclear) {
+    unlike_fold_ = presence.witness.members;
+    unlike_until_ = newly_until;
+  }
+  return unknown;
+}
+
+bool Witnesses::is_of_same(const announcement::Witness& witness) const {
+  constexpr auto per_octet = announcement::HeardList::per_octet;
+  return witness.members == fold() && witness.heard.octets().size() == (others_.size() + 1 + per_octet - 1) / per_octet;
+}
+
+bool Witnesses::misses_us(const announcement::Announcement& presence, Instant since, Duration interval, Instant now) {
+  const auto place = place_of(presence.participant);
+  if (!is_at(place, presence.participant) || !is_of_same(presence.witness)) return false;
+  auto& heard_us = others_[place].heard_us;
+  const auto within = presence.witness.heard[own_place_];
+  if (within != HeardWithin::longer) heard_us = std::max(heard_us, now - age_of(within, interval));
+  return within == HeardWithin::longer && heard_us < since;
+}
+
+void Witnesses::hear_of_us(const announcement::Announcement& presence, Instant now) {
+  const auto place = place_of(presence.participant);
+  if (!is_at(place, presence.participant) || presence.witness.heard.octets().empty()) return;
+  Member& member = others_[place];
+  // It knows all that we know but us, or nobody but itself. Presences do not say of others whether they know us.
+  const std::uint16_t known_to_it = presence.witness.members;
+  const bool is_deaf = is_of_same(presence.witness)
+                           ? presence.witness.heard[own_place_] == HeardWithin::longer
+                           : known_to_it == static_cast<std::uint16_t>(others_fold_) ||
+                                 known_to_it == static_cast<std::uint16_t>(fold_of(presence.participant, member.boot));
+  if (!is_deaf) {
+    member.deaf_since = member.deaf_until = base::never;
+    return;
+  }
+  if (member.deaf_since == base::never) member.deaf_since = now;
+  member.deaf_until = now;
+}
+
+bool Witnesses::is_deaf_to_us(ParticipantId id) const {
+  const auto place = place_of(id);
+  if (!is_at(place, id) || others_[place].deaf_since == base::never) return false;
+  return others_[place].deaf_until - others_[place].deaf_since >= deaf_intervals * others_[place].interval;
+}
+
+bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
+  hear_of_us(presence, now);
+  if (!is_of_same(presence.witness)) return false;
+  words_[next_word_++ % words_.size()] = {presence.participant, now};
+  if (pending_.is_full()) settle();
+  pending_.add(presence.witness.heard.octets(), now);
+  return true;
+}
+
+void Witnesses::settle() {
+  pending_.read([this](std::size_t place, HeardWithin within, Instant said) {
+    if (place == own_place_ || place > others_.size()) return;
+    auto& member = others_[place < own_place_ ? place : place - 1];
+    member.seen = std::max(member.seen, said - age_of(within, member.interval));
+  });
+  pending_.clear();
+}
+
+Instant Witnesses::seen(ParticipantId id) const {
+  const auto place = place_of(id);
+  const auto& member = others_[place];
+  auto seen = member.seen;
+  pending_.read_one(place < own_place_ ? place : place + 1, [&](HeardWithin within, Instant said) {
+    seen = std::max(seen, said - age_of(within, member.interval));
+  });
+  return seen;
+}
+
+std::size_t Witnesses::words(ParticipantId id, Instant now, Duration interval) const {
+  const auto in_window = [&](Instant begin, Instant end) {
+    return std::ranges::count_if(std::span(words_).first(std::min(next_word_, words_.size())), [&](const Word& word) {
+      return word.from != id && begin <= word.at && word.at <= end;
+    });
+  };
+  const auto said = std::max(in_window(now - interval, now), in_window(now - 2 * interval, now - interval));
+  return std::min(static_cast<std::size_t>(said), enough_witnesses);
+}
+
+}  // namespace geminga::membership

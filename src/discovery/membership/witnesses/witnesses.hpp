@@ -1,0 +1,123 @@
+// Testimony about who heard whom: what we say of it, and what others say.
+#ifndef GEMINGA_DISCOVERY_MEMBERSHIP_WITNESSES_WITNESSES_HPP
+#define GEMINGA_DISCOVERY_MEMBERSHIP_WITNESSES_WITNESSES_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/time.hpp"
+#include "discovery/announcement/announcement.hpp"
+#include "discovery/membership/witnesses/pending_testimony.hpp"
+
+namespace geminga::membership {
+
+/// A participant that says for so many of its intervals that it has not heard us is deaf to us. At 50 % loss one in
+/// thirty says so by chance, at 30 % one in four hundred.
+inline constexpr int deaf_intervals = 4;
+
+/// The participants that another one does not know, among ourselves and those that we know. The difference of its fold
+/// and ours tells them if they are one or two.
+enum class Unknown : std::uint8_t {
+  nobody,   ///< or the difference is old
+  us,       ///< and perhaps another one
+  others,   ///< which can tell it by the same rule
+  unclear,  ///< more than two, or it knows somebody that we do not know
+};
+/// Two are told apart among so many others at most. Their 120 pairs equal one of a fold's 65536 values by chance with a
+/// probability of .002; then a presence or state is sent that nobody needed.
+inline constexpr std::size_t max_told_apart = 15;
+
+/// Testimony names nobody: its bits have a meaning only if both sides know the same participants, which a fold of them
+/// shows (ANNOUNCEMENT.md, "Witnesses"). A testimony about thousands is copied and touches no record; what was said of
+/// a participant is looked up at its deadline.
+class Witnesses {
+ public:
+  void set_self(ParticipantId id, announcement::BootNonce boot);
+  /// Adds or removes a known participant.
+  void add(ParticipantId id, announcement::BootNonce boot);
+  void remove(ParticipantId id);
+  /// Tells when we last heard a known participant ourselves, and its interval.
+  void update(ParticipantId id, base::Instant heard, base::Duration interval);
+
+  /// Does not testify by what we hear until then: we were not awake, and it may have been said long before.
+  void distrust_until(base::Instant until) { distrusted_until_ = until; }
+  /// Whether we testify that we have heard a known participant within its interval.
+  [[nodiscard]] bool has_heard(ParticipantId id, base::Instant now) const;
+  /// Our testimony: how lately we have heard each known participant.
+  [[nodiscard]] announcement::Witness say(base::Instant now) const;
+  /// Takes in which participants a known one knows, and returns which it does not know. Only differences that arose
+  /// within two of its intervals count: participants that never hear each other need not be told of it again and again.
+  Unknown compare(const announcement::Announcement& presence, base::Instant now);
+  /// Whether the last fold that we heard differs from ours in an unclear way: one side does not know all, and the
+  /// unknown one may be ourselves.
+  [[nodiscard]] bool is_unlike(base::Instant now) const { return now < unlike_until_ && unlike_fold_ != fold(); }
+  /// Whether a known participant, which says this, has not heard us for one of our intervals, and has never said that
+  /// it heard us since `since`. Then it may not know what we changed at that time.
+  [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
+                               base::Instant now);
+  /// Takes in the testimony of a known participant; whether it is about the same participants as ours.
+  bool hear(const announcement::Announcement& presence, base::Instant now);
+  /// Whether a known participant, which we hear, has said for deaf_intervals of its own that it does not hear us.
+  [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const;
+  /// The latest instant at or after which somebody else has heard it; the beginning of time if nobody said so.
+  [[nodiscard]] base::Instant seen(ParticipantId id) const;
+  /// How many testimonies of participants other than itself were heard within `interval`, or within the interval before
+  /// it if those are more; at most enough_witnesses.
+  [[nodiscard]] std::size_t words(ParticipantId id, base::Instant now, base::Duration interval) const;
+
+ private:
+  struct Member {
+    announcement::BootNonce boot{};
+    base::Duration interval{};
+    base::Instant heard;           ///< by us
+    base::Instant seen;            ///< by others
+    std::uint16_t said_fold = 0;   ///< of the participants that it knows
+    base::Instant fold_changed{};  ///< when it first said so
+    base::Instant heard_us{};      ///< it heard us then or later
+    /// When it began to say that it has not heard us, and when it last said so; never: it does not say so.
+    base::Instant deaf_since = base::never;
+    base::Instant deaf_until = base::never;
+  };
+  struct Word {
+    ParticipantId from{};
+    base::Instant at;
+  };
+  [[nodiscard]] announcement::HeardWithin testimony(const Member& member, base::Instant now) const;
+  /// Whether a testimony is about the same participants, so that each place has its meaning.
+  [[nodiscard]] bool is_of_same(const announcement::Witness& witness) const;
+  /// Its place among the others, or the place that it would get.
+  [[nodiscard]] std::size_t place_of(ParticipantId id) const;
+  [[nodiscard]] bool is_at(std::size_t place, ParticipantId id) const {
+    return place < ids_.size() && ids_[place] == id;
+  }
+  /// Reads what is pending, before places or intervals change.
+  void settle();
+  /// Adapts the places to the participants that are known.
+  void begin_anew();
+  [[nodiscard]] std::uint16_t fold() const;
+  [[nodiscard]] Unknown explain(std::uint16_t difference) const;
+  /// Takes in what a known participant says of us.
+  void hear_of_us(const announcement::Announcement& presence, base::Instant now);
+
+  ParticipantId self_{};
+  std::uint64_t self_fold_ = 0;
+  std::uint64_t others_fold_ = 0;
+  std::vector<ParticipantId> ids_;  ///< of the others, ascending
+  std::vector<Member> others_;      ///< in the same order
+  std::size_t own_place_ = 0;       ///< among them
+  PendingTestimony pending_;
+  std::uint16_t said_fold_ = 0;  ///< ours, when another one was last compared with it
+  base::Instant fold_changed_{};
+  std::uint16_t unlike_fold_ = 0;  ///< the last fold that differed in an unclear way
+  base::Instant unlike_until_{};
+  base::Instant distrusted_until_ = base::Instant::min();
+  std::array<Word, 16>
+      words_{};  ///< the last ones: enough that one participant that speaks often leaves room for others
+  std::size_t next_word_ = 0;
+};
+
+}  // namespace geminga::membership
+
+#endif
