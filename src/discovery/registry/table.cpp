@@ -1,4 +1,3 @@
-// The MultiIndex container behind Table; names and classes have indexes of their own beside it.
 #include "discovery/registry/table.hpp"
 
 #include <algorithm>
@@ -55,8 +54,8 @@ using Container = mi::multi_index_container<
         mi::ordered_unique<mi::tag<InKeyOrder>,
                            mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>>>>;
 
-/// Compares keys by what is given of them, so that the entries of a participant or a peer are one range of the key
-/// order.
+/// Compares a key with a participant, so that the entries of a participant are one range of the key order. InPeer does
+/// the same for a peer.
 struct InParticipant {
   bool operator()(const ServiceKey& key, ParticipantId participant) const { return key.participant < participant; }
   bool operator()(ParticipantId participant, const ServiceKey& key) const { return participant < key.participant; }
@@ -103,16 +102,17 @@ struct Table<Entry>::Indexes {
     return slot;
   }
 
-  SemanticIndex<Entry>& of(Generation generation) { return classes[std::to_underlying(generation)]; }
+  SemanticIndex<Entry>& index_of(Generation generation) { return classes[std::to_underlying(generation)]; }
 
   void file(const Stored<Entry>& stored, const Filing& filing) {
     names.file(stored);
-    of(filing.generation).file(stored, filing);
+    index_of(filing.generation).file(stored, filing);
   }
 
   void unfile(const Stored<Entry>& stored) {
     names.unfile(stored);
-    for (const Generation generation : {Generation::even, Generation::odd}) of(generation).unfile(stored, generation);
+    for (const Generation generation : {Generation::even, Generation::odd})
+      index_of(generation).unfile(stored, generation);
   }
 };
 
@@ -135,16 +135,17 @@ const Stored<Entry>& Table<Entry>::insert(Entry entry, const Filing& filing) {
 }
 
 template <typename Entry>
-void Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
+Entry Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
   GEMINGA_ASSERT(stored.entry.key == entry.key);
   const auto at = indexes_->position_of(stored);
   indexes_->unfile(stored);
   const bool is_replaced = indexes_->container.modify(at, [&](Element<Entry>& element) {
     element.identity = id32(identity_of(entry));
-    element.entry = std::move(entry);
+    std::swap(element.entry, entry);
   });
   GEMINGA_ASSERT(is_replaced);
   indexes_->file(*at, filing);
+  return entry;
 }
 
 template <typename Entry>
@@ -162,19 +163,19 @@ void Table<Entry>::erase(const StoredEntry& stored) {
 
 template <typename Entry>
 void Table<Entry>::set_class_count(std::size_t count, Generation generation) {
-  indexes_->of(generation).set_class_count(count);
+  indexes_->index_of(generation).set_class_count(count);
 }
 
 template <typename Entry>
 void Table<Entry>::refile(const StoredEntry& stored, const Filing& filing) {
-  auto& index = indexes_->of(filing.generation);
+  auto& index = indexes_->index_of(filing.generation);
   index.unfile(stored, filing.generation);
   index.file(stored, filing);
 }
 
 template <typename Entry>
 void Table<Entry>::unfile(const StoredEntry& stored, Generation generation) {
-  indexes_->of(generation).unfile(stored, generation);
+  indexes_->index_of(generation).unfile(stored, generation);
   stored.classes[std::to_underlying(generation)].shrink_to_fit();
 }
 
@@ -207,12 +208,12 @@ std::span<const Filed<Entry>> Table<Entry>::with_concept(std::string_view concep
 
 template <typename Entry>
 std::span<const Filed<Entry>> Table<Entry>::own(ClassIndex number, Generation generation) const {
-  return indexes_->of(generation).own(number);
+  return indexes_->index_of(generation).own(number);
 }
 
 template <typename Entry>
 std::span<const Filed<Entry>> Table<Entry>::below(ClassIndex number, Generation generation) const {
-  return indexes_->of(generation).below(number);
+  return indexes_->index_of(generation).below(number);
 }
 
 template <typename Entry>
@@ -225,11 +226,6 @@ template <typename Entry>
 std::vector<const Stored<Entry>*> Table<Entry>::of_peer(ParticipantId participant, PeerId peer) const {
   const auto& index = indexes_->container.template get<InKeyOrder>();
   return plain<Entry>(pointers(index.equal_range(PeerPrefix{participant, peer}, InPeer{})));
-}
-
-template <typename Entry>
-void Table<Entry>::for_each(const std::function<void(const StoredEntry&)>& visit) const {
-  for (const auto& element : indexes_->container.template get<InKeyOrder>()) visit(element);
 }
 
 template <typename Entry>
