@@ -130,7 +130,7 @@ void NeighbourWay::count(const announcement::Announcement& announcement, const A
   path_.loss = losses_.loss();
 }
 
-bool NeighbourWay::say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
+void NeighbourWay::say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
                        Duration hold) {
   revision_ = announcement.revision;
   said_revision_ = announcement.revision;
@@ -139,11 +139,9 @@ bool NeighbourWay::say(const announcement::Announcement& announcement, const Arr
   auto addresses = usable(announcement, arrival);
   if (addresses == addresses_.value()) {
     addresses_.affirm(arrival.now);
-    return false;
+  } else if (is_free) {
+    addresses_.replace(std::move(addresses), arrival.now, hold);
   }
-  if (!is_free) return false;
-  addresses_.replace(std::move(addresses), arrival.now, hold);
-  return true;
 }
 
 Path NeighbourWay::path() const {

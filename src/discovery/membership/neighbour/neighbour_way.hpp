@@ -51,9 +51,8 @@ class NeighbourWay {
 
   /// Counts a datagram. `is_contradiction`: its number is the sender's, whatever was heard before.
   void count(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contradiction);
-  /// Takes over what a state says of the way, unless the present addresses are held. Returns whether the addresses have
-  /// changed.
-  bool say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
+  /// Takes over what a state says of the way, unless the present addresses are held.
+  void say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,
            base::Duration hold);
   /// Whether the state of the newest revision was heard on this way.
   [[nodiscard]] bool is_said() const { return said_revision_ == revision_ && !has_moved_; }
