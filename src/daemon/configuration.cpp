@@ -85,6 +85,9 @@ class Resolver {
   }
 
   void fail(const Stated& at, const std::string& what) { errors_.push_back(at.origin + ": " + what); }
+  void refuse(const Stated& value, const std::string& why) {
+    fail(value, '\'' + base::printable(value.text) + "' " + why);
+  }
 
   void refuse_unusable_keys() {
     for (const Key& key : keys) {
@@ -119,7 +122,7 @@ class Resolver {
         if (!is_prefix_name(name)) {
           fail(iri, '\'' + base::printable(name) + "' is no prefix: a letter, then letters, digits, '-' and '_'");
         } else if (!is_iri(iri.text)) {
-          fail(iri, '\'' + base::printable(iri.text) + "' is no IRI");
+          refuse(iri, "is no IRI");
         } else if (result_.prefixes.size() == max_prefixes) {
           fail(iri, "more than " + std::to_string(max_prefixes) + " prefixes");
           return;
@@ -134,8 +137,8 @@ class Resolver {
     const Stated* given = single(key);
     if (given == nullptr) return;
     if (!announcement::is_valid_name(given->text)) {
-      fail(*given, '\'' + base::printable(given->text) + "' is no name: 1 to " + std::to_string(max_name_bytes) +
-                       " octets of UTF-8 without control characters, '/' and ','");
+      refuse(*given, "is no name: 1 to " + std::to_string(max_name_bytes) +
+                         " octets of UTF-8 without control characters, '/' and ','");
     }
     name = given->text;
   }
@@ -144,8 +147,7 @@ class Resolver {
     if (const Stated* path = single("gcnp-socket")) {
       if (path->text.empty() || path->text.size() > env::max_socket_path_bytes ||
           base::has_control_character(path->text)) {
-        fail(*path, '\'' + base::printable(path->text) + "' is no path of a socket: use 1 to " +
-                        std::to_string(env::max_socket_path_bytes) + " octets");
+        refuse(*path, "is no path of a socket: use 1 to " + std::to_string(env::max_socket_path_bytes) + " octets");
       }
       result_.gcnp_socket = path->text;
     }
@@ -181,7 +183,7 @@ class Resolver {
     if (const Stated* port = single("port")) {
       const auto number = base::parse_number<std::uint16_t>(port->text);
       if (!number || *number == 0) {
-        fail(*port, '\'' + base::printable(port->text) + "' is no port: use a number from 1 to 65535");
+        refuse(*port, "is no port: use a number from 1 to 65535");
       } else {
         air.port = *number;
       }
@@ -190,7 +192,7 @@ class Resolver {
     if (stated("multicast") != nullptr) read_groups();
     for (const Stated& name : list("interface", max_values)) {
       if (name.text.empty() || name.text.size() >= IFNAMSIZ || base::has_control_character(name.text)) {
-        fail(name, '\'' + base::printable(name.text) + "' is no name of an interface: see ip link");
+        refuse(name, "is no name of an interface: see ip link");
       } else if (std::ranges::find(air.interfaces, name.text) == air.interfaces.end()) {
         air.interfaces.push_back(name.text);
       }
@@ -238,8 +240,7 @@ class Resolver {
     if (word == nullptr) return;
     const auto mode = sealing::read_mode(word->text);
     if (!mode) {
-      fail(*word,
-           '\'' + base::printable(word->text) + "' is no mode: use encrypted, authenticated, mixed, prepared or plain");
+      refuse(*word, "is no mode: use encrypted, authenticated, mixed, prepared or plain");
     } else if (*mode == sealing::Mode::plain && !result_.key_files.empty()) {
       fail(*word, "plain with a key: leave the key files out, or say prepared");
     } else if (*mode != sealing::Mode::plain && result_.key_files.empty()) {
@@ -267,7 +268,7 @@ class Resolver {
     const bool is_number = error == std::errc() && stop == end && std::isfinite(seconds);
     if (!is_number || seconds < std::chrono::duration<double>(announcement::min_interval).count() ||
         seconds > std::chrono::duration<double>(announcement::max_interval).count()) {
-      fail(*text, '\'' + base::printable(text->text) + "' is no interval: use 0.05 to 60 seconds");
+      refuse(*text, "is no interval: use 0.05 to 60 seconds");
       return;
     }
     result_.interval = std::chrono::milliseconds(std::llround(seconds * 1000));
@@ -277,14 +278,14 @@ class Resolver {
     if (const Stated* level = single("log-level")) {
       const auto* const found = std::ranges::find(log_levels, level->text, [](const auto& pair) { return pair.first; });
       if (found == log_levels.end()) {
-        fail(*level, '\'' + base::printable(level->text) + "' is no level: use debug, info, warning or error");
+        refuse(*level, "is no level: use debug, info, warning or error");
       } else {
         result_.log_level = found->second;
       }
     }
     if (const Stated* format = single("log-format")) {
       if (format->text != "text" && format->text != "json") {
-        fail(*format, '\'' + base::printable(format->text) + "' is no format: use text or json");
+        refuse(*format, "is no format: use text or json");
       }
       result_.log_format = format->text == "json" ? LogFormat::json : LogFormat::text;
     }

@@ -122,11 +122,6 @@ std::uint32_t Daemon::lasting() {
   return 0;
 }
 
-void Daemon::on_timer() {
-  participant_->on_timer();
-  after_event();
-}
-
 void Daemon::on_datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram) {
   participant_->on_datagram(interface, source, datagram);
   after_event();
@@ -138,18 +133,10 @@ void Daemon::on_interfaces_changed() {
   after_event();
 }
 
-void Daemon::on_stream_opened(env::StreamId stream, std::string_view user) {
-  participant_->on_stream_opened(stream, user);
-}
-
 void Daemon::on_stream_bytes(env::StreamId stream, std::string_view bytes) {
   participant_->on_stream_bytes(stream, bytes);
   after_event();
 }
-
-void Daemon::on_stream_drained(env::StreamId stream) { participant_->on_stream_drained(stream); }
-
-void Daemon::on_stream_closed(env::StreamId stream) { participant_->on_stream_closed(stream); }
 
 /// Logs that the participant is ready, and leaves the loop when it has stopped.
 void Daemon::after_event() {

@@ -52,14 +52,19 @@ class Daemon final : private env::EventSink {
   void reload();
   void stop();
 
-  void on_timer() override;
+  void on_timer() override {
+    participant_->on_timer();
+    after_event();
+  }
   void on_datagram(env::InterfaceIndex interface, std::string_view source,
                    std::span<const std::byte> datagram) override;
   void on_interfaces_changed() override;
-  void on_stream_opened(env::StreamId stream, std::string_view user) override;
+  void on_stream_opened(env::StreamId stream, std::string_view user) override {
+    participant_->on_stream_opened(stream, user);
+  }
   void on_stream_bytes(env::StreamId stream, std::string_view bytes) override;
-  void on_stream_drained(env::StreamId stream) override;
-  void on_stream_closed(env::StreamId stream) override;
+  void on_stream_drained(env::StreamId stream) override { participant_->on_stream_drained(stream); }
+  void on_stream_closed(env::StreamId stream) override { participant_->on_stream_closed(stream); }
 
   ConfigurationInForce configuration_;
   Log& log_;

@@ -75,7 +75,7 @@ void OntologyInForce::change_to(Loaded loaded) {
   if (!loaded) {
     report_failure(loaded.error());
   } else if (loaded->ontology != nullptr && participant_->uses_expressions()) {
-    // The one in force stays until this one can place expressions, so that nobody loses a match meanwhile.
+    // The one in force stays until this one can place expressions, so that no match is lost meanwhile.
     is_next_in_preparation_ = true;
     preparation_.start(vocabulary::Vocabulary(std::move(loaded->ontology)), [this](vocabulary::Vocabulary prepared) {
       if (is_stopped_) return;

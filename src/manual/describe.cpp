@@ -25,7 +25,7 @@ std::string date() {
     const std::string_view text(told);
     std::int64_t count = 0;
     std::from_chars(text.data(), text.data() + text.size(), count);
-    constexpr std::int64_t last = 9'214'646'400;  // in the year 2261, close to the last that a clock of nanoseconds holds
+    constexpr std::int64_t last = 9'214'646'400;  // in the year 2261, near the last that nanoseconds can count
     instant = system_clock::time_point(seconds(std::min(std::max<std::int64_t>(count, 0), last)));
   }
   const year_month_day day(floor<days>(instant));

@@ -242,22 +242,33 @@ void print_pair(const Context& context, const Answer& answer) {
   for (const auto& record : answer.records) print_mend(context, record["code"], record["mend"]);
 }
 
+/// The keys and words of a sum: how many of the known services meet a request, or of the known requests take a service.
+struct Sum {
+  const char* count;
+  const char* known;
+  const char* noun;
+  const char* verb;
+};
+
+void print_sum(const Context& context, const Record& end, const Sum& sum, bool is_yes, const std::string& more) {
+  const auto known = end[sum.known];
+  if (is_yes) {
+    std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << shell::printable(end[sum.count])
+              << " of the " << shell::printable(known) << ' ' << sum.noun << "s that are known " << sum.verb
+              << (end[sum.count] == "1" ? "s it" : " it") << more << '\n';
+    return;
+  }
+  std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << shell::printable(end["text"]) << " ("
+            << shell::printable(known) << ' ' << sum.noun << (known == "1" ? " is known)\n" : "s are known)\n");
+  print_mend(context, end["code"], end["mend"]);
+}
+
 void print_request(const Context& context, const Answer& answer) {
   const Record& end = answer.end;
-  if (end["served"] == "1") {
-    std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << shell::printable(end["matching"])
-              << " of the " << shell::printable(end["offers"]) << " services that are known "
-              << (end["matching"] == "1" ? "meets it" : "meet it");
-    if (!end["gaps"].empty()) {
-      std::cout << "; not all is found of an expression that no class is defined by: " << shell::printable(end["gaps"]);
-    }
-    std::cout << '\n';
-  } else {
-    const bool is_one = end["offers"] == "1";
-    std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << shell::printable(end["text"]) << " ("
-              << shell::printable(end["offers"]) << (is_one ? " service is known)\n" : " services are known)\n");
-    print_mend(context, end["code"], end["mend"]);
-  }
+  const std::string more = end["gaps"].empty() ? ""
+                                               : "; not all is found of an expression that no class is defined by: " +
+                                                     shell::printable(end["gaps"]);
+  print_sum(context, end, {"matching", "offers", "service", "meet"}, end["served"] == "1", more);
   shell::Table table({{"PROVIDER", false, 12},
                       {"OFFERS", false, 16},
                       {"MODE", false, 0, 3},
@@ -273,18 +284,9 @@ void print_request(const Context& context, const Answer& answer) {
 
 void print_service(const Context& context, const Answer& answer) {
   const Record& end = answer.end;
-  const bool is_one = end["requests"] == "1";
-  if (end["taken"] != "0") {
-    std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << shell::printable(end["taken"])
-              << " of the " << shell::printable(end["requests"]) << " requests that are known "
-              << (end["taken"] == "1" ? "takes it" : "take it");
-    if (end["matching"] != end["taken"]) std::cout << ", " << shell::printable(end["matching"]) << " match it";
-    std::cout << '\n';
-  } else {
-    std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << shell::printable(end["text"]) << " ("
-              << shell::printable(end["requests"]) << (is_one ? " request is known)\n" : " requests are known)\n");
-    print_mend(context, end["code"], end["mend"]);
-  }
+  const std::string more =
+      end["matching"] == end["taken"] ? "" : ", " + shell::printable(end["matching"]) + " match it";
+  print_sum(context, end, {"taken", "requests", "request", "take"}, end["taken"] != "0", more);
   shell::Table table({{"CONSUMER", false, 12},
                       {"ASKS FOR", false, 16},
                       {"MODE", false, 0, 3},

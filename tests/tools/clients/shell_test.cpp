@@ -63,6 +63,16 @@ TEST(Table, HasNoSpaceAtTheEndOfALine) {
   EXPECT_EQ(out.str(), "A\na\nb  (this host)\n");
 }
 
+TEST(Table, PrintsItsHeadingOnlyAboveRows) {
+  Table table({{"A"}});
+  std::ostringstream out;
+  table.print(out, {}, "heading\n");
+  EXPECT_EQ(out.str(), "");
+  table.add({"a"});
+  table.print(out, {}, "heading\n");
+  EXPECT_EQ(out.str(), "heading\nA\na\n");
+}
+
 std::string shown(const Table& table, std::size_t columns) {
   std::ostringstream out;
   table.print(out, {.is_terminal = true, .has_colour = false, .columns = columns});

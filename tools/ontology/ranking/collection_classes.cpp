@@ -12,12 +12,12 @@
 #include "reasoning/reasoner/reasoner.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
-#include "reasoning/syntax/rdf/triples/base_iri.hpp"
 #include "reasoning/syntax/rdf/catalog.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 #include "reasoning/syntax/rdf/mapping/mapping.hpp"
 #include "reasoning/syntax/rdf/tolerant/told_classes.hpp"
 #include "reasoning/syntax/rdf/tolerant/tolerant.hpp"
+#include "reasoning/syntax/rdf/triples/base_iri.hpp"
 
 namespace geminga::ontology {
 namespace {
