@@ -1,4 +1,4 @@
-// `query interfaces` and `query peers`: what a participant speaks over, and with whom on its host.
+// `query interfaces` and `query peers`: the interfaces of a participant, and the peers on its host.
 #include <algorithm>
 #include <optional>
 
