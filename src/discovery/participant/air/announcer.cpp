@@ -95,7 +95,7 @@ void Announcer::announce() {
   schedule_.ask(means_.neighbours.lacks_anybody(now), means_.neighbours.doubts_anybody(), now);
   if (means_.neighbours.is_unlike(now)) schedule_.differ(now);
   schedule_.search(search_.spacing(means_.neighbours.size(), interval(), now), now);
-  be_silent_on_twins();
+  be_silent_on_ipv6_sides();
   schedule_.challenge(means_.seal.asks(now) || means_.seal.is_asked(now), now);
   for (;;) {
     switch (schedule_.take(now)) {
@@ -118,7 +118,7 @@ void Announcer::announce() {
   }
 }
 
-void Announcer::be_silent_on_twins() {
+void Announcer::be_silent_on_ipv6_sides() {
   for (const env::Interface& interface : means_.env.interfaces()) {
     if (!means_.dual_stack.speaks_on(interface, means_.seal, means_.env.now()))
       means_.seal.be_silent_on(interface.index);

@@ -90,8 +90,8 @@ class Announcer {
  private:
   /// Sends on all interfaces that we speak on; returns the most datagrams that one of them took.
   std::size_t send(const announcement::Announcement& announcement);
-  /// Drops what the seal owes on twins where we do not speak.
-  void be_silent_on_twins();
+  /// Drops what the seal owes on IPv6 sides where we do not speak.
+  void be_silent_on_ipv6_sides();
   [[nodiscard]] bool is_new_to_others();
   /// Takes the state that is announced at present into the log. Done when it is sent and not with every change.
   void update_log(base::Instant now);
