@@ -1,4 +1,4 @@
-// What the user of geminga-simulate asks for.
+// The command line of geminga-simulate.
 #ifndef GEMINGA_TESTS_SCENARIOS_COMMAND_LINE_HPP
 #define GEMINGA_TESTS_SCENARIOS_COMMAND_LINE_HPP
 
@@ -40,7 +40,7 @@ struct Flags {
 
   /// Borrows this for the life of `app`.
   void add_to(CLI::App& app);
-  /// What is to be run. Throws CLI::ValidationError where a value cannot be read.
+  /// The runs that are asked for. Throws CLI::ValidationError where a value cannot be read.
   [[nodiscard]] Conditions conditions() const;
   /// Nothing: one run.
   [[nodiscard]] std::optional<Seeds> range() const;

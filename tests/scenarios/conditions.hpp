@@ -1,4 +1,4 @@
-// What one simulated run is made of.
+// The conditions of one simulated run.
 #ifndef GEMINGA_TESTS_SCENARIOS_CONDITIONS_HPP
 #define GEMINGA_TESTS_SCENARIOS_CONDITIONS_HPP
 

@@ -11,7 +11,7 @@ using std::chrono::seconds;
 
 constexpr base::Duration calm = seconds(10);  ///< at either end of a run
 
-/// Who is hit by a fault, when, and for how long.
+/// The host, the beginning and the length of a fault.
 class Draw {
  public:
   Draw(Script& script, base::Random& random, base::Duration time)

@@ -11,7 +11,7 @@
 
 namespace geminga::scenarios {
 
-/// What the run cost on this machine; not the same on another one.
+/// The cost of the run on this machine; not the same on another one.
 struct Cost {
   double real_seconds = 0;
   std::uint64_t peak_octets = 0;  ///< of memory, of the whole process

@@ -31,7 +31,7 @@ void forget(Stage& stage, std::size_t index) {
   }
 }
 
-/// What is false counts as a lie for a while, and not as a mistake of the one who was told it.
+/// A false entry counts as a lie for a while, and not as a mistake of the client that was told it.
 void excuse_lies(Stage& stage) {
   stage.team.ledger().tampered_until(stage.world.now() + lie_intervals * stage.interval);
 }

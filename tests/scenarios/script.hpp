@@ -1,4 +1,4 @@
-// What goes wrong in a run, and when: a list of steps that a scenario writes in plain words.
+// The script of a run: what goes wrong and when, as a list of steps that a scenario writes in plain words.
 #ifndef GEMINGA_TESTS_SCENARIOS_SCRIPT_HPP
 #define GEMINGA_TESTS_SCENARIOS_SCRIPT_HPP
 
@@ -36,13 +36,13 @@ enum class Memory : std::uint8_t {
   lost,  ///< its modules are new programs at other ports
 };
 
-/// What somebody who hears everything says in the name of others.
+/// A lie of an attacker who hears everything and speaks in the name of others.
 enum class Lie : std::uint8_t {
   goodbye,   ///< that it leaves
   emptied,   ///< that it offers nothing any more
   moved,     ///< that its services are elsewhere
   repeated,  ///< everything that it has said so far, from another address
-  reborn,    ///< that its identifier belongs to another life
+  reborn,    ///< that its identifier belongs to another incarnation
 };
 inline constexpr std::size_t lie_count = 5;
 

@@ -13,7 +13,7 @@
 
 namespace geminga::scenarios {
 
-/// What a run came to.
+/// The result of a run.
 struct Result {
   std::uint64_t trace_hash = 0;  ///< of every datagram, line and log line, with its time and its author
   std::vector<std::string> violations;

@@ -10,7 +10,8 @@
 
 namespace geminga::scenarios {
 
-/// What a host may send within a window, datagrams of all kinds together. See README.md beside this file for the sum.
+/// The datagrams, of all kinds together, that a host may send within a window. See README.md beside this file for the
+/// sum.
 inline constexpr base::Duration traffic_window = std::chrono::seconds(10);
 inline constexpr std::uint64_t most_datagrams = 600;
 

@@ -1,4 +1,4 @@
-// What the modules of a simulated team do: they offer and ask for things, and now and then something changes.
+// The workload of a simulated team: its modules offer and ask for things, and now and then something changes.
 #ifndef GEMINGA_TESTS_SCENARIOS_WORKLOAD_HPP
 #define GEMINGA_TESTS_SCENARIOS_WORKLOAD_HPP
 
@@ -20,7 +20,7 @@ class Workload {
 
   /// Makes hosts and modules, and switches them on within the first second.
   void start();
-  /// What was new is withdrawn, and nothing changes any more.
+  /// Ends the workload: new services are withdrawn, and nothing changes after that.
   void stop();
   /// Services that began since the start.
   [[nodiscard]] std::size_t changes() const { return changes_; }

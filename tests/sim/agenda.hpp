@@ -1,4 +1,4 @@
-// What is to happen when, in a simulated world.
+// The agenda of a simulated world: what is to happen, and when.
 #ifndef GEMINGA_TESTS_SIM_AGENDA_HPP
 #define GEMINGA_TESTS_SIM_AGENDA_HPP
 

@@ -65,7 +65,7 @@ class Agreement {
     if (random_.chance(0.3)) world_.run_for(milliseconds(random_.below(2000)));
   }
 
-  /// What one side says and the other does not, after all that is on its way has come.
+  /// The difference between the two sides, after all that is on its way has come.
   std::string difference() {
     world_.run_for(must_expire_ ? seconds(40) : seconds(8));
     must_expire_ = false;

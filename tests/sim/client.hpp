@@ -23,13 +23,13 @@ class World;
 /// doubled).
 class Client {
  public:
-  /// What one request was told of: the words of services (or subscriptions), with the last event about each.
+  /// The view of one request: the words of services (or subscriptions), with the last event about each.
   using View = std::map<std::string, gcnp::Statement, std::less<>>;
 
   Client(World& world, std::string name) : world_(world), name_(std::move(name)) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Who runs it, as the host's system tells; empty: it does not.
+  /// The user who runs it, as the host's system tells; empty: it does not.
   std::string user;
 
   void connect(Host& host);

@@ -15,7 +15,7 @@ class Clock {
  public:
   explicit Clock(base::Duration beginning) : local_(beginning) {}
 
-  /// What it shows when it is `world`. Never falls.
+  /// Its time at the instant `world`. Never falls.
   [[nodiscard]] base::Instant local(base::Instant world) const {
     if (is_stopped_) return base::Instant(local_);
     const base::Duration gone = world - world_;

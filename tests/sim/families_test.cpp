@@ -156,7 +156,7 @@ TEST(Families, ALieOverIpv6AboutWhoSpeaksBothIsContradictedThere) {
   robots.world.run_for(seconds(3));
   auto lie = announcement::decode(std::as_bytes(std::span(goodbye)));
   ASSERT_TRUE(lie);
-  ASSERT_NE(lie->link & announcement::ipv6_side_bit, 0U) << "the twin is spoken on last";
+  ASSERT_NE(lie->link & announcement::ipv6_side_bit, 0U) << "the IPv6 side is spoken on last";
   lie->kind = announcement::Kind::goodbye;
   lie->sequence += 10;
   lie->name = "a";

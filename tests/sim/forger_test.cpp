@@ -53,7 +53,7 @@ struct Field {
     }
   }
 
-  /// What a host last announced.
+  /// The last announcement of a host.
   [[nodiscard]] static announcement::Announcement read(std::string_view datagram) {
     return announcement::decode(std::as_bytes(std::span(datagram))).value_or(announcement::Announcement{});
   }
@@ -145,7 +145,7 @@ TEST(Forger, WithEightClashesBeforeAnAnswerCanComeLeavesTheLocalServicesInForce)
   EXPECT_EQ(field.status(field.host(0), "clashes"), 1);
 }
 
-/// What the first robot sends within five milliseconds of a lie about it.
+/// The datagrams of the first robot within five milliseconds of a lie about it.
 std::vector<announcement::Announcement> answer_to(Field& field,
                                                   const std::function<void(announcement::Announcement&)>& twist) {
   announcement::Announcement last;

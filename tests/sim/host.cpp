@@ -41,7 +41,7 @@ Host::Host(World& world, std::string name, std::uint32_t number, std::uint64_t s
 Host::~Host() = default;
 
 void Host::switch_on() {
-  ++life_;
+  ++incarnation_;
   is_stopping_ = false;
   is_preparing_ = false;
   has_crashed_ = false;
@@ -54,7 +54,7 @@ void Host::switch_on() {
 
 void Host::crash() {
   if (!is_on()) return;
-  ++life_;
+  ++incarnation_;
   has_crashed_ = true;
   wake_ = base::never;
   world_.trace(name_, "crash");
@@ -79,8 +79,8 @@ void Host::resume() {
   if (!waiting_.empty()) world_.old_words_read = resumed_;
   for (const Waiting& one : std::exchange(waiting_, {})) receive(one.interface, one.source, one.datagram);
   for (const auto& [stream, one] : streams_) {
-    world_.after(base::Duration(0), [this, id = stream, life = life_] {
-      if (life == life_) hear(id);
+    world_.after(base::Duration(0), [this, id = stream, incarnation = incarnation_] {
+      if (incarnation == incarnation_) hear(id);
     });
   }
   armed_ = base::never;
@@ -112,8 +112,8 @@ void Host::stop() {
 void Host::prepare_for(std::function<void()> then) {
   is_preparing_ = true;
   const std::uint64_t number = ++preparing_;
-  const auto done = [this, number, then = std::move(then), life = life_] {
-    if (life != life_ || number != preparing_) return;
+  const auto done = [this, number, then = std::move(then), incarnation = incarnation_] {
+    if (incarnation != incarnation_ || number != preparing_) return;
     is_preparing_ = false;
     then();
     end_of_event();
@@ -143,7 +143,7 @@ void Host::end_of_event() {
   arm();
   if (participant_ != nullptr) prepare();
   if (!is_stopping_ || participant_ == nullptr || !participant_->is_stopped()) return;
-  ++life_;
+  ++incarnation_;
   wake_ = base::never;
   participant_.reset();
   drop_clients();
@@ -222,16 +222,16 @@ void Host::connect(Client& client) {
 }
 
 void Host::from_client(env::StreamId stream, std::string bytes) {
-  world_.after(base::Duration(0), [this, stream, bytes = std::move(bytes), life = life_] {
-    if (life != life_ || !streams_.contains(stream)) return;
+  world_.after(base::Duration(0), [this, stream, bytes = std::move(bytes), incarnation = incarnation_] {
+    if (incarnation != incarnation_ || !streams_.contains(stream)) return;
     streams_.at(stream).unheard += bytes;
     hear(stream);
   });
 }
 
 void Host::client_closed(env::StreamId stream) {
-  world_.after(base::Duration(0), [this, stream, life = life_] {
-    if (life != life_ || !streams_.contains(stream)) return;
+  world_.after(base::Duration(0), [this, stream, incarnation = incarnation_] {
+    if (incarnation != incarnation_ || !streams_.contains(stream)) return;
     streams_.at(stream).has_hung_up = true;
     hear(stream);
   });
@@ -247,8 +247,8 @@ void Host::hear(env::StreamId stream) {
     const std::string bytes = one.unheard.substr(0, piece);
     one.unheard.erase(0, piece);
     participant_->on_stream_bytes(stream, bytes);
-    world_.after(base::Duration(0), [this, stream, life = life_] {
-      if (life == life_) hear(stream);
+    world_.after(base::Duration(0), [this, stream, incarnation = incarnation_] {
+      if (incarnation == incarnation_) hear(stream);
     });
   } else if (one.has_hung_up) {
     streams_.erase(found);
@@ -280,8 +280,8 @@ void Host::flush() {
     if (!one.is_reading || one.unsent.empty()) continue;
     give(stream, std::exchange(one.unsent, {}));
     if (!std::exchange(one.is_behind, false)) continue;
-    world_.after(base::Duration(0), [this, id = stream, life = life_] {
-      if (life != life_ || !streams_.contains(id)) return;
+    world_.after(base::Duration(0), [this, id = stream, incarnation = incarnation_] {
+      if (incarnation != incarnation_ || !streams_.contains(id)) return;
       participant_->on_stream_drained(id);
       end_of_event();
     });
@@ -355,8 +355,8 @@ void Host::want(env::StreamId stream, bool is_wanted) {
   const auto found = streams_.find(stream);
   if (found == streams_.end()) return;
   found->second.is_wanted = is_wanted;
-  world_.after(base::Duration(0), [this, stream, life = life_] {
-    if (life == life_) hear(stream);
+  world_.after(base::Duration(0), [this, stream, incarnation = incarnation_] {
+    if (incarnation == incarnation_) hear(stream);
   });
 }
 

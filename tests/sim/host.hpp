@@ -34,7 +34,7 @@ class Host final : public env::Env {
   vocabulary::Vocabulary ontology;
   /// How long it takes to prepare an ontology for class expressions; 0: it is there within the event that asks for it.
   base::Duration preparing_takes{};
-  /// What it has written into its log.
+  /// The lines of its log.
   std::vector<std::string> logged;
   /// Whether all that it hears came to it alone, from hosts that it has not named.
   bool hears_strangers_alone = false;
@@ -78,8 +78,9 @@ class Host final : public env::Env {
   /// Reads another ontology while the participant runs, as gemingad does: where expressions are in use it comes into
   /// force when it is prepared for them.
   void reload(const vocabulary::Vocabulary& another);
-  /// Counts the times it was switched on or off, so that what was meant for an earlier life does not reach a later one.
-  [[nodiscard]] std::uint64_t life() const { return life_; }
+  /// Counts how often it was switched on or off, so that what was meant for an earlier incarnation does not reach a
+  /// later one.
+  [[nodiscard]] std::uint64_t incarnation() const { return incarnation_; }
 
   /// A port that nobody else on this host has been given.
   [[nodiscard]] std::uint16_t take_port() { return next_port_++; }
@@ -97,7 +98,7 @@ class Host final : public env::Env {
 
   /// Connects a client to the participant that is running; the client may outlive it.
   void connect(Client& client);
-  /// What it has sent since it was made.
+  /// The datagrams and octets that it has sent since it was made.
   [[nodiscard]] std::uint64_t datagrams_sent() const { return datagrams_sent_; }
   [[nodiscard]] std::uint64_t octets_sent() const { return octets_sent_; }
   /// The datagrams among them that went out over this network.
@@ -144,12 +145,12 @@ class Host final : public env::Env {
   std::unique_ptr<participant::Participant> participant_;
   bool is_stopping_ = false;
   bool has_crashed_ = false;
-  std::uint64_t life_ = 0;
+  std::uint64_t incarnation_ = 0;
   base::Instant wake_ = base::never;   ///< when the participant wants to be woken, by its own clock
   base::Instant armed_ = base::never;  ///< when the world rings next, or earlier than that
   Pause pause_ = Pause::none;
   base::Instant resumed_{-std::chrono::hours(1)};
-  /// What came in while the process was stopped.
+  /// A datagram that came in while the process was stopped.
   struct Waiting {
     env::InterfaceIndex interface{};
     std::string source;

@@ -7,7 +7,7 @@
 namespace geminga::sim {
 namespace {
 
-/// What has ended is remembered so long, to tell a late word from an invented one.
+/// Entries that have ended are remembered for this time, to tell a late word from an invented one.
 constexpr base::Duration memory = std::chrono::minutes(5);
 
 }  // namespace
@@ -66,7 +66,7 @@ void Ledger::told(const Viewer& viewer, std::string_view word, const Place& plac
     told_off(viewer, word);  // a change that moves it
   }
   Seen& seen = eye.seen[place];
-  // What waited for a process that was stopped is told in its order, old words and old lies first.
+  // Datagrams that waited for a stopped process are told in their order, old words and old lies first.
   const bool is_catching_up = world_.hosts()[eye.host - 1]->is_catching_up();
   const bool was_lied_to = world_.now() < tampered_until_ || (is_catching_up && tampered_until_ != base::Instant{});
   const auto complain = [&](const std::string& what) {
@@ -166,7 +166,7 @@ void Ledger::check() {
     const bool is_missing = wrong.what == Wrongness::missing;
     base::Instant since =
         std::max({wrong.since, excused_until_, is_missing ? missing_excused_until_ : world_.old_words_read});
-    // Who joins us may have heard later than we of whom we lose, and is a witness of it.
+    // A host that joins us may have heard later than we of one that we lose, and is a witness of it.
     if (!is_missing) since = std::max(since, reach_changed_);
     // Whoever does not hear the victim believes the liar for as long as he goes on, also as a witness.
     if (!is_missing) since = std::max(since, tampered_until_);
@@ -176,7 +176,7 @@ void Ledger::check() {
   }
 }
 
-/// What has ended long ago, and is in nobody's view.
+/// Whether an entry has ended long ago, and is in nobody's view.
 void Ledger::forget_old() {
   std::size_t old = 0;
   for (; old < ended_.size() && ended_[old].first + memory < world_.now(); ++old) {

@@ -1,4 +1,4 @@
-// What every module should have been told, beside what it was told: the oracle that all views are compared with.
+// The ledger: what each module should have been told. All views are compared with it.
 #ifndef GEMINGA_TESTS_SIM_LEDGER_HPP
 #define GEMINGA_TESTS_SIM_LEDGER_HPP
 
@@ -32,7 +32,7 @@ struct Place {
 /// "7:5003".
 [[nodiscard]] std::string to_string(const Place& place);
 
-/// What viewers look for: publications (for a subscription) or subscriptions (for a publication) of one text and mode.
+/// The object of a view: publications (for a subscription) or subscriptions (for a publication) of one text and mode.
 struct Topic {
   bool is_request = false;
   std::string text;
@@ -73,7 +73,7 @@ class Ledger {
   /// A module wants to be told of a topic from now on.
   void look(const Viewer& viewer, std::uint32_t host, const std::string& name, const Topic& topic);
   void look_away(const Viewer& viewer);
-  /// Who hears whom has changed.
+  /// The links between hosts have changed.
   void reach_changed();
 
   /// A viewer was told of something at a place, by a word that it will be told off with; or told off.
@@ -84,14 +84,14 @@ class Ledger {
   void check();
   /// Views that are wrong now do not count as wrong before this instant: faults have ended, say.
   void excuse() { excused_until_ = world_.now(); }
-  /// What is missing until then does not count: things go wrong until then. What is surplus does.
+  /// Entries that are missing until then do not count, since things go wrong until then. Surplus entries do.
   void excuse_missing_until(base::Instant until) { missing_excused_until_ = until; }
   /// Lies and spoiled datagrams are about until then: what is told falsely is wrong like a view that is late, and no
   /// complaint by itself.
   void tampered_until(base::Instant until) { tampered_until_ = until; }
 
   [[nodiscard]] bool is_right() const { return wrong_.empty(); }
-  /// What is wrong now, a line each.
+  /// The present faults, a line each.
   [[nodiscard]] std::string complaints() const;
   [[nodiscard]] const Delays& delays() const { return delays_; }
   /// Services and requests that were never told to somebody though they stood for `bounds.missing` and were heard.

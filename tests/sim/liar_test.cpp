@@ -1,4 +1,4 @@
-// What an attacker on the link can do to a team: nothing that lasts. GEMINGA_SEED chooses another seed.
+// An attacker on the link can do nothing to a team that lasts. GEMINGA_SEED chooses another seed.
 #include "sim/liar.hpp"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ std::vector<Lie> lies() {
          lie.peers.clear();
          ++lie.sequence;
        }},
-      {"another life under its identifier", [](auto& lie) { lie.boot = announcement::BootNonce{66}; }},
+      {"another incarnation under its identifier", [](auto& lie) { lie.boot = announcement::BootNonce{66}; }},
   };
 }
 
@@ -116,7 +116,7 @@ TEST(Liar, EmptiesRedirectsOrHidesNobodyForLongerThanTwoIntervals) {
         // A clash is another matter: both who have an identifier give it up.
         if (forged.boot == announcement::BootNonce{66} && !is_own_address) continue;
         attack.liar.say(forged, is_own_address ? stranger : Liar::address_of(attack.victim()));
-        // Who hears the goodbye before the lie takes it for a newcomer, which goes at its deadline.
+        // A host that hears the goodbye before the lie takes the liar for a newcomer, which goes at its deadline.
         attack.world.run_for(forged.boot == announcement::BootNonce{66} ? 3 * interval : 2 * interval);
         attack.expect_right(lie.what);
         attack.world.run_for(seconds(20));
@@ -128,7 +128,8 @@ TEST(Liar, EmptiesRedirectsOrHidesNobodyForLongerThanTwoIntervals) {
 
 TEST(Liar, GoesOnWithoutEffectOnWhatIsSaidAgain) {
   for (const auto& lie : lies()) {
-    if (lie.what == "another life under its identifier") continue;  // a clash: both who have an identifier give it up
+    if (lie.what == "another incarnation under its identifier")
+      continue;  // a clash: both who have an identifier give it up
     Attack attack(World::seed_or(22));
     int right = 0;
     for (int i = 0; i < 600; ++i) {

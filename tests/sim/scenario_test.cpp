@@ -1,4 +1,4 @@
-// What a team lives through, and what must hold of it all the time. GEMINGA_SEED chooses another seed.
+// Scenarios of a team, and what must hold in each of them all the time. GEMINGA_SEED chooses another seed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

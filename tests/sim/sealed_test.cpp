@@ -49,7 +49,7 @@ struct Sealed : Robots {
     }
   }
 
-  /// What is on the air from now on.
+  /// The datagrams on the air from now on.
   void record() {
     world.on_transmit = [this](const Host&, std::string_view datagram) { recording.emplace_back(datagram); };
   }

@@ -16,7 +16,7 @@ struct Counterpart {
   bool is_excluded = false;
 };
 
-/// What one module publishes or subscribes to.
+/// A publication or subscription of one module.
 struct SpecificationRow {
   std::string module;
   bool is_publication = false;

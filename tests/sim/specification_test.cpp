@@ -26,7 +26,7 @@ using std::chrono::seconds;
 
 /// How what a row says of its counterparts is said in GCNP.
 enum class Said : std::uint8_t { as_scopes, as_conditions };
-/// Who says it. The specification does on both sides; a provider that does not care who listens says nothing.
+/// The sides that say it. The specification does on both; a provider that does not care who listens says nothing.
 enum class Sayer : std::uint8_t { both, consumer };
 
 struct Case {
@@ -122,7 +122,7 @@ bool is_meant(const Line& offered, const Line& wanted, const Case& how) {
   return how.sayer == Sayer::consumer || names(*offered.row, *offered.post, *wanted.post, wanted.row->module);
 }
 
-/// What a module was told of one of its rows.
+/// The view of a module for one of its rows.
 std::set<std::string> told(const Line& line) {
   std::set<std::string> others;
   for (const auto& [word, event] : line.client->view(line.number)) {

@@ -26,7 +26,7 @@ class Team {
 
   /// Whether every view is exactly right now.
   [[nodiscard]] bool is_right() const { return ledger_.is_right(); }
-  /// What is wrong with the views now, in words; empty: nothing.
+  /// The present faults of the views, in words; empty: none.
   [[nodiscard]] std::string complaints() const { return ledger_.complaints(); }
   /// Until every view is right, in steps; false after `at_most`.
   bool settle(base::Duration at_most);

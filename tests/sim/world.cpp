@@ -172,8 +172,10 @@ std::uint32_t World::take_off(std::string_view source, std::string_view datagram
 void World::add_arrival(std::uint32_t flight, const Host& receiver, env::InterfaceIndex interface) {
   base::Instant instant = now_ + random_.between(air.shortest_delay, air.longest_delay);
   if (air.late > 0 && random_.chance(air.late)) instant += random_.between(base::Duration(0), air.lateness);
-  flights_[flight]->arrivals.push_back(
-      {.instant = instant, .host = receiver.number() - 1, .interface = interface, .life = receiver.life()});
+  flights_[flight]->arrivals.push_back({.instant = instant,
+                                        .host = receiver.number() - 1,
+                                        .interface = interface,
+                                        .incarnation = receiver.incarnation()});
 }
 
 void World::depart(std::uint32_t flight) {
@@ -197,7 +199,7 @@ void World::fly(std::uint32_t flight, base::Instant end) {
     now_ = arrival.instant;
     one.arrivals.pop_back();
     Host& receiver = *hosts_[arrival.host];
-    if (receiver.life() == arrival.life) receiver.receive(arrival.interface, one.source, one.datagram);
+    if (receiver.incarnation() == arrival.incarnation) receiver.receive(arrival.interface, one.source, one.datagram);
   }
   free_flights_.push_back(flight);
 }

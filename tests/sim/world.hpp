@@ -100,7 +100,7 @@ class World {
     base::Instant instant;
     std::uint32_t host = 0;  ///< its place in hosts_
     env::InterfaceIndex interface{};
-    std::uint64_t life = 0;
+    std::uint64_t incarnation = 0;
   };
   /// A datagram and all copies that are on their way, the next one last.
   struct Flight {

@@ -1,4 +1,4 @@
-// Says in the log when others on the air have another ontology than ours, and when that is mended.
+// Watches which participants on the air have another ontology than ours, and writes that into the log.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_ONTOLOGY_WATCH_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_ONTOLOGY_WATCH_HPP
 
@@ -13,13 +13,13 @@
 
 namespace geminga::participant {
 
-/// How often it looks, and so how often it writes a line at most. Longer: a team that reloads one by one says less.
+/// The interval between two looks, and so between two lines. Longer: a team that reloads one by one causes fewer lines.
 /// Shorter: a difference is in the log sooner.
 inline constexpr base::Duration ontology_look_interval = std::chrono::seconds(5);
-/// How many others one line names; `query ontology` has them all.
+/// The number of participants that one line names; `query ontology` has them all.
 inline constexpr std::size_t max_named_others = 8;
 
-/// A line a change, never one a second: whoever is at the robot reads it once, and queries show what still differs.
+/// Writes one line a change; queries show what still differs.
 class OntologyWatch {
  public:
   /// To be called at the end of any event, with the digest of our own ontology; does nothing before its interval has

@@ -1,6 +1,7 @@
 #include "discovery/participant/participant.hpp"
 
 #include <algorithm>
+#include <array>
 #include <expected>
 #include <optional>
 #include <set>
@@ -30,23 +31,8 @@ enum class Phase : std::uint8_t {
   failed,    ///< no identifier could be claimed: may be destroyed
 };
 
-std::string_view to_string(Phase phase) {
-  switch (phase) {
-    case Phase::created:
-      return "created";
-    case Phase::claiming:
-      return "claiming";
-    case Phase::ready:
-      return "ready";
-    case Phase::stopping:
-      return "stopping";
-    case Phase::stopped:
-      return "stopped";
-    case Phase::failed:
-      return "failed";
-  }
-  return "failed";
-}
+/// Their words in `query status`.
+constexpr std::array<std::string_view, 6> phase_words{"created", "claiming", "ready", "stopping", "stopped", "failed"};
 
 }  // namespace
 
@@ -114,7 +100,8 @@ std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& qu
         } else if constexpr (std::is_same_v<Query, gcnp::QuerySecurity>) {
           return telling(answer_security(air.seal(), air.neighbours(), env.now()));
         } else if constexpr (std::is_same_v<Query, gcnp::QueryStatus>) {
-          Course course{.phase = to_string(phase), .uptime = env.now() - started, .of_owner = {}};
+          Course course{
+              .phase = phase_words.at(std::to_underlying(phase)), .uptime = env.now() - started, .of_owner = {}};
           if (status_source) course.of_owner = status_source();
           return telling(answer_status(settings, std::move(course), knowledge, air, sessions, env.now()));
         } else {

@@ -18,16 +18,16 @@
 
 namespace geminga::participant {
 
-/// One participant of a team. Whoever owns it feeds it one event at a time by the on_...() functions, on one thread,
-/// never from within an Env call; after each of them everything that follows from the event has been handed to Env.
-/// Bytes from outside may be anything. No function throws.
+/// One participant of a team. Its owner feeds it one event at a time by the on_...() functions, on one thread, and
+/// never from within an Env call. After each of them, all that follows from the event has been handed to Env. Octets
+/// from outside may be anything. No function throws.
 class Participant {
  public:
   using Vocabulary = vocabulary::Vocabulary;
 
   /// Borrows `env` for its life.
   Participant(env::Env& env, Settings settings, Vocabulary vocabulary = {});
-  /// May come at any time; without a stop() that has ended, the team learns of it by the deadline only.
+  /// May come at any time. Without a stop() that has ended, the team learns of it by the deadline only.
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
@@ -40,56 +40,57 @@ class Participant {
   void stop();
   /// Whether stop() has done everything; then the participant may be destroyed.
   [[nodiscard]] bool is_stopped() const;
-  /// Why no first identifier could be claimed within the iteration limit (paper section 3.5.1), with what to do: the
-  /// clients were told 503 and closed, is_stopped() holds, and the daemon ends with this error. Empty otherwise.
+  /// Why no first identifier could be claimed within the iteration limit (paper section 3.5.1), and what to do. Then
+  /// the clients were told 503 and closed, is_stopped() holds, and the daemon ends with this error. Empty otherwise.
   [[nodiscard]] std::string failure() const;
   /// Whether the identifier is claimed and the participant not stopping.
   [[nodiscard]] bool is_ready() const;
 
-  /// The instant that was last given to Env::wake_at() has come, or is about to: too early or too often does no harm.
+  /// The instant that was last given to Env::wake_at() has come. A call too early or too often does no harm.
   void on_timer();
   /// A datagram came in on an interface. `source` is the sender's numeric address, for the log and for diagnosis only.
   void on_datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram);
   /// Env::interfaces() gives something new.
   void on_interfaces_changed();
 
-  /// `user` is who connected, where the system tells; else empty.
+  /// `user` is the user who connected, where the system tells; else empty.
   void on_stream_opened(env::StreamId stream, std::string_view user);
-  /// Bytes in the order of the stream, cut anywhere. What they ask for is done in a later on_timer(), in turns.
+  /// Octets in the order of the stream, cut anywhere. The statements in them are handled in a later on_timer(), in
+  /// turns.
   void on_stream_bytes(env::StreamId stream, std::string_view bytes);
-  /// The client is gone: all it offered and asked for is withdrawn. Not called after Env::close().
+  /// The client is gone: all that it offered and asked for is withdrawn. Not called after Env::close().
   void on_stream_closed(env::StreamId stream);
-  /// What was written to the client has gone on its way, after some of it had to wait.
+  /// The client has read what had to wait for it.
   void on_stream_drained(env::StreamId stream);
 
-  /// Other keys, or another way to seal. Nobody is lost by it who has the keys that this step of a rotation or a
-  /// migration asks for (src/discovery/sealing/SEALING.md). After start().
+  /// Takes other keys, or another way to seal. No participant is lost that has the keys which this step of a rotation
+  /// or a migration asks for (src/discovery/sealing/SEALING.md). After start().
   void set_sealing(const sealing::Policy& policy);
 
   /// Takes the vocabulary of another ontology, or of none. Peers are told what follows: a publication or subscription
   /// whose names the new one does not know gets one error 422 and its events `del reason=changed`, and comes back by
-  /// itself when a later ontology knows them. What there is to do for a large team is done in later on_timer(), in
-  /// turns, and another ontology that comes meanwhile waits. Where it is not prepared for class expressions, requests
-  /// for these are out of force until on_prepared(), and their peers are told so.
+  /// itself when a later ontology knows them. For a large team the work is done in later on_timer(), in turns; another
+  /// ontology that comes meanwhile waits. Where it is not prepared for class expressions, requests for these are out of
+  /// force until on_prepared(), and their peers are told so.
   void set_vocabulary(Vocabulary vocabulary);
-  /// The vocabulary that is to be prepared for class expressions, because one has come; null: none. To be looked at
-  /// after each event: who owns the participant prepares it elsewhere, since that is long work, and brings it by
-  /// on_prepared(). Statements that need it wait meanwhile, and with them what their clients say behind them.
+  /// The vocabulary that is to be prepared for class expressions, because one has come; null: none. To be asked after
+  /// each event. Preparing is long work: the owner of the participant does it elsewhere, and brings the result by
+  /// on_prepared(). Meanwhile statements that need it wait, and so do the statements of their clients behind them.
   [[nodiscard]] const Vocabulary* wants_prepared() const;
-  /// Whether class expressions are in use with the ontology in force: then the next one had better come prepared.
+  /// Whether class expressions are in use with the ontology in force. Then the next one should come prepared.
   [[nodiscard]] bool uses_expressions() const;
-  /// The vocabulary is prepared. Of an ontology that is not in force any more it is dropped.
+  /// The vocabulary is prepared. One of an ontology that is not in force is dropped.
   void on_prepared(Vocabulary prepared);
-  /// Ontologies are being read: `query status` and `query ontology` say so until one of the other two is called. Where
-  /// none is in force meanwhile, statements with concepts are kept without an answer and come into force with the
-  /// ontology, or get their 422 then; queries that need it are answered 503 at once.
+  /// Ontologies are being read: `query status` and `query ontology` say so until set_vocabulary() or ontology_failed().
+  /// Where none is in force meanwhile, statements with concepts are kept without an answer. They come into force with
+  /// the ontology, or get their 422 then. Queries that need an ontology are answered 503 at once.
   void ontology_begun();
-  /// They could not be read, and these lines say why. What was in force stays; queries show the lines until a later
-  /// reading ends in set_vocabulary().
+  /// The ontologies could not be read, and these lines say why. The ontology in force stays; queries show the lines
+  /// until a later reading ends in set_vocabulary().
   void ontology_failed(const std::vector<std::string>& lines);
 
-  /// Fields that only the owner knows (memory, processor time, files), appended to the answer of `query status`. Called
-  /// within on_timer(); must not call back.
+  /// Gives fields that only the owner knows (memory, processor time, files), to be appended to the answer of `query
+  /// status`. Called within on_timer(); must not call back.
   using StatusSource = std::function<std::vector<gcnp::Parameter>()>;
   void set_status_source(StatusSource source);
 

@@ -17,7 +17,7 @@ void append_over_zero(Line& line, std::string_view key, std::uint64_t count) {
   if (count != 0) append(line, key, count);
 }
 
-/// How many peers each user of the host runs, e.g. "robot:2,tcp:1".
+/// The number of peers of each user of the host, e.g. "robot:2,tcp:1".
 std::string users(const Sessions& sessions) {
   std::map<std::string, std::size_t> counts;
   for (const Session* session : sessions.peers()) ++counts[session->user.empty() ? "tcp" : session->user];
@@ -60,7 +60,7 @@ void append_ontology(Line& line, const vocabulary::Vocabulary& vocabulary, const
   append_over_zero(line, "ontology_others", others);
 }
 
-/// How announcements are sealed, and how many were not heard for it.
+/// The mode in which announcements are sealed, and the datagrams that were not heard for it.
 void append_sealing(Line& line, const sealing::Seal& seal) {
   append(line, "sealing", std::string(to_string(seal.policy().mode)));
   for (std::size_t i = 0; i < sealing::rejection_count; ++i) {
@@ -69,7 +69,7 @@ void append_sealing(Line& line, const sealing::Seal& seal) {
   }
 }
 
-/// What others do in our name, where they do.
+/// Datagrams of others in our name, where there are any.
 void append_contest(Line& line, const AirCounters& counters, const Contest& contest, base::Instant now) {
   append_over_zero(line, "redraws", counters.redraws);
   append_over_zero(line, "contested", counters.contested);
@@ -79,7 +79,7 @@ void append_contest(Line& line, const AirCounters& counters, const Contest& cont
   append(line, "contested_from", contest.from());
 }
 
-/// How many say that they do not hear us, though we hear them.
+/// The number of participants that say that they do not hear us, though we hear them.
 void append_deaf(Line& line, const membership::NeighbourTable& neighbours) {
   std::size_t deaf = 0;
   neighbours.for_each([&](const membership::Neighbour& one) { deaf += one.is_deaf ? 1 : 0; });

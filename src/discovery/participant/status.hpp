@@ -15,11 +15,11 @@
 
 namespace geminga::participant {
 
-/// What only the participant knows of itself.
+/// Facts that only the participant knows of itself.
 struct Course {
   std::string_view phase;
   base::Duration uptime{};
-  std::vector<gcnp::Parameter> of_owner;  ///< what the daemon adds
+  std::vector<gcnp::Parameter> of_owner;  ///< added by the daemon
 };
 
 [[nodiscard]] Answer answer_status(const Settings& settings, Course course, const Knowledge& knowledge, const Air& air,

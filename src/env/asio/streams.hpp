@@ -22,8 +22,8 @@ namespace geminga::env {
 /// The most connections at once. Those that are being closed count, and give way; a further one is closed unheard. The
 /// participant has a smaller limit and says so in GCNP; this one bounds sockets.
 inline constexpr std::size_t max_connections = 192;
-/// The most memory that waits for one client. The participant stops long before it (participant/settings.hpp); a client
-/// for which more waits is closed.
+/// The most memory that waits for one client. The participant stops long before it (participant/clients/limits.hpp); a
+/// client for which more waits is closed.
 inline constexpr std::size_t max_queued_bytes = 8 * 1024 * 1024;
 /// The same for all clients together. Beyond it the client that holds the most is closed.
 inline constexpr std::size_t max_queued_bytes_in_all = 64 * 1024 * 1024;

@@ -21,7 +21,7 @@ void subscribe(sim::Client& client) {
   client.say(std::to_string(best_two) + " sub create mode=otm/pubsub text=x limit=2");
 }
 
-/// What a view says apart from who it was told to.
+/// The contents of a view, apart from the client that it was told to.
 std::map<std::string, std::string> ports(const sim::Client& client, std::uint32_t request) {
   std::map<std::string, std::string> found;
   for (const auto& [service, statement] : client.view(request)) {

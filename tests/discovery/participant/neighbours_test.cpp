@@ -1,4 +1,4 @@
-// What neighbours change comes to local clients in turns: counted and not timed.
+// Changes of neighbours come to local clients in turns that are counted and not timed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ class NeighboursTest : public testing::Test {
     }
   }
 
-  /// What one turn may tell, and one step beyond that; and the turns that come while a ping is on its way.
+  /// The events of one turn and of one step beyond it; and the turns that come while a ping is on its way.
   static constexpr int told_in_turn = static_cast<int>(work_in_turn / cost_of_event) + 250;
   static constexpr int told_meanwhile = 4 * told_in_turn;
   static constexpr int requests = 80;

@@ -1,4 +1,4 @@
-// What an unchanged presence costs who hears it: no memory is asked for.
+// The cost of hearing an unchanged presence: it allocates no memory.
 #include <gtest/gtest.h>
 
 #include <new>

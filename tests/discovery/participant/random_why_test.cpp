@@ -113,7 +113,7 @@ class RestingTeam {
            perhaps(0.2, "prefer=\"rate desc by 1\"") + perhaps(0.2, "rank=degree") +
            perhaps(0.15, "scope=" + one_of<2>({"host", "!host"})) + perhaps(0.2, "where=\"rate > 1\"") +
            perhaps(0.15, "outputs=soccer:Ball") + perhaps(0.1, "inputs=soccer:Ball") +
-           // Whom a consumer of a stream on another host has chosen is not told.
+           // The choice of a consumer of a stream on another host is not known here.
            (kind == "mode=otm/stream " ? "" : perhaps(0.6, "limit=" + std::to_string(random_.below(3))));
   }
 

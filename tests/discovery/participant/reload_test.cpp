@@ -51,7 +51,7 @@ class ReloadTest : public testing::Test {
     return before;
   }
 
-  /// What one turn may tell, for clients and for the ontology, and what one step may tell beyond it.
+  /// The events of one turn, for clients and for the ontology, and those of one step beyond it.
   static constexpr int told_in_turn = 2 * static_cast<int>(work_in_turn / cost_of_event) + 200;
   static constexpr int services = 200;
   sim::World world{sim::World::seed_or(1)};

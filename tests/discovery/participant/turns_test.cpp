@@ -120,7 +120,7 @@ TEST_F(TurnsTest, APeerWithManyServicesLeavesPieceByPiece) {
   EXPECT_EQ(consumer.view(7).size(), services);
 }
 
-/// What one change of a service costs others: one event for each that asked for it, and no more in a turn than one
+/// The cost of one change of a service for others: one event for each that asked for it, and no more in a turn than one
 /// statement may make.
 TEST_F(TurnsTest, APingWaitsForOneStatementOfAFloodOfChangesThatManyAskedToHearOf) {
   constexpr int requests = 250;

@@ -38,7 +38,7 @@ class Air {
   /// Gives up each neighbour that was not heard before its deadline.
   void expire();
   void forget_interface(env::InterfaceIndex interface) { neighbours_.forget_interface(interface); }
-  /// What neighbours have changed since the last call, in the order in which it must be done to the registry.
+  /// The changes of neighbours since the last call, in the order in which the registry must make them.
   [[nodiscard]] std::vector<membership::Change> take_changes() { return neighbours_.take_changes(); }
   /// Whether all that we say is said on this interface, too.
   [[nodiscard]] bool speaks_on(const env::Interface& interface) {

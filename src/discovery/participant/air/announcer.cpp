@@ -22,7 +22,7 @@ membership::ScheduleOptions schedule_options(const TeamSettings& settings) {
 std::string origin(const Heard& heard) { return std::string(heard.source) + " on " + heard.on.name; }
 
 /// Whether a datagram from this address can be our own. An interface does not show its IPv6 link-local address where it
-/// has another one, so none of those can be ruled out.
+/// has another one, so no link-local address can be ruled out.
 bool may_be_ours(const env::Env& env, std::string_view source) {
   const auto address = base::parse_address(source);
   if (!address || (address->is_ipv6() && address->scope() == base::AddressScope::link_local)) return true;
@@ -95,7 +95,7 @@ void Announcer::announce() {
   schedule_.ask(means_.neighbours.lacks_anybody(now), means_.neighbours.doubts_anybody(), now);
   if (means_.neighbours.is_unlike(now)) schedule_.differ(now);
   schedule_.search(search_.spacing(means_.neighbours.size(), interval(), now), now);
-  be_silent_on_twins();
+  be_silent_on_ipv6_sides();
   schedule_.challenge(means_.seal.asks(now) || means_.seal.is_asked(now), now);
   for (;;) {
     switch (schedule_.take(now)) {
@@ -118,7 +118,7 @@ void Announcer::announce() {
   }
 }
 
-void Announcer::be_silent_on_twins() {
+void Announcer::be_silent_on_ipv6_sides() {
   for (const env::Interface& interface : means_.env.interfaces()) {
     if (!means_.dual_stack.speaks_on(interface, means_.seal, means_.env.now()))
       means_.seal.be_silent_on(interface.index);
@@ -127,7 +127,7 @@ void Announcer::be_silent_on_twins() {
 
 void Announcer::show() { schedule_.doubted(means_.env.now()); }
 
-/// Under this identifier nobody was told anything, or not of these interfaces.
+/// Whether nothing was announced under this identifier, or not on these interfaces.
 bool Announcer::is_new_to_others() {
   if (log_.state().participant == claim_.id() && announced_on_ == means_.env.interfaces()) return false;
   announced_on_ = means_.env.interfaces();
@@ -162,7 +162,7 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
     case membership::Hearing::newcomer:
     case membership::Hearing::claim:
       schedule_.newcomer(means_.env.now());
-      if (!seems_next_life(heard)) return Consequence::nothing;
+      if (!seems_next_incarnation(heard)) return Consequence::nothing;
       schedule_.deny(means_.env.now());
       if (has_our_lasting_identity(heard)) report_copy(heard);
       return Consequence::nothing;
@@ -180,9 +180,9 @@ Announcer::Consequence Announcer::heard(const Heard& heard) {
   }
 }
 
-/// Somebody begins under our name and from our address, or with our lasting identity: others may take us for gone,
-/// since we were started again.
-bool Announcer::seems_next_life(const Heard& heard) const {
+/// Whether a participant begins under our name and from our address, or with our lasting identity. Others may take it
+/// for our next incarnation, and us for gone.
+bool Announcer::seems_next_incarnation(const Heard& heard) const {
   if (!claim_.is_held() || heard.announcement.boot == boot_) return false;
   const std::string& name = means_.settings.name;
   return has_our_lasting_identity(heard) ||
@@ -193,7 +193,7 @@ bool Announcer::has_our_lasting_identity(const Heard& heard) const {
   return heard.announcement.lasting != 0 && heard.announcement.lasting == means_.settings.lasting;
 }
 
-/// We live, so it is not our next life.
+/// Reports a copy of our disk: we run, so that participant is not our next incarnation.
 void Announcer::report_copy(const Heard& heard) {
   const base::Instant now = means_.env.now();
   if (copy_reported_ && now - *copy_reported_ < copy_report_spacing) return;
@@ -206,7 +206,7 @@ void Announcer::report_copy(const Heard& heard) {
           "from its state folder and start it again");
 }
 
-/// Somebody tells what he has heard of us and of others.
+/// A presence says what its sender has heard of us and of others.
 void Announcer::heard_presence(const Heard& heard) {
   const base::Instant now = means_.env.now();
   const auto names = [](const std::vector<ParticipantId>& ids, ParticipantId id) {
@@ -273,7 +273,7 @@ Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
   return Consequence::nothing;
 }
 
-/// What comes in with our boot nonce is our own echo, or somebody lies about us to all who hear it.
+/// A datagram with our boot nonce is our own echo, or a forgery that all others hear, too.
 void Announcer::heard_own(const Heard& heard) {
   if (!claim_.is_held() || heard.announcement.participant != claim_.id()) return;
   if (may_be_ours(means_.env, heard.source) && sent_.contains(heard.datagram)) return;
@@ -342,7 +342,7 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
   std::size_t most = 0;
   const auto& interfaces = means_.env.interfaces();
   for (const env::Interface& interface : interfaces) {
-    // Whoever speaks IPv6 alone hears of us by the first word, and answers it.
+    // A participant that speaks IPv6 alone hears of us by the first datagram, and answers it.
     if (!means_.dual_stack.speaks_on(interface, means_.seal, means_.env.now()) && sequences_.contains(interface.index))
       continue;
     std::uint64_t& sequence = sequences_[interface.index];

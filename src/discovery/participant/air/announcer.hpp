@@ -1,4 +1,4 @@
-// Speaks for a participant on the air: claims its identifier, announces its state when it is due, says goodbye.
+// The announcer speaks for a participant: claims its identifier, announces its state when it is due, says goodbye.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_ANNOUNCER_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_AIR_ANNOUNCER_HPP
 
@@ -26,7 +26,7 @@
 
 namespace geminga::participant {
 
-/// One announcement that came in. Everything is borrowed for the call.
+/// One announcement that came in. All is borrowed for the call.
 struct Heard {
   const announcement::Announcement& announcement;
   membership::Hearing hearing;
@@ -35,12 +35,12 @@ struct Heard {
   const env::Interface& on;
 };
 
-/// Between two lines in the log about copies of our disk.
+/// Time between two lines in the log about copies of our disk.
 inline constexpr base::Duration copy_report_spacing = std::chrono::minutes(10);
 
 class Announcer {
  public:
-  /// What it speaks by and for. All are borrowed for its life.
+  /// The parts that it reads and changes. All are borrowed for its life.
   struct Means {
     env::Env& env;
     const TeamSettings& settings;
@@ -55,33 +55,33 @@ class Announcer {
 
   /// Begins to claim an identifier.
   void start();
-  /// From now on only goodbyes are due, if there is an identifier to give up.
+  /// Ends announcing. Only goodbyes are due then, if there is an identifier to give up.
   void stop();
   /// Whether nothing is left to say after stop().
   [[nodiscard]] bool is_finished() const;
 
-  /// What a step of the claim came to.
+  /// The outcome of a step of the claim.
   enum class Step : std::uint8_t { nothing, claimed, failed };
-  /// Sends the claims that are due. Says `claimed` once for each identifier, which id() then is.
+  /// Sends the claims that are due. Gives `claimed` once for each identifier; id() is that identifier then.
   [[nodiscard]] Step step_claim();
   /// Something that is announced is not what was announced last.
   void changed() { is_changed_ = true; }
   /// Announces what has changed or is due; after stop() says goodbye.
   void announce();
-  /// Our presence is due, since something goes with it.
+  /// Makes our presence due, since something is to be said with it.
   void show();
-  /// The deadlines of so many have passed who may come back into reach.
+  /// The deadlines of so many participants have passed that may come back into reach.
   void lost(std::size_t participants) { search_.begin(means_.neighbours.size() + participants, means_.env.now()); }
-  /// When step_claim() or announce() has something to do, or base::never.
+  /// The instant at which step_claim() or announce() has something to do, or base::never.
   [[nodiscard]] base::Instant due() const;
 
-  /// What was heard, so that newcomers are answered, claims contested and lies about us contradicted.
-  /// Where an identifier is given up, another one is claimed: step_claim() says when it is held.
+  /// Takes in what was heard: answers newcomers, contests claims of our identifier, contradicts lies about us. Where
+  /// our identifier is given up, another one is claimed; step_claim() says when it is held.
   enum class Consequence : std::uint8_t { nothing, failed };
   [[nodiscard]] Consequence heard(const Heard& heard);
-  /// Says in the log that a contest is over; to be called now and then.
+  /// Writes into the log that a contest is over; to be called at the end of each event.
   void end_contest();
-  /// After `failed`: why, with what to do.
+  /// After `failed`: why no identifier could be claimed, and what to do.
   [[nodiscard]] std::string failure() const;
 
   [[nodiscard]] ParticipantId id() const { return claim_.id(); }
@@ -90,21 +90,21 @@ class Announcer {
  private:
   /// Sends on all interfaces that we speak on; returns the most datagrams that one of them took.
   std::size_t send(const announcement::Announcement& announcement);
-  /// Nothing is owed where we do not speak.
-  void be_silent_on_twins();
+  /// Drops what the seal owes on IPv6 sides where we do not speak.
+  void be_silent_on_ipv6_sides();
   [[nodiscard]] bool is_new_to_others();
-  /// Takes down what is announced at present. Done when it is sent and not with every change.
+  /// Takes the state that is announced at present into the log. Done when it is sent and not with every change.
   void update_log(base::Instant now);
   [[nodiscard]] announcement::Announcement whole_state() const;
   [[nodiscard]] announcement::Announcement change() const;
-  [[nodiscard]] bool seems_next_life(const Heard& heard) const;
+  [[nodiscard]] bool seems_next_incarnation(const Heard& heard) const;
   [[nodiscard]] bool has_our_lasting_identity(const Heard& heard) const;
   void report_copy(const Heard& heard);
   void heard_presence(const Heard& heard);
   Consequence heard_clash(const Heard& heard);
   void heard_own(const Heard& heard);
   void report(const Heard& heard);
-  /// That others are told of.
+  /// The interval that others are told of.
   [[nodiscard]] base::Duration interval() const;
   [[nodiscard]] announcement::Announcement header(announcement::Kind kind, ParticipantId id) const;
   [[nodiscard]] announcement::Announcement presence();
@@ -117,17 +117,18 @@ class Announcer {
   membership::Search search_;
   bool is_changed_ = false;
   std::uint64_t revision_ = 0;
-  base::Instant changed_{};     ///< when that came
-  std::uint8_t doublings_ = 0;  ///< of the interval
+  base::Instant changed_{};     ///< when the revision came
+  std::uint8_t doublings_ = 0;  ///< how often the interval is doubled
   ChangeLog log_;
-  std::vector<env::Interface> announced_on_;  ///< the interfaces that the state was last told of
+  std::vector<env::Interface> announced_on_;  ///< the interfaces on which the state was last announced
   std::map<env::InterfaceIndex, std::uint64_t> sequences_;
   SentDatagrams sent_;
   Contest contest_;
-  std::string clash_from_;                      ///< where the last clash was heard
-  std::optional<base::Instant> copy_reported_;  ///< when somebody else with our lasting identity was told of last
+  std::string clash_from_;  ///< where the last clash was heard
+  std::optional<base::Instant>
+      copy_reported_;  ///< the last line in the log about another participant with our lasting identity
   bool is_stopping_ = false;
-  ParticipantId farewell_{};  ///< whose goodbye is said after stop(); 0: nobody knows us
+  ParticipantId farewell_{};  ///< the identifier whose goodbye is said after stop(); 0: nobody knows us
 };
 
 }  // namespace geminga::participant

@@ -1,4 +1,4 @@
-// Our state as it is announced, and what of it has changed of late, so that others are told of that alone.
+// Our state as it was announced last, and its recent changes, so that only these need be announced.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_CHANGE_LOG_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_AIR_CHANGE_LOG_HPP
 
@@ -13,19 +13,19 @@
 
 namespace geminga::participant {
 
-/// A revision counts as known to all when it was said so long ago: who has lost it has asked for it and was answered.
+/// A revision counts as known to all after this time: a participant that lost it has asked for it and was answered.
 inline constexpr base::Duration change_settles_after = std::chrono::seconds(2);
 
 class ChangeLog {
  public:
-  /// The state of its revision, which is higher than any before. Not told of a state that nobody was told of: of many
-  /// changes between two datagrams only the last counts.
+  /// Takes in a state that is announced, of a higher revision than any before. States that were not announced are left
+  /// out: of many changes between two datagrams only the last counts.
   void update(announcement::Announcement state, base::Instant now);
   [[nodiscard]] const announcement::Announcement& state() const { return state_; }
-  /// From the next update on only the whole state tells others what they need, until that is known to all.
+  /// The next update begins anew: until its revision is known to all, only whole states are announced.
   void begin_anew() { is_new_ = true; }
 
-  /// The change that leads all others to the present state, from a revision that they know; nothing: there is none.
+  /// The change from a revision that all others know to the present state; nothing: there is none.
   [[nodiscard]] std::optional<announcement::Announcement> change() const;
 
  private:
@@ -36,8 +36,8 @@ class ChangeLog {
   };
 
   announcement::Announcement state_;
-  std::map<Service, std::uint64_t> changed_;  ///< with which revision; also those that exist no more
-  std::deque<Revision> revisions_;            ///< the first one is known to all; then those that were said since
+  std::map<Service, std::uint64_t> changed_;  ///< the revision of each change; also of services that are gone
+  std::deque<Revision> revisions_;            ///< the first is known to all; the others were announced since
   bool is_new_ = true;
 };
 

@@ -1,4 +1,4 @@
-// Who else speaks under our identifier, since when, and when that is worth a line in the log.
+// A contest: others announce under our identifier. Says since when, and when that is worth a line in the log.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_CONTEST_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_AIR_CONTEST_HPP
 
@@ -10,22 +10,22 @@
 
 namespace geminga::participant {
 
-/// A contest is over when nothing was heard of it for so long.
+/// A contest is over when nothing of it was heard for this time.
 inline constexpr base::Duration contest_quiet = std::chrono::seconds(30);
-/// While it goes on, it is told so often.
+/// While a contest goes on, the log gets a line at this interval.
 inline constexpr base::Duration contest_reminder = std::chrono::seconds(60);
 
-/// One contest at a time: all that others say in our name until it is quiet.
+/// One contest at a time: all that others say in our name until nothing is heard of it for contest_quiet.
 class Contest {
  public:
-  /// Something was heard, `from` where. Whether to say so in the log now.
+  /// A datagram of it was heard from `from`. Gives whether to write that into the log now.
   [[nodiscard]] bool hear(const std::string& from, base::Instant now);
-  /// Whether the contest that went on has ended now; said once for each.
+  /// Whether the contest has ended; true once for each.
   [[nodiscard]] bool has_ended(base::Instant now);
 
-  /// When the present one began; nothing: there is none.
+  /// The beginning of the present contest; nothing: there is none.
   [[nodiscard]] std::optional<base::Instant> since() const { return since_; }
-  /// What was heard in it, and where the last came from.
+  /// The number of datagrams in it, and the address of the last.
   [[nodiscard]] std::uint64_t heard() const { return heard_; }
   [[nodiscard]] const std::string& from() const { return from_; }
 

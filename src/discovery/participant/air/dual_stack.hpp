@@ -12,8 +12,9 @@
 
 namespace geminga::participant {
 
-/// The participants on each twin (the IPv6 side of an interface, env::Interface::ipv6_side_of) that speak IPv6 alone, as
-/// each of their datagrams shows (announcement::ipv6_side_bit). ANNOUNCEMENT.md, "IPv4 and IPv6".
+/// The participants that speak IPv6 alone, on the IPv6 side of each dual-stack interface
+/// (env::Interface::ipv6_side_of), as each of their datagrams shows (announcement::ipv6_side_bit). ANNOUNCEMENT.md,
+/// "IPv4 and IPv6".
 class DualStack {
  public:
   /// Participants that are told apart on one interface; to know that somebody is there, more are not needed.
@@ -22,10 +23,10 @@ class DualStack {
   /// Whether this interface also hears a datagram on IPv4.
   [[nodiscard]] static bool is_said_twice(const announcement::Announcement& announcement, const env::Interface& on);
 
-  /// A participant of our group was heard. On a twin it is spoken to until `until`, or until it says goodbye.
+  /// A participant of our group was heard. On an IPv6 side it is spoken to until `until`, or until it says goodbye.
   void hear(const announcement::Announcement& announcement, const env::Interface& on, base::Instant until);
-  /// Whether all that we say is said on this interface, too: always on one that is no twin, and on a twin while
-  /// somebody there speaks IPv6 alone or is asked by the seal there alone.
+  /// Whether all that we say is said on this interface, too: always on one that is no IPv6 side, and on an IPv6 side
+  /// while somebody there speaks IPv6 alone or is asked by the seal there alone.
   [[nodiscard]] bool speaks_on(const env::Interface& interface, sealing::Seal& seal, base::Instant now) const;
 
  private:

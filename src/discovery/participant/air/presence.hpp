@@ -14,8 +14,8 @@
 namespace geminga::participant {
 
 struct TeamSettings {
-  /// What the team calls this participant, e.g. the host's name: announcement::is_valid_name(). Empty: its identifier
-  /// is its name.
+  /// The name that the team uses for this participant, e.g. the host's name: announcement::is_valid_name(). Empty: its
+  /// identifier is its name.
   std::string name;
   /// The same number in all incarnations of this participant, so that the next one takes the place of the last at once;
   /// 0: no identity lasts.
@@ -29,7 +29,7 @@ struct TeamSettings {
   sealing::Policy sealing;
 };
 
-/// What a participant announces of itself. Asked for when a datagram is made, since of many changes between two
+/// The state that a participant announces. Asked for when a datagram is made, since of many changes between two
 /// datagrams only the last counts.
 struct OwnState {
   std::function<std::uint64_t()> ontology_digest;

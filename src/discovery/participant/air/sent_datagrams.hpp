@@ -1,4 +1,4 @@
-// Remembers what was sent of late, so that a datagram in our name that is not ours is known for a lie.
+// The datagrams that were sent of late, so that one in our name that is not ours is known for a forgery.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_SENT_DATAGRAMS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_AIR_SENT_DATAGRAMS_HPP
 
@@ -9,18 +9,18 @@
 
 namespace geminga::participant {
 
-/// So many datagrams are remembered, which must last from sending one until its echo comes: fourteen copies of a state
-/// of 1000 services on two interfaces. A forgotten one costs a needless contradiction.
+/// Datagrams that are remembered: enough from sending one until its echo comes, for fourteen copies of a state of 1000
+/// services on two interfaces. A forgotten one costs a needless contradiction.
 inline constexpr std::size_t max_remembered_datagrams = 4096;
 
-/// Remembers 64 bits of each. They are keyed with random bits, so that nobody can make another datagram that has the
-/// same ones.
+/// Remembers a keyed hash of 64 bits of each. The key is random, so that nobody can make another datagram with the same
+/// hash.
 class SentDatagrams {
  public:
   explicit SentDatagrams(std::uint64_t key) : key_(key) {}
 
   void add(std::span<const std::byte> datagram);
-  /// Cost: one look at each that is remembered.
+  /// Cost: linear in what is remembered.
   [[nodiscard]] bool contains(std::span<const std::byte> datagram) const;
 
  private:

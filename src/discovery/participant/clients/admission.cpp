@@ -37,7 +37,7 @@ Refusal Admission::make_room(const Session& session) {
 /// has so many more.
 bool Admission::take_back_one(const Session& asking) {
   const auto most = std::ranges::max_element(sessions_.all, {}, [](const auto& entry) {
-    // What is on its way out goes first.
+    // Services of a peer that leaves go first.
     return std::pair(entry.second->is_leaving && entry.second->shared_count() > 0, entry.second->shared_count());
   });
   Session& greediest = *most->second;
@@ -50,11 +50,7 @@ bool Admission::take_back_one(const Session& asking) {
                                    [](const auto& entry) { return !entry.second.is_quiet; });
   const std::uint32_t number = std::max(greediest.publications.empty() ? 0 : greediest.publications.rbegin()->first,
                                         shared == greediest.subscriptions.rend() ? 0 : shared->first);
-  if (greediest.publications.contains(number)) {
-    own_.forget_publication(greediest, number);
-  } else {
-    own_.forget_subscription(greediest, number);
-  }
+  own_.forget(greediest, number);
   sessions_.refuse(
       greediest, number,
       {ErrorCode::too_many, "taken back: the peers of one host may have " + std::to_string(limits_.services) +

@@ -61,7 +61,7 @@ using Proceed = std::function<bool(Piece& piece)>;
 struct Answering {
   std::string kind;
   Proceed proceed;
-  Line end{};  ///< what `N msg end count=K` says beside the count
+  Line end{};  ///< of the line `N msg end count=K`, beside the count
   // Of the answer as a whole.
   std::uint32_t id = 0;
   std::size_t told = 0;

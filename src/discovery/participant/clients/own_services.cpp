@@ -11,7 +11,8 @@ ServiceKey OwnServices::key_of(const Session& session, std::uint32_t number) con
   return ServiceKey{.participant = self_.id, .peer = session.peer(), .number = number};
 }
 
-void OwnServices::enter(const Session& session, std::uint32_t number, const StatedPublication& stated) {
+void OwnServices::enter(const Session& session, std::uint32_t number, const StatedPublication& stated,
+                        matching::Matcher::Telling) {
   if (!stated.is_in_force) return;
   registry::PublicationEntry entry{.key = key_of(session, number),
                                    .publication = stated.service,
@@ -38,40 +39,32 @@ void OwnServices::enter(const Session& session, std::uint32_t number, const Stat
   is_changed_ |= !stated.is_quiet;
 }
 
-void OwnServices::withdraw_publication(const Session& session, std::uint32_t number, matching::Reason reason) {
+void OwnServices::withdraw(const Session& session, std::uint32_t number, const StatedPublication&,
+                           matching::Reason reason) {
   is_changed_ |= matcher_.remove_publication(key_of(session, number), reason);
 }
 
-void OwnServices::withdraw_subscription(const Session& session, std::uint32_t number, matching::Reason reason) {
-  const auto stated = session.subscriptions.find(number);
-  const bool is_quiet = stated != session.subscriptions.end() && stated->second.is_quiet;
-  is_changed_ |= matcher_.remove_subscription(key_of(session, number), reason) && !is_quiet;
+void OwnServices::withdraw(const Session& session, std::uint32_t number, const StatedSubscription& stated,
+                           matching::Reason reason) {
+  is_changed_ |= matcher_.remove_subscription(key_of(session, number), reason) && !stated.is_quiet;
 }
 
-void OwnServices::forget_publication(Session& session, std::uint32_t number) {
-  withdraw_publication(session, number, matching::Reason::withdrawn);
-  session.publications.erase(number);
+void OwnServices::forget(Session& session, std::uint32_t number) {
+  session.with_request(number,
+                       [&](const auto& stated) { withdraw(session, number, stated, matching::Reason::withdrawn); });
+  const auto quiet = session.subscriptions.find(number);
+  if (quiet != session.subscriptions.end() && quiet->second.is_quiet) --session.quiet;
   session.forget(number);
 }
 
-void OwnServices::forget_subscription(Session& session, std::uint32_t number) {
-  withdraw_subscription(session, number, matching::Reason::withdrawn);
-  session.quiet -= session.subscriptions.at(number).is_quiet ? 1 : 0;
-  session.subscriptions.erase(number);
-  session.forget(number);
-}
-
-void OwnServices::suspend(Session& session, std::uint32_t number, const StatedPublication& stated) {
+template <typename Stated>
+void OwnServices::suspend(Session& session, std::uint32_t number, const Stated& stated) {
   if (!stated.is_in_force) return;
   telling_.tell_gone(session, number, matching::Reason::changed);
-  withdraw_publication(session, number, matching::Reason::changed);
+  withdraw(session, number, stated, matching::Reason::changed);
 }
-
-void OwnServices::suspend(Session& session, std::uint32_t number, const StatedSubscription& stated) {
-  if (!stated.is_in_force) return;
-  telling_.tell_gone(session, number, matching::Reason::changed);
-  withdraw_subscription(session, number, matching::Reason::changed);
-}
+template void OwnServices::suspend(Session&, std::uint32_t, const StatedPublication&);
+template void OwnServices::suspend(Session&, std::uint32_t, const StatedSubscription&);
 
 bool OwnServices::is_small(const Session& session) const {
   return session.service_count() * sessions_.service_count() <= max_pairs_at_once;
@@ -90,15 +83,14 @@ void OwnServices::withdraw_all(Session& session) {
 
 void OwnServices::withdraw_one(Session& session) {
   if (!session.subscriptions.empty()) {
-    forget_subscription(session, session.subscriptions.rbegin()->first);
+    forget(session, session.subscriptions.rbegin()->first);
   } else if (!session.publications.empty()) {
-    forget_publication(session, session.publications.rbegin()->first);
+    forget(session, session.publications.rbegin()->first);
   }
 }
 
 void OwnServices::rename(Session& session) {
-  for (const auto& [number, stated] : session.publications) session.to_rename.insert(number);
-  for (const auto& [number, stated] : session.subscriptions) session.to_rename.insert(number);
+  session.for_each_request([&](std::uint32_t number, const auto&) { session.to_rename.insert(number); });
   if (!is_small(session)) return;
   while (!session.to_rename.empty()) rename_one(session);
 }
@@ -106,19 +98,14 @@ void OwnServices::rename(Session& session) {
 void OwnServices::rename_one(Session& session) {
   const std::uint32_t number = *session.to_rename.begin();
   session.to_rename.erase(session.to_rename.begin());
-  if (const auto one = session.publications.find(number); one != session.publications.end()) {
-    enter(session, number, one->second);
-  }
-  if (const auto one = session.subscriptions.find(number); one != session.subscriptions.end()) {
-    enter(session, number, one->second);
-  }
+  session.with_request(number, [&](const auto& stated) { enter(session, number, stated); });
 }
 
 void OwnServices::list_returning() {
   returning_.clear();
   for (const auto& [stream, session] : sessions_.all) {
-    for (const auto& [number, stated] : session->publications) returning_.push_back({stream, number});
-    for (const auto& [number, stated] : session->subscriptions) returning_.push_back({stream, number});
+    session->for_each_request(
+        [&, at = stream](std::uint32_t number, const auto&) { returning_.push_back({at, number}); });
   }
   std::ranges::reverse(returning_);
 }
@@ -131,26 +118,19 @@ bool OwnServices::return_next() {
   if (session == nullptr) return true;
   work_.add(cost_of_statement);
   telling_.tell_gone(*session, number, matching::Reason::renamed);
-  if (const auto one = session->publications.find(number); one != session->publications.end()) {
-    enter(*session, number, one->second);
-    if (one->second.is_in_force) session->resyncs[number] = {};
-  }
-  if (const auto one = session->subscriptions.find(number); one != session->subscriptions.end()) {
-    enter(*session, number, one->second, matching::Matcher::Telling::providers);
-    if (one->second.is_in_force) session->resyncs[number] = {};
-  }
+  session->with_request(number, [&, id = number](const auto& stated) {
+    enter(*session, id, stated, matching::Matcher::Telling::providers);
+    if (stated.is_in_force) session->resyncs[id] = {};
+  });
   return true;
 }
 
 void OwnServices::list_for_restating(bool is_of_all) {
   restated_.clear();
   for (const auto& [stream, session] : sessions_.all) {
-    for (const auto& [number, stated] : session->publications) {
-      if (is_of_all || stated.is_awaited) restated_.push_back({stream, number});
-    }
-    for (const auto& [number, stated] : session->subscriptions) {
-      if (is_of_all || stated.is_awaited) restated_.push_back({stream, number});
-    }
+    session->for_each_request([&, at = stream](std::uint32_t number, const auto& stated) {
+      if (is_of_all || stated.is_awaited) restated_.push_back({at, number});
+    });
   }
   std::ranges::reverse(restated_);
 }
@@ -162,33 +142,30 @@ bool OwnServices::restate_next() {
   Session* session = sessions_.find(stream);
   if (session == nullptr) return true;
   work_.add(cost_of_statement);
-  if (const auto one = session->publications.find(number); one != session->publications.end()) {
-    StatedPublication& stated = one->second;
-    const bool is_known = resolve_again(*session, number, stated, stated.service);
-    if (self_.is_claimed() && is_known) enter(*session, number, stated);
-    if (self_.is_claimed() && !is_known) withdraw_publication(*session, number, matching::Reason::changed);
-  }
-  if (const auto one = session->subscriptions.find(number); one != session->subscriptions.end()) {
-    StatedSubscription& stated = one->second;
-    const bool is_known = resolve_again(*session, number, stated, stated.service);
-    if (self_.is_claimed() && is_known) enter(*session, number, stated);
-    if (self_.is_claimed() && !is_known) withdraw_subscription(*session, number, matching::Reason::changed);
-  }
+  session->with_request(number, [&, id = number](auto& stated) {
+    const bool is_known = resolve_again(*session, id, stated);
+    if (!self_.is_claimed()) return;
+    if (is_known) {
+      enter(*session, id, stated);
+    } else {
+      withdraw(*session, id, stated, matching::Reason::changed);
+    }
+  });
   return true;
 }
 
 /// Sets the identity that the ontology gives to the names. False where it does not know them, or is not prepared for
 /// them yet; then the peer was told.
-template <typename Stated, typename Service>
-bool OwnServices::resolve_again(Session& session, std::uint32_t number, Stated& stated, Service& service) {
+template <typename Stated>
+bool OwnServices::resolve_again(Session& session, std::uint32_t number, Stated& stated) {
   const bool must_tell = stated.is_in_force || stated.is_awaited;
   auto identity = std::is_same_v<Stated, StatedSubscription> ? resolver_.resolve_asked(stated.named)
                                                              : resolver_.resolve_offered(stated.named);
   Refusal refusal;
   if (identity) {
-    service.identity = std::move(*identity);
-    refusal = announcement::check(service);  // full IRIs may be longer than what can be announced
-    if (!refusal) refusal = resolver_.check_conditions(service);
+    stated.service.identity = std::move(*identity);
+    refusal = announcement::check(stated.service);  // full IRIs may be longer than what can be announced
+    if (!refusal) refusal = resolver_.check_conditions(stated.service);
   } else {
     refusal = identity.error();
   }

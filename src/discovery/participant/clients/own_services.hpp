@@ -39,17 +39,17 @@ class OwnServices {
         telling_(telling),
         work_(work) {}
 
-  /// Enters a statement that is in force, or its change, into the registry.
-  void enter(const Session& session, std::uint32_t number, const StatedPublication& stated);
+  /// Enters a statement that is in force, or its change, into the registry. `telling` is about a subscription.
+  void enter(const Session& session, std::uint32_t number, const StatedPublication& stated,
+             matching::Matcher::Telling telling = matching::Matcher::Telling::all);
   void enter(const Session& session, std::uint32_t number, const StatedSubscription& stated,
              matching::Matcher::Telling telling = matching::Matcher::Telling::all);
   /// Puts a statement out of force until the ontology is there. The peer is told that everything it was told of is
   /// gone, and keeps its request.
-  void suspend(Session& session, std::uint32_t number, const StatedPublication& stated);
-  void suspend(Session& session, std::uint32_t number, const StatedSubscription& stated);
+  template <typename Stated>
+  void suspend(Session& session, std::uint32_t number, const Stated& stated);
   /// Withdraws a service, and forgets all that is known of it here.
-  void forget_publication(Session& session, std::uint32_t number);
-  void forget_subscription(Session& session, std::uint32_t number);
+  void forget(Session& session, std::uint32_t number);
 
   /// Whether all services of the peer may change at once.
   [[nodiscard]] bool is_small(const Session& session) const;
@@ -90,10 +90,11 @@ class OwnServices {
   };
 
   [[nodiscard]] ServiceKey key_of(const Session& session, std::uint32_t number) const;
-  void withdraw_publication(const Session& session, std::uint32_t number, matching::Reason reason);
-  void withdraw_subscription(const Session& session, std::uint32_t number, matching::Reason reason);
-  template <typename Stated, typename Service>
-  bool resolve_again(Session& session, std::uint32_t number, Stated& stated, Service& service);
+  void withdraw(const Session& session, std::uint32_t number, const StatedPublication& stated, matching::Reason reason);
+  void withdraw(const Session& session, std::uint32_t number, const StatedSubscription& stated,
+                matching::Reason reason);
+  template <typename Stated>
+  [[nodiscard]] bool resolve_again(Session& session, std::uint32_t number, Stated& stated);
 
   const env::Env& env_;
   const Self& self_;

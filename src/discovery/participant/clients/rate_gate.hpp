@@ -1,4 +1,4 @@
-// Counts what one client says in a second and tells when that is too much.
+// A rate gate counts the statements of one client in a second, and says when they are too many.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_RATE_GATE_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_RATE_GATE_HPP
 

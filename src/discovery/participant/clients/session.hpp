@@ -1,4 +1,4 @@
-// One connected peer: its name, what it stated, what it was told, and what it still waits for.
+// A session: one connected peer, its statements, what it was told, and what it waits for.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_SESSION_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_SESSION_HPP
 
@@ -25,12 +25,12 @@
 
 namespace geminga::participant {
 
-/// A publication as its peer stated it. The names stay, so that another ontology can resolve them anew.
+/// A publication as its peer stated it. The names are kept, so that another ontology can resolve them anew.
 struct StatedPublication {
   NamedIdentity named;
   Publication service;      ///< its identity is resolved while it is in force; the address is the stated one
   bool is_in_force = true;  ///< false: the loaded ontology does not know its names, or there is none yet
-  bool is_awaited = false;  ///< not in force, and nobody has told its peer why: the ontology is not ready
+  bool is_awaited = false;  ///< not in force because the ontology is not ready; its peer has not been told
 };
 
 struct StatedSubscription {
@@ -52,7 +52,7 @@ class Session {
 
   /// "peer-N" until the peer says hello with a name.
   std::string name;
-  /// Who runs the peer, where the system tells; else empty.
+  /// The user who runs the peer, where the system tells; else empty.
   const std::string user;
   gcnp::LineReader reader;
   RateGate gate;
@@ -97,8 +97,22 @@ class Session {
   [[nodiscard]] Work used(base::Instant now) const;
   void use(Work work, base::Instant now);
 
-  /// A request of the peer is over: nothing is left to tell of it.
+  /// Calls `what` with the number and the statement of each request.
+  template <typename What>
+  void for_each_request(const What& what) const {
+    for (const auto& [number, stated] : publications) what(number, stated);
+    for (const auto& [number, stated] : subscriptions) what(number, stated);
+  }
+  /// Calls `what` with the statement of this number, if there is one.
+  template <typename What>
+  void with_request(std::uint32_t number, const What& what) {
+    if (const auto one = publications.find(number); one != publications.end()) what(one->second);
+    if (const auto one = subscriptions.find(number); one != subscriptions.end()) what(one->second);
+  }
+  /// A request of the peer is over: nothing is left of it here.
   void forget(std::uint32_t number) {
+    publications.erase(number);
+    subscriptions.erase(number);
     told.erase(number);
     resyncs.erase(number);
     to_rename.erase(number);

@@ -159,7 +159,7 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubModify
 
 Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubRemove&) {
   if (!session.publications.contains(id)) return unknown_request(id, "publication", session.subscriptions.contains(id));
-  own_.forget_publication(session, id);
+  own_.forget(session, id);
   return std::nullopt;
 }
 
@@ -209,7 +209,7 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubRemove
   if (!session.subscriptions.contains(id)) {
     return unknown_request(id, "subscription", session.publications.contains(id));
   }
-  own_.forget_subscription(session, id);
+  own_.forget(session, id);
   return std::nullopt;
 }
 

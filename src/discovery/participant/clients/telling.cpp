@@ -13,7 +13,7 @@
 
 namespace geminga::participant {
 
-/// What one event says about one pair. `match` is meaningful for what is there.
+/// One event about one pair. `match` is meaningful unless it is a del.
 struct Telling::News {
   Change change = Change::add;
   ServiceKey about;

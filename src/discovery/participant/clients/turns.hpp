@@ -1,4 +1,4 @@
-// Turns: whose statement, answer or resync is next, so that no event does more than a bounded part of it all.
+// Turns: the order in which clients are served, so that no event does more than a bounded part of their work.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_TURNS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_TURNS_HPP
 
@@ -20,7 +20,7 @@ namespace geminga::participant {
 
 class Turns {
  public:
-  /// What it takes turns with. All are borrowed for its life.
+  /// The parts that it works with. All are borrowed for its life.
   struct Parts {
     env::Env& env;
     const ClientLimits& limits;

@@ -1,4 +1,4 @@
-// The class expressions that are asked for, by own peers and on the air, each with its place in the vocabulary in
+// The class expressions that own peers and participants on the air ask for, each with its place in the vocabulary in
 // force.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_EXPRESSIONS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_EXPRESSIONS_HPP
@@ -20,39 +20,38 @@
 
 namespace geminga::participant {
 
-/// Places that are remembered; beyond it the one that was not asked for longest is classified anew when it comes again.
+/// Places that are remembered. Beyond it the least recently used is forgotten, and classified anew when it comes again.
 inline constexpr std::size_t max_remembered_expressions = 1024;
-/// New expressions of one other participant, and of all of them together, that are classified in one second. What is
-/// over it waits, unmatched, until something is heard in a later second.
+/// New expressions of one other participant, and of all of them together, that are classified in one second.
+/// Expressions over it wait, unmatched, until something is heard in a later second.
 inline constexpr std::size_t max_expressions_of_participant = 8;
 inline constexpr std::size_t max_expressions_from_air = 32;
 /// A peer's expression that had to be classified counts as so many statements (Limits::statements_per_second).
 inline constexpr std::size_t statements_per_expression = 100;
 
-/// Has expressions placed by the vocabulary that it is given, and remembers where they stand until that is of another
-/// ontology. What a vocabulary needs for it is made elsewhere, and asked for when the first expression comes. Not
-/// thread-safe.
+/// Has expressions placed by the vocabulary that it is given, and remembers their places until the vocabulary is of
+/// another ontology. A vocabulary is prepared for that elsewhere, when the first expression comes. Not thread-safe.
 class Expressions {
  public:
   using Place = std::shared_ptr<const vocabulary::Place>;
   using Vocabulary = vocabulary::Vocabulary;
 
-  /// Whether an expression has come since this ontology is in force.
+  /// Whether an expression has come while this ontology is in force.
   [[nodiscard]] bool is_used(const Vocabulary& vocabulary) const { return is_used_ && ontology_.is_of(vocabulary); }
-  /// Whether one has come, and the vocabulary is yet to be prepared for it.
+  /// Whether one has come, and the vocabulary is not prepared for it yet.
   [[nodiscard]] bool is_waiting(const Vocabulary& vocabulary) const {
     return is_used(vocabulary) && !vocabulary.is_prepared();
   }
 
-  /// What a peer's expression is asked for as: the full IRI of the class that it is equivalent to, or its canonical
-  /// text. 422 where it cannot be read or can have no instance, or the ontology is too large; 413 over a limit; 503
-  /// while is_waiting(). Requires an ontology.
+  /// The concept that a peer's expression stands for: the full IRI of the class that it is equivalent to, or its
+  /// canonical text. 422 where it cannot be read or can have no instance, or the ontology is too large; 413 over a
+  /// limit; 503 while is_waiting(). Requires an ontology.
   [[nodiscard]] std::expected<std::string, Error> resolve(const Vocabulary& vocabulary, std::string_view text);
-  /// Where a canonical text stands; null where it is unknown here, can have no instance, or must wait. `from` is null
-  /// for our own; its text is one that resolve() gave.
+  /// The place of a canonical text; null where it is unknown here, can have no instance, or must wait. `from` is null
+  /// for one of our own, whose text resolve() gave.
   [[nodiscard]] Place place(const Vocabulary& vocabulary, const std::string& canonical,
                             std::optional<ParticipantId> from, base::Instant now);
-  /// Whether something from the air waits and a new second has begun; it is to be asked for again then.
+  /// Whether an expression from the air waits and a new second has begun. Then it is to be asked for again.
   [[nodiscard]] bool take_waiting(const Vocabulary& vocabulary, base::Instant now);
 
   struct Counts {
@@ -73,7 +72,7 @@ class Expressions {
   [[nodiscard]] bool take_quota(ParticipantId from, base::Instant now);
   Place remember(const std::string& canonical, Place place);
 
-  vocabulary::OntologyMark ontology_;  ///< that the rest of this is about
+  vocabulary::OntologyMark ontology_;  ///< the one that all below is about
   bool is_used_ = false;
   std::map<std::string, Remembered, std::less<>> remembered_;
   std::uint64_t uses_ = 0;

@@ -16,7 +16,7 @@ std::optional<NeighbourQueue::Service> NeighbourQueue::service_of(const membersh
         } else {
           constexpr bool is_publication =
               std::is_same_v<One, membership::PutPublication> || std::is_same_v<One, membership::RemovePublication>;
-          return Service{one.key, is_publication ? Kind::publication : Kind::subscription};
+          return Service{one.key, is_publication ? Side::publication : Side::subscription};
         }
       },
       change);
@@ -35,7 +35,7 @@ void NeighbourQueue::push(membership::Change change) {
 
 void NeighbourQueue::drop_all_of(ParticipantId participant) {
   auto at =
-      of_service_.lower_bound({ServiceKey{.participant = participant, .peer = {}, .number = 0}, Kind::publication});
+      of_service_.lower_bound({ServiceKey{.participant = participant, .peer = {}, .number = 0}, Side::publication});
   while (at != of_service_.end() && at->first.first.participant == participant) {
     changes_.erase(at->second);
     at = of_service_.erase(at);

@@ -34,7 +34,7 @@ class OntologyChange {
   /// Whether step() has something to do.
   [[nodiscard]] bool is_under_way() const { return stage_ != Stage::none; }
 
-  /// What a step leaves to the owner of the statements of our peers.
+  /// Work of a step that is left to the owner of our peers' statements.
   enum class Due : std::uint8_t {
     nothing,
     came_into_force,  ///< answers under way are about the former ontology, and the digest is another one

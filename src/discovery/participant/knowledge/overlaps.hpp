@@ -1,5 +1,5 @@
-// Which concepts have instances in common with what is asked for, as the reasoner says; asked a little at a time, and
-// remembered.
+// Overlaps: which concepts can have instances in common with what is asked for. The reasoner decides; a few questions
+// are asked at a time, and the answers remembered.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_OVERLAPS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_OVERLAPS_HPP
 
@@ -18,15 +18,15 @@
 
 namespace geminga::participant {
 
-/// Answers that are remembered, each about one concept that is offered and what is asked for. Beyond it all those about
-/// the one that was not asked for longest are forgotten, and decided anew when they are needed.
+/// Answers that are remembered, each about one offered concept and one request. Beyond it all answers about the least
+/// recently used request are forgotten, and decided anew when they are needed.
 inline constexpr std::size_t max_remembered_overlaps = 32'768;
-/// Of these, those about one request. Whether further concepts overlap with it is undecided.
+/// Answers about one request. Whether further concepts overlap with it is undecided.
 inline constexpr std::size_t max_overlaps_of_request = 8'192;
-/// Questions that are decided in one step, between which others have their turns. What is over it waits, unmatched.
+/// Questions that are decided in one step, between which others have their turns. Questions over it wait, unmatched.
 inline constexpr std::size_t max_overlaps_in_step = 4;
-/// Questions because of requests of one other participant, and of all of them together, in one second. What is over it
-/// waits, unmatched, until something happens in a later second.
+/// Questions because of requests of one other participant, and of all of them together, in one second. Questions over
+/// it wait, unmatched, until something happens in a later second.
 inline constexpr std::size_t max_overlaps_of_participant = 16;
 inline constexpr std::size_t max_overlaps_from_air = 64;
 /// A question that a peer's statement asks counts as so many statements (Limits::statements_per_second).
@@ -41,25 +41,25 @@ class Overlaps {
   [[nodiscard]] matching::OverlapAnswer answer(const Vocabulary& vocabulary, vocabulary::ClassNumber offered,
                                                const SemanticIdentity& requested, const matching::Classes& classes,
                                                std::optional<ParticipantId> from, base::Instant now);
-  /// Another max_overlaps_in_step may be decided.
+  /// Allows another max_overlaps_in_step questions.
   void begin_step() { left_ = max_overlaps_in_step; }
-  /// Whether something waits that may be asked for again now.
+  /// Whether a question waits that may be asked again now.
   [[nodiscard]] bool take_waiting(base::Instant now);
 
   struct Counts {
     std::uint64_t decided = 0;    ///< questions that the reasoner was asked
     std::uint64_t undecided = 0;  ///< of these: it could not tell
-    std::uint64_t postponed = 0;  ///< how often no answer was given, for it was to wait
+    std::uint64_t postponed = 0;  ///< how often a question had to wait
   };
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
  private:
-  /// About one thing that is asked for.
+  /// Answers about one request.
   struct Answers {
     std::map<vocabulary::ClassNumber, matching::OverlapAnswer> by_offer;
     std::uint64_t used = 0;
   };
-  /// By one ontology. While one takes the place of another, both are at work.
+  /// Answers by one ontology. While one takes the place of another, both are at work.
   struct Memory {
     vocabulary::OntologyMark ontology;
     std::map<std::string, Answers, std::less<>> by_request;
@@ -76,7 +76,7 @@ class Overlaps {
   std::uint64_t uses_ = 0;
   std::size_t left_ = max_overlaps_in_step;
   bool is_waiting_ = false;
-  std::optional<base::Instant> waiting_since_;  ///< something from the air, for a later second
+  std::optional<base::Instant> waiting_since_;  ///< since when a question from the air waits for a later second
   RemoteQuota quota_{max_overlaps_of_participant, max_overlaps_from_air};
   Counts counts_;
 };

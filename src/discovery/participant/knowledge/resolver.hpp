@@ -1,4 +1,4 @@
-// What our peers state, resolved by the ontology in force: identities, and the units of conditions.
+// The resolver: what our peers state, by the ontology in force. Identities, and the units of conditions.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_RESOLVER_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_RESOLVER_HPP
 

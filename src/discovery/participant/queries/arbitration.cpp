@@ -19,7 +19,7 @@ struct RankWords {
   std::size_t place = 0;
   std::size_t candidates = 0;
   std::uint32_t limit = 0;
-  std::size_t settled = 0;  ///< where those that were there first and rank behind it keep their places
+  std::size_t settled = 0;  ///< its place where those that were there first and rank behind it keep theirs
   [[nodiscard]] std::string text() const {
     return "it ranks " + std::to_string(place) + " of " + std::to_string(candidates) +
            (settled > place ? ", and " + std::to_string(settled) + " behind those that were there first" : "") +
@@ -32,7 +32,7 @@ std::string mend_of(std::size_t place) {
          ", or with favour, prefer or rank so that it is ahead";
 }
 
-/// How many that the consumer has keep their places against one with this rank, though they rank behind it.
+/// The number of chosen offers that rank behind this rank and keep their places against it.
 std::size_t kept_behind(const matching::Matcher& matcher, const Asked& asked, const matching::Rank& rank) {
   auto chosen = asked.entry.subscription.chosen;
   if (chosen.empty()) chosen = matcher.chosen(asked.entry.key);
@@ -43,13 +43,13 @@ std::size_t kept_behind(const matching::Matcher& matcher, const Asked& asked, co
   }));
 }
 
-/// By its identity; the rest of an offer that meets the request does not matter here.
+/// The match by identity; the rest of an offer that meets the request does not matter here.
 std::optional<matching::Match> match_of(const matching::Matcher& matcher, const Asked& asked,
                                         const PublicationEntry& offer) {
   return matcher.examine(asked.entry, *asked.request, offer).match;
 }
 
-/// By what the rival is ahead; empty where it is by its key alone.
+/// The criterion by which the rival is ahead; empty where it is the key alone.
 std::string lead_of(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& rival,
                     const PublicationEntry& offer) {
   const auto better = match_of(matcher, asked, rival);
@@ -90,7 +90,7 @@ Check outranked_known(const matching::Matcher& matcher, const Asked& asked, cons
   return refused(Obstacle::incumbent, std::move(text), place);
 }
 
-/// Against what a consumer has already. The last that it has must be pushed out.
+/// A newcomer against what a consumer has already: it must be better than the last of these.
 Check against_incumbent(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
                         const matching::Rank& rank, const PublicationEntry& incumbent, RankWords words_of_rank) {
   const auto match = match_of(matcher, asked, incumbent);
@@ -113,7 +113,7 @@ Check against_incumbent(const matching::Matcher& matcher, const Asked& asked, co
   return refused(Obstacle::incumbent, text + ", which was there first and is no worse", place);
 }
 
-/// Of two that are known to the matcher.
+/// A pair that the matcher knows.
 Check check_known(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
                   const Standing& standing, const matching::Rank& rank) {
   RankWords words_of_rank{
@@ -131,7 +131,7 @@ Check check_known(const matching::Matcher& matcher, const Asked& asked, const Pu
   return {"arbitration", Obstacle::none, std::move(text)};
 }
 
-/// Where at least one side is stated by nobody.
+/// A pair of which at least one side is stated by nobody.
 Check check_imagined(const matching::Matcher& matcher, const Survey& survey, const PublicationEntry& offer,
                      const matching::Rank& rank, bool is_offer_living) {
   const Asked& asked = survey.asked();

@@ -20,12 +20,12 @@ using matching::Obstacle;
 using registry::PublicationEntry;
 using registry::SubscriptionEntry;
 
-/// Octets of the words that say what is missing.
+/// The longest sentence about what is missing, in octets.
 constexpr std::size_t max_nearest_bytes = 2000;
 
 constexpr const char* newer_elsewhere = "another host knows more of scopes and conditions: update a whole team";
 
-/// The request with everything taken away but one aspect, so that each can be judged by itself.
+/// The request without its restrictions, so that each aspect can be judged by itself.
 SubscriptionEntry only(const SubscriptionEntry& request, const PublicationEntry& offer) {
   SubscriptionEntry one = request;
   one.subscription.mode = offer.publication.mode;
@@ -43,7 +43,7 @@ SubscriptionEntry only(const SubscriptionEntry& request, const PublicationEntry&
   return one;
 }
 
-/// The offer to everybody.
+/// The offer without restrictions on who may take it.
 PublicationEntry for_all(const PublicationEntry& offer) {
   PublicationEntry one = offer;
   one.publication.scope.clear();
@@ -62,7 +62,7 @@ Check check_mode(const Asked& asked, const PublicationEntry& offer) {
           "ask with mode=" + offers + ", or offer it with mode=" + std::string(to_string(wanted))};
 }
 
-/// What is missing where two known concepts do not match; empty where that is not what is wrong.
+/// The axioms that are missing for two known concepts to match; empty where the concepts are not the obstacle.
 std::string nearest(const matching::Matcher& matcher, const SubscriptionEntry& request, const PublicationEntry& offer) {
   const auto* asked = semantic(request.subscription.identity);
   const auto* offered = semantic(offer.publication.identity);
@@ -81,7 +81,7 @@ void append_axiom(const std::string& axiom, std::string& proof) {
   if (proof.size() + line.size() + 1 <= max_proof_bytes) proof += (proof.empty() ? "" : "\n") + line;
 }
 
-/// Adds the axioms by which the first name is below the second; nothing where they are one, or it is not.
+/// Adds the axioms by which the first name is below the second; none where the names are equal or it is not below.
 void add_proof(const matching::Matcher& matcher, const std::string& sub_iri, const std::string& super_iri,
                std::string& proof) {
   if (sub_iri == super_iri) return;
@@ -94,7 +94,7 @@ void add_proof(const matching::Matcher& matcher, const std::string& sub_iri, con
   for (const auto& axiom : explanation->axioms) append_axiom(axiom.text, proof);
 }
 
-/// Why the degree is what it is: below what is asked for, or for a broader one above.
+/// The axioms that prove the degree: that the offer is below the request, or above it where the degree is broader.
 std::string proof_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested) {
   const auto* offer = semantic(offered);
   const auto* request = semantic(requested);
@@ -112,7 +112,7 @@ std::string proof_of(const matching::Matcher& matcher, const Identity& offered, 
   return proof;
 }
 
-/// The axioms by which nothing can be both.
+/// The axioms that prove that nothing can be both.
 std::string exclusion_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
                          const matching::Request& request) {
   const auto& vocabulary = matcher.vocabulary();
@@ -138,7 +138,7 @@ bool may_overlap(const matching::Matcher& matcher, const Identity& offered, cons
   return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
-/// ", by A>B, cost 1" and who does it where the representation is converted.
+/// ", by A>B, cost 1", and the converters, where the representation is converted.
 std::string conversion_of(const matching::Matcher& matcher, const vocabulary::Chain* chain,
                           const matching::Match& match) {
   if (match.cost == 0) return "";
@@ -146,7 +146,7 @@ std::string conversion_of(const matching::Matcher& matcher, const vocabulary::Ch
          (chain == nullptr || chain->via.empty() ? "" : ", via " + chain->via);
 }
 
-/// What inputs and outputs make of it, where the request states any and they suit.
+/// The degree with inputs and outputs, where the request states any and they suit.
 std::string with_signature(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   if (!asked.request->signature) return "";
   const auto finding = matcher.examine(asked.entry, *asked.request, offer);
@@ -231,7 +231,7 @@ Check check_where(const matching::Matcher& matcher, const Asked& asked, const Pu
           is_readable ? "ask for less in where, or offer what it asks for" : newer_elsewhere};
 }
 
-/// The scopes of both.
+/// Checks the scopes of both.
 Check check_scope(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.scope = asked.entry.subscription.scope;
@@ -244,7 +244,7 @@ Check check_scope(const matching::Matcher& matcher, const Asked& asked, const Pu
           is_readable ? "widen that scope, or leave it out" : newer_elsewhere};
 }
 
-/// The provider's condition.
+/// Checks the provider's condition.
 Check check_for(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   PublicationEntry other = offer;
   other.publication.scope.clear();
@@ -256,7 +256,7 @@ Check check_for(const matching::Matcher& matcher, const Asked& asked, const Publ
       is_readable ? "state in the request what the provider asks for, or ask for less in its for" : newer_elsewhere};
 }
 
-/// Only where the request states what it gives or needs.
+/// Checks inputs and outputs; only for a request that states any.
 Check check_signature(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.attributes = asked.entry.subscription.attributes;

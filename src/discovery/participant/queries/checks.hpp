@@ -1,4 +1,4 @@
-// One pair of request and offer, aspect by aspect, in words: what `query why` says of it.
+// Checks of one pair of request and offer, aspect by aspect, in the words of `query why`.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_CHECKS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_CHECKS_HPP
 
@@ -24,45 +24,46 @@ struct Asked {
   bool is_living = true;
 };
 
-/// What was found out about one aspect.
+/// The finding about one aspect.
 struct Check {
   std::string_view what;
   matching::Obstacle obstacle = matching::Obstacle::none;
   std::string text;
-  std::string mend{};   ///< what would mend it; empty where it is well
-  std::string proof{};  ///< the axioms that say so, one a line
+  std::string mend{};   ///< advice; empty where the aspect is ok
+  std::string proof{};  ///< the axioms that prove it, one a line
   [[nodiscard]] bool is_ok() const { return obstacle == matching::Obstacle::none; }
 };
 
-/// How much is searched for a check of the identity.
+/// The effort for a check of the identity.
 enum class Depth : std::uint8_t {
-  words,   ///< only what is known already
-  search,  ///< the axioms that say so, or what is missing: milliseconds
+  words,   ///< nothing is searched for
+  search,  ///< the axioms that prove it, or what is missing; takes milliseconds
 };
 
-/// What a search for the axioms counts as, in entries.
+/// The work of a search for axioms, in entries.
 inline constexpr std::size_t cost_of_proof = 2000;
-/// Octets of the axioms that are told; those behind are left out.
+/// Octets of the axioms that are told; the rest is left out.
 inline constexpr std::size_t max_proof_bytes = 4096;
 
 /// The identity as a user would write it.
 [[nodiscard]] std::string words(const vocabulary::Vocabulary& vocabulary, const Identity& identity);
 
-/// How what is offered is turned into what is asked for, whether that is accepted or not; null where nothing does.
+/// The chain that converts an offer into what is asked for, whether that is accepted or not; null where there is none.
 [[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& matcher, const Asked& asked,
                                                                 const registry::PublicationEntry& offer);
 
-/// Mode, identity, provider, protocol, condition, and where there are any the scopes and the provider's condition.
+/// Checks mode, identity, provider, protocol and condition, and, where there are any, the scopes, the provider's
+/// condition and the signature.
 [[nodiscard]] std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& asked,
                                            const registry::PublicationEntry& offer, Depth depth);
-/// The first of them that stands in the way: identity, mode, protocol, provider, scope, condition, the provider's
-/// condition. Nothing where none does.
+/// The first failed check, in the order identity, mode, protocol, provider, scope, condition, the provider's condition,
+/// signature, arbitration; null where none failed.
 [[nodiscard]] const Check* first_obstacle(const std::vector<Check>& checks);
-/// What was found about a pair that does not meet, with the sentence of its first obstacle.
+/// The check that fails first for a pair that does not meet.
 [[nodiscard]] Check misfit_of(const matching::Matcher& matcher, const Asked& asked,
                               const registry::PublicationEntry& offer, matching::Obstacle obstacle);
 
-/// Appends `check ok text`, and where they say something `code mend proof`.
+/// Appends `check ok text`, and those of `code mend proof` that are not empty.
 void append_check(Line& line, const Check& check);
 
 }  // namespace geminga::participant

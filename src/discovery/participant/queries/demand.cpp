@@ -79,9 +79,6 @@ void Demand::look(const SubscriptionEntry& request, matching::Finding finding) {
     return;
   }
   nearest_.consider(request.key, request.subscription.identity, finding);
-  if (!finding.is_near()) return;
-  misfits_.insert({request.key, finding});
-  if (misfits_.size() > max_told_misfits) misfits_.erase(std::prev(misfits_.end()));
 }
 
 /// A newcomer must be better than the last that is chosen.

@@ -1,5 +1,4 @@
-// A look at everything that is asked for, for one offer: who takes it, who would but has better ones, and what comes
-// nearest.
+// A demand: a look at all requests, for one offer. Which take it, which have better ones, and which come nearest.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_DEMAND_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_DEMAND_HPP
 
@@ -14,11 +13,12 @@
 
 namespace geminga::participant {
 
-/// Of so many requests that an offer meets and whose choice is not known here the offers are ranked, to say whether it
-/// is among the best. Those behind them count as taking it not.
+/// Requests whose choice is not known here and for which the offers are ranked, to say whether this one is among the
+/// best. Further ones count as not taking it.
 inline constexpr std::size_t max_ranked_requests = 64;
 
-/// Walks all subscriptions piece by piece, one judgement each, then the offers for those whose choice is not known.
+/// Walks all subscriptions piece by piece, with one judgement each, then the offers for those whose choice is not
+/// known.
 class Demand {
  public:
   /// Borrows both for its life.
@@ -29,9 +29,9 @@ class Demand {
   bool proceed(Piece& piece);
 
   [[nodiscard]] const Offered& offer() const { return offer_; }
-  /// The offer as this request is to be compared with it.
+  /// The offer as it is compared with this request: in its mode where it has none.
   [[nodiscard]] registry::PublicationEntry offer_for(const registry::SubscriptionEntry& request) const;
-  /// How many requests were looked at, how many the offer meets, and how many of these take it.
+  /// The number of requests that were looked at, of those that the offer meets, and of those that take it.
   [[nodiscard]] std::size_t seen() const { return seen_; }
   [[nodiscard]] std::size_t matching() const { return matching_; }
   [[nodiscard]] std::size_t taken() const { return taken_; }
@@ -39,8 +39,7 @@ class Demand {
   [[nodiscard]] const std::vector<ServiceKey>& takers() const { return takers_; }
   /// The first few of those that it meets and that have better ones.
   [[nodiscard]] const std::vector<ServiceKey>& others() const { return others_; }
-  /// The nearest of those that it does not meet and whose concept fits at least, or whose text nearly.
-  [[nodiscard]] const std::set<Misfit>& misfits() const { return misfits_; }
+  /// The requests that come near without meeting.
   [[nodiscard]] const Nearest& nearest() const { return nearest_; }
 
  private:
@@ -62,11 +61,10 @@ class Demand {
   std::vector<ServiceKey> others_;
   std::vector<ServiceKey> undecided_;  ///< the last is next
   std::optional<Survey> survey_;       ///< for the last of them
-  std::set<Misfit> misfits_;
   Nearest nearest_;
 };
 
-/// The rank of an offer that meets a request. What nobody offers is behind all others that are as good.
+/// The rank of an offer that meets a request. One that nobody offers ranks behind all others that are as good.
 [[nodiscard]] matching::Rank rank_of(const Asked& asked, const Offered& offer, const matching::Match& match);
 
 }  // namespace geminga::participant

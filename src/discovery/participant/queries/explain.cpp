@@ -7,9 +7,9 @@
 namespace geminga::participant {
 namespace {
 
-/// A minimal explanation is searched for, which takes milliseconds where a look-up takes microseconds.
+/// The search for a minimal explanation, in entries: it takes milliseconds where a look-up takes microseconds.
 constexpr std::size_t explanation_work = 2000;
-/// Of `text`; a line of GCNP holds more.
+/// The longest `text`; a line of GCNP holds more.
 constexpr std::size_t max_reason_bytes = 16'384;
 
 std::expected<vocabulary::ClassNumber, Error> find(const vocabulary::Vocabulary& vocabulary, std::string_view key,
@@ -20,7 +20,7 @@ std::expected<vocabulary::ClassNumber, Error> find(const vocabulary::Vocabulary&
       Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + found.error()});
 }
 
-/// What is nearest, and what is missing.
+/// Appends the nearest common classes, and what is missing.
 void append_nearest(Line& line, const vocabulary::Vocabulary& vocabulary, const vocabulary::Explanation& explanation) {
   std::vector<std::string> common;
   for (const auto number : explanation.common) common.push_back(vocabulary.short_name(number));

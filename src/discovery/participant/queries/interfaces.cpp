@@ -1,4 +1,4 @@
-// `query interfaces` and `query peers`: what a participant speaks over, and with whom on its host.
+// `query interfaces` and `query peers`: the interfaces of a participant, and the peers on its host.
 #include <algorithm>
 #include <optional>
 
@@ -23,9 +23,9 @@ Answer answer_interfaces(const env::Env& env, Air& air) {
   for (const env::Interface& interface : interfaces) {
     if (interface.ipv6_side_of) continue;
     InterfaceCounters counters = counters_of(air, interface.index);
-    const auto twin = std::ranges::find(interfaces, std::optional(interface.index), &env::Interface::ipv6_side_of);
-    if (twin != interfaces.end()) {
-      const InterfaceCounters there = counters_of(air, twin->index);
+    const auto ipv6_side = std::ranges::find(interfaces, std::optional(interface.index), &env::Interface::ipv6_side_of);
+    if (ipv6_side != interfaces.end()) {
+      const InterfaceCounters there = counters_of(air, ipv6_side->index);
       counters.sent += there.sent;
       counters.received += there.received;
     }
@@ -35,7 +35,7 @@ Answer answer_interfaces(const env::Env& env, Air& air) {
     append_stated(line, "addresses", base::joined(interface.addresses, ","));
     append(line, "sent", counters.sent);
     append(line, "received", counters.received);
-    if (twin != interfaces.end()) append(line, "ipv6", air.speaks_on(*twin) ? "spoken" : "silent");
+    if (ipv6_side != interfaces.end()) append(line, "ipv6", air.speaks_on(*ipv6_side) ? "spoken" : "silent");
     answer.lines.push_back(std::move(line));
   }
   return answer;

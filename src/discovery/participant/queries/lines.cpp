@@ -41,6 +41,14 @@ bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const Identit
           is_same_or_narrower(vocabulary, sub->representation_iri, super->representation_iri));
 }
 
+template <typename Entry>
+void append_owned(Line& line, std::string_view key, std::string_view owner, const Entry& entry) {
+  append(line, key, to_string(entry.key));
+  append(line, owner, peer_word(entry.key));
+  append_stated(line, "name", entry.peer_name);
+  append_stated(line, "participant_name", entry.participant_name);
+}
+
 }  // namespace
 
 std::string seconds(base::Duration duration) {
@@ -52,6 +60,14 @@ std::string seconds(base::Duration duration) {
 std::string decimal(double number) {
   return seconds(std::chrono::duration_cast<base::Duration>(std::chrono::duration<double>(number)) +
                  std::chrono::microseconds(500));
+}
+
+void append_party(Line& line, const registry::PublicationEntry& entry) {
+  append_owned(line, "service", "provider", entry);
+}
+
+void append_party(Line& line, const registry::SubscriptionEntry& entry) {
+  append_owned(line, "subscription", "consumer", entry);
 }
 
 void append_channel(Line& line, const Publication& publication) {

@@ -1,4 +1,4 @@
-// What the lines of several answers have in common.
+// Parts that the lines of several answers have in common.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_LINES_HPP
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "discovery/gcnp/parameters.hpp"
+#include "discovery/matching/matcher.hpp"
 #include "discovery/membership/neighbour_table.hpp"
 #include "discovery/participant/clients/answering.hpp"
 #include "discovery/participant/knowledge/resolver.hpp"
@@ -19,12 +20,12 @@ namespace geminga::participant {
 
 inline void append_flag(Line& line, std::string_view key, bool value) { append(line, key, value ? "1" : "0"); }
 
-/// Seconds with three decimals; what is negative counts as 0.
+/// Seconds with three decimals; a negative duration counts as 0.
 [[nodiscard]] std::string seconds(base::Duration duration);
 /// Three decimals.
 [[nodiscard]] std::string decimal(double number);
 
-/// How long ago an entry was last heard; 0 for one of our own.
+/// The time since an entry was last heard; 0 for one of our own.
 template <typename Entry>
 [[nodiscard]] std::string age(const membership::NeighbourTable& neighbours, base::Instant now, const Entry& entry) {
   if (entry.is_local) return "0.000";
@@ -32,10 +33,13 @@ template <typename Entry>
   return seconds(now - std::max(entry.updated, affirmed.value_or(entry.updated)));
 }
 
+/// `service provider name participant_name`, and of a request `subscription consumer name participant_name`.
+void append_party(Line& line, const registry::PublicationEntry& entry);
+void append_party(Line& line, const registry::SubscriptionEntry& entry);
 /// `mode address port protocol priority`, as in events.
 void append_channel(Line& line, const Publication& publication);
 
-/// Decides what passes a FILTER. Names are resolved by the vocabulary that is in force when it is made.
+/// Decides which entries pass a FILTER. Its names are resolved by the vocabulary in force when it is made.
 class Sieve {
  public:
   [[nodiscard]] static std::expected<Sieve, Error> make(Resolver& resolver, const gcnp::ListFilter& filter);

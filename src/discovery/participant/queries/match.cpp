@@ -14,8 +14,8 @@
 namespace geminga::participant {
 namespace {
 
-/// Up to so many candidates that the index gives are looked at alone. Where there are more, the whole registry is
-/// walked, which can be interrupted.
+/// Candidates of the index that are looked at alone. Where there are more, the whole registry is walked, which can be
+/// interrupted.
 constexpr std::size_t max_candidates = 256;
 
 Line line_of(const Listed& by, const registry::PublicationEntry& entry, const matching::Match& match,
@@ -41,7 +41,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
   return line;
 }
 
-/// Looks at everything that may meet the request, ranks what does, and tells it in that order.
+/// Looks at all publications that may meet the request, ranks those that do, and tells them in that order.
 class Ranking {
  public:
   Ranking(const Listed& by, const Overlaps& overlaps, const Self& self, Subscription asked,

@@ -14,7 +14,7 @@ using matching::Obstacle;
 
 constexpr std::size_t max_name_bytes = 400;
 
-/// Names and expressions as a client writes them.
+/// A name or an expression as a client writes it.
 std::string asked_name(const matching::Matcher& matcher, const std::string& name) {
   const auto& vocabulary = matcher.vocabulary();
   return base::printable(name.find('<') == std::string::npos ? vocabulary.short_name(std::string_view(name))
@@ -22,7 +22,7 @@ std::string asked_name(const matching::Matcher& matcher, const std::string& name
                          max_name_bytes);
 }
 
-/// What else the concept needs once the representation fits: " and match=broader", or nothing.
+/// The rest of the advice once the representation fits: " and match=broader" where the concept needs it, or nothing.
 std::string match_beside(const matching::Matcher& matcher, const Asked& asked, const SemanticIdentity& offer,
                          const SemanticIdentity& request) {
   const auto classes = matching::classes_of(offer, matcher.vocabulary());
@@ -32,7 +32,7 @@ std::string match_beside(const matching::Matcher& matcher, const Asked& asked, c
   return is_met ? "" : " and match=" + std::string(to_string(degree->degree));
 }
 
-/// What keeps a request from what converts for others: those of these that it states.
+/// The keys by which a request shuts out converters that serve others.
 std::string narrowed_by(const Subscription& asked) {
   std::vector<std::string> words;
   if (!asked.protocols.empty()) words.emplace_back("protocol");

@@ -1,4 +1,4 @@
-// `query ontology`: what is loaded, what the reasoner does not use, and who on the air has loaded something else.
+// `query ontology`: the ontology in force, what the reasoner does not use, and the participants that have another one.
 #include "base/text.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"

@@ -1,6 +1,7 @@
 #include "discovery/participant/queries/reasons.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -31,7 +32,7 @@ const std::string* unknown_name(const vocabulary::Vocabulary& vocabulary, const 
   return is_stated && !vocabulary.find_iri(asked.representation_iri) ? &asked.representation_iri : nullptr;
 }
 
-/// Why offers may be missed; empty where none is, or where the reasoner is asked about each.
+/// Why offers may be missed; empty where none is missed, or where the reasoner is asked about each.
 std::string gaps_of(const Asked& asked) {
   if (asked.entry.subscription.weakest == Degree::overlapping) return "";
   return matching::gap_words(asked.request->classes);
@@ -58,6 +59,8 @@ void Nearest::consider(const ServiceKey& key, const Identity& identity, const ma
   if (finding.identity == Obstacle::unknown_offer && unknown_count++ == 0) unknown = key;
   Misfit one{key, finding};
   if (!misfit || one < *misfit) misfit = one;
+  if (finding.is_near()) misfits.insert(one);
+  if (misfits.size() > max_told_misfits) misfits.erase(std::prev(misfits.end()));
   const auto* semantic = std::get_if<SemanticIdentity>(&identity);
   if (finding.identity != Obstacle::representation || representations.size() >= max_told_representations) return;
   if (std::ranges::find(representations, semantic->representation_iri) == representations.end()) {
@@ -110,7 +113,7 @@ Reason Reasons::of_nobody(const PublicationEntry& offer) const {
   return reason;
 }
 
-/// Where something is offered that is unknown here: that may be what is asked for.
+/// The reason where an offered concept is unknown here: it may be what is asked for.
 std::optional<Reason> Reasons::of_unknown_offers(const Asked& asked, const Nearest& nearest) const {
   const auto* offer = nearest.unknown ? matcher_.find_publication(*nearest.unknown) : nullptr;
   if (offer == nullptr) return std::nullopt;
@@ -146,7 +149,7 @@ Reason Reasons::of_unknown_name(Piece& piece, ParticipantId user, const std::str
   return reason;
 }
 
-/// What is wrong with the request itself, whatever is offered.
+/// A fault of the request itself, whatever is offered.
 std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
   if (!asked.request->where || !asked.request->scope) {
     const std::string problem = matching::unit_problem(asked.entry.subscription.where, matcher_.vocabulary().units());
@@ -190,7 +193,7 @@ std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
 }
 
 Reason Reasons::of(Piece& piece, const Asked& asked, const Nearest& nearest) {
-  // What may have been missed says less of one offer than of the request.
+  // That something may have been missed is a reason of the request, not of one offer.
   const bool is_near =
       nearest.misfit && nearest.misfit->finding.is_near() && nearest.misfit->finding.identity != Obstacle::incomplete;
   const auto* offer = is_near ? matcher_.find_publication(nearest.misfit->key) : nullptr;
@@ -238,7 +241,7 @@ Reason Reasons::likely(Piece& piece, const registry::SubscriptionEntry& request)
   return of(piece, asked, nearest);
 }
 
-/// What is wrong with the offer itself, whatever is asked for.
+/// A fault of the offer itself, whatever is asked for.
 std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& offer) {
   if (!matching::Scope::parse(offer.publication.scope) || !matching::Where::parse(offer.publication.for_whom)) {
     return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",

@@ -1,11 +1,12 @@
-// Why nobody answers a request or takes an offer: the likely reason, from what comes nearest to it on the other side,
-// or from itself.
+// The likely reason why nobody answers a request or takes an offer: what comes nearest to it on the other side, or a
+// fault of its own.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_REASONS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_REASONS_HPP
 
 #include <compare>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,21 +16,22 @@
 
 namespace geminga::participant {
 
-/// Of the offers whose concept is above or below what a request asks for, so many are looked at for its reason in
-/// `requests unmatched=1`; they are enough to say what is wrong, and each request there costs so much at most.
+/// For a request in `requests unmatched=1`, offers that are looked at whose concept is above or below what it asks for.
+/// They are enough to say what is wrong, and bound the cost of each request.
 inline constexpr std::size_t max_examined_offers = 64;
-/// And so many that are offered are compared with a text that nobody offers, or looked at for concepts that are unknown
-/// here where somebody has another ontology.
+/// Offers that are compared with a text that nobody offers, or searched for concepts that are unknown here where
+/// another participant has another ontology.
 inline constexpr std::size_t max_compared_offers = 256;
-/// The same in `services unused=1`: requests whose concept is above or below what is offered, and texts.
+/// The same limits in `services unused=1`, for requests.
 inline constexpr std::size_t max_examined_requests = 64;
 inline constexpr std::size_t max_compared_requests = 256;
-/// How many representations are named that are offered instead of the one that is asked for.
+/// Representations that are named as offered instead of the one that is asked for.
 inline constexpr std::size_t max_told_representations = 4;
-/// For so many unknown names of one answer those are looked for that they may have been meant for; that takes up to
-/// milliseconds each.
+/// The nearest services, or requests, that do not match and that `why` tells of.
+inline constexpr std::size_t max_told_misfits = 4;
+/// Unknown names of one answer for which similar names are searched; each search takes up to milliseconds.
 inline constexpr std::size_t max_searched_names = 16;
-/// What such a search counts as, in entries.
+/// The work of such a search, in entries.
 inline constexpr std::size_t cost_of_searched_name = 160;
 
 /// An offer that does not meet a request, or a request that is not met by an offer.
@@ -42,8 +44,10 @@ struct Misfit {
   }
 };
 
-/// What was found on the other side.
+/// The nearest entries of the other side.
 struct Nearest {
+  /// The nearest of those whose concept fits at least, or whose text nearly; max_told_misfits at most.
+  std::set<Misfit> misfits;
   std::optional<Misfit> misfit;
   std::vector<std::string> representations;  ///< IRIs of those there with a concept that fits, each once
   // Those whose concept the ontology here does not know: how many, and the first.

@@ -1,4 +1,4 @@
-// `query security`: how we seal, how the others do, what was on the air of late, and what was rejected and why.
+// `query security`: the sealing of ours and of others, the recent datagrams, and what was rejected and why.
 #include <algorithm>
 
 #include "base/text.hpp"

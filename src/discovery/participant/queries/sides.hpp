@@ -1,4 +1,4 @@
-// The two sides of `query why`, each of which may be one that nobody has stated.
+// The two sides of `query why`. Either may be one that nobody has stated.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_SIDES_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_SIDES_HPP
 
@@ -20,7 +20,7 @@ struct Offered {
   bool is_any_mode = false;  ///< it takes that of each request
 };
 
-/// By what a side that nobody has stated is made up.
+/// The parts by which a side is resolved that nobody has stated.
 struct Stating {
   const matching::Matcher& matcher;
   Resolver& resolver;

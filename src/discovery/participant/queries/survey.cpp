@@ -46,9 +46,6 @@ bool Survey::look(const PublicationEntry& offer) {
     return true;
   }
   nearest_.consider(offer.key, offer.publication.identity, finding);
-  if (!finding.is_near()) return true;
-  misfits_.insert({offer.key, finding});
-  if (misfits_.size() > max_told_misfits) misfits_.erase(std::prev(misfits_.end()));
   return true;
 }
 

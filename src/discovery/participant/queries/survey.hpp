@@ -1,4 +1,4 @@
-// A look at everything that is offered, for one request: what meets it in which order, and what comes nearest.
+// A survey: a look at all offers, for one request. Which meet it, in which order, and which come nearest.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_SURVEY_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_SURVEY_HPP
 
@@ -14,43 +14,40 @@
 
 namespace geminga::participant {
 
-/// How many offers `why` tells of that meet a request, and how many that do not: the best and the nearest.
+/// The best offers that meet a request and that `why` tells of.
 inline constexpr std::size_t max_told_matches = 4;
-inline constexpr std::size_t max_told_misfits = 4;
-/// How many of those that meet are kept by their ranks. A request that asks for more counts as one that asks for all.
+/// Offers that meet and are kept by their ranks. A request with a larger limit counts as one without a limit.
 inline constexpr std::size_t max_ranked_matches = 1024;
-/// Where no more than these may meet a request by its concept, they alone are ranked, at once; else the whole registry
-/// is walked, which can be interrupted.
+/// Where no more offers than these may meet a request by its concept, they alone are ranked, at once. Else the whole
+/// registry is walked, which can be interrupted.
 inline constexpr std::size_t max_ranked_at_once = 256;
 
-/// Walks the registry piece by piece, one judgement an offer. Which pieces it takes changes nothing about what it
-/// finds.
+/// Walks the registry piece by piece, with one judgement an offer. The result does not depend on the pieces.
 class Survey {
  public:
-  /// Of everything, for what meets and what comes near.
+  /// A survey of all offers. Borrows both for its life.
   Survey(const matching::Matcher& matcher, const Overlaps& overlaps, Asked asked)
       : matcher_(matcher), overlaps_(overlaps), asked_(std::move(asked)) {}
-  /// Of what meets alone, for the place of an offer with this rank; it need not be in the registry.
+  /// A survey of those that meet, for the place of an offer with this rank, which need not be in the registry.
   Survey(const matching::Matcher& matcher, const Overlaps& overlaps, Asked asked, matching::Rank offer);
 
   /// Whether all have been looked at.
   bool proceed(Piece& piece);
 
   [[nodiscard]] const Asked& asked() const { return asked_; }
-  /// How many were looked at.
+  /// The number of offers that were looked at.
   [[nodiscard]] std::size_t seen() const { return seen_; }
-  /// How many meet the request.
+  /// The number of those that meet the request.
   [[nodiscard]] std::size_t matching() const { return matching_; }
-  /// The best of them, best first.
+  /// The best of these, best first.
   [[nodiscard]] const std::set<matching::Rank, matching::BestFirst>& best() const { return best_; }
-  /// The nearest of those that do not and whose concept fits at least, or whose text nearly.
-  [[nodiscard]] const std::set<Misfit>& misfits() const { return misfits_; }
+  /// The offers that come near without meeting.
   [[nodiscard]] const Nearest& nearest() const { return nearest_; }
-  /// How many of them rank ahead of the one whose place is asked for.
+  /// The number of offers that meet and rank ahead of the one whose place is asked for.
   [[nodiscard]] std::size_t ahead() const { return ahead_; }
 
  private:
-  /// False: it waits for the reasoner, and is to be looked at again.
+  /// False where the offer waits for the reasoner, and is to be looked at again.
   bool look(const registry::PublicationEntry& offer);
   void take(const matching::Rank& rank);
 
@@ -64,7 +61,6 @@ class Survey {
   std::size_t matching_ = 0;
   std::size_t ahead_ = 0;
   std::set<matching::Rank, matching::BestFirst> best_;
-  std::set<Misfit> misfits_;
   Nearest nearest_;
 };
 

@@ -1,4 +1,4 @@
-// Which services somebody uses.
+// The use of services: whether anybody asks for one, or a chain goes through it.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_USE_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_QUERIES_USE_HPP
 
@@ -11,7 +11,7 @@
 
 namespace geminga::participant {
 
-/// For the time of one answer: what chains go through is looked up once.
+/// Lives for one answer: the converters that chains go through are looked up once.
 class Use {
  public:
   /// Whether somebody asks for it, or a chain for somebody goes through it.

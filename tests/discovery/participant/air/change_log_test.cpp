@@ -1,4 +1,4 @@
-// What is told of a change: enough for all who know an earlier state, and no more.
+// The announcement of a change: enough for all who know an earlier state, and no more.
 #include "discovery/participant/air/change_log.hpp"
 
 #include <gmock/gmock.h>

@@ -1,0 +1,117 @@
+// `query services` and `query requests`: every known publication or subscription, or those that nobody answers.
+#include <optional>
+#include <utility>
+
+#include "discovery/gcnp/event.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
+#include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/queries.hpp"
+#include "discovery/participant/queries/reasons.hpp"
+#include "discovery/participant/queries/use.hpp"
+
+namespace geminga::participant {
+namespace {
+
+const Publication& service_of(const registry::PublicationEntry& entry) { return entry.publication; }
+const Subscription& service_of(const registry::SubscriptionEntry& entry) { return entry.subscription; }
+
+/// `reason` says why nobody asks for it, where that was asked for.
+Line line_of(const Listed& by, const registry::PublicationEntry& entry, bool is_used, const Reason* reason) {
+  Line line;
+  append_party(line, entry);
+  gcnp::append_identity(line, named(by.matcher.vocabulary(), entry.publication.identity));
+  append_channel(line, entry.publication);
+  append(line, "age", age(by.neighbours, by.env.now(), entry));
+  append_flag(line, "local", entry.is_local);
+  append_flag(line, "used", is_used);
+  append_stated(line, "scope", entry.publication.scope);
+  append_stated(line, "for", entry.publication.for_whom);
+  if (reason != nullptr) append_because(line, *reason);
+  gcnp::append_attributes(line, entry.publication.attributes);
+  return line;
+}
+
+/// `reason` says why nobody serves it, where that was asked for.
+Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, bool is_served, const Reason* reason) {
+  const Subscription& subscription = entry.subscription;
+  Line line;
+  append_party(line, entry);
+  gcnp::append_identity(line, named(by.matcher.vocabulary(), subscription.identity));
+  append(line, "match", std::string(to_string(subscription.weakest)));
+  append(line, "mode", std::string(to_string(subscription.mode)));
+  append_stated(line, "provider", gcnp::provider_list(subscription.providers));
+  append_stated(line, "where", subscription.where);
+  append(line, "limit", subscription.limit);
+  append_stated(line, "address", subscription.address);
+  if (subscription.port != 0) append(line, "port", subscription.port);
+  append(line, "priority", subscription.priority);
+  append(line, "age", age(by.neighbours, by.env.now(), entry));
+  append_flag(line, "local", entry.is_local);
+  append_flag(line, "served", is_served);
+  append_stated(line, "protocol", gcnp::protocol_list(subscription.protocols));
+  append_stated(line, "favour", gcnp::provider_list(subscription.favoured));
+  append_stated(line, "prefer", subscription.prefer);
+  append_stated(line, "rank", subscription.rank);
+  append_stated(line, "scope", subscription.scope);
+  if (subscription.convert != 0) append(line, "convert", gcnp::conversion_word(subscription.convert));
+  if (reason != nullptr) append_because(line, *reason);
+  gcnp::append_attributes(line, subscription.attributes);
+  return line;
+}
+
+/// Tells of the entries that pass the filter, of those without an answer only where `is_unanswered_only`. `is_answered`
+/// says whether somebody takes a service, or serves a request.
+template <typename Entry, typename IsAnswered>
+auto listing(const Listed& by, Sieve sieve, bool is_unanswered_only, IsAnswered is_answered) {
+  return [by, sieve = std::move(sieve), is_unanswered_only, is_answered = std::move(is_answered),
+          reasons = Reasons(by.matcher, by.neighbours)](std::optional<ServiceKey>& last, Piece& piece,
+                                                        const Entry& entry) mutable {
+    last = entry.key;
+    piece.look_at_one();
+    if (sieve.passes(by.matcher.vocabulary(), entry.key, entry.participant_name, entry.peer_name,
+                     service_of(entry).identity, service_of(entry).mode)) {
+      const bool is_answered_here = is_answered(entry);
+      Line line;
+      if (!is_unanswered_only || !is_answered_here) line = line_of(by, entry, is_answered_here, nullptr);
+      if (!line.empty() && sieve.passes(line)) {
+        if (is_unanswered_only) {
+          const Reason reason = reasons.likely(piece, entry);
+          line = line_of(by, entry, is_answered_here, &reason);
+        }
+        piece.tell(std::move(line));
+      }
+    }
+    return !piece.is_full();
+  };
+}
+
+}  // namespace
+
+std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryServices& query) {
+  auto sieve = Sieve::make(by.resolver, query.filter);
+  if (!sieve) return std::unexpected(sieve.error());
+  using Entry = registry::PublicationEntry;
+  auto tell = listing<Entry>(by, std::move(*sieve), query.unused,
+                             [by, use = Use()](const Entry& entry) mutable { return use.is_of(by.matcher, entry); });
+  return Answering{.kind = "services",
+                   .proceed = [by, tell = std::move(tell), last = std::optional<ServiceKey>()](Piece& piece) mutable {
+                     return by.matcher.walk_publications(last,
+                                                         [&](const Entry& entry) { return tell(last, piece, entry); });
+                   }};
+}
+
+std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryRequests& query) {
+  if (query.unused) return begin_list(by, gcnp::QueryServices{.filter = query.filter, .unused = true});
+  auto sieve = Sieve::make(by.resolver, query.filter);
+  if (!sieve) return std::unexpected(sieve.error());
+  using Entry = registry::SubscriptionEntry;
+  auto tell = listing<Entry>(by, std::move(*sieve), query.unmatched,
+                             [by](const Entry& entry) { return by.matcher.is_served(entry); });
+  return Answering{.kind = "requests",
+                   .proceed = [by, tell = std::move(tell), last = std::optional<ServiceKey>()](Piece& piece) mutable {
+                     return by.matcher.walk_subscriptions(last,
+                                                          [&](const Entry& entry) { return tell(last, piece, entry); });
+                   }};
+}
+
+}  // namespace geminga::participant
