@@ -1,4 +1,4 @@
-// What our engines say of one ontology, each asked by itself, so that they can be held against each other.
+// The answers of our engines about one ontology, each asked by itself, so that they can be compared.
 #ifndef GEMINGA_TESTS_COMPARE_OPINIONS_HPP
 #define GEMINGA_TESTS_COMPARE_OPINIONS_HPP
 
@@ -13,7 +13,7 @@ namespace geminga::compare {
 /// Closures have whole IRIs, as cases::closure_of() gives them.
 struct Opinion {
   cases::Closure closure;
-  bool is_complete = true;           ///< what is not in it does not follow, says the engine
+  bool is_complete = true;           ///< the engine says that nothing else follows
   std::vector<std::string> unknown;  ///< pairs that it could not decide
 };
 

@@ -13,6 +13,9 @@
 #include "reasoning/compiled/mapped_file.hpp"
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/modules/module.hpp"
+#include "reasoning/owl/fingerprint.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/owl/source_paths.hpp"
 
@@ -21,7 +24,7 @@ namespace geminga::compiled {
 struct Ontology::Mapped {
   MappedFile mapping;  ///< one of these two owns the bytes
   std::vector<std::byte> bytes;
-  std::string folder;  ///< what paths of files are relative to
+  std::string folder;  ///< that paths of files are relative to
   Container file;
   TaxonomySection taxonomy;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted

@@ -14,7 +14,7 @@ struct KnownUnit {
   UnitMeasure measure;
 };
 
-/// What all others are made of. These are known without being declared, and nothing that is said of them counts: OM
+/// The units of which all others are made. They need no declaration, and statements about them are ignored, because OM
 /// defines kilogram and gram by each other.
 constexpr KnownUnit om_bases[] = {
     {"metre", {1, 0, {1}, {}}},
@@ -34,7 +34,7 @@ constexpr KnownUnit om_bases[] = {
     {"degreeFahrenheit", {5.0 / 9, 459.67 * 5 / 9, {0, 0, 0, 0, 1}, {}}},
 };
 
-/// Coherent units of the SI with names of their own: what they are where no definition is given.
+/// Coherent units of the SI with names of their own, for ontologies that do not define them.
 constexpr KnownUnit om_named[] = {
     {"hertz", {1, 0, {0, 0, -1}, {}}},
     {"newton", {1, 0, {1, 1, -2}, {}}},

@@ -1,4 +1,4 @@
-// Finds what OWL 2 DL forbids in an axiom, or what is beyond a limit, so that the axiom has no clauses.
+// Finds constructs in an axiom that OWL 2 DL forbids or that are beyond a limit. Such an axiom has no clauses.
 #ifndef GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
 
@@ -12,11 +12,6 @@
 #include "reasoning/owl/role_box.hpp"
 
 namespace geminga::clauses {
-
-inline constexpr std::string_view top_object_property = "http://www.w3.org/2002/07/owl#topObjectProperty";
-inline constexpr std::string_view bottom_object_property = "http://www.w3.org/2002/07/owl#bottomObjectProperty";
-inline constexpr std::string_view top_data_property = "http://www.w3.org/2002/07/owl#topDataProperty";
-inline constexpr std::string_view bottom_data_property = "http://www.w3.org/2002/07/owl#bottomDataProperty";
 
 /// Looks through expressions with their signs (OWL 2 structural specification, section 11.2). A minimum cardinality of
 /// a property that is not simple is allowed if its complement does not occur: it is exact, because edges are paths.

@@ -15,8 +15,8 @@ using owl::TermKind;
 
 namespace {
 
-/// The limit of clauses grows with what is written. So one axiom in a small file, whose members are pairwise disjoint,
-/// takes the memory of a small file.
+/// The limit of clauses grows with the number of arguments that are written. So one axiom in a small file, whose
+/// members are pairwise disjoint, takes the memory of a small file.
 constexpr std::size_t always_clauses = 1'000'000;
 constexpr std::size_t clauses_per_axiom = 100;
 
@@ -37,7 +37,7 @@ void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
   std::vector<Entry> entries;
   const auto add = [&](std::uint32_t number) {
     const owl::Axiom axiom = source_.axiom(number);
-    entries.push_back({axiom.kind, hashes_.of(axiom), number});
+    entries.push_back({axiom.kind, hashes_.hash_of(axiom), number});
   };
   if (axioms) {
     std::ranges::for_each(*axioms, add);
@@ -73,9 +73,9 @@ void Clausifier::find_property(TermId term) {
   const std::string_view name = source_.name_of(term);
   if (source_.kind(term) == TermKind::object_property) {
     const Role role = vocabulary_.role(term);
-    if (name == top_object_property) top_role_ = role;
-    if (name == bottom_object_property) bottom_role_ = role;
-  } else if (source_.kind(term) == TermKind::data_property && name == bottom_data_property) {
+    if (name == owl::owl_top_object_property) top_role_ = role;
+    if (name == owl::owl_bottom_object_property) bottom_role_ = role;
+  } else if (source_.kind(term) == TermKind::data_property && name == owl::owl_bottom_data_property) {
     bottom_data_ = vocabulary_.data_property(term);
   }
 }
@@ -88,7 +88,7 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
     std::span<const TermId> arguments(axiom.arguments);
     // R SubPropertyOf owl:topObjectProperty says nothing.
     const bool has_super = axiom.kind == AxiomKind::sub_object_property_of;
-    if (has_super && source_.name_of(arguments[1]) == top_object_property) arguments = arguments.first(1);
+    if (has_super && source_.name_of(arguments[1]) == owl::owl_top_object_property) arguments = arguments.first(1);
     find_properties(arguments);
   }
   find_properties(queries);
@@ -98,7 +98,7 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
     if (problem_) return;
     const std::string_view reason = problem_of(axiom);
     if (!reason.empty()) set_.unused.push_back({axiom.axiom, reason});
-    // Some of the inclusions that these axioms consist of may be used all the same.
+    // Other inclusions of the same axiom may still be used.
     const bool has_parts = axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union ||
                            axiom.kind == AxiomKind::disjoint_classes;
     if (reason.empty() || has_parts) add(axiom);

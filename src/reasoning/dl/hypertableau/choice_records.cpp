@@ -6,8 +6,8 @@
 namespace geminga::hypertableau {
 namespace {
 
-/// What a choice brings with it: a bound that holds brings nothing, new nodes bring much, and what is made equal is
-/// seldom meant to be.
+/// An estimate of the work that a choice causes: a bound causes none, new nodes cause much, and nodes that are made
+/// equal seldom lead to a model.
 int burden(ChoiceKind kind) {
   switch (kind) {
     case ChoiceKind::at_most:
@@ -31,16 +31,16 @@ int burden(ChoiceKind kind) {
 
 std::uint64_t ChoiceRecords::failures_of(std::span<const Choice> alternatives) {
   std::uint64_t failures = 0;
-  for (const Choice& choice : alternatives) failures += of(choice).failures;
+  for (const Choice& choice : alternatives) failures += record_of(choice).failures;
   return failures;
 }
 
-// By the share of the tries that failed as Laplace estimates it, so that one failure among many successes does not turn
-// the choice for all nodes; then by what they bring.
+// By the share of tries that failed, as Laplace estimates it, so that one failure among many successes does not change
+// the choice for all nodes; then by the burden.
 void ChoiceRecords::order_by_promise(std::vector<Choice>& alternatives) {
   std::ranges::stable_sort(alternatives, [this](const Choice& one, const Choice& other) {
-    const Record first = of(one);
-    const Record second = of(other);
+    const Record first = record_of(one);
+    const Record second = record_of(other);
     const std::uint64_t risk = (first.failures + 1) * (second.tries + 2);
     const std::uint64_t other_risk = (second.failures + 1) * (first.tries + 2);
     return risk != other_risk ? risk < other_risk : burden(one.kind) < burden(other.kind);

@@ -1,4 +1,4 @@
-// What was tried, and what failed.
+// Records of the choices that were tried and of those that failed.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_RECORDS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_RECORDS_HPP
 
@@ -15,16 +15,16 @@ namespace geminga::hypertableau {
 /// clash.
 class ChoiceRecords {
  public:
-  void note_try(const Choice& choice) { ++of(choice).tries; }
+  void note_try(const Choice& choice) { ++record_of(choice).tries; }
   void note_failure(const Choice& choice) {
-    ++of(choice).failures;
+    ++record_of(choice).failures;
     has_failed_ = true;
   }
   [[nodiscard]] std::uint64_t failures_of(std::span<const Choice> alternatives);
   /// Whether a choice of this question failed.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
-  /// Puts first what is to be tried first.
+  /// Sorts the alternatives by the order in which they are tried.
   void order_by_promise(std::vector<Choice>& alternatives);
 
   void begin_question() { has_failed_ = false; }
@@ -35,7 +35,7 @@ class ChoiceRecords {
     std::uint64_t tries = 0;
     std::uint64_t failures = 0;
   };
-  Record& of(const Choice& choice) {
+  Record& record_of(const Choice& choice) {
     return records_[(std::uint64_t{choice.predicate} << 8) | static_cast<std::uint64_t>(choice.kind)];
   }
 

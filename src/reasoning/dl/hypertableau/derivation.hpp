@@ -16,12 +16,12 @@
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
-/// Looks at facts in the order in which they came, and matches the clauses with each. A clause is matched when the last
-/// of its body atoms is, so each match is found once.
+/// Processes facts in the order in which they were added, and matches the clauses with each. A match is found once,
+/// with the last of its facts.
 class Derivation {
  public:
   Derivation(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
@@ -32,8 +32,8 @@ class Derivation {
   void process_next() { process(processed_++); }
 
   /// How many facts have been processed.
-  [[nodiscard]] FactId state() const { return processed_; }
-  void restore(FactId state) { processed_ = state; }
+  [[nodiscard]] FactId sizes() const { return processed_; }
+  void restore(FactId processed) { processed_ = processed; }
 
  private:
   void process(FactId id);

@@ -1,4 +1,4 @@
-// Which ways of a disjunction are left.
+// The alternatives of a disjunction that are left.
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 
 #include <algorithm>
@@ -10,20 +10,20 @@ using clauses::number;
 
 namespace {
 
-/// As many open disjunctions are compared before one is taken: few as long as every guess was right, as in most models.
+/// The number of open disjunctions that are compared before one is taken. Few suffice as long as every guess was right.
 constexpr std::size_t few_compared = 16;
 constexpr std::size_t max_compared = 256;
 
 }  // namespace
 
-void Disjunctions::restore(const State& state) {
-  while (done_.size() > state.done) {
+void Disjunctions::restore(const Sizes& sizes) {
+  while (done_.size() > sizes.done) {
     disjunctions_[done_.back()].is_done = false;
     done_.pop_back();
   }
-  disjunctions_.resize(state.disjunctions);
-  next_ = state.next;
-  choices_.resize(state.choices);
+  disjunctions_.resize(sizes.disjunctions);
+  next_ = sizes.next;
+  choices_.resize(sizes.choices);
 }
 
 void Disjunctions::add(std::vector<Choice>& alternatives, DependencySet dependency) {
@@ -40,7 +40,7 @@ void Disjunctions::add(std::vector<Choice>& alternatives, DependencySet dependen
   }
 }
 
-Disjunctions::Next Disjunctions::find_next() {
+std::variant<Disjunctions::AllDecided, Disjunctions::Asserted, Decision> Disjunctions::find_next() {
   const std::size_t most = records_.has_failed() ? max_compared : few_compared;
   std::size_t compared = 0;
   for (std::size_t at = next_; at < disjunctions_.size() && compared < most; ++at) {
@@ -54,27 +54,28 @@ Disjunctions::Next Disjunctions::find_next() {
     }
     if (one_.alternatives.empty()) {
       facts_.clash(one_.dependency);
-      return Next::asserted;
+      return Asserted();
     }
     if (one_.alternatives.size() == 1) {
       facts_.apply(one_.alternatives.front(), one_.dependency);
-      return Next::asserted;
+      return Asserted();
     }
     one_.failures = records_.has_failed() ? records_.failures_of(one_.alternatives) : 0;
     if (compared++ == 0 || one_.is_before(best_)) std::swap(one_, best_);
   }
-  return compared == 0 ? Next::nothing : Next::choice;
+  if (compared == 0) return AllDecided();
+  return Decision{best_.alternatives, best_.dependency, {}};
 }
 
-// What holds goes on holding as long as this branch is.
+// A disjunction of which one alternative holds stays decided until this branch is taken back.
 void Disjunctions::note_done(std::size_t disjunction) {
   disjunctions_[disjunction].is_done = true;
   done_.push_back(static_cast<std::uint32_t>(disjunction));
 }
 
-// The fewest ways for each failure that is known of them: one that fails in all of many ways says what is wrong sooner
-// than many that have two (dom/wdeg: Boussemart, Hemery, Lecoutre, Sais: Boosting systematic search by weighting
-// constraints, 2004).
+// The fewest alternatives for each failure known of them. A disjunction whose many alternatives all fail leads to the
+// cause sooner than many disjunctions of two (dom/wdeg: Boussemart, Hemery, Lecoutre, Sais: Boosting systematic search
+// by weighting constraints, 2004).
 bool Disjunctions::Open::is_before(const Open& other) const {
   return alternatives.size() * (1 + other.failures) < other.alternatives.size() * (1 + failures);
 }
@@ -115,7 +116,7 @@ bool Disjunctions::is_excluded(const Choice& choice, DependencySet& dependency) 
   return !is_data && is_excluded_by_neighbour(choice, dependency);
 }
 
-// Where a property has at most one value, the neighbour that is there would have to be in the filler.
+// If the property has at most one value, the neighbour in the graph would have to be in the filler.
 bool Disjunctions::is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency) {
   const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
   const auto neighbour = neighbours_.only(at_least.role, choice.a);
@@ -125,7 +126,7 @@ bool Disjunctions::is_excluded_by_neighbour(const Choice& choice, DependencySet&
   return true;
 }
 
-// Derives what a choice says where it follows from what is there: an at-least that a neighbour satisfies.
+// Derives a choice that follows from the facts: an at-least that a neighbour satisfies.
 bool Disjunctions::derive(const Choice& choice) {
   if (choice.kind != ChoiceKind::at_least || set_.at_leasts[choice.predicate].count > 1) return false;
   const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
@@ -149,7 +150,7 @@ bool Disjunctions::derive(const Choice& choice) {
   return false;
 }
 
-// Whether a bound that the concept brings is exceeded already.
+// Whether a bound that the concept implies is exceeded.
 bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency) {
   const auto is_brought = [id](const ConditionalBound& rule) {
     return rule.alternatives.empty() && rule.guard.size() == 1 &&

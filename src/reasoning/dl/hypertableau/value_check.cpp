@@ -1,15 +1,15 @@
 // A small constraint problem: every value in its ranges, some pairs different.
 //
-// A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside; what
-// remains is small, and is tried out. Where not all is known of a range, a clash must come from what it has at most,
-// and a model from what it has at least.
+// A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside. The
+// remaining nodes are few, and assignments are tried. If a range is not fully known, a clash must follow from its upper
+// bound, and a model from its lower bound.
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
 #include <algorithm>
 #include <map>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/value_ranges.hpp"
+#include "reasoning/dl/hypertableau/values/value_ranges.hpp"
 
 namespace geminga::hypertableau {
 
@@ -75,7 +75,7 @@ bool ValueCheck::are_different(owl::TermId first, owl::TermId second) {
 std::optional<bool> ValueCheck::Problem::is_in(owl::TermId literal, std::uint32_t range) {
   const auto& value = ranges_.value(literal);
   if (!value) return std::nullopt;
-  const KnownSet& set = ranges_.of(DataRangeId{range});
+  const KnownSet& set = ranges_.known_set(DataRangeId{range});
   if (set.least.contains(*value)) return true;
   if (!set.most.contains(*value)) return false;
   return std::nullopt;
@@ -102,7 +102,7 @@ std::uint32_t ValueCheck::Problem::known_set(const std::vector<std::uint32_t>& r
     }
   }
   for (const std::uint32_t range : ranges) {
-    const KnownSet& one = ranges_.of(DataRangeId{range});
+    const KnownSet& one = ranges_.known_set(DataRangeId{range});
     set.least = set.least.intersection(one.least);
     set.most = set.most.intersection(one.most);
     if (set.reason.empty()) set.reason = one.reason;
@@ -157,7 +157,7 @@ std::optional<DependencySet> ValueCheck::Problem::clash(const Graph& graph, Depe
   std::vector<bool> is_seen(variables.size(), false);
   for (std::uint32_t start = 0; start < variables.size(); ++start) {
     if (is_seen[start]) continue;
-    // What must differ from each other, from here on.
+    // The values that must differ from each other and are connected with `start`.
     std::vector<std::uint32_t> group = {start};
     is_seen[start] = true;
     for (std::size_t at = 0; at < group.size(); ++at) {
