@@ -41,7 +41,7 @@ std::vector<std::string> settled(const std::string& axioms) {
 }
 
 TEST(ModelCheckLemma2, AClassIsOpenIfItLeadsToAFailingContextAndOnlyThen) {
-  // Whatever has an r successor must be in C, which the rules do not find.
+  // An element with an r successor must be in C, which the rules do not find.
   const std::vector<std::string> names = settled(
       "InverseObjectProperties(r s)\nObjectPropertyRange(s C)\nSubClassOf(Fails ObjectSomeValuesFrom(r B))\n"
       "SubClassOf(LeadsToIt ObjectSomeValuesFrom(t Fails))\nSubClassOf(Beside ObjectSomeValuesFrom(t B))");
