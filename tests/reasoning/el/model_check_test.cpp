@@ -97,8 +97,12 @@ const Entailed inverses[] = {
      "InverseObjectProperties(r s)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nObjectPropertyDomain(s C)\n"
      "ObjectPropertyRange(r C)",
      {}},
-    {"Lemma6TheTargetLearns",
+    {"Lemma6NothingFollowsFromWhatTheTargetLearns",
      "InverseObjectProperties(r s)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nObjectPropertyDomain(s C)",
+     {}},
+    {"Lemma6TheTargetLearns",
+     "InverseObjectProperties(r s)\nSubClassOf(A ObjectSomeValuesFrom(r B))\nObjectPropertyDomain(s C)\n"
+     "SubClassOf(C ObjectSomeValuesFrom(t D))",
      {},
      false},
     {"Lemma6TheSourceLearns",
@@ -114,7 +118,7 @@ const Entailed inverses[] = {
     {"Lemma6AWalkComesBackAlongTheSameLink",
      "SymmetricObjectProperty(r)\nTransitiveObjectProperty(r)\nSubClassOf(A ObjectSomeValuesFrom(r B))\n"
      "SubClassOf(ObjectSomeValuesFrom(r A) C)",
-     {},
+     {"A < C"},
      false},
 };
 INSTANTIATE_TEST_SUITE_P(Lemma6, ModelCheckLemmas, testing::ValuesIn(inverses), name_of);
@@ -140,12 +144,15 @@ const Entailed counts[] = {
      false},
     {"Lemma8AtMostIsNotReached",
      "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
+     "SubClassOf(ObjectSomeValuesFrom(r B) B2)\nSubClassOf(ObjectSomeValuesFrom(r C) C2)\n"
      "SubClassOf(A ObjectMaxCardinality(2 r Thing))",
-     {}},
+     {"A < B2", "A < C2"}},
     {"Lemma8AtMostIsPassed",
      "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(A ObjectSomeValuesFrom(r C))\n"
-     "SubClassOf(A ObjectSomeValuesFrom(r D))\nSubClassOf(A ObjectMaxCardinality(2 r Thing))",
-     {},
+     "SubClassOf(A ObjectSomeValuesFrom(r D))\nSubClassOf(ObjectSomeValuesFrom(r B) B2)\n"
+     "SubClassOf(ObjectSomeValuesFrom(r C) C2)\nSubClassOf(ObjectSomeValuesFrom(r D) D2)\n"
+     "SubClassOf(A ObjectMaxCardinality(2 r Thing))",
+     {"A < B2", "A < C2", "A < D2"},
      false},
 };
 INSTANTIATE_TEST_SUITE_P(Lemma8, ModelCheckLemmas, testing::ValuesIn(counts), name_of);
