@@ -51,6 +51,14 @@ TEST(ModelCheckLemma2, AClassIsOpenIfItLeadsToAFailingContextAndOnlyThen) {
   EXPECT_FALSE(std::ranges::binary_search(names, "LeadsToIt"));
 }
 
+TEST(ModelCheckLemma9, AClassThatLeadsToAnIndividualIsOpenIfAnotherIndividualIsOpen) {
+  const std::vector<std::string> names = settled(
+      "SubClassOf(A ObjectHasValue(r i:a))\nClassAssertion(B i:a)\nClassAssertion(U i:b)\n"
+      "SubClassOf(U ObjectUnionOf(P Q))\nSubClassOf(Beside ObjectSomeValuesFrom(t B))");
+  EXPECT_TRUE(std::ranges::binary_search(names, "Beside"));
+  EXPECT_FALSE(std::ranges::binary_search(names, "A"));
+}
+
 const Entailed successors_in_unions[] = {
     {"Lemma3OnePartTellsTheSourceNothing",
      "SubClassOf(A ObjectSomeValuesFrom(r U))\nSubClassOf(U ObjectUnionOf(P Q))\nSubClassOf(ObjectSomeValuesFrom(r P) "
