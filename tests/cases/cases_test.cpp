@@ -1,5 +1,5 @@
-// Each pair Name.ttl and Name.taxonomy of the folders below this one: the file classified is the tree, exactly, and
-// known to be whole.
+// Each pair Name.ttl and Name.taxonomy of the folders below this one: the classified file is exactly the tree, and is
+// known to be complete.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 const fs::path folder = fs::path(GEMINGA_SOURCE_DIR) / "tests" / "cases";
 
-/// Without their extension, as in `chains/LongChain`.
+/// The names of the cases, without extension, as in `chains/LongChain`.
 std::vector<fs::path> files_with(std::string_view extension) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {

@@ -10,7 +10,7 @@
 namespace geminga::cases {
 namespace {
 
-/// Names and which is directly below which.
+/// Names, and the direct superclasses of each.
 class Graph {
  public:
   std::size_t node(const std::string& name) {
@@ -77,7 +77,7 @@ std::string short_name(std::string_view iri) { return std::string(iri.substr(iri
 
 std::size_t index_of(taxonomy::ClassNumber number) { return static_cast<std::size_t>(number); }
 
-/// Everything above a representative, itself included, by the edges of the taxonomy; without `skipped` as first step.
+/// The representatives above one, itself included, by the edges of the taxonomy; `skipped` is left out as a first step.
 std::set<taxonomy::ClassNumber> above(const taxonomy::Classification& taxonomy, taxonomy::ClassNumber from,
                                       std::optional<taxonomy::ClassNumber> skipped = {}) {
   std::set<taxonomy::ClassNumber> seen{from};

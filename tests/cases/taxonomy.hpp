@@ -1,4 +1,4 @@
-// Taxonomies as tests compare them: what a .taxonomy file says, and what a classification says.
+// Taxonomies as tests compare them: of a .taxonomy file, and of a classification.
 #ifndef GEMINGA_TESTS_CASES_TAXONOMY_HPP
 #define GEMINGA_TESTS_CASES_TAXONOMY_HPP
 
@@ -14,21 +14,21 @@
 
 namespace geminga::cases {
 
-/// What is entailed, one `SUB < SUPER` line for each pair of different named classes, sorted. As in the contract of
-/// `classify --closure`: no line has owl:Thing as super unless nothing else says that it exists, an unsatisfiable class
-/// has the one line `SUB < Nothing`, and an inconsistent ontology the one line `inconsistent`. Beyond the contract,
-/// owl:Thing is a sub where something is equivalent to it.
+/// The entailed subsumptions, one `SUB < SUPER` line for each pair of different named classes, sorted. As in the
+/// contract of `classify --closure`, a line has owl:Thing as super only if the class has no other line, an
+/// unsatisfiable class has the one line `SUB < Nothing`, and an inconsistent ontology the one line `inconsistent`.
+/// Beyond the contract, owl:Thing is a sub if a class is equivalent to it.
 using Closure = std::vector<std::string>;
 
 /// Reads a tree as README.md describes it. The error says which line is wrong.
 [[nodiscard]] std::expected<Closure, std::string> read_tree(std::string_view text);
 
-/// Of a classification, walked up from each class. Names are what follows the last `#` or `/` of an IRI where
-/// `are_short`, and whole IRIs otherwise.
+/// The closure of a classification, by walks up from each class. Names are whole IRIs, or their ends behind the last
+/// `#` or `/` if `are_short`.
 [[nodiscard]] Closure closure_of(const owl::Ontology& source, const taxonomy::Classification& classification,
                                  bool are_short = true);
 
-/// Edges of the taxonomy that another way round it makes superfluous, as `SUB < SUPER` lines: none in a reduced one.
+/// Edges of the taxonomy that a longer way implies, as `SUB < SUPER` lines. A reduced taxonomy has none.
 [[nodiscard]] std::vector<std::string> superfluous_edges(const owl::Ontology& source,
                                                          const taxonomy::Classification& classification);
 
@@ -38,7 +38,7 @@ using Closure = std::vector<std::string>;
 /// Lines of the first that are not in the second; both are sorted.
 [[nodiscard]] Closure without(const Closure& lines, const Closure& others);
 
-/// What of `found` does not follow where exactly `expected` does: from an unsatisfiable class everything does.
+/// The lines of `found` that do not follow if exactly `expected` does. An unsatisfiable class is below every class.
 [[nodiscard]] Closure unsound(const Closure& found, const Closure& expected);
 
 }  // namespace geminga::cases

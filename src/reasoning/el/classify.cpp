@@ -26,15 +26,15 @@ namespace {
 
 constexpr std::size_t max_closure_pairs = std::size_t{1} << 28;  // of one closure before saturation
 
-/// What may follow. It grows with what is written, so that a small file that means much takes the memory of a small one
-/// (a conclusion is about ten octets); published ontologies have tens of conclusions an axiom.
+/// Limits of conclusions. They grow with the axioms, so that a small file that means much takes the memory of a small
+/// one (a conclusion is about ten octets). Published ontologies have tens of conclusions an axiom.
 constexpr std::size_t always_concluded = 8'000'000;
 constexpr std::size_t concluded_per_axiom = 300;
 
 /// The work of one classification, step by step.
 class Classifier {
  public:
-  /// `told` are inclusions that follow, between expressions of a classifier of the same source.
+  /// `told` are further inclusions that follow, between expressions of a classifier of the same source.
   using Inclusions = std::vector<std::pair<ExprId, ExprId>>;
   Classifier(const owl::Ontology& source, const ClassifyOptions& options, Inclusions told)
       : source_(source),
@@ -46,7 +46,7 @@ class Classifier {
         told_(std::move(told)),
         normaliser_(source, index_) {}
 
-  /// What was found to follow besides, of unions; for another classifier.
+  /// Superclasses of unions that the run found, for another classifier of the same source.
   [[nodiscard]] const Inclusions& shared() const { return shared_; }
 
   std::expected<taxonomy::Classification, ClassifyError> run() {
@@ -74,7 +74,7 @@ class Classifier {
     if (may_settle_) use_inverses(*saturation);
     if (is_too_large(*saturation)) return std::unexpected(too_large());
     if (saturation->is_consistent() && !result_.is_cut_off)
-      shared_ = find_shared(index_, *saturation, normaliser_.open());
+      shared_ = find_union_superclasses(index_, *saturation, normaliser_.open());
     count(*saturation);
     reduce(*saturation);
     if (may_settle_ && model_check_ && result_.is_consistent && !result_.is_cut_off) settle();
@@ -83,7 +83,7 @@ class Classifier {
   }
 
  private:
-  /// Every class in an axiom, ascending by IRI, and T and F.
+  /// Finds every class in an axiom, and T and F, ascending by IRI.
   void find_classes() {
     std::vector<bool> is_used(source_.term_count(), false);
     is_used[static_cast<std::size_t>(owl::thing_term)] = true;
@@ -113,7 +113,7 @@ class Classifier {
     }
     for (const owl::TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
     for (const auto& [sub, super] : told_) index_.add_told(sub, super);
-    // Where another engine has to do everything again, universals are left to it.
+    // Universals are left to another engine if that has to classify everything again.
     const bool is_more = normaliser_.open().is_more;
     const UnusedAxioms late = normaliser_.finish(is_more ? Universals::left_out : Universals::used);
     may_settle_ = !result_.unused.empty() && late.empty() && !is_more;
@@ -124,7 +124,7 @@ class Classifier {
   void find_roots() {
     for (ExprId& expr : exprs_) {
       expr = index_.representative(expr);
-      // Where a class has nothing but one expression with rules above it, that one's context says all.
+      // A class with only one expression with rules above it has the subsumers of that one's context.
       if (!index_.needs_no_context(expr)) {
         asked_.push_back(expr);
       } else if (!index_.frontier(expr).empty()) {
@@ -161,7 +161,7 @@ class Classifier {
     model_check_.emplace(index_, saturation, normaliser_.open(), inverses, exprs_);
   }
 
-  /// Whether a limit is passed that leaves nothing to go on with. The budget is none: what is derived by then counts.
+  /// True if a limit was passed that leaves no result. A spent budget leaves one: the conclusions by then.
   bool is_too_large(const Saturation& saturation) {
     if (!saturation.is_consistent()) return false;
     if (!saturation.is_cut_off()) return saturation.is_over_limit();
@@ -208,7 +208,7 @@ class Classifier {
       const ExprId own{node.is_existential() ? static_cast<std::uint32_t>(size) + at : node.root};
       if (node.is_unsatisfiable) graph.set_unsatisfiable(own);
       for (const std::uint32_t above : node.above) {
-        // Existentials that nothing is above of interest nobody.
+        // An existential with nothing above it adds no way up.
         if (above >= size && nodes[above - size].above.empty()) continue;
         graph.add_edge(own, ExprId{above});
       }
@@ -226,7 +226,7 @@ class Classifier {
     SubsumptionGraph graph(index_);
     result_.is_consistent = saturation.is_consistent();
     for (const Context& context : saturation.contexts()) {
-      if (!context.together.empty()) continue;  // it is of no atom
+      if (!context.together.empty()) continue;  // it is of several atoms
       if (context.is_unsatisfiable) graph.set_unsatisfiable(context.root);
       for (const ExprId above : context.derived) graph.add_edge(context.root, above);
     }
@@ -235,8 +235,8 @@ class Classifier {
     std::move(graph).reduce(exprs_, result_);
   }
 
-  /// What holds where a class has an instance. Over a limit the rest keeps what holds without one, and the axioms with
-  /// nominals count as unused.
+  /// Adds what holds of a class because it has an instance. Over a limit the other classes are left as they are, and
+  /// the axioms with nominals count as unused.
   void add_worlds(const Saturation& saturation, SubsumptionGraph& graph) {
     const std::vector<ExprId> conditional = find_conditional_roots(index_, saturation, asked_);
     bool is_left_out = conditional.size() > options_.limits.worlds;
@@ -254,7 +254,7 @@ class Classifier {
     if (is_left_out) leave_out_nominals();
   }
 
-  /// Names the axioms in which a term of one of these kinds occurs, or that are of these kinds themselves.
+  /// Names the axioms of these kinds, and those in which a concerned term occurs, as not used.
   template <typename IsConcerned>
   void leave_out(owl::Construct construct, std::initializer_list<owl::AxiomKind> axioms, IsConcerned&& is_concerned) {
     std::vector<bool> has_it(source_.term_count(), false);
@@ -275,7 +275,7 @@ class Classifier {
     sort_unused();
   }
 
-  /// Where the contexts are a model of what the rules do not use, too, it is used.
+  /// Counts all axioms as used if the model check passes for every class.
   void settle() {
     for (const ExprId expr : exprs_) result_.is_settled.push_back(model_check_->is_settled(expr));
     if (!model_check_->is_world_settled() || !std::ranges::all_of(result_.is_settled, std::identity())) return;
@@ -305,7 +305,7 @@ class Classifier {
     });
   }
 
-  /// By axiom, the first reason of each.
+  /// Sorts the unused axioms, each with its first reason.
   void sort_unused() {
     std::map<std::uint32_t, std::string_view> reason_of;
     for (const taxonomy::UnusedAxiom& unused : result_.unused) reason_of.try_emplace(unused.axiom, unused.construct);
@@ -344,14 +344,14 @@ class Classifier {
 
 std::expected<taxonomy::Classification, ClassifyError> classify(const owl::Ontology& source,
                                                                 const ClassifyOptions& options) {
-  // What a union is found to be in may show more of what other unions are in. Few rounds find more than one does.
+  // A superclass of one union may lead to superclasses of others. Few ontologies need more than one round.
   std::vector<std::pair<ExprId, ExprId>> told;
   std::optional<taxonomy::Classification> before;
   for (unsigned round = 0;; ++round) {
     Classifier classifier(source, options, told);
     auto found = classifier.run();
     if (found && found->is_cut_off && before) {
-      // The round before was not, and knows more.
+      // The last round was not cut off and knows more.
       before->is_cut_off = true;
       before->is_settled.clear();
       return std::move(*before);

@@ -19,14 +19,14 @@ namespace geminga::el {
 
 struct ClassifyOptions {
   unsigned threads = 1;  ///< of saturation; the result does not depend on it
-  bool inherits = true;  ///< the closure is inherited where it can be: inheritance.hpp
-  /// What deriving may cost; nothing: no more than the limits. Borrowed. What is linear in the axioms is done in any
-  /// case: where the budget is spent, what was derived by then is reduced to a taxonomy.
+  bool inherits = true;  ///< closes by inheritance if possible (closure/inheritance.hpp)
+  /// Limits the work of deriving; without it only the limits do. Borrowed. Work that is linear in the axioms is done in
+  /// any case: after the budget is spent, the conclusions by then are reduced to a taxonomy.
   base::Budget* budget = nullptr;
   ClassifyLimits limits{};
 };
 
-/// Why an ontology could not be classified. `text` is one line for a user.
+/// The reason why an ontology could not be classified. `text` is one line for a user.
 struct ClassifyError {
   std::string text;
 };

@@ -1,4 +1,4 @@
-// What contexts and told axioms say, as inclusions to be reduced.
+// Told inclusions are added to those of the closure, and all are reduced.
 #include "reasoning/el/subsumption_graph.hpp"
 
 #include <utility>

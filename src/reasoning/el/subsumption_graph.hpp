@@ -1,4 +1,4 @@
-// From saturated contexts to the taxonomy: nodes of equivalents, and the direct parents of each.
+// The graph of subsumptions, which becomes the taxonomy: nodes of equivalents, and the direct parents of each.
 #ifndef GEMINGA_REASONING_EL_SUBSUMPTION_GRAPH_HPP
 #define GEMINGA_REASONING_EL_SUBSUMPTION_GRAPH_HPP
 
@@ -10,7 +10,7 @@
 
 namespace geminga::el {
 
-/// The subsumptions of atoms that are known, as a graph whose ways up are all that hold. Nodes are representatives.
+/// A graph of atoms in which a way up stands for each known subsumption. Nodes are representatives.
 class SubsumptionGraph {
  public:
   explicit SubsumptionGraph(const IndexedOntology& index) : index_(index) {
@@ -18,12 +18,12 @@ class SubsumptionGraph {
   }
 
   void add_edge(ExprId sub, ExprId super) { graph_.edges.emplace_back(number(sub), number(super)); }
-  /// Nodes that stand for no expression: numbers behind those of the index.
+  /// Adds nodes that stand for no expression; their numbers follow those of the index.
   void add_nodes(std::size_t count) { graph_.is_empty.resize(index_.size() + count, false); }
   void set_unsatisfiable(ExprId atom) { graph_.is_empty[number(atom)] = true; }
 
-  /// Fills representative, parents and is_consistent of a classification whose classes are set. `exprs[c]` is the
-  /// representative of class c.
+  /// Fills representative, parents and is_consistent of a classification. Requires that its classes are set, and that
+  /// `exprs[c]` is the representative of class c.
   void reduce(std::span<const ExprId> exprs, taxonomy::Classification& classification) &&;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace geminga::el {
 
-std::vector<std::pair<ExprId, ExprId>> find_shared(const IndexedOntology& index, const Saturation& saturation,
+std::vector<std::pair<ExprId, ExprId>> find_union_superclasses(const IndexedOntology& index, const Saturation& saturation,
                                                    const OpenParts& open) {
   std::vector<std::pair<ExprId, ExprId>> found;
   AtomsAbove above(index, saturation);

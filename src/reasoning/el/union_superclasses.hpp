@@ -1,4 +1,4 @@
-// What all parts of a union have above them, and so the union, too: C or D < E where C < E and D < E.
+// Superclasses of unions: C or D < E follows from C < E and D < E.
 #ifndef GEMINGA_REASONING_EL_UNION_SUPERCLASSES_HPP
 #define GEMINGA_REASONING_EL_UNION_SUPERCLASSES_HPP
 
@@ -10,10 +10,11 @@
 
 namespace geminga::el {
 
-/// Inclusions between the unions of `open` and atoms that follow from what was derived of the parts and that are not
-/// told. Enumerations of individuals are unions, too. Linear in what is above the parts.
-[[nodiscard]] std::vector<std::pair<ExprId, ExprId>> find_shared(const IndexedOntology& index,
-                                                                 const Saturation& saturation, const OpenParts& open);
+/// Inclusions of the unions of `open` in atoms that are above all their parts, without those that are told.
+/// Enumerations of individuals are unions, too. Linear in the number of atoms above the parts.
+[[nodiscard]] std::vector<std::pair<ExprId, ExprId>> find_union_superclasses(const IndexedOntology& index,
+                                                                             const Saturation& saturation,
+                                                                             const OpenParts& open);
 
 }  // namespace geminga::el
 

@@ -1,4 +1,4 @@
-// Worlds in which one class is not empty.
+// A world is a saturation with one more required instance.
 #include "reasoning/el/worlds.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace geminga::el {
 namespace {
 
-/// Whether a context below a nominal has subsumers with rules that the nominal has not.
+/// True if a context below a nominal has subsumers with rules that the nominal has not.
 bool says_more(const IndexedOntology& index, const Saturation& saturation, const Context& context) {
   return std::ranges::any_of(context.nominals, [&](std::uint32_t nominal) {
     const Context& individual = saturation.contexts()[nominal];
@@ -24,7 +24,7 @@ std::vector<ExprId> find_conditional_roots(const IndexedOntology& index, const S
                                            std::span<const ExprId> asked) {
   std::vector<ExprId> roots;
   if (!index.has_nominals() || !saturation.is_consistent()) return roots;
-  // Backwards from what is below a nominal, is not known to have an instance, and says more than the nominal does.
+  // Walks backwards from contexts below a nominal that need not have an instance and say more than the nominal.
   const auto& contexts = saturation.contexts();
   std::vector<bool> is_conditional(contexts.size(), false);
   std::vector<std::uint32_t> stack;

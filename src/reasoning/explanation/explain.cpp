@@ -1,4 +1,4 @@
-// Extracts a module, then a sufficient prefix of it, then a minimal set, then the order in which one reads it.
+// A module is extracted, then a sufficient prefix of it, then a minimal set; last comes the order of the argument.
 #include "reasoning/explanation/explain.hpp"
 
 #include <array>
@@ -6,8 +6,8 @@
 namespace geminga::explanation {
 namespace {
 
-/// The minimal subset, or the whole set if an engine gives up on the subset although it answered for the set. So what
-/// is shown always entails the conclusion.
+/// The minimal subset; or the whole set, if an engine gives up on the subset although it answered for the set. So the
+/// result always entails the conclusion.
 AxiomSet minimal_of(const AxiomSet& enough, const Holds& holds) {
   AxiomSet minimal = find_minimal(enough, holds);
   return minimal.size() == enough.size() || holds(minimal) ? minimal : enough;

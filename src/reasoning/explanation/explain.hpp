@@ -1,4 +1,4 @@
-// Why one class is below another: minimal sets of axioms that entail it, whichever engine derived it.
+// Explanations of a subsumption: minimal sets of axioms that entail it, whichever engine derived it.
 //
 // A set is minimal if none of its axioms can be left out (a justification; Kalyanpur, Parsia, Horridge, Sirin 2007). A
 // class is unsatisfiable if it is below owl:Nothing. The ontology is inconsistent if owl:Thing is below owl:Nothing.
@@ -22,9 +22,9 @@ class Explainer {
   Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
             Patience patience = Patience::of_a_person);
 
-  /// One minimal set, as numbers of the module, ascending. Nothing if no engine finds that it is entailed.
+  /// One minimal set, as numbers of the module, ascending. Nothing if no engine derives the subsumption.
   [[nodiscard]] std::optional<AxiomSet> find_one();
-  /// The same, from these axioms of the module only. They are tried in this order.
+  /// One minimal set among these axioms of the module, which are tried in this order.
   [[nodiscard]] std::optional<AxiomSet> find_one_of(const AxiomSet& candidates);
 
   /// All minimal sets up to limits. Work is counted in axioms asked about, so that the answer is the same everywhere.

@@ -1,4 +1,4 @@
-// Expand, then contract.
+// Candidates are added until the question holds, and then removed while it does.
 #include "reasoning/explanation/explain_minimal.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Copies a module out of the compiled form.
+// Terms are copied once, with their parts.
 #include "reasoning/explanation/explain_module.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<TermId> entities_in(const Ontology& source, std::span<const TermId> 
   return entities;
 }
 
-/// What an axiom is about: the individual of a fact, else its first argument.
+/// The subject of an axiom: the individual of a fact, else the first argument.
 TermId subject_of(const Axiom& axiom) {
   const bool is_fact = axiom.kind >= AxiomKind::class_assertion && axiom.arguments.size() > 1;
   return axiom.arguments[is_fact ? 1 : 0];

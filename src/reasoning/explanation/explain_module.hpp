@@ -13,7 +13,7 @@
 
 namespace geminga::explanation {
 
-/// One axiom in readable syntax and where it stands, e.g. "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
+/// One axiom in readable syntax, e.g. "soccer:SharedBallInfo SubClassOf soccer:BallInfo", with its file and line.
 struct ExplainedAxiom {
   std::string text;
   std::string file;
@@ -23,21 +23,20 @@ struct ExplainedAxiom {
 /// The axioms that can matter for some classes. Borrows the ontology.
 class Module {
  public:
-  /// The axioms that can matter for subsumptions of these classes, and for other conclusions about these terms of the
-  /// compiled form.
+  /// Takes the axioms that can matter for subsumptions of these classes, and for other conclusions about these terms of
+  /// the compiled form.
   Module(const compiled::Ontology& ontology, std::span<const taxonomy::ClassNumber> classes,
          std::span<const std::uint32_t> more_terms = {});
 
-  /// Its axioms are those of the module, in the order in which the walk from the classes reached them.
+  /// The axioms of the module, in the order in which the walk from the classes reached them.
   [[nodiscard]] const owl::Ontology& source() const { return source_; }
   /// Questions and names for expressions may be added. Axioms that are added have numbers from axiom_count() on.
   [[nodiscard]] owl::Ontology& source() { return source_; }
   [[nodiscard]] std::uint32_t axiom_count() const { return axiom_count_; }
   /// The numbers of all axioms of the module.
   [[nodiscard]] AxiomSet all() const;
-  /// Adds the other axioms of the ontology. To be called before anything else is added. A module is enough for what
-  /// follows, but the rules of an engine may be incomplete, and may find something with more axioms that they do not
-  /// find with the module.
+  /// Adds the other axioms of the ontology. To be called before anything else is added. Everything that follows follows
+  /// from the module; but an engine with incomplete rules may derive more from more axioms.
   void add_rest();
 
   [[nodiscard]] const compiled::Ontology& ontology() const { return ontology_; }
@@ -48,7 +47,7 @@ class Module {
   /// An axiom by its number in the compiled form, whether it is in the module or not.
   [[nodiscard]] ExplainedAxiom explained_original(std::uint32_t axiom);
   [[nodiscard]] std::string print(owl::TermId term) const;
-  /// Orders axioms so that each, if possible, mentions something that an earlier one mentions, beginning with `first`.
+  /// Orders axioms so that each, if possible, shares an entity with an earlier one, beginning with `first`.
   [[nodiscard]] AxiomSet in_order_of_argument(AxiomSet axioms, owl::TermId first) const;
 
  private:

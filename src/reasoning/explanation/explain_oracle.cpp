@@ -1,4 +1,4 @@
-// Asks the rules of EL first, then for a model that refutes, then for the consequences of clauses.
+// The rules of EL are asked first, then a model that refutes, then the consequences of clauses.
 #include "reasoning/explanation/explain_oracle.hpp"
 
 #include "reasoning/dl/clauses/clausify.hpp"
@@ -14,7 +14,7 @@ using hypertableau::Verdict;
 struct Bounds {
   hypertableau::QuestionLimits model;
   std::size_t derived_clauses = 0;
-  std::size_t undecided = 0;  ///< so many of these questions may be too hard
+  std::size_t undecided = 0;  ///< the most questions that may be too hard
 };
 
 Bounds bounds(Patience patience) {

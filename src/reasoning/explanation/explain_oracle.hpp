@@ -1,4 +1,4 @@
-// Answers whether some axioms entail that one class is below another, with the cheapest engine that knows.
+// Entailments from few axioms, asked of the cheapest engine that can decide.
 #ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_ORACLE_HPP
 #define GEMINGA_REASONING_EXPLANATION_EXPLAIN_ORACLE_HPP
 
@@ -13,26 +13,25 @@
 
 namespace geminga::explanation {
 
-/// How much the engines beyond the rules of EL may do. The bounds count work, so that the answer is the same
-/// everywhere.
+/// The bound of the engines beyond the rules of EL. It counts work, so that the answer is the same everywhere.
 enum class Patience : std::uint8_t {
-  of_a_person,  ///< who asked a program on a command line
-  of_a_daemon,  ///< which has others to serve, on the same thread
+  of_a_person,  ///< for a command line
+  of_a_daemon,  ///< for a daemon, which serves others on the same thread
 };
 
 /// Asks about one source, which must outlive it and may grow. Every yes is sound. After some questions that were too
-/// hard, holds() only asks the rules.
+/// hard, holds() asks the rules only.
 class Oracle {
  public:
   explicit Oracle(const owl::Ontology& source, Patience patience = Patience::of_a_person)
       : source_(source), patience_(patience) {}
 
-  /// By the rules of EL alone. They are so much cheaper than the rest that they are always asked first.
+  /// The answer of the rules of EL alone, which are much cheaper than the other engines.
   [[nodiscard]] el::Entailed find_by_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
-  /// By every engine. What an engine cannot decide within its limits counts as not entailed.
+  /// The answer of every engine. A question that no engine decides within its limits counts as not entailed.
   [[nodiscard]] bool holds(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
 
-  /// The same by every engine, where a no must be certain, too.
+  /// The answer of every engine, in which a no is certain, too.
   struct Decision {
     hypertableau::Verdict verdict = hypertableau::Verdict::unknown;
     std::string reason{};      ///< of unknown: one line for a user

@@ -1,4 +1,4 @@
-// Builds the tree breadth first, reuses labels and cuts paths.
+// The tree is built breadth first; labels are reused, and no node is visited twice.
 #include "reasoning/explanation/explanations.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace geminga::explanation {
 namespace {
 
-/// Whether all of one ascending list is in the other.
+/// True if all numbers of one ascending list are in the other.
 bool is_part(const AxiomSet& part, const AxiomSet& whole) { return std::ranges::includes(whole, part); }
 
 bool is_disjoint(const AxiomSet& one, const AxiomSet& other) {
@@ -25,7 +25,7 @@ class Tree {
     AllSets result;
     push({});
     while (!open_.empty()) {
-      // One set more than wanted is looked for, to know whether there are others.
+      // One more set is looked for, to know whether there are others.
       const bool is_over = sets_.size() > limits_.sets;
       if (is_over) sets_.pop_back();
       if (is_over || seen_.size() > limits_.nodes || (!sets_.empty() && is_spent_())) {
@@ -43,7 +43,7 @@ class Tree {
 
  private:
   void push(AxiomSet removed) {
-    // If nothing was left when less was taken away, nothing is left here. No node is visited twice.
+    // If the question did not hold when fewer axioms were taken away, it does not hold here.
     if (std::ranges::any_of(closed_, [&](const AxiomSet& less) { return is_part(less, removed); })) return;
     if (seen_.insert(removed).second) open_.push_back(std::move(removed));
   }

@@ -1,4 +1,4 @@
-// Asks whether the conjunction of both is below owl:Nothing: the rules of EL first, then for a model.
+// The conjunction of both is tested for being below owl:Nothing: by the rules of EL first, then by a model.
 #include "reasoning/explanation/overlap.hpp"
 
 #include <algorithm>
@@ -79,13 +79,12 @@ struct Question {
   }
 };
 
-/// What was left out when the ontology was read, and is in no module: more than the axioms that a classification did
-/// not use.
+/// The number of axioms that the reader left out, which no module has, beside those that a classification did not use.
 std::optional<std::string> unread(const compiled::Ontology& ontology) {
   const auto groups = ontology.axioms().unused_group;
   const auto left_out = ontology.left_out();
   for (std::size_t group = 0; group < left_out.size(); ++group) {
-    // What is said of conversions has no consequence.
+    // Axioms about conversions have no consequence.
     if (left_out[group].construct.starts_with("geminga:conver")) continue;
     const auto unused = std::ranges::count(groups, static_cast<std::uint32_t>(group));
     if (left_out[group].count > static_cast<std::size_t>(unused)) return left_out[group].construct;

@@ -1,4 +1,4 @@
-// Whether something can be an instance of two classes at once, and the axioms that forbid it.
+// Overlap of two classes: whether they can have a common instance, and the axioms that forbid it.
 #ifndef GEMINGA_REASONING_EXPLANATION_OVERLAP_HPP
 #define GEMINGA_REASONING_EXPLANATION_OVERLAP_HPP
 
@@ -14,7 +14,7 @@
 
 namespace geminga::explanation {
 
-/// If more axioms may matter for a pair, the engines are not asked.
+/// The limit of axioms that may matter for a pair; beyond it the engines are not asked.
 inline constexpr std::size_t max_overlap_axioms = 20'000;
 
 enum class Common : std::uint8_t {
@@ -35,13 +35,13 @@ struct WrittenClass {
 };
 using Class = std::variant<taxonomy::ClassNumber, WrittenClass>;
 
-/// Both answers but undecided are certain: impossible follows, and possible has a model, which takes every axiom into
-/// account. So nothing is possible where axioms were left out when the ontology was read. Work is counted, so that the
-/// answer is the same everywhere.
+/// Decides the overlap. The answers are certain, except undecided: impossible follows, and possible has a model of
+/// every axiom. So no pair is possible if the reader left axioms out. Work is counted, so that the answer is the same
+/// everywhere.
 [[nodiscard]] Overlap find_overlap(const compiled::Ontology& ontology, taxonomy::ClassNumber one, const Class& other,
                                    Patience patience = Patience::of_a_person);
 
-/// A minimal set of axioms by which nothing is an instance of both, in the order of the argument. Empty if that does
+/// A minimal set of axioms by which the two have no common instance, in the order of the argument. Empty if that does
 /// not follow or, rarely, no engine finds it again within its limits.
 [[nodiscard]] std::vector<ExplainedAxiom> explain_exclusion(const compiled::Ontology& ontology,
                                                             taxonomy::ClassNumber one, const Class& other,

@@ -1,4 +1,4 @@
-// Writes the conclusions of a search as steps to be read.
+// The conclusions of a search become steps that people read.
 #include "reasoning/explanation/proof.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 using owl::AxiomKind;
 using owl::TermId;
 
-/// Numbers the conclusions that the goal needs, and leaves out those that say nothing new.
+/// Numbers the conclusions that the goal needs, and leaves out trivial ones.
 class Writer {
  public:
   Writer(Explainer& explainer, ProofSearch& search, const AxiomSet& axioms)
@@ -52,7 +52,7 @@ class Writer {
     return static_cast<std::uint32_t>(std::ranges::find(axioms_, axiom) - axioms_.begin()) + 1;
   }
 
-  /// Whether a conclusion says just what its one axiom says.
+  /// True if a conclusion repeats its one axiom.
   [[nodiscard]] bool is_axiom(const Conclusion& one) {
     if (one.rule != ProofRule::subclass || one.axioms.size() != 1 || one.steps.size() > 1) return false;
     if (!one.steps.empty() && conclusion(one.steps[0]).rule != ProofRule::trivial) return false;
@@ -63,7 +63,7 @@ class Writer {
       case AxiomKind::class_assertion:
       case AxiomKind::object_property_assertion:
       case AxiomKind::data_property_assertion: {
-        // The inverse of an assertion is not what the axiom says, but follows from it.
+        // The inverse of an assertion follows from the axiom, but does not repeat it.
         const TermId individual = axiom.arguments[1];
         return explainer_.module().source().term(one.sub).arguments[0] == individual;
       }
@@ -76,7 +76,7 @@ class Writer {
     return rule == ProofRule::subclass || rule == ProofRule::conjunct;
   }
 
-  /// Whether a plain conclusion comes from one axiom alone. It is repeated where it is needed, and gets no number.
+  /// True if a plain conclusion comes from one axiom alone. It is repeated where it is needed, and gets no number.
   [[nodiscard]] bool says_one_axiom(std::uint32_t number) const {
     const Conclusion& one = conclusion(number);
     return one.axioms.size() == 1 && std::ranges::all_of(one.steps, [&](std::uint32_t step) {
@@ -84,8 +84,8 @@ class Writer {
            });
   }
 
-  /// The premises of a conclusion. Plain steps that nothing else needs are replaced by their own premises. Recursion
-  /// ends with the conclusions before it, of which there are few.
+  /// The premises of a conclusion. Plain steps that no other step needs are replaced by their own premises. Recursion
+  /// is bounded by the number of earlier conclusions.
   Premises premises_of(std::uint32_t number) {
     const Conclusion one = conclusion(number);
     Premises premises{{}, one.rule};
@@ -106,7 +106,7 @@ class Writer {
     return premises;
   }
 
-  /// Writes a conclusion after what it needs, and returns its number in the proof.
+  /// Writes a conclusion after its premises, and returns its number in the proof.
   std::uint32_t write(std::uint32_t number) {
     if (const auto known = written_.find(number); known != written_.end()) return known->second;
     const Conclusion one = conclusion(number);

@@ -1,8 +1,9 @@
-// A minimal set of axioms as an argument: numbered steps, each from axioms and earlier steps by a named rule.
+// A proof: a minimal set of axioms as an argument of numbered steps, each from axioms and earlier steps by a named
+// rule.
 //
-// Lemmas bridge what the rules of proof_search.hpp do not reach: inclusions between class expressions of the set that
-// an engine derives from some of the axioms. Such a step says so, and names the axioms. At worst the goal itself is
-// such a step.
+// Where the rules of proof_search.hpp are not enough, an engine adds lemmas: inclusions between class expressions of
+// the set that some of the axioms entail together. Such a step says so, and names the axioms. At worst the goal itself
+// is such a step.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_HPP
 
@@ -26,7 +27,7 @@ struct ProofStep {
 
 struct Proof {
   AxiomSet axioms;               ///< numbers of the module, in the order of the argument; numbered from 1
-  std::vector<ProofStep> steps;  ///< the last one is what was asked; none where an axiom says it as it is
+  std::vector<ProofStep> steps;  ///< the last one is the goal; none if an axiom is the goal
 };
 
 /// The argument for a set that the explainer found. Adds terms and questions to the explainer's module.

@@ -1,4 +1,4 @@
-// The questions about lemmas, and their order.
+// Lemmas about few axioms are tried first.
 #include "reasoning/explanation/proof_lemmas.hpp"
 
 #include <string>
@@ -83,7 +83,7 @@ std::uint32_t ProofLemmas::bridge(ProofSearch& search, const AxiomSet& axioms, T
       if (search.is_known(context, wanted)) continue;
       ++questions;
       const auto lemma = find(axioms, context, wanted);
-      // A lemma that needs all axioms is no easier to see than the goal.
+      // A lemma that needs all axioms is no easier to follow than the goal.
       if (!lemma || lemma->size() == axioms.size()) continue;
       search.assume(context, wanted, *lemma);
       if (const auto goal = search.run()) return *goal;

@@ -1,5 +1,4 @@
-// Inclusions between class expressions that an engine derives from a small set of axioms, for where the rules of a
-// proof end.
+// Lemmas of a proof: inclusions between class expressions that an engine derives from a small set of axioms.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_LEMMAS_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_LEMMAS_HPP
 
@@ -18,11 +17,11 @@ class ProofLemmas {
  public:
   ProofLemmas(Module& module, Oracle& oracle) : module_(module), oracle_(oracle) {}
 
-  /// Whether these axioms entail sub SubClassOf super, two class expressions.
+  /// True if an engine derives sub SubClassOf super, two class expressions, from these axioms.
   [[nodiscard]] bool holds(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
-  /// The same where a no must be certain, too.
+  /// Decides the same; a no is certain, too.
   [[nodiscard]] Oracle::Decision decide(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
-  /// The fewest of these axioms that entail it. Nothing if all of them do not.
+  /// A minimal subset of these axioms that entails it. Nothing if all of them do not.
   [[nodiscard]] std::optional<AxiomSet> find(const AxiomSet& axioms, owl::TermId sub, owl::TermId super);
 
   /// Gives the search one lemma after the other until it reaches its goal. The last lemma is the goal itself.
@@ -31,12 +30,12 @@ class ProofLemmas {
  private:
   struct Named {
     owl::TermId name{};
-    std::optional<std::uint32_t> axiom;  ///< that says what the name is for, where it is a new one
+    std::optional<std::uint32_t> axiom;  ///< the axiom that defines the name, if it is a new one
   };
   Named name_below(owl::TermId expression);
   Named name_above(owl::TermId expression);
   [[nodiscard]] owl::TermId fresh();
-  /// A question between names, with the axioms that say what the names are for.
+  /// A question between names, with the axioms that define the names.
   struct Asked {
     AxiomSet axioms;
     owl::TermId below{};

@@ -1,4 +1,4 @@
-// Property axioms, kind by kind.
+// One kind of property axiom after the other.
 #include "reasoning/explanation/proof_roles.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What some axioms say about properties, and the axioms that say it.
+// The hierarchy, chains and features of properties in some axioms, each with the axioms that state it.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_ROLES_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_ROLES_HPP
 
@@ -25,19 +25,19 @@ struct RoleChain {
   owl::TermId super{};
   std::uint32_t axiom = 0;
 };
-/// What holds of a property: that it has a range, or is functional. A domain is a range of the inverse.
+/// A feature of a property: a range, or being functional. A domain is a range of the inverse.
 struct RoleFeature {
   owl::TermId role{};
-  owl::TermId range{};  ///< owl:Thing where it is not about a range
+  owl::TermId range{};  ///< owl:Thing if the feature is no range
   std::uint32_t axiom = 0;
 };
 
-/// Object properties with their inverses, and data properties. Everything is a list, because the axioms are few.
+/// Object properties with their inverses, and data properties. The axioms are few, so all tables are lists.
 class ProofRoles {
  public:
   ProofRoles(owl::Ontology& source, ProofTerms& terms, std::span<const std::uint32_t> axioms);
 
-  /// Everything above a property expression, each by the fewest axioms. The expression itself comes first.
+  /// The property expressions above one, each by the fewest axioms. The expression itself comes first.
   [[nodiscard]] const std::vector<RoleAbove>& above(owl::TermId role);
   /// The axioms by which `sub` is below `super`. Nothing if it is not.
   [[nodiscard]] const AxiomSet* find(owl::TermId sub, owl::TermId super);

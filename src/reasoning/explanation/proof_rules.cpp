@@ -107,11 +107,11 @@ void ProofSearch::apply_cases(TermId context) {
     }
     std::vector<TermId> cases;
     for (const TermId part : parts) cases.push_back(terms_.conjunction({context, part}));
-    // If one of the cases is certain, nothing is gained.
+    // Cases gain nothing if one of them is certain.
     if (std::ranges::find(cases, context) != cases.end()) continue;
     if (std::ranges::any_of(parts, [&](TermId part) { return find(context, part) != nullptr; })) continue;
     for (const TermId one : cases) open(one);
-    // What holds in the first possible case must hold in the others.
+    // A conclusion must hold in the first possible case and in the others.
     const auto possible = std::ranges::find_if(cases, [&](TermId one) { return !find(one, owl::nothing_term); });
     const TermId first = possible == cases.end() ? cases.front() : *possible;
     for (const std::uint32_t of_first : about(first)) {

@@ -1,4 +1,4 @@
-// Reads the axioms, keeps what is known, and applies rounds of rules until the goal is reached.
+// The axioms are read, then rounds of rules are applied until the goal is reached.
 #include "reasoning/explanation/proof_search.hpp"
 
 #include <algorithm>
@@ -166,7 +166,7 @@ void ProofSearch::use(std::uint32_t number) {
       return disjoint(members);
     }
     default:
-      return;  // of properties: proof_roles.cpp; keys and datatypes have no rule here
+      return;  // proof_roles.cpp reads axioms of properties; keys and datatypes have no rule here
   }
 }
 

@@ -1,4 +1,4 @@
-// Derives a subsumption from few axioms by rules that a reader can follow, and remembers the premises of each step.
+// The search for a proof: derives a subsumption from few axioms by rules that a reader can follow.
 //
 // The rules are those of EL and the simplest ones beyond it: universal restrictions, inverses, functional properties,
 // unions by cases. They need not be complete, because lemmas bridge what they do not reach (proof.hpp). Each conclusion
@@ -24,7 +24,7 @@
 
 namespace geminga::explanation {
 
-/// By which rule a step follows from its premises.
+/// The rule by which a step follows from its premises.
 enum class ProofRule : std::uint8_t {
   trivial,      ///< C SubClassOf C, C SubClassOf owl:Thing: no step at all
   subclass,     ///< C < D, D < E: C < E
@@ -45,7 +45,7 @@ enum class ProofRule : std::uint8_t {
   negation,       ///< C < D, C < not D: C < owl:Nothing; C and D < owl:Nothing: C < not D
   cases,          ///< C < D or E, C and D < F, C and E < F: C < F
   contradiction,  ///< C < owl:Nothing: C < D; a is in owl:Nothing: C < D
-  together,       ///< the axioms entail it, as an engine says that shows no steps
+  together,       ///< the axioms entail it together, by an engine that shows no steps
 };
 /// The words behind "by": "the existential rule", "the domain", "cases".
 [[nodiscard]] std::string_view to_string(ProofRule rule);
@@ -92,7 +92,7 @@ class ProofSearch {
     owl::TermId filler{};
   };
 
-  // proof_search.cpp: the axioms, and what is known.
+  // proof_search.cpp: the axioms, and the conclusions.
   void use(std::uint32_t axiom);
   void tell(owl::TermId sub, owl::TermId super, std::uint32_t axiom);
   void look_into(owl::TermId expression);

@@ -1,4 +1,4 @@
-// Turns terms into the normal form and back into what people write.
+// Terms become the normal form, and text as people write it.
 #include "reasoning/explanation/proof_terms.hpp"
 
 #include "base/sorted.hpp"

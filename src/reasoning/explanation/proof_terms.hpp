@@ -1,4 +1,4 @@
-// The class expressions of a proof: few forms, so that few rules suffice, and readable text for conclusions.
+// The class expressions of a proof: a normal form, so that few rules suffice, and readable text.
 #ifndef GEMINGA_REASONING_EXPLANATION_PROOF_TERMS_HPP
 #define GEMINGA_REASONING_EXPLANATION_PROOF_TERMS_HPP
 
@@ -11,8 +11,8 @@
 
 namespace geminga::explanation {
 
-/// Makes terms in a normal form, in which terms of equal meaning are more often equal: an individual is the class of
-/// itself alone, `value` and `min 1` are `some`, `exactly` is `min and max`, every restriction has a filler, and
+/// Makes terms in a normal form, in which terms of equal meaning are more often equal: an individual is the class with
+/// this one instance, `value` and `min 1` are `some`, `exactly` is `min and max`, every restriction has a filler, and
 /// conjunctions are flat and sorted. Recursion is bounded by the nesting of terms.
 class ProofTerms {
  public:

@@ -1,4 +1,4 @@
-// Finds common superclasses in the taxonomy, and requirements in the axioms about the broader class.
+// Common superclasses come from the taxonomy, requirements from the axioms about the broader class.
 #include "reasoning/explanation/why_not.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::vector<ClassNumber> most_specific_common(const compiled::Ontology& ontology
   return lowest;
 }
 
-/// An axiom of the compiled form that says what a class is, and the side of the axiom that is not the class.
+/// An axiom of the compiled form about a class, and the side of the axiom that is not the class.
 struct Found {
   std::uint32_t axiom = 0;
   std::uint32_t side = 0;

@@ -1,4 +1,4 @@
-// Why one class is not below another: what they have in common, and what is missing.
+// The answer to "why not": what two classes have in common, and what one lacks to be below the other.
 #ifndef GEMINGA_REASONING_EXPLANATION_WHY_NOT_HPP
 #define GEMINGA_REASONING_EXPLANATION_WHY_NOT_HPP
 
@@ -13,17 +13,17 @@
 
 namespace geminga::explanation {
 
-/// Something that every instance of the broader class has to be.
+/// A requirement on the instances of the broader class.
 struct Requirement {
   std::string text;  ///< "core:observes some soccer:Ball"
   bool is_met = false;
-  std::string remark;  ///< of what is nearly met: in how far; empty for others
+  std::string remark;  ///< how far the requirement is nearly met; empty for others
 };
 
-/// One axiom that says what the broader class is.
+/// One axiom about the broader class.
 struct Way {
   ExplainedAxiom axiom;
-  /// Whether everything that meets all requirements is in the class. If not, they are necessary and not sufficient.
+  /// True if everything that meets all requirements is in the class. If not, they are necessary and not sufficient.
   bool is_sufficient = false;
   std::vector<Requirement> requirements;
   [[nodiscard]] std::size_t missing_count() const;
@@ -32,26 +32,26 @@ struct Way {
 struct WhyNot {
   /// The most specific classes above both, one for each node. owl:Thing if there is no other.
   std::vector<taxonomy::ClassNumber> common;
-  /// Sufficient ones first, and of these the nearest first, of which least is missing.
+  /// The ways, sufficient ones first; of these the nearest first, which lack least.
   std::vector<Way> ways;
-  bool has_more_ways = false;  ///< than are listed
+  bool has_more_ways = false;  ///< there are more ways than are listed
   /// The two classes are disjoint, and these axioms say so.
   bool is_excluded = false;
   std::vector<ExplainedAxiom> exclusion;
-  /// Axioms were left out when the ontology was loaded. With them it might follow.
+  /// True if axioms were left out when the ontology was loaded, with which the subsumption might follow.
   bool may_be_incomplete = false;
 };
 
-/// Requires that `sub` is not below `super`. Costs a pass over the kinds of all axioms, and a question to the engines
-/// for each requirement.
+/// Compares two classes. Requires that `sub` is not below `super`. Costs a pass over the kinds of all axioms, and a
+/// question to the engines for each requirement.
 [[nodiscard]] WhyNot why_not(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                              Patience patience = Patience::of_a_person);
 
-/// The same in lines for a person, without the first one ("A is not subsumed by B").
+/// The comparison in lines for a person, without the first line ("A is not subsumed by B").
 [[nodiscard]] std::vector<std::string> describe(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
                                                 taxonomy::ClassNumber super, const WhyNot& why_not);
 
-/// The same in one short line: what is nearest, and what the nearest sufficient axiom requires beyond that.
+/// The comparison in one short line: the nearest class, and what the nearest sufficient axiom requires beyond it.
 [[nodiscard]] std::string describe_briefly(const compiled::Ontology& ontology, taxonomy::ClassNumber sub,
                                            taxonomy::ClassNumber super, const WhyNot& why_not);
 

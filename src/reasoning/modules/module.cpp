@@ -1,4 +1,4 @@
-// The walk: a name that enters the signature brings in the axioms that wait for it.
+// A name that enters the signature brings in the axioms that wait for it.
 #include "reasoning/modules/module.hpp"
 
 #include <algorithm>
@@ -68,8 +68,8 @@ class Walk {
   std::vector<bool> is_taken_;
   LocalityTest test_;
   std::vector<std::uint32_t> names_;  ///< of the signature, in the order in which they came
-  std::size_t next_ = 0;              ///< of them, the first whose axioms have not been looked at
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> waiting_;  ///< beside what the index says
+  std::size_t next_ = 0;              ///< the first name whose axioms have not been looked at
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> waiting_;  ///< by name, beside the index
   std::vector<std::uint32_t> module_;
 };
 

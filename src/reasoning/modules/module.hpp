@@ -13,23 +13,23 @@
 
 namespace geminga::modules {
 
-/// Leads from each name to the axioms that wait for it; see module_locality.hpp. It is part of the compiled form, so
-/// that making one costs nothing. The view must have axioms, and must outlive it.
+/// Leads from each name to the axioms that wait for it (module_locality.hpp). Its tables are part of the compiled form,
+/// so that making one costs nothing. The view must have axioms, and must outlive it.
 class ModuleIndex {
  public:
   explicit ModuleIndex(const taxonomy::ClassifiedView& view);
 
   [[nodiscard]] const taxonomy::ClassifiedView& view() const { return *view_; }
   [[nodiscard]] const BuiltIn& built_in() const { return built_in_; }
-  /// How often a term is an argument.
+  /// How often each term is an argument.
   [[nodiscard]] std::span<const std::uint32_t> uses() const { return view_->uses; }
   /// The axioms to test when this entity enters the signature.
   [[nodiscard]] std::span<const std::uint32_t> axioms_of(std::uint32_t entity) const {
     return view_->axioms_waiting_for(entity);
   }
-  /// Axioms that are local for no signature: facts, and what is said of everything.
+  /// Axioms that are local for no signature: facts, and axioms about everything.
   [[nodiscard]] std::span<const std::uint32_t> unconditional() const { return view_->unconditional; }
-  /// The term of a class; nothing where no axiom uses it.
+  /// The term of a class; nothing if no axiom uses it.
   [[nodiscard]] std::optional<std::uint32_t> term_of(taxonomy::ClassNumber number) const;
 
  private:
@@ -37,7 +37,7 @@ class ModuleIndex {
   BuiltIn built_in_;
 };
 
-/// What a module index is made of, as the compiled form keeps it.
+/// The tables of a module index, as the compiled form keeps them.
 struct ModuleTables {
   std::vector<std::uint32_t> built_in;  ///< in the order of BuiltIn
   std::vector<std::uint32_t> uses;
@@ -47,13 +47,13 @@ struct ModuleTables {
   std::vector<std::uint32_t> unconditional;
 };
 
-/// Makes the tables of a view that has everything but them. A pass over its axioms.
+/// Makes the tables of a view that has no tables yet. One pass over its axioms.
 [[nodiscard]] ModuleTables make_module_tables(const taxonomy::ClassifiedView& view);
 
-/// The numbers of axioms that include every minimal set that entails anything about these classes and terms, also that
-/// one of these classes is below any named class. Their order is that in which the walk reaches them, so that near
-/// axioms come first. Declarations are not among them. The cost is that of what is reached, and one bit for each term
-/// and axiom of the ontology.
+/// The axioms of the module for these classes and terms, by number. They include every minimal set that entails an axiom
+/// over this signature, or that one of the classes is below any named class. The walk reaches near axioms first, and the
+/// result is in this order. Declarations are not among them. The cost is that of the reached axioms, and one bit for each
+/// term and axiom of the ontology.
 [[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index,
                                                         std::span<const taxonomy::ClassNumber> classes,
                                                         std::span<const std::uint32_t> more_terms = {});

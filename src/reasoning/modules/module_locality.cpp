@@ -1,6 +1,5 @@
-// Locality, one kind of term or axiom at a time. A test returns not_local if what it asks holds whatever the names
-// outside the signature mean. It returns waiting if a name must enter the signature first, and leaves such names on top
-// of the stack. It returns always if that can never happen, and leaves none.
+// One kind of term or axiom after the other. A test that returns waiting leaves the names on top of the stack; the other
+// answers leave none.
 #include "reasoning/modules/module_locality.hpp"
 
 namespace geminga::modules {
@@ -64,7 +63,7 @@ Locality LocalityTest::all(Numbers terms, Test&& test) {
   return result;
 }
 
-/// Whether at least two of them pass the test.
+/// Whether at least two of the terms pass the test.
 template <typename Test>
 Locality LocalityTest::two(Numbers terms, Test&& test) {
   const std::size_t start = names_.size();

@@ -1,9 +1,9 @@
-// Why an axiom does not matter yet: the names that must enter a module's signature before the axiom says something.
+// Bottom locality: the axioms that say nothing about a signature, and the names that they wait for.
 //
-// An axiom is local with respect to a signature S if it holds as soon as every name outside S is empty (bottom
-// locality; Cuenca Grau, Horrocks, Kazakov, Sattler: Modular Reuse of Ontologies, 2008). Testing every axiom again
-// after each growth of S would be slow. Instead a test tells what the axiom waits for: a set of names of which at least
-// one must enter S before the axiom can cease to be local.
+// An axiom is local with respect to a signature S if it holds as soon as every name outside S is empty (Cuenca Grau,
+// Horrocks, Kazakov, Sattler: Modular Reuse of Ontologies, 2008). Testing every axiom again after each growth of S would
+// be slow. Instead a test names what the axiom waits for: a set of names of which at least one must enter S before the
+// axiom can cease to be local.
 #ifndef GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
 #define GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
 
@@ -26,33 +26,33 @@ struct BuiltIn {
 };
 inline constexpr std::size_t built_in_count = 6;
 
-/// Whether terms of this kind make up a module's signature.
+/// True if terms of this kind make up a module's signature.
 [[nodiscard]] constexpr bool is_entity(owl::TermKind kind) {
   return kind <= owl::TermKind::anonymous_individual && kind != owl::TermKind::datatype;
 }
 
-/// Whether an axiom is local, and what it waits for.
+/// The answer of a locality test.
 enum class Locality : std::uint8_t {
-  not_local,  ///< it says something already
-  waiting,    ///< local until one of the names comes
-  always,     ///< it never says anything
+  not_local,  ///< the axiom says something about the signature
+  waiting,    ///< the axiom is local until one of its names enters the signature
+  always,     ///< the axiom is local for every signature
 };
 
-/// How many terms of one axiom are looked at, each as often as it occurs. Beyond it the axiom counts as not local,
-/// which is always sound. Terms may share their parts, so that a few lines of a file can mean 2^60 of them.
+/// The limit of terms of one axiom that are looked at, each as often as it occurs. Beyond it the axiom counts as not
+/// local, which is always sound. Terms may share their parts, so that a few lines of a file can mean 2^60 of them.
 inline constexpr std::uint32_t max_terms_looked_at = 10'000;
 
 /// Tests axioms against a signature that the caller keeps. Recursion is bounded by the nesting of terms.
 class LocalityTest {
  public:
-  /// `is_in_signature` and `uses` have an entry for each term. Among several names to wait for, those with few uses are
-  /// chosen. All must outlive the test.
+  /// Requires an entry of `is_in_signature` and `uses` for each term. Of several sets of names to wait for, one with few
+  /// uses is chosen. All arguments must outlive the test.
   LocalityTest(const taxonomy::ClassifiedView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
                std::span<const std::uint32_t> uses)
       : view_(view), built_in_(built_in), is_in_signature_(is_in_signature), uses_(uses) {}
 
   [[nodiscard]] Locality of(std::uint32_t axiom);
-  /// What the axiom that of() tested last waits for. Valid until of() is called again.
+  /// The names that the last axiom of of() waits for. Valid until of() is called again.
   [[nodiscard]] std::span<const std::uint32_t> names() const { return names_; }
 
  private:
@@ -70,7 +70,7 @@ class LocalityTest {
   [[nodiscard]] std::uint64_t cost(std::size_t first, std::size_t last) const;
   Locality wait_for(std::uint32_t entity);
 
-  // Each test asks whether something is certain. Here not_local means that it is.
+  // Each test asks whether something holds whatever the names outside the signature mean; not_local says that it does.
   Locality not_empty_role(std::uint32_t term);
   Locality not_empty(std::uint32_t term);
   Locality not_everything(std::uint32_t term);

@@ -1,4 +1,4 @@
-// Finds the axioms that wait for each name, once, when an ontology is compiled.
+// Each axiom is tested once against the empty signature, when an ontology is compiled.
 #include "base/rows.hpp"
 #include "reasoning/modules/module.hpp"
 
@@ -51,7 +51,7 @@ ModuleTables make_module_tables(const taxonomy::ClassifiedView& view) {
     for (const std::uint32_t name : test.names()) waiting.emplace_back(name, axiom);
     if (locality != Locality::not_local) continue;
     tables.unconditional.push_back(axiom);
-    // It is in every module. Filing it under its names brings it in early.
+    // The axiom is in every module. The walk reaches it early if it is filed under its names.
     for (const std::uint32_t argument : view.arguments_of_axiom(axiom)) {
       if (is_entity(view.kind_of_term(argument))) waiting.emplace_back(argument, axiom);
     }

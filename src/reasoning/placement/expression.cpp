@@ -1,4 +1,4 @@
-// Answers questions about a place from the taxonomy around it.
+// Questions about a place are answered from the taxonomy around it.
 #include "reasoning/placement/expression.hpp"
 
 #include <algorithm>

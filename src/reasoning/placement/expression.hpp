@@ -1,4 +1,4 @@
-// Where a class expression stands among the named classes of an ontology.
+// The place of a class expression among the named classes of an ontology.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_HPP
 
@@ -21,19 +21,19 @@ struct ExpressionPlace {
   bool is_satisfiable = true;  ///< false: nothing can be an instance of it; then the lists are empty
   /// The node of the classes that it is equivalent to, if any. Then `parents` and `children` are those of that node.
   std::optional<taxonomy::ClassNumber> equivalent;
-  std::vector<taxonomy::ClassNumber> parents;   ///< right above it; owl:Thing where nothing else is
-  std::vector<taxonomy::ClassNumber> children;  ///< right below it, satisfiable ones
-  /// Why something may be missing: short words, sorted, each once. Nothing is missing for an expression that is
-  /// equivalent to a class.
+  std::vector<taxonomy::ClassNumber> parents;   ///< right above it; owl:Thing if no other class is
+  std::vector<taxonomy::ClassNumber> children;  ///< satisfiable classes right below it
+  /// The reasons why something may be missing: short words, sorted, each once. Nothing is missing for an expression
+  /// that is equivalent to a class.
   std::vector<std::string> gaps;
   friend bool operator==(const ExpressionPlace&, const ExpressionPlace&) = default;
 };
 
-/// Whether the place says that every instance of the expression is one of the class. An expression without instances is
+/// True if, by its place, every instance of the expression is one of the class. An expression without instances is
 /// below every class.
 [[nodiscard]] bool is_below(const ExpressionPlace& place, taxonomy::ClassNumber super,
                             const compiled::Ontology& ontology);
-/// Whether the place says that every instance of the class is one of the expression.
+/// True if, by its place, every instance of the class is one of the expression.
 [[nodiscard]] bool is_above(const ExpressionPlace& place, taxonomy::ClassNumber sub,
                             const compiled::Ontology& ontology);
 

@@ -1,4 +1,4 @@
-// Builds the base: saturates the axioms and the taxonomy once, then makes tables that lead downwards.
+// Axioms and taxonomy are saturated once; then come the tables that lead downwards.
 #include "reasoning/placement/expression_base.hpp"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ void ExpressionBase::add_taxonomy() {
   }
 }
 
-// The role of a property is found in what `property some everything` becomes.
+// The role of a property is read off the expression of `property some everything`.
 void ExpressionBase::name_properties() {
   const owl::TermId literal = source_.datatype("http://www.w3.org/2000/01/rdf-schema#Literal");
   const std::size_t count = source_.term_count();
@@ -185,7 +185,7 @@ void ExpressionBase::find_edges_down() {
   for (std::uint32_t at = 0; at < context_count(); ++at) {
     const el::Context& here = context(at);
     if (here.is_unsatisfiable) unsatisfiable_.push_back(at);
-    // What is derived for an atom's context holds for the atom and for all atoms below it.
+    // The conclusions about an atom's context hold for the atom and for all atoms below it.
     const bool is_of_one = together_of(at).empty();
     const std::uint32_t sub = is_of_one ? number(here.root) : size + at;
     for (const el::ExprId above : derived_of(at)) edges.emplace_back(number(above), sub);
@@ -253,7 +253,7 @@ std::vector<std::uint32_t> ExpressionBase::contexts_below(el::ExprId atom) const
       }
     }
   }
-  // What subsumes owl:Thing is above everything, but no edge says so.
+  // A subsumer of owl:Thing is above everything, but no edge says so.
   if (seen[number(index_.representative(el::top_expr))]) {
     found.resize(context_count());
     for (std::uint32_t at = 0; at < found.size(); ++at) found[at] = at;

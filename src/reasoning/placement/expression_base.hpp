@@ -1,7 +1,7 @@
 // An ontology that is saturated once and then only read, to classify any number of expressions.
 //
 // The taxonomy of the compiled form is added to the axioms. It may come from an engine that derives more than the rules
-// of saturation.hpp, and what it says of named classes must hold for expressions over them, too.
+// of saturation.hpp, and its subsumptions of named classes must hold for expressions over them, too.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_BASE_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_BASE_HPP
 
@@ -27,26 +27,25 @@
 
 namespace geminga::placement {
 
-/// How large an ontology may be for expressions to be classified in it. Beyond these limits there is an error and no
-/// base, because others wait while the base is built.
+/// The limits of a base and of one expression. Beyond those of the base there is an error and no base, because others
+/// wait while it is built.
 struct ExpressionLimits {
   std::size_t axioms = 200'000;
   std::size_t conclusions = 20'000'000;  ///< of the base
-  std::size_t work = 200'000;            ///< conclusions for one expression; over it the answer has a gap
-  /// The most axioms that are classified again for one expression if individuals matter. Beyond it the answer has a
-  /// gap.
+  std::size_t work = 200'000;            ///< conclusions for one expression; beyond it the answer has a gap
+  /// Axioms that are classified again for one expression if individuals matter; beyond it the answer has a gap.
   std::size_t scratch_axioms = 20'000;
   std::size_t parts = 64;  ///< alternatives that one expression is taken apart into at its unions
 };
 
-/// Why no expression can be classified. `text` is one line for a user.
+/// The reason why no expression can be classified. `text` is one line for a user.
 struct ExpressionError {
   std::string text;
 };
 
-/// What the rules derived, and the tables that lead downwards. Neither copied nor moved.
+/// The saturated contexts, and tables that lead downwards. Neither copied nor moved.
 class ExpressionBase {
-  /// The set of a context, whatever container it is in.
+  /// A span of a list or set of a context.
   template <typename Members>
   [[nodiscard]] static auto as_span(const Members& members) {
     if constexpr (requires { members.items(); }) {
@@ -79,7 +78,7 @@ class ExpressionBase {
   [[nodiscard]] auto propagating_of(std::uint32_t number) const { return as_span(context(number).propagating); }
   [[nodiscard]] auto derived_of(std::uint32_t number) const { return as_span(context(number).derived); }
   [[nodiscard]] auto selfs_of(std::uint32_t number) const { return as_span(context(number).selfs); }
-  /// The atoms whose conjunction the context is of. Empty if it is of its root alone.
+  /// The atoms whose conjunction the context stands for. Empty if it stands for its root alone.
   [[nodiscard]] auto together_of(std::uint32_t number) const { return as_span(context(number).together); }
   [[nodiscard]] const el::Context* find(el::ExprId root) const { return saturation_->find(root); }
   [[nodiscard]] std::uint32_t number_of(el::ExprId root) const { return saturation_->number_of(root); }
@@ -93,7 +92,7 @@ class ExpressionBase {
   [[nodiscard]] el::ExprId expr(owl::TermId term) const { return exprs_[static_cast<std::size_t>(term)]; }
   /// The role of a property of source().
   [[nodiscard]] el::RoleId role(owl::TermId property) const { return el::RoleId{number(expr(property))}; }
-  /// The atom of a value, whichever literal it was written as.
+  /// The atom of a value, in whichever literal it was written.
   [[nodiscard]] std::optional<el::ExprId> find_value(const owl::DataValue& value) const;
   /// The datatypes of OWL 2 that the ontology names, and its literals.
   [[nodiscard]] std::span<const std::pair<owl::Datatype, el::ExprId>> datatypes() const { return datatypes_; }
@@ -107,7 +106,7 @@ class ExpressionBase {
   [[nodiscard]] std::vector<std::uint32_t> contexts_below(el::ExprId atom) const;
   /// Contexts without instances, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& unsatisfiable() const { return unsatisfiable_; }
-  /// Whether more may follow for a context if it has an instance: it leads to an individual.
+  /// True if the context leads to an individual, so that more may follow if it has an instance.
   [[nodiscard]] bool is_conditional(std::uint32_t context) const { return is_conditional_[context]; }
   [[nodiscard]] bool has_conditional() const { return has_conditional_; }
 

@@ -1,4 +1,4 @@
-// Finds what is above and what is below one expression, and its place between them.
+// The classes above and below one expression are found, and then its place between them.
 #include "reasoning/placement/expression_classifier.hpp"
 
 #include <algorithm>
@@ -146,7 +146,7 @@ class Question {
     for (const std::uint32_t child : view.children_of(node)) place.children.push_back(taxonomy::ClassNumber{child});
   }
 
-  /// Notes what shapes say and the rules do not use in full.
+  /// Notes the parts of shapes that the rules do not use in full.
   void note_gaps() {
     for (const std::string& gap : base_.gaps()) shapes_.add_gap(gap);
     const bool has_universals =
@@ -157,11 +157,11 @@ class Question {
     for (ShapeId id = 0; id < shapes_.count(); ++id) {
       const Shape shape = shapes_.shape(id);
       if (shape.kind == ShapeKind::at_most) shapes_.add_gap("a maximum cardinality in the expression");
-      // not (C and not D) is C -> D, which says more than that something must not hold.
+      // not (C and not D) is C -> D, which is more than a negation.
       if (shape.kind == ShapeKind::negation && shapes_.has_negation(shape.parts[0])) {
         shapes_.add_gap("a complement inside of a complement");
       }
-      // C < D or not E holds if C and E < D. No operand tells that.
+      // C < D or not E holds if C and E < D, which no operand shows.
       const bool has_complement =
           shape.kind == ShapeKind::any_of &&
           std::ranges::any_of(shape.parts, [&](ShapeId part) { return shapes_.has_negation(part); });

@@ -1,9 +1,9 @@
-// Classifies class expressions on arrival, one by one, without a change to what is loaded.
+// Class expressions are classified on arrival, one by one, without a change to the loaded ontology.
 //
-// Above an expression is what the rules derive for a context of its own, which is laid over the base
-// (expression_overlay.hpp). Below it are the contexts of the base that are in it (expression_members.hpp). So the cost
-// of an expression depends on what it leads to and what is below it, not on the size of the ontology, and nothing is
-// left behind.
+// The classes above an expression are derived in a context of its own, which is laid over the base
+// (expression_overlay.hpp). The classes below it are those whose contexts in the base are in it
+// (expression_members.hpp). So the cost of an expression depends on the contexts that it leads to and on the classes
+// below it, and not on the size of the ontology. Nothing is left behind.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_CLASSIFIER_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_CLASSIFIER_HPP
 
@@ -28,7 +28,7 @@ class ExpressionClassifier {
   /// place has no gaps, as for ontologies in OWL 2 EL with functional properties, and expressions of these with unions,
   /// and with complements outside of restrictions and unions.
   [[nodiscard]] ExpressionPlace classify(const owl::Ontology& query, owl::TermId expression) const;
-  /// Whether every instance of one expression is an instance of the other. `gaps` says why a no may be wrong.
+  /// The answer whether every instance of one expression is one of the other. `gaps` says why a no may be wrong.
   struct Subsumption {
     bool holds = false;
     std::vector<std::string> gaps;

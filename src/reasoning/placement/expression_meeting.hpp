@@ -1,10 +1,10 @@
-// Whether something can be in two saturated contexts at once: decided from what both hold, if that is enough.
+// The meeting of two saturated contexts: whether an element can be in both, decided from their conclusions if possible.
 //
-// Rules with one premise, and rules whose premises are both in one of the contexts, have fired there. What is in both
-// contexts has more conclusions only by rules with a premise from each: conjunctions, disjointness, functional
-// properties, reflexive restrictions (Self), and individuals. If no such rule can fire, it has the conclusions of both
-// and no more, and it is possible. So most complements need no context of their own (expression_members.cpp): on SOMA
-// 0.2 ms instead of 14.
+// Rules with one premise, and rules whose premises are both in one of the contexts, have fired there. An element of
+// both has more conclusions only by rules with a premise from each: conjunctions, disjointness, functional properties,
+// reflexive restrictions (Self), and individuals. If no such rule can fire, it has the conclusions of both and no more,
+// and it is possible. So most complements need no context of their own (expression_members.cpp): on SOMA 0.2 ms instead
+// of 14.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEETING_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEETING_HPP
 
@@ -18,9 +18,9 @@
 namespace geminga::placement {
 
 enum class Meeting : std::uint8_t {
-  possible,    ///< something can be in both
-  impossible,  ///< nothing can
-  unknown,     ///< the rules must be applied to what is in both
+  possible,    ///< an element can be in both
+  impossible,  ///< no element can
+  unknown,     ///< the rules must be applied to a context of both
 };
 
 /// One context, of the base or of an overlay, to be compared with others.
@@ -36,9 +36,9 @@ class MeetingPoint {
   struct Side {
     std::span<const std::uint32_t> subsumers;
     std::span<const el::RoleId> selfs;
-    bool is_plain = true;  ///< nothing of it is beyond what is looked at here
+    bool is_plain = true;  ///< only the rules that are looked at here matter
     bool has_functional_rules = false;
-    bool has_functional_links = false;  ///< of a role of which somewhere something has at most one
+    bool has_functional_links = false;  ///< has links of a role that may be functional
   };
   [[nodiscard]] Side side_of(std::uint32_t context) const;
   [[nodiscard]] Side looked_through(Side side, std::span<const el::Link> forward) const;

@@ -1,4 +1,4 @@
-// One function a kind of shape. Legend as in saturation.hpp; [C] are the contexts below C.
+// One function for each kind of shape. Legend as in saturation.hpp; [C] are the contexts below C.
 #include "reasoning/placement/expression_members.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Contexts common(const Contexts& one, const Contexts& other) {
   return both;
 }
 
-/// Looking at this many subsumers takes as long as one conclusion.
+/// The number of subsumers that take as long to look at as one conclusion.
 constexpr std::size_t looked_at_per_conclusion = 16;
 
 /// Makes a context for each alternative. None if that takes too much work or an alternative is impossible.
@@ -153,7 +153,7 @@ Contexts ExpressionMembers::in_some(const Shape& shape) {
   return found;
 }
 
-// Everything is in R only C if C is above the range of R. The rules cannot tell what else is.
+// Every context is in R only C if C is above the range of R. The rules cannot tell which others are.
 Contexts ExpressionMembers::in_only(const Shape& shape) {
   const el::ExprId range = base_.index().representative(base_.index().range_of(shape.role));
   const el::Context* context = base_.find(range);
@@ -194,7 +194,7 @@ Contexts ExpressionMembers::to_be_tested(const Contexts& candidates) const {
   return contexts;
 }
 
-// C is in [not D] if C and D is below F. Then what is below C is, too.
+// C is in [not D] if C and D is below F. Then the contexts below C are, too.
 Contexts ExpressionMembers::disjoint_from(ShapeId shape, const Contexts& candidates) {
   if (is_inside_some_) shapes_.add_gap("a complement inside of a restriction");
   const std::vector<ShapeId> alternatives = shapes_.alternatives_of(shape);
@@ -203,7 +203,7 @@ Contexts ExpressionMembers::disjoint_from(ShapeId shape, const Contexts& candida
   ExpressionOverlay probe(base_, shapes_);
   ExpressionOverlay alone(base_, shapes_);
   std::vector<MeetingPoint> points = points_of(alternatives, alone);
-  std::size_t looked_at = 0;  // subsumers, where contexts meet
+  std::size_t looked_at = 0;  // subsumers of meetings
   for (const std::uint32_t candidate : to_be_tested(candidates)) {
     if (is_found[candidate]) continue;
     const bool is_own = candidate >= overlay_.base_count();

@@ -1,7 +1,7 @@
 // The contexts that are below an expression, found by evaluating its structure from the inside outwards.
 //
 // A saturated base is a canonical model: a context is below an EL expression exactly if it is an instance of it there.
-// Since everything derived is Horn, it is below a union exactly if it is below one of the parts (Baader, Brandt, Lutz
+// The rules are Horn, so that a context is below a union exactly if it is below one of the parts (Baader, Brandt, Lutz
 // 2005).
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEMBERS_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_MEMBERS_HPP
@@ -22,9 +22,9 @@ class ExpressionMembers {
  public:
   enum class Wanted : std::uint8_t {
     every_context,
-    named_classes,  ///< of() may leave out contexts that are of no class of the ontology
+    named_classes,  ///< of() may leave out contexts of no named class
   };
-  /// Gaps go to `shapes`.
+  /// Notes gaps in `shapes`.
   ExpressionMembers(const ExpressionOverlay& overlay, ShapeReader& shapes, Wanted wanted)
       : overlay_(overlay), base_(overlay.base()), shapes_(shapes), wanted_(wanted) {}
 

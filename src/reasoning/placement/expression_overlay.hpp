@@ -1,8 +1,8 @@
 // The contexts of one expression, laid over a base that never changes.
 //
 // A new context links into the base. The contexts there are saturated, so that every conclusion is drawn when the link
-// is made, and nothing is added to the base. The rules are those of el/rules.hpp and the legend that of
-// el/saturation.hpp. X stands for a context of the overlay.
+// is made, and nothing is added to the base. The rules are those of el/closure/rules.hpp, and the legend is that of
+// el/closure/saturation.hpp. X stands for a context of the overlay.
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_OVERLAY_HPP
 
@@ -18,8 +18,8 @@
 
 namespace geminga::placement {
 
-/// What a context of the overlay is of: atoms of the base, and shapes, whose numbers follow those of the base's
-/// expressions. Ascending.
+/// The atoms and shapes whose conjunction a context of the overlay stands for, ascending. Numbers of shapes follow
+/// those of the base's expressions.
 using Seeds = std::vector<std::uint32_t>;
 
 struct OverlayContext {
@@ -37,7 +37,7 @@ struct OverlayContext {
   std::vector<el::RoleId> functional;       ///< at most one successor, by a shape
   base::GrowingSet<std::uint32_t> derived;  ///< atoms that were asserted or derived
   std::vector<ShapeId> universals;          ///< `R only C`
-  std::vector<ShapeId> negations;           ///< what must not hold
+  std::vector<ShapeId> negations;           ///< shapes that must not hold
 };
 
 class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
@@ -60,7 +60,7 @@ class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
   [[nodiscard]] std::span<const OverlayContext> own() const { return own_; }
   [[nodiscard]] std::uint32_t base_count() const { return base_count_; }
   [[nodiscard]] bool is_unsatisfiable(std::uint32_t context) const;
-  /// Whether something here may follow only if a context has an instance.
+  /// True if more may follow for an expression that has an instance.
   [[nodiscard]] bool is_conditional() const { return is_conditional_; }
   [[nodiscard]] std::size_t work() const { return work_; }
   /// All atoms above a context: representatives, ascending.
@@ -84,7 +84,7 @@ class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
   void process_link(std::uint32_t context, el::Link link);
   void apply_universal(std::uint32_t context, ShapeId universal, el::Link link);
 
-  // What the rules ask of a closure (el/rules.hpp), for contexts of the overlay.
+  // A closure for el::Rules, of contexts of the overlay.
   static constexpr bool inherits = false;
   void add_subsumer(std::uint32_t context, el::ExprId subsumer);
   void add_atom(std::uint32_t context, el::ExprId atom);
@@ -104,7 +104,7 @@ class ExpressionOverlay : private el::Rules<ExpressionOverlay> {
   [[nodiscard]] const auto& selfs(std::uint32_t context) { return own(context).selfs; }
   [[nodiscard]] std::uint32_t selfs_done(std::uint32_t context) { return own(context).selfs_done; }
   [[nodiscard]] const auto& forward(std::uint32_t context) { return own(context).forward; }
-  /// Meeting links that are not processed yet does no harm.
+  /// Links that are not processed yet may be met, too.
   [[nodiscard]] std::size_t forward_done(std::uint32_t context) { return own(context).forward.size(); }
   [[nodiscard]] std::vector<el::FunctionalGroup>& groups(std::uint32_t context) { return own(context).groups; }
   /// An overlay is limited by conclusions, not by premises.

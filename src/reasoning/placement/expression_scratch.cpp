@@ -1,4 +1,4 @@
-// Copies the axioms, adds one, and classifies all of them.
+// The axioms are copied, one is added, and all of them are classified.
 #include "reasoning/placement/expression_scratch.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ std::vector<std::optional<taxonomy::ClassNumber>> nodes_of(const taxonomy::Class
                                                            const owl::Ontology& source,
                                                            const taxonomy::Classification& classification) {
   std::vector<std::optional<taxonomy::ClassNumber>> nodes;
-  std::uint32_t at = 0;  // both ascend by IRI
+  std::uint32_t at = 0;  // both lists ascend by IRI
   for (const owl::NameId name : classification.classes) {
     const std::string_view iri = source.name(name);
     while (at < view.class_count() && view.class_iri(at) < iri) ++at;

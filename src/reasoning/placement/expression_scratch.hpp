@@ -1,7 +1,7 @@
 // The slow and exact way to the place of an expression: the whole ontology is classified again, with a name for it.
 //
-// It is needed if individuals matter. What follows for an expression then depends on its having an instance, and this
-// instance may be an individual of which the base knows less (nominals.hpp).
+// It is needed if individuals matter. The conclusions about an expression then depend on its having an instance, which
+// may be an individual of which the base knows less (el/worlds.hpp).
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
 

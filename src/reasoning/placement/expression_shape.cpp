@@ -1,4 +1,4 @@
-// From the terms of a query to shapes.
+// Terms of a query become shapes, one kind after the other.
 #include "reasoning/placement/expression_shape.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct Decimal {
   }
 };
 
-/// Whether a value is within a bound. False for what is not worked out here, as patterns and lengths.
+/// True if a value is within a bound. False for facets that are not evaluated here, such as patterns and lengths.
 bool is_certainly_met(std::string_view facet, const owl::DataValue& value, const owl::DataValue& bound) {
   constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
   const bool are_numbers = value.family == owl::DataFamily::number && bound.family == owl::DataFamily::number;
@@ -253,8 +253,8 @@ ShapeId ShapeReader::read_datatype(owl::TermId id, const owl::Term& term) {
   return add(std::move(shape));
 }
 
-// The values of the ontology that are certainly among those of the restriction are below it, and the datatypes of all
-// its values above. Which other ranges are is left open.
+// Values of the ontology that are certainly in the restriction are below it, and datatypes with all its values are
+// above. Other ranges are left open.
 ShapeId ShapeReader::read_facets(owl::TermId id, const owl::Term& term) {
   add_gap("owl:withRestrictions in the expression");
   const auto type = owl::Datatype::find(query_.name(query_.term(term.arguments[0]).name));
@@ -347,7 +347,7 @@ std::vector<ShapeId> ShapeReader::alternatives_of(ShapeId id) {
       products = std::move(longer);
     }
     if (products.size() == 1) {
-      // This level had no union. A level below may have had one.
+      // This level has no union. A level below may have had one.
       return products.front() == shape.parts ? std::vector<ShapeId>{id}
                                              : std::vector<ShapeId>{all_of(products.front())};
     }

@@ -1,4 +1,4 @@
-// A class expression in terms of a base: what the overlay asserts and what is looked for below.
+// The shape of a class expression in terms of a base, for the overlay and for the search of members.
 //
 // Complements stand where they were written or further inside, and two of them cancel. alternatives_of() splits unions:
 // unless one is inside a complement or a universal restriction, an expression is the union of its alternatives, which
@@ -27,7 +27,7 @@ enum class ShapeKind : std::uint8_t {
   at_most,   ///< role, count, one part
   negation,  ///< one part
   value,     ///< a literal or datatype that the base does not name: above it `atoms`, below it `below`
-  opaque,    ///< beyond the rules: known by `atom` alone where the ontology has the same expression
+  opaque,    ///< beyond the rules: known by `atom` alone, if the ontology has the same expression
 };
 
 /// Number of a shape in its ShapeReader.
@@ -56,7 +56,7 @@ class ShapeReader {
   [[nodiscard]] std::vector<ShapeId> alternatives_of(ShapeId id);
 
   [[nodiscard]] const Shape& shape(ShapeId id) const { return shapes_[id]; }
-  /// Whether it is or contains a complement.
+  /// True if the shape is or contains a complement.
   [[nodiscard]] bool has_negation(ShapeId id) const;
   [[nodiscard]] std::size_t count() const { return shapes_.size(); }
   void add_gap(std::string_view words) { gaps_.emplace(words); }

@@ -12,7 +12,7 @@ std::vector<std::optional<std::size_t>> best_assignment(const Worth& worth) {
   const auto cost = [&](std::size_t row, std::size_t column) {
     return row < worth.rows() && column < worth.columns() ? 1 - worth.at(row, column) : 1.0;
   };
-  // Row and column `size` stand for none.
+  // Row and column `size` stand for no row and no column.
   std::vector<double> of_row(size + 1, 0);
   std::vector<double> of_column(size + 1, 0);
   std::vector<std::size_t> row_of(size + 1, size);

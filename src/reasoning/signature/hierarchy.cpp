@@ -13,7 +13,7 @@ namespace {
 using taxonomy::Interval;
 using Intervals = std::vector<Interval>;
 
-/// The ranks of all that is below a node, itself included: ascending and disjoint.
+/// The ranks of all nodes below a node, itself included: ascending and disjoint.
 Intervals ranks_below(const taxonomy::IntervalIndex& index, std::uint32_t node) {
   Intervals ranks(index.further(node).begin(), index.further(node).end());
   ranks.insert(std::ranges::upper_bound(ranks, index.own(node)), index.own(node));

@@ -7,7 +7,7 @@
 namespace geminga::signature {
 namespace {
 
-/// The share of what is there that nobody asked for.
+/// The share of offered parameters that no required one is assigned to.
 double surplus_share(std::size_t required, std::size_t offered) {
   return offered > required ? static_cast<double>(offered - required) / static_cast<double>(offered) : 0;
 }
@@ -18,14 +18,14 @@ double sum_of(const std::vector<Pair>& pairs) {
   return sum;
 }
 
-/// Every wanted output weighs the same, and one that nobody gives counts as nothing.
+/// Every required output weighs the same; one that the service lacks counts 0.
 double of_outputs(const std::vector<Pair>& pairs, std::size_t offered) {
   const double coverage = pairs.empty() ? 1 : sum_of(pairs) / static_cast<double>(pairs.size());
   return coverage * (1 - weight::surplus * surplus_share(pairs.size(), offered));
 }
 
-/// An input that the request has nothing for weighs less than one that it has the wrong thing for. A request that gives
-/// nothing leaves open what it is about, which is not counted against anybody: as if that were given, and right.
+/// An input that the request lacks weighs less than one for which it has the wrong concept. A request without inputs
+/// leaves them open, so that every input counts as given and right.
 double of_inputs(const std::vector<Pair>& pairs, std::size_t given) {
   const std::size_t paired = std::min(pairs.size(), given);
   const double unsaid = given == 0 ? 1 : 0;
@@ -65,7 +65,7 @@ double Scorer::satisfaction(Concept required, Concept offered) {
   const Meaning& given = meaning(offered);
   if (wanted.node == given.node) return 1;
   const double shared = hierarchy_.shared_bits(wanted, given);
-  // Squared, because what two concepts share at the top of a taxonomy, most concepts share.
+  // The square lowers the weight of ancestors at the top of a taxonomy, which most concepts share.
   const double met = wanted.bits > 0 ? shared / wanted.bits : 1;
   const double surplus = given.bits > 0 ? 1 - shared / given.bits : 0;
   return met * met * (1 - weight::surplus * surplus);

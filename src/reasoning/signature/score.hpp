@@ -1,5 +1,4 @@
-// How well a service with inputs and outputs suits a request: contravariant inputs, covariant outputs, in degrees.
-//
+// The score of a service with inputs and outputs for a request: contravariant inputs, covariant outputs, in degrees.
 // RANK.md has the formula with its arguments and sources.
 #ifndef GEMINGA_REASONING_SIGNATURE_SCORE_HPP
 #define GEMINGA_REASONING_SIGNATURE_SCORE_HPP
@@ -15,28 +14,28 @@
 
 namespace geminga::signature {
 
-/// The most parameters of one side. What reads signatures refuses more.
+/// The limit of parameters of one side. Readers of signatures refuse more.
 inline constexpr std::size_t max_parameters = 64;
 
-/// What a service consumes and produces, or what a request can give and needs. The same concept may stand twice.
+/// The parameters that a service consumes and produces, or that a request can give and needs. A concept may stand twice.
 struct Signature {
   std::vector<Concept> inputs;
   std::vector<Concept> outputs;
 };
 
-/// How what is offered stands to what is required.
+/// The relation of an offered concept to a required one.
 enum class Relation : std::uint8_t {
   none,        ///< they share nothing
   related,     ///< they share ancestors
-  broader,     ///< what is offered may be what is required
-  narrower,    ///< what is offered always is what is required
-  equivalent,  ///< the same
+  broader,     ///< an instance of the offered concept may be one of the required concept
+  narrower,    ///< each instance of the offered concept is one of the required concept
+  equivalent,  ///< they are the same
 };
 
-/// "narrower".
+/// The word for a relation, such as "narrower".
 [[nodiscard]] std::string_view to_string(Relation relation);
 
-/// One required parameter, and the offered one that the best assignment gives it.
+/// One required parameter, and the offered parameter of the best assignment.
 struct Pair {
   std::size_t required = 0;
   std::optional<std::size_t> offered;
@@ -44,7 +43,7 @@ struct Pair {
   double value = 0;
 };
 
-/// In [0, 1], as its parts.
+/// A score and its parts, each in [0, 1].
 struct Score {
   double total = 0;
   double outputs = 0;
@@ -53,27 +52,27 @@ struct Score {
   std::vector<Pair> input_pairs;   ///< required: inputs of the service; offered: of the request
 };
 
-/// What the formula takes from judgement rather than from the taxonomy. Each has its argument in RANK.md.
+/// The constants of the formula that rest on judgement. RANK.md argues for each.
 namespace weight {
-/// The most that being more special than required costs a parameter, and surplus outputs cost all outputs.
+/// The most that a parameter loses for being more special than required, and that all outputs lose for surplus outputs.
 inline constexpr double surplus = 0.25;
-/// How much an input that the request cannot give weighs beside those that it can, and the most that inputs cost that
-/// the request gives and the service does not use.
+/// The weight of an input that the request cannot give, beside inputs that it can give; and the most that inputs lose
+/// which the request gives and the service does not use.
 inline constexpr double lone_input = 0.5;
-/// What is left where the outputs, or the inputs, have nothing in common at all.
+/// The share that is left if the outputs, or the inputs, have nothing in common.
 inline constexpr double wrong_outputs = 0.05;
 inline constexpr double wrong_inputs = 0.1;
 }  // namespace weight
 
-/// Scores over one hierarchy, which it borrows. Remembers what concepts mean. Not for several threads at once.
+/// Scores over one hierarchy, which it borrows. It remembers the ancestors of concepts. Not thread-safe.
 class Scorer {
  public:
   explicit Scorer(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {}
 
-  /// How far what is offered satisfies what is required, in [0, 1]; 1 for equivalent concepts only.
+  /// The degree in [0, 1] to which an offered concept satisfies a required one; 1 for equivalent concepts only.
   [[nodiscard]] double satisfaction(Concept required, Concept offered);
   [[nodiscard]] Relation relation(Concept required, Concept offered);
-  /// O(n^3) in the parameters of the larger side, at most max_parameters.
+  /// The score of a service for a request. O(n^3) in the parameters of the larger side, at most max_parameters.
   [[nodiscard]] Score score(const Signature& request, const Signature& service);
 
  private:

@@ -1,4 +1,4 @@
-// What classifying an ontology gives: the taxonomy of its named classes, and what was not used.
+// The result of a classification: the taxonomy of the named classes, and the axioms that were not used.
 #ifndef GEMINGA_REASONING_TAXONOMY_CLASSIFICATION_HPP
 #define GEMINGA_REASONING_TAXONOMY_CLASSIFICATION_HPP
 
@@ -18,17 +18,17 @@ struct LeftOut;
 
 namespace geminga::taxonomy {
 
-/// What the reasoner could not use of one axiom.
+/// An axiom that the reasoner could not use in full.
 struct UnusedAxiom {
   std::uint32_t axiom = 0;     ///< its index in the source
-  std::string_view construct;  ///< why: the first construct in it that is not supported, e.g. "owl:unionOf"
+  std::string_view construct;  ///< the first construct in it that is not supported, e.g. "owl:unionOf"
 };
 
 /// Numbers for `--stats`.
 struct ClassifyCounts {
   std::size_t axioms = 0;       ///< without declarations, each counted once
-  std::size_t used_axioms = 0;  ///< those of them that are used in full
-  std::size_t expressions = 0;  ///< indexed ones
+  std::size_t used_axioms = 0;  ///< axioms that are used in full
+  std::size_t expressions = 0;  ///< indexed expressions
   std::size_t contexts = 0;
   std::size_t subsumptions = 0;  ///< derived conclusions
   std::size_t links = 0;
@@ -40,8 +40,8 @@ struct Classification {
   std::vector<owl::NameId> classes;  ///< the IRI of each class
   ClassNumber thing{};
   ClassNumber nothing{};
-  /// The smallest class that each class is equivalent to; itself for most. Those of unsatisfiable classes are equal to
-  /// that of owl:Nothing.
+  /// The smallest class that each class is equivalent to; itself for most. Unsatisfiable classes have that of
+  /// owl:Nothing.
   std::vector<ClassNumber> representative;
   /// The direct superclasses of each representative, as representatives, ascending: parents[parent_begin[c] ..
   /// parent_begin[c + 1]). Empty for others, for owl:Thing, and for owl:Nothing's (which lies below every leaf).
@@ -50,10 +50,10 @@ struct Classification {
   PropertyTaxonomy object_properties;
   PropertyTaxonomy data_properties;
   bool is_consistent = true;        ///< false: an individual must be in owl:Nothing, and everything follows
-  bool is_cut_off = false;          ///< the budget was spent: more may follow, of classes and of consistency
+  bool is_cut_off = false;          ///< the budget was spent: more may follow, also an inconsistency
   std::vector<UnusedAxiom> unused;  ///< ascending by axiom
-  /// By class: every subsumer of the class is known, if the ontology is consistent. Empty if this is known of no class;
-  /// then every class is complete if all axioms are used and nothing was cut off.
+  /// By class: true if every subsumer of the class is known, provided that the ontology is consistent. Empty if this is
+  /// known of no class; then every class is complete if all axioms are used and nothing was cut off.
   std::vector<bool> is_settled;
   ClassifyCounts counts;
 
@@ -64,7 +64,7 @@ struct Classification {
   }
 };
 
-/// What was left out, by the reader and by the reasoner together: sorted by construct, with counts and the first place.
+/// The parts that reader and reasoner left out, sorted by construct, with counts and the first place.
 [[nodiscard]] std::vector<owl::LeftOut> left_out(const owl::Ontology& source, const Classification& classification);
 
 }  // namespace geminga::taxonomy

@@ -21,11 +21,11 @@ struct EquivalentMember {
   friend auto operator<=>(const EquivalentMember&, const EquivalentMember&) = default;
 };
 
-/// Spans into octets that somebody else owns. Every number in them is in range. There are two views of one ontology:
-/// that of its taxonomy, without terms and axioms, and that of both.
+/// Borrowed spans. Every number in them is in range. An ontology has two views: one of its taxonomy, and one of its
+/// taxonomy with terms and axioms.
 struct ClassifiedView {
   using Numbers = std::span<const std::uint32_t>;
-  /// No name, no term.
+  /// Stands for no name or no term.
   static constexpr std::uint32_t none = 0xffffffff;
 
   std::uint64_t digest = 0;
@@ -76,13 +76,13 @@ struct ClassifiedView {
   [[nodiscard]] owl::AxiomKind kind_of_axiom(std::uint32_t axiom) const {
     return static_cast<owl::AxiomKind>(axiom_kind[axiom]);
   }
-  /// Of an entity, literal, language tag or facet; empty for others.
+  /// The name of an entity, literal, language tag or facet; empty for others.
   [[nodiscard]] std::string_view name_of_term(std::uint32_t term) const {
     if (is_cardinality(kind_of_term(term))) return {};
     const std::uint32_t name = term_word[term];
     return name < class_count() ? class_iri(name) : piece(term_text, name_end, name - class_count());
   }
-  /// Of a cardinality; 0 for others.
+  /// The number of a cardinality; 0 for others.
   [[nodiscard]] std::uint32_t number_of_term(std::uint32_t term) const {
     return is_cardinality(kind_of_term(term)) ? term_word[term] : 0;
   }

@@ -6,7 +6,7 @@
 
 namespace geminga::taxonomy {
 
-/// What is in `from` can be turned into something in `to`.
+/// A conversion turns an instance of `from` into an instance of `to`.
 struct Conversion {
   std::uint32_t from = 0;
   std::uint32_t to = 0;

@@ -1,4 +1,4 @@
-// Intervals of ranks, and whether one of many holds a rank.
+// Intervals of ranks, and a search for the one that holds a rank.
 #ifndef GEMINGA_REASONING_TAXONOMY_INTERVAL_HPP
 #define GEMINGA_REASONING_TAXONOMY_INTERVAL_HPP
 
@@ -16,7 +16,7 @@ struct Interval {
   friend auto operator<=>(const Interval&, const Interval&) = default;
 };
 
-/// Whether a rank lies in one of these ascending, disjoint intervals. O(log n). The search has no branch on the
+/// True if a rank lies in one of these ascending, disjoint intervals. O(log n). The search has no branch on the
 /// comparison, which no processor can predict; that halves its time.
 [[nodiscard]] inline bool contains_rank(std::span<const Interval> intervals, std::uint32_t rank) {
   if (intervals.empty()) return false;

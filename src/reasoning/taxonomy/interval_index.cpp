@@ -1,4 +1,4 @@
-// Numbers the spanning tree and gathers the intervals, without recursion.
+// The spanning tree is numbered and the intervals are gathered without recursion.
 #include "reasoning/taxonomy/interval_index.hpp"
 
 #include <algorithm>

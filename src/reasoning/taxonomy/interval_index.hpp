@@ -1,8 +1,7 @@
 // Answers "is A under B" in a directed acyclic graph, by preorder ranks of a spanning tree and lists of intervals.
 //
-// Every node has a rank. The nodes below it in the tree have the ranks from there to its end (Agrawal, Borgida,
-// Jagadish 1989). The ranks of the nodes that are below it by other edges are kept as further intervals, merged where
-// they touch.
+// Every node has a rank. The nodes below it in the tree have the ranks that follow, up to its end (Agrawal, Borgida,
+// Jagadish 1989). Nodes that are below it by other edges have further intervals, which are merged if they touch.
 #ifndef GEMINGA_REASONING_TAXONOMY_INTERVAL_INDEX_HPP
 #define GEMINGA_REASONING_TAXONOMY_INTERVAL_INDEX_HPP
 
@@ -17,15 +16,15 @@ namespace geminga::taxonomy {
 
 class IntervalIndex {
  public:
-  /// `parents` are the edges upwards, without cycles. Equal graphs give equal ranks. Linear in edges and intervals.
+  /// Takes the edges upwards, `parents`, without cycles. Equal graphs give equal ranks. Linear in edges and intervals.
   explicit IntervalIndex(const base::Rows<std::uint32_t>& parents);
 
-  /// Reflexive. O(1) along the tree, otherwise O(log n) in the number of further intervals.
+  /// True if a node is below another one or is the same. O(1) along the tree, else O(log n) in the further intervals.
   [[nodiscard]] bool is_under(std::uint32_t sub, std::uint32_t super) const;
   /// The number of edges of the longest path upwards.
   [[nodiscard]] std::uint32_t depth(std::uint32_t node) const { return depth_[node]; }
   [[nodiscard]] Interval own(std::uint32_t node) const { return own_[node]; }
-  /// Ascending, disjoint, outside the own interval.
+  /// The further intervals of a node: ascending, disjoint, outside its own interval.
   [[nodiscard]] std::span<const Interval> further(std::uint32_t node) const {
     return std::span(further_).subspan(further_begin_[node], further_count_[node]);
   }

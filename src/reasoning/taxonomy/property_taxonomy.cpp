@@ -12,7 +12,7 @@
 namespace geminga::taxonomy {
 namespace {
 
-/// Steps down from members of disjointness axioms, in total. Beyond it the search for empty properties ends.
+/// The limit of steps down from members of disjointness axioms. Beyond it the search for empty properties ends.
 constexpr std::size_t max_disjointness_steps = std::size_t{1} << 26;
 
 /// One classification of properties. A node is a property (2 * number) or its inverse (2 * number + 1). Data properties
@@ -47,7 +47,7 @@ class PropertyGraph {
   struct Chain {
     std::vector<std::uint32_t> links;
     std::uint32_t result = 0;
-    std::size_t waiting = 0;  ///< links that are not known to be reflexive
+    std::size_t waiting = 0;  ///< how many links are not known to be reflexive
   };
 
   void find_properties();
@@ -92,7 +92,7 @@ void PropertyGraph::find_properties() {
   std::vector<std::pair<std::string_view, std::uint32_t>> named;
   bool has_top = false;
   bool has_bottom = false;
-  // A term has a greater number than its arguments, so that one pass downwards finds everything that is used.
+  // A term has a greater number than its arguments, so that one pass downwards finds all terms that are used.
   for (auto id = static_cast<std::uint32_t>(source_.term_count()); id-- > 0;) {
     if (!is_used[id]) continue;
     const owl::Term term = source_.term(owl::TermId{id});
@@ -255,7 +255,7 @@ void PropertyGraph::find_disjoint() {
         if (axiom_of[at] == axiom) {
           graph_.is_empty[at] = true;
           graph_.is_empty[at ^ 1] = true;
-          continue;  // all below is empty with it
+          continue;  // everything below is empty with it
         }
         axiom_of[at] = axiom;
         member_of[at] = member;

@@ -1,4 +1,4 @@
-// Transitive reduction.
+// Equivalents are merged, and edges that a longer way implies are left out.
 #include "reasoning/taxonomy/reduction.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t none = base::NumberTable::none;
 
-/// The steps of the reduction, and what one leaves to the next.
+/// The steps of one reduction.
 class Reduction {
  public:
   explicit Reduction(Inclusions&& graph) : graph_(std::move(graph)) {}
@@ -46,7 +46,7 @@ class Reduction {
 };
 
 void Reduction::close_top() {
-  // A node that the top is below is equivalent to the top.
+  // A node above the top is equivalent to the top.
   const base::Rows<std::uint32_t> up(graph_.node_count, graph_.edges);
   std::vector<bool> seen(graph_.node_count, false);
   std::vector<std::uint32_t> stack = {graph_.top};
@@ -111,7 +111,7 @@ void Reduction::find_candidates() {
   const std::uint32_t top = result_.representative[graph_.top_entity];
   const std::uint32_t bottom = result_.representative[graph_.bottom_entity];
 
-  // A node without an entity stands between entities. What is above it is above the entities below it.
+  // A node without an entity stands between entities: the entities above it are above those below it.
   std::vector<std::vector<std::uint32_t>> above_unnamed(component_count_);
   std::vector<std::uint32_t> seen_from(entity_count(), none);
   std::vector<std::uint32_t> gathered;

@@ -1,5 +1,4 @@
-// ontology_generator: writes a made-up ontology to standard output, for the benchmark and for whoever wants a large
-// one.
+// ontology_generator: writes a made-up ontology to standard output, for the benchmark and for other tests of size.
 //
 //   ontology_generator --classes 350000 --seed 1 --syntax rdf-xml > large.rdf
 #include <charconv>

@@ -14,13 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The targets that the project was given (its issue 9).
+/// The targets of the project (its issue 9).
 constexpr double of_konclude_time = 1;
 constexpr double of_konclude_memory = 1.0 / 2;
-/// How long each may take. What is cut off there says so, and its figures are those of the cut.
+/// The time limit of each run. A run that is cut off says so, and its figures are those until then.
 constexpr const char* our_seconds = "100";
 constexpr const char* konclude_seconds = "100";
-/// The cheapest of so many runs counts where one takes no longer than this.
+/// The longest run that is repeated; the fastest of the repetitions counts.
 constexpr int runs_of_short_ones = 3;
 constexpr double short_milliseconds = 5000;
 
@@ -70,7 +70,7 @@ class Hard {
     return std::to_string(boost::json::parse(content_of(stats)).at("classes").to_number<std::size_t>());
   }
 
-  /// Nothing but zeros where it did not end well. It hangs with one thread, and reads nothing that is packed.
+  /// The cost of Konclude; zeros if it failed. It hangs with one thread, and does not read packed files.
   Cost of_konclude(const std::string& name, const std::string& size, const fs::path& file) {
     fs::path plain = file;
     if (file.extension() == ".gz") {

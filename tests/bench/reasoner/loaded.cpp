@@ -33,7 +33,7 @@ double quantile(std::vector<double> values, double share) {
   return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
-/// Half of the pairs are random, half are a class and one above it, so that both answers occur.
+/// Makes pairs: half are random, half are a class and one above it, so that both answers occur.
 std::vector<Pair> pairs_of(const compiled::Ontology& ontology, std::size_t count) {
   base::Random random(1);
   const auto any = [&] {
@@ -81,7 +81,7 @@ void measure_explanations(const compiled::Ontology& ontology, const std::string&
   row(name + ": an explanation, worst", size, quantile(times, 1), "ms");
 }
 
-/// Asks for so many expressions and shows how long the middle one and the worst take.
+/// Asks for a number of expressions and prints the times of the median and of the slowest.
 void measure_asking(const placement::ExpressionClassifier& classifier, const std::string& what, const std::string& size,
                     const std::function<owl::TermId(owl::Ontology&)>& make) {
   std::vector<double> times;

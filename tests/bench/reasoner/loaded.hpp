@@ -1,5 +1,4 @@
-// What is measured in a compiled ontology inside this process: the first answer, subsumption, explanations,
-// expressions.
+// Measurements of a compiled ontology inside this process: the first answer, subsumption, explanations, expressions.
 #ifndef GEMINGA_TESTS_BENCH_REASONER_LOADED_HPP
 #define GEMINGA_TESTS_BENCH_REASONER_LOADED_HPP
 
@@ -8,7 +7,7 @@
 
 namespace geminga::bench {
 
-/// Prints its rows. `queries` is how many random pairs are asked for, the same ones each time.
+/// Prints its rows. Asks for `queries` random pairs, the same ones each time.
 void measure_loaded(const std::filesystem::path& compiled, const std::string& name, const std::string& size,
                     std::size_t queries);
 

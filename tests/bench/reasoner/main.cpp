@@ -1,5 +1,6 @@
-// Measures the reasoner on given and made-up ontologies: from file to taxonomy in time and memory, beside rapper and
-// Konclude in the same run, first those that branch, and what a loaded ontology answers. Writes rows for tools/bench.
+// The benchmark of the reasoner on given and made-up ontologies: ontologies that branch first, then time and memory
+// from file to taxonomy, beside rapper and Konclude in the same run, then questions to a loaded ontology. Writes rows
+// for tools/bench.
 //
 //   --smoke                   tiny sizes, one run each
 //   GEMINGA_BENCH_FULL=1      350 000 classes, too, and Konclude on them: 10 GB and minutes
@@ -26,9 +27,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Above this, files must be twice as fast as Konclude from file to taxonomy; below it, twice the time of rapper.
+/// The size above which the way from file to taxonomy must take half of Konclude's time, and below which it may take
+/// twice the time of rapper.
 constexpr std::size_t large = 18'000;
-/// The targets that the project was given (its issue 3).
+/// The targets of the project (its issue 3).
 constexpr double of_konclude_classifying = 1.0 / 5;
 constexpr double of_konclude_whole = 1.0 / 2;
 constexpr double of_rapper = 2;
@@ -70,7 +72,7 @@ double konclude_classifying(const std::string& said) {
   return sum;
 }
 
-/// One ontology, as RDF/XML, and for Konclude in the syntax that it reads fastest where there is that.
+/// One ontology as RDF/XML and, if there is one, in the syntax that Konclude reads fastest.
 class Measured {
  public:
   Measured(const Settings& settings, std::string name, fs::path rdf_xml, fs::path for_konclude)

@@ -7,12 +7,12 @@
 namespace geminga::bench {
 namespace {
 
-/// Axes, like body structure, substance, finding, procedure; fillers of a property come from one of them.
+/// The number of axes, such as body structure, substance, finding, procedure. Fillers of a property come from one axis.
 constexpr std::uint32_t axes = 12;
-/// This axis is the one whose classes are parts of each other.
+/// The axis whose classes are parts of each other.
 constexpr std::uint32_t structures = 1;
 constexpr std::uint32_t properties = 60;
-/// Axes from here on have classes with role groups; those before are where fillers are found.
+/// The first axis whose classes have role groups; the axes below it have the fillers.
 constexpr std::uint32_t first_with_groups = 5;
 constexpr std::uint32_t most_groups = 3;
 
@@ -89,7 +89,8 @@ class Maker {
     if (uncle != parent) made.parents.push_back(uncle);
   }
 
-  /// Mostly those of the parent with a filler made more special, which is what lets definitions find subclasses.
+  /// Makes attributes: mostly those of the parent with one filler made more special, so that definitions find
+  /// subclasses.
   void add_groups(SyntheticClass& made, std::uint32_t parent) {
     const auto& inherited = made_.classes[parent].groups;
     if (!inherited.empty() && random_.chance(inherits_groups)) {

@@ -1,8 +1,8 @@
 // A made-up ontology of OWL 2 EL that is shaped like SNOMED CT: a few axes, definitions by role groups of fillers from
 // other axes, a deep hierarchy of properties and a few chains.
 //
-// SNOMED CT may not be given away, and ontologies that may be are smaller or of another shape; this one is made anew
-// from its size and seed wherever it is wanted. At 350 000 classes it has about 722 000 axioms without declarations.
+// SNOMED CT may not be redistributed, and free ontologies are smaller or of another shape. This one is made anew from
+// its size and seed. At 350 000 classes it has about 722 000 axioms without declarations.
 #ifndef GEMINGA_TESTS_BENCH_REASONER_SYNTHETIC_HPP
 #define GEMINGA_TESTS_BENCH_REASONER_SYNTHETIC_HPP
 
@@ -22,7 +22,7 @@ struct Attribute {
 
 struct SyntheticClass {
   std::vector<std::uint32_t> parents;
-  /// Role groups: inside each, the attributes belong together. Of a class that is not defined there may be none.
+  /// Role groups of attributes that belong together. A class that is not defined may have none.
   std::vector<std::vector<Attribute>> groups;
   bool is_defined = false;    ///< equivalent to its parents and groups, not only below them
   std::uint32_t part_of = 0;  ///< another class that this is part of; 0: none
@@ -43,13 +43,13 @@ struct Synthetic {
   std::uint32_t part_of = 0;     ///< transitive and reflexive
 };
 
-/// The same for the same arguments, on every machine. `classes` is at least 50.
+/// Makes the ontology; the same for the same arguments, on every machine. Requires at least 50 `classes`.
 [[nodiscard]] Synthetic make_synthetic(std::uint32_t classes, std::uint64_t seed);
 
 /// Axioms without declarations.
 [[nodiscard]] std::size_t axiom_count(const Synthetic& ontology);
 
-/// Both say the same, and a label of every class. Written to the file as a stream.
+/// Writers of the same axioms, with a label of every class, as a stream to the file.
 void write_functional(const Synthetic& ontology, std::FILE* out);
 void write_rdf_xml(const Synthetic& ontology, std::FILE* out);
 

@@ -1,4 +1,4 @@
-// The generator of large ontologies makes what it says, the same in both syntaxes and every time.
+// The generator of large ontologies: its sizes, and the same ontology in both syntaxes and every time.
 #include "bench/reasoner/synthetic.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace geminga::bench {
 namespace {
 
-/// What a writer writes.
+/// The text of a writer.
 std::string written(void (*write)(const Synthetic&, std::FILE*), const Synthetic& ontology) {
   char* text = nullptr;
   std::size_t size = 0;

@@ -1,4 +1,4 @@
-// What follows from individuals, functional properties and data, and what does not.
+// Individuals, functional properties and data: everything that follows, and nothing else.
 #include <gtest/gtest.h>
 
 #include "entailed.hpp"
@@ -51,7 +51,7 @@ const Entailed individuals[] = {
     {"NominalDoesNotGetWhatMayBeEmpty",
      "SubClassOf(A ObjectOneOf(i:a))\nSubClassOf(A B)\nSubClassOf(C ObjectOneOf(i:a))",
      {"A < B"}},
-    // Only where G has an instance must i:a be a B, and then what G leads to is below D (Kazakov et al. 2012).
+    // If G has an instance, i:a is a B, and the successor of G is below D (Kazakov et al. 2012).
     {"NominalInTheWorldOfOneClass",
      "SubClassOf(G ObjectSomeValuesFrom(r ObjectIntersectionOf(B ObjectOneOf(i:a))))\n"
      "SubClassOf(G ObjectSomeValuesFrom(s ObjectOneOf(i:a)))\nSubClassOf(ObjectSomeValuesFrom(s B) D)\n"

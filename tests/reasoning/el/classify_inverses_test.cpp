@@ -1,4 +1,4 @@
-// What follows from inverse and symmetric properties, as far as el derives it.
+// Inverse and symmetric properties: everything that el derives.
 #include <gtest/gtest.h>
 
 #include "entailed.hpp"

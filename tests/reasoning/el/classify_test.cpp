@@ -1,4 +1,4 @@
-// What follows from each construct, and what does not, in ontologies of a few lines.
+// Each construct in an ontology of a few lines: everything that follows, and nothing else.
 #include "reasoning/el/classify.hpp"
 
 #include <gtest/gtest.h>

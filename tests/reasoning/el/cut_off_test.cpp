@@ -1,4 +1,4 @@
-// Budgets of the EL closure: where one is spent, what was derived by then follows, and is said not to be all.
+// Budgets of the EL closure: after one is spent, the conclusions by then follow and are said to be incomplete.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace geminga::el {
 namespace {
 
-/// Everything in a line of so many parts, of which each is within all behind it: conclusions grow with its square.
+/// A line of parts, each within all following parts: the number of conclusions grows with the square of the parts.
 std::string line_of_parts(int length) {
   std::string text = "TransitiveObjectProperty(p)\n";
   for (int at = 0; at < length; ++at) {
@@ -39,13 +39,13 @@ taxonomy::Classification within(const owl::Ontology& source, base::Budget& budge
   return std::move(*found);
 }
 
-/// Of a class that is empty nothing but that is listed.
+/// An unsatisfiable class has one line only.
 bool follows(const std::string& line, const std::vector<std::string>& all) {
   return std::ranges::binary_search(all, line) ||
          std::ranges::binary_search(all, line.substr(0, line.find(' ')) + " < Nothing");
 }
 
-/// What stands on the left of a closure's line.
+/// The left side of a closure's line.
 std::string subject(const std::string& line) { return line.substr(0, line.find(' ')); }
 
 std::string short_name(const owl::Ontology& source, const taxonomy::Classification& found, std::size_t of) {
@@ -53,7 +53,7 @@ std::string short_name(const owl::Ontology& source, const taxonomy::Classificati
   return std::string(iri.substr(iri.find_last_of('#') + 1));
 }
 
-/// What is left of a classification within a budget is part of the whole, and all of it where it says so.
+/// A classification within a budget is part of the whole, and has every subsumer of a class that it says is settled.
 void expect_part(const owl::Ontology& source, const taxonomy::Classification& found,
                  const std::vector<std::string>& all) {
   const std::vector<std::string> some = closure_of(source, found);

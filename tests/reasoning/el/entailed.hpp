@@ -16,13 +16,13 @@ struct Entailed {
   const char* name;
   const char* axioms;
   std::vector<std::string> closure;
-  bool is_complete = true;  ///< nothing is left out
+  bool is_complete = true;  ///< el uses every axiom
 };
 
 inline void PrintTo(const Entailed& one, std::ostream* out) { *out << one.name; }
 inline std::string name_of(const testing::TestParamInfo<Entailed>& one) { return one.param.name; }
 
-/// The closure is exactly that of the case, and is said to be complete where it is.
+/// Expects exactly the closure of the case, and that el says whether it is complete.
 inline void expect_exactly(const Entailed& one) {
   const owl::Ontology source = owl::written(one.axioms);
   EXPECT_EQ(owl::closure(owl::loaded(source)), one.closure) << one.axioms;

@@ -1,4 +1,4 @@
-// Every named limit of a classification: what is one below it is less and says so, what is at it and above it is all.
+// Every named limit of a classification: one below it the result is less and says so; at the limit and above it is all.
 #include "reasoning/el/limits.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace geminga::el {
 namespace {
 
-/// A limit, and an ontology that needs some of it.
+/// A limit, and an ontology that needs a part of it.
 struct Limit {
   const char* name;
   std::string axioms;
@@ -67,7 +67,7 @@ TEST_P(ALimit, IsExactAndSaidWhereItIsReached) {
   EXPECT_TRUE(is_all(within(least + 1)));
 }
 
-/// Each thing of a line has the next, which is part of it: what the last is in goes up, link by link.
+/// A line of wholes, each with the next one as its part: the class of the last one goes up, link by link.
 std::string wholes(int depth) {
   std::string text = "InverseObjectProperties(p h)\nTransitiveObjectProperty(p)\nTransitiveObjectProperty(h)\n";
   for (int at = 0; at < depth; ++at) {
@@ -80,7 +80,7 @@ std::string wholes(int depth) {
   return text;
 }
 
-/// Of a union, of which another is a part, and so on: what the parts share is found from the innermost.
+/// Unions that are parts of each other: the superclasses that the parts share are found from the innermost union.
 std::string unions(int depth) {
   std::string text = "SubClassOf(P0 Z0)\nSubClassOf(Q0 Z0)\n";
   for (int at = 0; at < depth; ++at) {
@@ -93,7 +93,7 @@ std::string unions(int depth) {
   return text;
 }
 
-/// Classes of one individual, of which each would be something of its own.
+/// Classes below one nominal, each with a superclass of its own.
 std::string of_one_individual(int count) {
   std::string text;
   for (int at = 0; at < count; ++at) {
@@ -141,7 +141,7 @@ const Limit limits[] = {
 INSTANTIATE_TEST_SUITE_P(OfAClassification, ALimit, testing::ValuesIn(limits),
                          [](const testing::TestParamInfo<Limit>& one) { return std::string(one.param.name); });
 
-/// Whether the whole of an ontology was used.
+/// True if el uses every axiom.
 bool is_used(const std::string& text) { return owl::classified(owl::written(text)).unused.empty(); }
 
 TEST(StatesOfAnAutomaton, AreLimitedForARangeOverAChain) {

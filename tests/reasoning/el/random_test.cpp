@@ -40,9 +40,9 @@ std::vector<std::string> without(const std::vector<std::string>& lines, const st
   return rest;
 }
 
-/// What is exactly entailed where a range over a chain makes more follow than the naive reasoner knows: the closure of
-/// the consequence-based engine, or of the tableau where that one leaves something open. What both leave open is not in
-/// it, so that el would be seen to derive more than both.
+/// The exact closure of an ontology with a range over a chain, of which the naive reasoner knows too little: that of
+/// the consequence-based engine, or of the tableau if the engine leaves a gap. Pairs that both leave open are not in
+/// it, so that the test fails if el derives one.
 std::vector<std::string> closure_beyond_the_naive_one(const owl::Ontology& source) {
   compare::Opinion opinion = compare::of_consequence(source);
   if (!opinion.is_complete) opinion = compare::of_the_tableau(source);
@@ -54,8 +54,7 @@ std::vector<std::string> closure_beyond_the_naive_one(const owl::Ontology& sourc
   return opinion.closure;
 }
 
-/// What is wrong with a closure of an ontology: lines that do not follow, and, where it is said to be complete, lines
-/// that are missing.
+/// The errors of a closure: lines that do not follow, and missing lines if it is said to be complete.
 std::vector<std::string> faults(const owl::Ontology& source, const std::vector<std::string>& found, bool is_complete) {
   const std::vector<std::string> expected =
       owl::has_range_over_chain(source) ? closure_beyond_the_naive_one(source) : owl::reference_closure(source);
@@ -81,7 +80,7 @@ TEST(RandomOntologies, AreClassifiedAsByTheNaiveReasoner) {
 }
 
 TEST(RandomOntologies, WouldShowAnUnsoundClosure) {
-  // What is reached by r and then by s is reached by t, so that it is a C.
+  // An element that r and then s lead to is one that t leads to, so that it is a C.
   const owl::Ontology source = owl::written(
       "SubClassOf(A ObjectSomeValuesFrom(r ObjectSomeValuesFrom(s B)))\n"
       "SubObjectPropertyOf(ObjectPropertyChain(r s) t)\n"
@@ -100,7 +99,7 @@ TEST(RandomOntologies, GiveTheSameBytesInAnyOrder) {
     base::Random random(seed);
     const std::string text = owl::random_ontology(random, 20);
     const auto without_lines = [](const owl::Ontology& read) {
-      owl::Ontology copy;  // a shuffled file has other line numbers, and they are part of the bytes
+      owl::Ontology copy;  // line numbers are part of the bytes, and a shuffled file has others
       const owl::FileId file = copy.add_file("f");
       std::vector<owl::TermId> terms;
       for (std::uint32_t id = 0; id < read.term_count(); ++id) {

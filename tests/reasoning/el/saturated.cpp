@@ -1,4 +1,4 @@
-// Every rule of saturation.hpp, as a check that its conclusion is there.
+// A check for each rule of saturation.hpp that its conclusion is there.
 #include "saturated.hpp"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ class Validator {
     return {context(at).together.begin(), context(at).together.end()};
   }
 
-  /// The atom, or what with rules is above it, is in the context.
+  /// True if the atom, or all atoms with rules above it, are subsumers of the context.
   void expect_atom(std::uint32_t at, ExprId atom, const char* rule) {
     if (index_.is_active(atom)) return expect(has(at, atom), rule, at, number(atom));
     for (const ExprId above : index_.frontier(atom)) expect(has(at, above), rule, at, number(above));

@@ -1,4 +1,4 @@
-// An ontology of a few lines, saturated, with what the rules worked on; and a validator that fires every rule again.
+// A saturated ontology with its index, and a validator that fires every rule again.
 #ifndef GEMINGA_TESTS_REASONING_EL_SATURATED_HPP
 #define GEMINGA_TESTS_REASONING_EL_SATURATED_HPP
 
@@ -12,15 +12,15 @@
 
 namespace geminga::el {
 
-/// The contexts of all named classes and individuals of a source, saturated by so many threads.
+/// The contexts of all named classes and individuals of a source, saturated by a number of threads.
 struct Saturated {
   Saturated(const owl::Ontology& source, unsigned threads, const SaturationLimits& limits = {});
   IndexedOntology index;
   std::unique_ptr<Saturation> saturation;
 };
 
-/// Looks for a premise whose conclusion is missing: what it is, or nothing where no rule is left to fire. It is as slow
-/// as it is simple, and shares no code with the rules.
+/// Describes a premise whose conclusion is missing; empty if no rule is left to fire. It is slow and simple, and shares
+/// no code with the rules.
 std::string rule_left_to_fire(const IndexedOntology& index, const Saturation& saturation);
 
 }  // namespace geminga::el

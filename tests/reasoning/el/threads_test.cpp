@@ -57,7 +57,7 @@ TEST(Saturation, LeavesNoRuleToFire) {
     if (random.chance(0.4)) text += individuals(random);
     const unsigned threads = 1 + static_cast<unsigned>(seed % 3);
     const Saturated found(owl::written(text), threads);
-    // Where the ontology is inconsistent, the run ends early.
+    // The run ends early if the ontology is inconsistent.
     if (!found.saturation->is_consistent()) continue;
     ASSERT_EQ(rule_left_to_fire(found.index, *found.saturation), "")
         << "seed " << seed << ", " << threads << " threads\n"
@@ -127,7 +127,7 @@ TEST(Threads, AgreeOnWhatIsLargeEnoughToBeShared) {
   }
 }
 
-/// What the closure of a source begins with.
+/// The start of a closure: the index of a source and the atoms that are asked for.
 struct Indexed {
   explicit Indexed(const owl::Ontology& source) {
     RuleNormaliser normaliser(source, index);
@@ -180,7 +180,7 @@ TEST(Inheritance, StopsAtTheLimitOfConclusionsAndNotBefore) {
 }
 
 TEST(Inheritance, LetsGoOfWhatNobodyWillAskFor) {
-  // Below one class with much above it are many with nothing below them.
+  // One class with many classes above it has many leaves below it.
   std::string text;
   for (int at = 1; at <= 50; ++at) {
     const std::string number = std::to_string(at);
@@ -214,7 +214,8 @@ TEST(Threads, StopTogetherWhereTheOntologyIsInconsistent) {
   for (const unsigned threads : {1U, 4U}) EXPECT_FALSE(Saturated(source, threads).saturation->is_consistent());
 }
 
-/// n bits that count upwards, each a functional role's two kinds of successor: every number is a context of its own.
+/// A counter of n bits, in which a bit is one of two kinds of successors of a functional role: each number is a
+/// context.
 std::string counter(int bits) {
   std::string text;
   for (int bit = 0; bit < bits; ++bit) {

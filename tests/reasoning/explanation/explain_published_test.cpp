@@ -1,5 +1,4 @@
-// The household ontology as published: its unsatisfiable classes are explained by sets of which nothing can be left
-// out.
+// The published household ontology: its unsatisfiable classes are explained by minimal sets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path in the data that nobody here wrote, or an empty one where this checkout has none.
+/// A path in the published data, or an empty one if this checkout has none.
 fs::path published(const std::string& path) {
   const char* named = std::getenv("GEMINGA_TEST_DATA");
   for (const fs::path& root :
@@ -29,7 +28,7 @@ fs::path published(const std::string& path) {
   return {};
 }
 
-/// The merged file is RDF/XML, so that nothing but the reader of that is needed.
+/// The merged file is RDF/XML, which one reader reads.
 std::optional<rdf::Loaded> load_soma() {
   const fs::path file = published("ontologies/soma/all-modules-merged.rdf");
   if (file.empty()) return std::nullopt;
@@ -55,7 +54,7 @@ TEST(Published, SomaHasEightUnsatisfiableClassesAndEachIsExplainedMinimally) {
     Explainer explainer(*ontology, sub, nothing);
     const auto found = explainer.find_one();
     ASSERT_TRUE(found);
-    // The judge is the whole reasoner, not what the search has asked.
+    // The judge is the whole reasoner, and not the oracle of the search.
     const owl::Ontology& source = explainer.module().source();
     EXPECT_EQ(reasoner::entails(source, *found, explainer.sub(), explainer.super()).verdict, reasoner::Verdict::yes);
     for (const std::uint32_t axiom : *found) {

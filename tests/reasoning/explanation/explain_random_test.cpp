@@ -22,13 +22,13 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// The axioms of a few lines, and what the naive reasoner says follows from each subset of them.
+/// The axioms of a few lines, and the closure of each subset by the naive reasoner.
 class Subsets {
  public:
   explicit Subsets(std::vector<std::string> lines)
       : lines_(std::move(lines)), closures_(std::size_t{1} << lines_.size()) {}
 
-  /// Whether `t:sub` is below `t:super` by the lines of the mask, or by any.
+  /// True if the lines of the mask entail that `t:sub` is below `t:super`.
   bool entails(std::size_t mask, const std::string& sub, const std::string& super) {
     const std::set<std::string>& closure = closure_of(mask);
     return closure.contains("inconsistent") || closure.contains(sub + " < Nothing") ||
@@ -84,11 +84,11 @@ int for_random_pairs(std::uint64_t seeds, std::size_t axioms, Check&& check) {
     const std::string text = owl::random_ontology(random, axioms);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
     const owl::Ontology source = owl::written(text);
-    // The naive reasoner knows nothing of ranges that chains escape.
+    // The naive reasoner does not know ranges over chains.
     if (!owl::classified(source).unused.empty() || owl::has_range_over_chain(source)) continue;
     std::vector<std::string> lines = lines_of(text);
     const compiled::Ontology ontology = owl::loaded(source);
-    if (ontology.axioms().axiom_count() != lines.size()) continue;  // what stands there twice is one axiom
+    if (ontology.axioms().axiom_count() != lines.size()) continue;  // two equal lines are one axiom
     Subsets subsets(std::move(lines));
     for (std::uint32_t sub = 0; sub < ontology.class_count(); ++sub) {
       for (std::uint32_t super = 0; super < ontology.class_count(); ++super) {

@@ -1,4 +1,4 @@
-// Minimal sets of axioms for what an ontology entails.
+// Minimal sets of axioms for entailments.
 #include "reasoning/explanation/explain.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ TEST(Explain, NamesFileAndLineInTheOrderOfTheArgument) {
               ElementsAre("t:Impossible SubClassOf t:Shared", "t:Impossible SubClassOf t:Secret",
                           "t:Secret DisjointWith t:Shared"));
   EXPECT_FALSE(explain(ontology, named(ontology, "Info"), named(ontology, "BallInfo")).has_value());
-  // What holds without any axiom needs none.
+  // An entailment of every ontology needs no axiom.
   EXPECT_THAT(texts(explain(ontology, named(ontology, "Info"), *ontology.find("owl:Thing"))), IsEmpty());
   EXPECT_TRUE(explain(ontology, named(ontology, "Info"), named(ontology, "Info")).has_value());
 }

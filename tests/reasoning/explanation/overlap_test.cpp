@@ -1,4 +1,4 @@
-// Whether two classes can have common instances: what is disjoint, what is not, and what nobody can decide.
+// Overlap of two classes: disjoint pairs, pairs with a common instance, and pairs that no engine decides.
 #include "reasoning/explanation/overlap.hpp"
 
 #include <gmock/gmock.h>
@@ -101,12 +101,12 @@ TEST(Overlap, IsUndecidedWhereAnAxiomWasNotRead) {
   source = owl::written("SubClassOf(A C)\nSubClassOf(B C)");
   source.leave_out("geminga:convertsTo of what is no class", owl::FileId{0}, 1);
   EXPECT_EQ(common(loaded(source), "A", "B"), Common::possible) << "that says nothing of classes";
-  // What follows, follows all the same.
+  // An entailment of the other axioms still follows.
   EXPECT_EQ(common(ontology, "A", "D"), Common::impossible);
 }
 
 TEST(Overlap, IsUndecidedWhereTheSearchEnds) {
-  // Eleven pigeons and ten holes, as classes: no model, after a search that nobody has time for.
+  // Eleven pigeons and ten holes, as classes: there is no model, but the search is too long to find that out.
   constexpr int holes = 10;
   const auto is_in = [](int pigeon, int hole) { return "P" + std::to_string(pigeon) + "H" + std::to_string(hole); };
   std::string axioms = "SubClassOf(B Thing)\n";

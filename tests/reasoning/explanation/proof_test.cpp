@@ -1,4 +1,4 @@
-// Proofs: every step follows from its premises, as the engines find on their own, and all axioms are needed.
+// Proofs: every step follows from its premises, by the engines, and all axioms are needed.
 #include "reasoning/explanation/proof.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ using owl::named;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Fails the test where a step does not follow from its premises, or the last one is not what was asked.
+/// Fails the test if a step does not follow from its premises, or the last step is not the goal.
 void check(Explainer& explainer, const Proof& proof) {
   Module& module = explainer.module();
   ProofLemmas engines(module, explainer.oracle());
@@ -179,7 +179,7 @@ TEST(RandomProofs, HaveStepsThatFollow) {
     }
   }
   EXPECT_GT(proven, 200);
-  // The rules of EL are all there, so that no engine has to be believed.
+  // The proof rules have all rules of EL, so that an EL proof needs no lemma of an engine.
   EXPECT_EQ(by_rules, proven);
 }
 

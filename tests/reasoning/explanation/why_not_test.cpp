@@ -1,4 +1,4 @@
-// What is nearest where one class is not below another.
+// "Why not": the nearest classes and requirements if one class is not below another.
 #include "reasoning/explanation/why_not.hpp"
 
 #include <gmock/gmock.h>
@@ -113,7 +113,7 @@ TEST(RandomWhyNots, NeverMissEverythingOfAClassThatIsCommon) {
           ASSERT_TRUE(std::ranges::any_of(
               found.common, [&](taxonomy::ClassNumber lowest) { return ontology.is_subsumed(lowest, any); }));
         }
-        // Whoever met all that is enough would be in it.
+        // An element that meets a sufficient set of requirements is in the class.
         for (const Way& way : found.ways) ASSERT_TRUE(!way.is_sufficient || way.missing_count() > 0);
         ++checked;
       }

@@ -1,4 +1,4 @@
-// Compiles a source, extracts a module of it, and reads the lines of its axioms.
+// A source is compiled, and the lines are those of the compiled axioms.
 #include "extracted.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ owl::Ontology only(const owl::Ontology& numbered, const std::vector<std::uint32_
   owl::Ontology part = copied(
       numbered, [&](std::size_t axiom) { return std::ranges::binary_search(lines, numbered.axiom(axiom).line); },
       [&](std::size_t axiom) { return numbered.axiom(axiom).line; });
-  // A class that no axiom of the module uses is classified all the same.
+  // A class that no axiom of the module uses is classified, too.
   for (std::uint32_t id = 0; id < part.term_count(); ++id) {
     const owl::TermId term{id};
     if (part.kind(term) == owl::TermKind::named_class) {

@@ -10,13 +10,13 @@
 
 namespace geminga::modules {
 
-/// The ascending lines of the axioms in the module for a signature of classes and of other entities, whole IRIs.
+/// The lines of the axioms in the module for a signature of whole IRIs, ascending.
 [[nodiscard]] std::vector<std::uint32_t> lines_of_module(const owl::Ontology& source,
                                                          const std::vector<std::string>& signature);
 
-/// A copy of all terms of a source, and of the axioms on these lines; each axiom of the copy is on its own line, which
-/// is its number in the source plus one.
+/// A copy of a source in which each axiom is on its own line, which is its number plus one.
 [[nodiscard]] owl::Ontology numbered(const owl::Ontology& source);
+/// The axioms on these lines, with a declaration of each class of the source.
 [[nodiscard]] owl::Ontology only(const owl::Ontology& numbered, const std::vector<std::uint32_t>& lines);
 
 }  // namespace geminga::modules

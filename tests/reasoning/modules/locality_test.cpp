@@ -36,7 +36,7 @@ TEST_P(Locality, DecidesWhichAxiomsMatter) {
   EXPECT_EQ(lines_for(GetParam().axioms, GetParam().signature), GetParam().lines) << GetParam().axioms;
 }
 
-const Case classes[] = {
+const Case class_cases[] = {
     {"WayUpIsFollowed", "SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(D B)", {"A"}, {1, 2}},
     {"WayDownIsNotFollowed", "SubClassOf(A B)\nSubClassOf(B C)", {"B"}, {2}},
     {"ThingAboveSaysNothing", "SubClassOf(A Thing)\nSubClassOf(A B)", {"A"}, {2}},
@@ -54,10 +54,10 @@ const Case classes[] = {
     {"DisjointnessOfTwoThatAreThere", "DisjointClasses(A B C)", {"A", "C"}, {1}},
     {"DisjointUnionMattersForAPart", "DisjointUnion(A B C)", {"C"}, {1}},
 };
-INSTANTIATE_TEST_SUITE_P(Classes, Locality, testing::ValuesIn(classes),
+INSTANTIATE_TEST_SUITE_P(Classes, Locality, testing::ValuesIn(class_cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
-const Case properties[] = {
+const Case property_cases[] = {
     {"ExistentialOnTheLeftNeedsItsProperty", "SubClassOf(ObjectSomeValuesFrom(r A) B)", {"A"}, {}},
     {"ExistentialOnTheLeftNeedsItsFiller", "SubClassOf(ObjectSomeValuesFrom(r A) B)", {"r"}, {}},
     {"ExistentialOnTheLeftWithBoth", "SubClassOf(ObjectSomeValuesFrom(r A) B)", {"r", "A"}, {1}},
@@ -86,10 +86,10 @@ const Case properties[] = {
     {"ReflexivityIsAlwaysThere", "ReflexiveObjectProperty(r)\nTransitiveObjectProperty(s)", {}, {1}},
     {"KeyNeedsItsClass", "HasKey(A r)", {"r"}, {}},
 };
-INSTANTIATE_TEST_SUITE_P(Properties, Locality, testing::ValuesIn(properties),
+INSTANTIATE_TEST_SUITE_P(Properties, Locality, testing::ValuesIn(property_cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
-const Case individuals[] = {
+const Case individual_cases[] = {
     {"FactsAreAlwaysThere",
      "ClassAssertion(A i:a)\nObjectPropertyAssertion(r i:a i:b)\nSameIndividual(i:b i:c)",
      {},
@@ -102,7 +102,7 @@ const Case individuals[] = {
     {"ValueOnTheLeftNeedsItsProperty", "SubClassOf(ObjectHasValue(r i:a) A)", {"A"}, {}},
     {"EnumerationIsAlwaysThere", "EquivalentClasses(A ObjectOneOf(i:a i:b))", {}, {1}},
 };
-INSTANTIATE_TEST_SUITE_P(Individuals, Locality, testing::ValuesIn(individuals),
+INSTANTIATE_TEST_SUITE_P(Individuals, Locality, testing::ValuesIn(individual_cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(ModuleTest, GoesFromNearAxiomsToFarOnes) {

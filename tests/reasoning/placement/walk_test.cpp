@@ -1,4 +1,4 @@
-// A random walk of additions and removals, of axioms and of class expressions, each step against from-scratch.
+// A random walk of additions and removals of axioms and class expressions; each step is compared with a fresh start.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::string expression(base::Random& random, std::uint64_t classes, int depth) {
          expression(random, classes, depth - 1) + ")";
 }
 
-/// What somebody holds while the world changes: axioms, and expressions of whoever asked.
+/// The axioms and expressions that the walk changes.
 class Live {
  public:
   explicit Live(std::string names) : names_(std::move(names)) { owl::write_into(source_, names_, "names"); }
@@ -49,7 +49,7 @@ class Live {
     axioms_.push_back(axiom);
     owl::write_into(source_, axiom, "step");
   }
-  /// The rest goes over into a new source, term by term.
+  /// Copies the remaining axioms into a new source, term by term.
   void remove(std::size_t at) {
     owl::Ontology rest;
     rest.add_prefix("t", "https://t.example/#");
@@ -153,7 +153,7 @@ TEST(Walk, OfAxiomsAndExpressionsIsWhereFromScratchIs) {
   EXPECT_GT(compared_places, 60);
 }
 
-/// The same axioms in the same order, all in one line: where they stand is a part of the bytes.
+/// The same axioms in the same order, all on one line, because line numbers are part of the bytes.
 owl::Ontology without_lines(const owl::Ontology& source) {
   owl::Ontology copy;
   const owl::FileId file = copy.add_file("f");

@@ -1,4 +1,4 @@
-// The best one-to-one assignment, against all there are.
+// The best one-to-one assignment, compared with all assignments.
 #include "reasoning/signature/assignment.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ double sum_of(const Worth& worth, const std::vector<std::optional<std::size_t>>&
   return sum;
 }
 
-/// By trying every permutation of the larger side.
+/// The best worth of all permutations of the larger side.
 double best_sum(const Worth& worth) {
   std::vector<std::size_t> order(std::max(worth.rows(), worth.columns()));
   std::iota(order.begin(), order.end(), 0);

@@ -1,4 +1,4 @@
-// How much information concepts hold, counted by hand.
+// The information of concepts, counted by hand.
 #include "reasoning/signature/hierarchy.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Hierarchy, GivesAConceptTheBitsOfAllThatIsAboveIt) {
 
 TEST(Hierarchy, CountsWhatIsBelowAllParentsWhereThereAreSeveral) {
   const Hierarchy hierarchy = vehicles();
-  // An amphibian is all that is both car and boat: that it is one adds nothing to them.
+  // Amphibians are exactly the things that are both car and boat, so that being one adds no information.
   EXPECT_DOUBLE_EQ(hierarchy.meaning(amphibian).bits, std::log2(14.0 / 5) + std::log2(5.0 / 3) + std::log2(5.0 / 2));
 }
 

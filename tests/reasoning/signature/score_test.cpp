@@ -1,4 +1,4 @@
-// What the score promises: in which order cases come, and where its ends are.
+// The promises of the score: the order of cases, and its ends.
 #include "reasoning/signature/score.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ struct Shop {
   Scorer scorer{hierarchy};
 
   double total(const Signature& request, const Signature& service) { return scorer.score(request, service).total; }
-  /// Whether each service is better than the next.
+  /// True if each service is better than the next.
   void expect_order(const Signature& request, const std::vector<Signature>& services) {
     for (std::size_t at = 1; at < services.size(); ++at)
       EXPECT_GT(total(request, services[at - 1]), total(request, services[at])) << "number " << at;
@@ -98,7 +98,7 @@ TEST(Score, IsOneForTheSameSignatureOnly) {
 
 TEST(Score, TakesInputsContravariantAndOutputsCovariant) {
   Shop shop;
-  // A service for all print serves who has a book; one for novels may not. A taxed price is a price.
+  // A service for all print suits a request with a book; one for novels may not. A taxed price is a price.
   shop.expect_order({{book}, {price}},
                     {{{print}, {price}}, {{novel}, {price}}, {{magazine}, {price}}, {{person}, {price}}});
   shop.expect_order({{book}, {taxed}}, {{{book}, {taxed}}, {{book}, {price}}, {{book}, {maximal}}, {{book}, {author}}});
@@ -135,7 +135,7 @@ TEST(Score, LeavesOpenWhatARequestIsAboutThatGivesNothing) {
   Shop shop;
   shop.expect_order({{}, {price}},
                     {{{}, {price}}, {{book}, {price}}, {{book, author}, {price}}, {{}, {person}}, {{book}, {person}}});
-  // As an input beyond the right ones.
+  // The same as an input beyond the right ones.
   EXPECT_DOUBLE_EQ(shop.scorer.score({{}, {price}}, {{book}, {price}}).inputs,
                    shop.scorer.score({{author}, {price}}, {{author, book}, {price}}).inputs);
 }

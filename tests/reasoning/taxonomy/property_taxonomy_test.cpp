@@ -21,7 +21,7 @@ std::string name_of(const owl::Ontology& source, owl::NameId id) {
   return std::string(iri.substr(iri.find('#') + 1));
 }
 
-/// `p < q` for direct super-properties, `p = q` for equivalents; those of the top left out.
+/// Lines `p < q` for direct super-properties but the top, and `p = q` for equivalents.
 std::vector<std::string> lines_of(const owl::Ontology& source, const PropertyTaxonomy& taxonomy) {
   std::vector<std::string> lines;
   const auto name = [&](PropertyNumber number) {

@@ -1,4 +1,4 @@
-// Everything that is an atom and above another, by what is told and by what a saturation derived.
+// The atoms above an atom, by told axioms and by the conclusions of a saturation.
 #ifndef GEMINGA_REASONING_EL_CLOSURE_ATOMS_ABOVE_HPP
 #define GEMINGA_REASONING_EL_CLOSURE_ATOMS_ABOVE_HPP
 
@@ -17,7 +17,7 @@ class AtomsAbove {
 
   /// The representatives above an atom, itself and T included. Valid until the next call.
   std::span<const ExprId> of(ExprId atom);
-  /// Whether the atom was among those that the last call found.
+  /// True if the last call of of() found the atom.
   [[nodiscard]] bool contains(ExprId atom) const { return seen_in_[number(index_.representative(atom))] == round_; }
 
  private:

@@ -1,4 +1,4 @@
-// What is known of one concept while the rules run, and the store of all of these.
+// A context of a saturation: the conclusions about one concept, and the messages between contexts.
 #ifndef GEMINGA_REASONING_EL_CLOSURE_CONTEXT_HPP
 #define GEMINGA_REASONING_EL_CLOSURE_CONTEXT_HPP
 
@@ -31,11 +31,11 @@ struct Link {
 /// The successors of a context by a functional role and its sub-roles: they are one.
 struct FunctionalGroup {
   RoleId functional{};
-  std::uint32_t successor = 0;  ///< the context of all of them together
-  std::vector<RoleId> roles;    ///< by which it is a successor
+  std::uint32_t successor = 0;  ///< the context of all successors together
+  std::vector<RoleId> roles;    ///< the roles by which it is a successor
 };
 
-/// A vector that most do not have: a pointer until something is in it.
+/// A vector that most contexts do not have: a null pointer until an item comes.
 template <typename T>
 class RareList {
  public:
@@ -58,7 +58,7 @@ class RareList {
   std::unique_ptr<std::vector<T>> items_;
 };
 
-/// What one context tells another.
+/// A message to a context, which is "it" below.
 struct Message {
   enum class Kind : std::uint8_t {
     subsumer,  ///< it is below an expression, `first`
@@ -79,34 +79,33 @@ struct QueuedMessage {
   Message message;
 };
 
-/// What is known of one atom, or of some together. The tails of its lists behind the cursors are its to-do queue: a
-/// conclusion is tested for being new before it is queued, and every pair of premises meets once.
+/// The conclusions about one atom, or about several together. The tails of its lists behind the cursors (`..._done`)
+/// are its work queue: a conclusion is tested for being new before it is queued, and every pair of premises meets once.
 struct alignas(64) Context {
   base::ArenaSet<std::uint32_t> subsumers;  ///< active expressions, and marks of disjointness axioms behind them
   std::uint32_t subsumers_done = 0;
-  ExprId root{};  ///< F where it is of some atoms together
+  ExprId root{};  ///< F if it is of several atoms together
   bool is_unsatisfiable = false;
-  bool is_nonempty = false;  ///< it has an instance in every model; followed only where there are nominals
+  bool is_nonempty = false;  ///< it has an instance in every model; followed only if there are nominals
   bool is_queued = false;
-  /// Among many threads: the rank of the worker that has it in hand or on its queue, or 0. Only that worker relies on
-  /// it, for whom it cannot change.
+  /// Among many threads: the rank of the worker that holds the context, or 0. Only the holder may rely on it.
   std::atomic<std::uint8_t> owner = 0;
-  /// Messages from other threads, the last first; null where nobody has it in hand.
+  /// Messages from other threads, the last first.
   parallel::Mailbox<QueuedMessage> mailbox;
   base::ArenaSet<Link> backward;  ///< links that end here
   std::uint32_t backward_done = 0;
-  base::ArenaSet<Link> firsts;  ///< of them those that chains may go on from
+  base::ArenaSet<Link> firsts;  ///< links of these that may be the first of a composition
   std::uint32_t firsts_done = 0;
   std::uint32_t forward_done = 0;
   std::uint32_t selfs_done = 0;
-  base::ArenaList<Link> forward;        ///< links that begin here, where something wants to know them
+  base::ArenaList<Link> forward;        ///< links that begin here, if a rule asks for them
   base::ArenaList<ExprId> propagating;  ///< subsumers with existential rules
   base::ArenaList<ExprId> derived;      ///< atoms above that no told axiom puts there
-  RareList<ExprId> together;            ///< the atoms that it is of, ascending, where they are several
+  RareList<ExprId> together;            ///< the atoms, ascending, if it is of several
   RareList<RoleId> selfs;
   RareList<FunctionalGroup> groups;
   RareList<ExprId> restricting;      ///< subsumers with universal rules
-  RareList<std::uint32_t> nominals;  ///< contexts of the nominals above, itself not
+  RareList<std::uint32_t> nominals;  ///< contexts of the nominals above, without itself
   RareList<std::uint32_t> members;   ///< of a nominal's context: the contexts below it
 };
 

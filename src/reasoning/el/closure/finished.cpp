@@ -1,4 +1,4 @@
-// What is not final makes open what is below it.
+// A node that is not final makes the nodes below it open.
 #include "reasoning/el/closure/finished.hpp"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class Finished {
   [[nodiscard]] bool has(ExprId expr) const { return !is_open(top_expr) && !is_open(expr); }
 
  private:
-  /// Of an atom, or of what stands for it (IndexedOntology::needs_no_context()).
+  /// Visits the node of an atom, or the nodes that stand for it (IndexedOntology::needs_no_context()).
   template <typename Visit>
   void visit_nodes(ExprId atom, Visit&& visit) const {
     if (!index_.needs_no_context(atom)) return visit(inheritance_.find(atom));
@@ -75,7 +75,7 @@ class Finished {
   const Inheritance& inheritance_;
   std::vector<bool> is_open_;  ///< by node
   std::vector<std::uint32_t> newly_open_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> below_;  ///< a node, one that depends on it
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> below_;  ///< a node, and a node that depends on it
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
-// What is known to the end where a closure by inheritance was cut off: most of it, as it goes from one seed to the
-// next.
+// The classes that are complete although the budget cut a closure by inheritance off.
 #ifndef GEMINGA_REASONING_EL_CLOSURE_FINISHED_HPP
 #define GEMINGA_REASONING_EL_CLOSURE_FINISHED_HPP
 
@@ -11,9 +10,9 @@
 
 namespace geminga::el {
 
-/// Of each expression, a representative of a class, whether nothing is missing above it, if the ontology is consistent:
-/// its node and all that this has heard of are final. Requires that the rules use every axiom. Linear in what is above
-/// the nodes.
+/// Says of each expression, a representative of a class, whether all its subsumers are known if the ontology is
+/// consistent: its node and all nodes above it are final. Requires that the rules use every axiom. Linear in the edges
+/// between nodes.
 [[nodiscard]] std::vector<bool> find_finished(const IndexedOntology& index, const Inheritance& inheritance,
                                               std::span<const ExprId> exprs);
 

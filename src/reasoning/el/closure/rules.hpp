@@ -1,11 +1,11 @@
 // The rules of OWL 2 EL that all closures share, each written once, in logic notation beside its code.
 //
-// A closure says what a context is. Saturation has a context for each concept; Inheritance has a node, which takes over
-// what the nodes above it have; placement's ExpressionOverlay has contexts of one expression over a base that is
-// closed. Each of them says where a conclusion is noted and when the rules are applied to it. README.md lists which
-// rule is where, and which rules belong to one closure alone.
+// A closure says what a context is. Saturation has a context for each concept. Inheritance has a node, which takes over
+// the items of the nodes above it. ExpressionOverlay (placement) has contexts of one expression over a closed base. Each
+// closure says where a conclusion is noted and when the rules are applied to it. ../README.md lists which rule is where,
+// and which rules belong to one closure alone.
 //
-// Legend: as in saturation.hpp. C is a context, or a node, of the closure; C -R-> D is a link that the closure keeps.
+// Legend: as in saturation.hpp. C is a context or a node of the closure; C -R-> D is a link that the closure keeps.
 #ifndef GEMINGA_REASONING_EL_CLOSURE_RULES_HPP
 #define GEMINGA_REASONING_EL_CLOSURE_RULES_HPP
 
@@ -24,7 +24,7 @@ namespace geminga::el {
 /// Calls `then` with each negative existential of the filler that a link of the role shows.
 template <typename Then>
 void for_each_existential(const IndexedOntology& index, RoleId role, ExprId filler, Then then) {
-  // A class that much is below may be the filler of thousands of existentials, of which one link concerns a handful.
+  // A general class may be the filler of thousands of existentials, of which a link concerns a handful.
   constexpr std::size_t max_scanned = 8;
   const Roles& roles = index.roles();
   const std::span<const ExistentialRule> rules = index.existentials(filler);
@@ -42,38 +42,38 @@ void for_each_existential(const IndexedOntology& index, RoleId role, ExprId fill
   }
 }
 
-/// The base of a closure, which gives itself as Closure and makes this a friend. The calls between the two are bound
-/// when they are compiled, so that sharing the rules costs nothing. A closure has:
+/// The base of a closure, which gives itself as Closure and makes this a friend. The calls between the two are bound at
+/// compile time, so that sharing the rules costs nothing. A closure has:
 ///
-///   inherits                 whether a context takes over all subsumers of what is told to be above it
+///   inherits                 true if a context takes over all subsumers of the contexts that are told to be above it
 ///   add_subsumer(C, D)       notes C < D
 ///   add_atom(C, A)           notes C < A of an atom, which need not have rules
 ///   add_bottom(C)            notes C < F
 ///   add_link(C, R, D)        notes C -R-> D
 ///   add_self(C, R)           notes C < R Self
-///   add_loop(C, R)           notes what C < R Self says as a link from C to itself
+///   add_loop(C, R)           notes the link from C to itself that C < R Self implies
 ///   add_filler(C, D)         remembers that D is the filler of negative existentials, and calls propagate() with D for
 ///                            the links that end in C
-///   add_mark(C, mark)        puts a number that is no expression's among the subsumers; false where it was there
-///   successor_of(C, rule)    the context at the end of the link that a LinkRule says C has
-///   is_unsatisfiable(C)      whether C < F is noted
+///   add_mark(C, mark)        adds a number that is no expression's to the subsumers; false if it was there
+///   successor_of(C, rule)    the context at the end of the link of C that a LinkRule demands
+///   is_unsatisfiable(C)      true if C < F is noted
 ///   subsumers(C)             the set of the noted D in C < D; a reference that add_subsumer() leaves valid
-///   selfs(C), selfs_done(C)  the noted R of C < R Self, and of how many of these apply_self() was called
-///   count_work(n)            says that n premises were looked at
+///   selfs(C), selfs_done(C)  the noted R of C < R Self, and how many of them apply_self() was called for
+///   count_work(n)            counts n premises that were looked at
 ///
-/// and where it calls apply_functional() or functional_link():
+/// and, if it calls apply_functional() or functional_link():
 ///
-///   forward(C), forward_done(C)  the links that begin in C, and how many of these functional_link() was called for
+///   forward(C), forward_done(C)  the links that begin in C, and how many of them functional_link() was called for
 ///   groups(C)                the FunctionalGroups of C
-///   members_of(C)            what C is of, as numbers or enumerators, ascending
-///   require_together(all)    the context of these together
-///   add_member(C, one)       notes that C is below one of them
+///   members_of(C)            the atoms of C, as numbers or enumerators, ascending
+///   require_together(all)    the context of several atoms together
+///   add_member(C, one)       notes that C is below one atom
 template <typename Closure>
 class Rules {
  protected:
   explicit Rules(const IndexedOntology& index) : index_(index) {}
 
-  /// All rules with the premise C < D, where D was concluded for C itself.
+  /// Applies all rules with the premise C < D, where D was concluded for C itself.
   void apply(std::uint32_t context, ExprId subsumer) {
     const std::uint8_t rules = index_.rule_bits(subsumer);
 
@@ -105,8 +105,8 @@ class Rules {
     apply_to_inherited(context, subsumer, rules);
   }
 
-  /// Of these rules those that are to be applied to D in C again where C has D from a node above, as their other
-  /// premise may be C's own; but for conjunctions. `rules` are D's.
+  /// Applies the rules of D, `rules`, that C must apply again if it has D from a node above, because their other premise
+  /// may be C's own; all such rules but conjunctions.
   void apply_to_inherited(std::uint32_t context, ExprId subsumer, std::uint8_t rules) {
     //  C < D
     //  ---------- [D < R Self is told]
@@ -122,7 +122,7 @@ class Rules {
   //  ------------- [D and E occurs negatively]
   //  C < D and E
   void apply_conjunctions(std::uint32_t context, ExprId subsumer) {
-    // Whichever is shorter is walked, and the other searched: names like "disease" are in thousands of conjunctions.
+    // The shorter list is walked and the other one searched: names like "disease" are in thousands of conjunctions.
     const auto& subsumers = closure().subsumers(context);
     const std::span<const ConjunctionRule> rules = index_.conjunctions(subsumer);
     closure().count_work(std::min<std::size_t>(rules.size(), subsumers.size()));
@@ -147,8 +147,8 @@ class Rules {
   void apply_disjointness(std::uint32_t context, ExprId subsumer) {
     if (closure().is_unsatisfiable(context)) return;
     for (const std::uint32_t axiom : index_.disjointness(subsumer)) {
-      // The axiom's mark says that one member was there before. It is never inherited: two contexts that are above may
-      // have theirs from the same member.
+      // The axiom's mark says that one member is there. It is never inherited: two contexts above may have their marks
+      // from the same member.
       const std::uint32_t mark = static_cast<std::uint32_t>(index_.size()) + axiom;
       if (!closure().add_mark(context, mark)) return closure().add_bottom(context);
     }
@@ -170,12 +170,12 @@ class Rules {
     }
   }
 
-  /// A closure may have its own.
+  /// A closure may have a function of its own.
   void add_composed_link(std::uint32_t from, RoleId, RoleId, RoleId result, std::uint32_t to) {
     closure().add_link(from, result, to);
   }
 
-  /// All rules with the premise C < R Self.
+  /// Applies all rules with the premise C < R Self.
   void apply_self(std::uint32_t context, RoleId role) {
     //  C < R Self
     //  ---------- [R <* S, S Self occurs negatively]
@@ -216,7 +216,7 @@ class Rules {
     }
   }
 
-  /// As apply_functional(), where the link is new.
+  /// As apply_functional(), if the link is new.
   void functional_link(std::uint32_t context, Link link) {
     for (const RoleId super : index_.roles().supers(link.role)) {
       if (!closure().is_functional_in(context, super)) continue;
@@ -225,7 +225,7 @@ class Rules {
     }
   }
 
-  /// A closure may have its own.
+  /// A closure may have a function of its own.
   [[nodiscard]] bool is_functional_in(std::uint32_t context, RoleId role) {
     const auto& subsumers = closure().subsumers(context);
     const auto holds_here = [&](ExprId id) { return subsumers.contains(number(id)); };
@@ -251,7 +251,7 @@ class Rules {
     closure().count_work(together.size());
     base::sort_unique(together);
     if (together.size() == known && !is_new_role) return;
-    // To ask for a context may move those that there are, and the groups with them.
+    // A new context may move the others, and the groups with them.
     const std::vector<RoleId> roles = group->roles;
     const auto position = group - groups.begin();
     const std::uint32_t successor = closure().require_together(together);

@@ -1,4 +1,4 @@
-// Interning of expressions, and the sorting of rules to the expressions that trigger them.
+// Expressions are interned, and rules are sorted to the expressions that trigger them.
 #include "reasoning/el/index/indexed_ontology.hpp"
 
 #include <algorithm>
@@ -358,14 +358,14 @@ void IndexedOntology::find_rule_bits() {
 
 void IndexedOntology::find_link_roots() {
   for (LinkRule& link : links_.mutable_items()) {
-    // By a functional role the successor may turn out to be this one itself, which then is in the target, too.
+    // The successor by a functional role may turn out to be the element itself, which then is in the target, too.
     link.root = may_be_functional(link.role) ? link.target : link_root(link.target);
   }
 }
 
 ExprId IndexedOntology::link_root(ExprId target) const {
-  // What has no rules of its own and at most one thing above it with rules has no other subsumers than that thing, so
-  // that it needs no context. Not with nominals: there a class that is not empty may turn out to be a nominal's equal.
+  // An atom without rules, with at most one atom with rules above it, has the subsumers of that atom and needs no
+  // context. Ontologies with nominals are excepted: a class that has an instance may turn out to equal a nominal.
   if (has_nominals_ || keeps_link_targets_ || !is_atom(target) || is_active(target) || frontier(target).size() > 1)
     return target;
   return frontier(target).empty() ? top_expr : frontier(target).front();

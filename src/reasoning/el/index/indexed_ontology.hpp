@@ -1,8 +1,7 @@
-// The axioms as the rules want them: interned EL expressions, each with the rules that its occurrences need.
+// The index of an ontology: interned EL expressions, each with the rules that its occurrences need.
 //
-// Legend: A atom, C D E expressions, R S roles, C < D for "C SubClassOf D", T owl:Thing, F owl:Nothing.
-// An expression occurs negatively where it must be recognised (left of <), positively where it is asserted (right of
-// <).
+// Legend: A atom, C D E expressions, R S roles, C < D for "C SubClassOf D", T owl:Thing, F owl:Nothing. An expression
+// occurs negatively left of <, where it must be recognised, and positively right of <, where it is asserted.
 #ifndef GEMINGA_REASONING_EL_INDEX_INDEXED_ONTOLOGY_HPP
 #define GEMINGA_REASONING_EL_INDEX_INDEXED_ONTOLOGY_HPP
 
@@ -27,7 +26,7 @@ inline constexpr ExprId bottom_expr{1};
 [[nodiscard]] constexpr std::uint32_t number(ExprId id) { return static_cast<std::uint32_t>(id); }
 
 enum class ExprKind : std::uint8_t {
-  atom,         ///< a named class, owl:Thing, owl:Nothing, a data range, or a name for what EL cannot say
+  atom,         ///< a named class, owl:Thing, owl:Nothing, a data range, or a name for an expression without rules
   nominal,      ///< an atom with one instance
   conjunction,  ///< C and D
   existential,  ///< R some C
@@ -51,7 +50,7 @@ struct ExistentialRule {
   ExprId existential{};
   friend auto operator<=>(const ExistentialRule&, const ExistentialRule&) = default;
 };
-/// What is in the expression has a `role` successor in the atom `target`.
+/// Each instance of the expression has a `role` successor in the atom `target`.
 struct LinkRule {
   RoleId role{};
   ExprId target{};
@@ -59,15 +58,15 @@ struct LinkRule {
   friend auto operator<=>(const LinkRule&, const LinkRule&) = default;
 };
 
-/// Whatever is in the expression has only `role` successors in the atom `target`.
+/// Each instance of the expression has `role` successors in the atom `target` only.
 struct UniversalRule {
   RoleId role{};
   ExprId target{};
   friend auto operator<=>(const UniversalRule&, const UniversalRule&) = default;
 };
 
-/// Which rules an expression has, as bits. Most have one or two: whoever asks this first reads one octet instead of a
-/// row of each table, which are as many misses of the cache.
+/// The kinds of rules of an expression, as bits. Most expressions have one or two kinds. Reading this octet first saves
+/// a cache miss for each table of rules.
 enum class RuleBits : std::uint8_t {
   bottom = 1,
   above = 2,
@@ -79,7 +78,7 @@ enum class RuleBits : std::uint8_t {
   functional = 128,
 };
 
-/// Built by the normaliser, finished once, then only read, by any number of threads.
+/// The normaliser fills it, finish() is called once, and then any number of threads read it.
 class IndexedOntology {
  public:
   IndexedOntology();
@@ -87,39 +86,38 @@ class IndexedOntology {
   // Building.
   ExprId add_atom() { return add({ExprKind::atom, 0, 0}); }
   ExprId add_nominal();
-  /// Conjunction of any number; T where there is none. Sorted, without doubles and without T; F where F is in it.
+  /// The conjunction of any number of parts, sorted, without doubles and without T: T if nothing is left, F if F is in it.
   ExprId conjunction(std::vector<ExprId> parts);
   ExprId existential(RoleId role, ExprId filler);
   ExprId self(RoleId role);
-  /// C < D. Both must be said to occur so by the caller: mark_negative(C) where C is complex.
+  /// Adds C < D. Requires mark_negative(C) if C is complex.
   void add_told(ExprId sub, ExprId super);
-  /// The expression is to be recognised; conjuncts of conjunctions too, but not fillers.
+  /// Lets the rules recognise the expression, and conjuncts in it, but not fillers.
   void mark_negative(ExprId id);
-  /// C and D < F for every two of them.
+  /// Adds C and D < F for every two members.
   void add_disjoint(std::span<const ExprId> members);
-  /// Everything that is on the right of a link of this role is in the returned atom.
+  /// The atom of the range of a role: the end of each link of the role is in it.
   ExprId range_atom(RoleId role);
-  /// What it leads to are values. To be said before the role is used.
+  /// States that the links of the role end in values. To be called before the role is used.
   void mark_data(RoleId role);
-  /// What is in the expression has at most one successor by the role. For T: of every instance, the role is functional.
+  /// States that each instance of the expression has at most one successor by the role. For T the role is functional.
   void add_functional(ExprId id, RoleId role);
-  /// Everything that is on the right of a link of the role or a sub-role, from something in the atom, is in the filler,
-  /// which is no literal or datatype where the role leads to values, but an atom of its own.
+  /// States that links of the role or a sub-role from an instance of the atom end in the filler. If the role leads to
+  /// values, the filler is an atom of its own, and no literal or datatype.
   void add_universal(ExprId atom, RoleId role, ExprId filler) { universals_told_.push_back({atom, {role, filler}}); }
-  /// Contexts are to say whether they are in the atom, though it has no rules.
+  /// Lets contexts have the atom as a subsumer although it has no rules.
   void watch(ExprId atom) { watched_.push_back(atom); }
   Roles& roles() { return roles_; }
 
-  /// Every link ends in the context of its own target, so that whoever looks for what a link leads to finds it
-  /// (expression_base.hpp); otherwise a link ends in the nearest context that has rules.
+  /// Lets every link end in the context of its own target, as expression_base.hpp needs it. Otherwise a link ends in the
+  /// nearest context that has rules.
   void keep_link_targets() { keeps_link_targets_ = true; }
 
-  /// Closes roles, finds told equivalents, sorts rules to their expressions. False where a closure has more than
+  /// Closes roles, finds told equivalents, sorts rules to their expressions. False if a closure has more than
   /// `max_pairs` pairs; then the index is of no use.
   [[nodiscard]] bool finish(std::size_t max_pairs);
 
-  /// Lets functional properties be as others, and universals say nothing: for a saturation that they would take over
-  /// its limits.
+  /// Drops the rules of functional properties and universals, for an ontology that they take over a limit.
   void forget_merging();
 
   // Reading, after finish().
@@ -127,15 +125,15 @@ class IndexedOntology {
   [[nodiscard]] const Expr& expr(ExprId id) const { return exprs_[number(id)]; }
   [[nodiscard]] bool is_atom(ExprId id) const { return expr(id).kind <= ExprKind::nominal; }
   [[nodiscard]] bool is_nominal(ExprId id) const { return is_nominal_rep_[number(id)]; }
-  /// Whether a link of a data role ends in it, so that its members are values and no individuals.
+  /// True if links of data roles end in the atom, so that its members are values and no individuals.
   [[nodiscard]] bool is_value(ExprId id) const { return is_value_rep_[number(id)]; }
-  /// The one that stands for all atoms that told axioms make equivalent to this one. Other expressions: themselves.
+  /// The atom that stands for all atoms that told axioms make equivalent to this one. Other expressions: themselves.
   [[nodiscard]] ExprId representative(ExprId id) const { return representative_[number(id)]; }
-  /// Whether a subsumer of this number has any rule; what has none never enters a context.
+  /// True if the expression has a rule; the others never enter a context.
   [[nodiscard]] bool is_active(ExprId id) const { return is_active_[number(id)]; }
   /// Representatives of the atoms that axioms put right above.
   [[nodiscard]] std::span<const ExprId> told_atoms(ExprId id) const { return told_atoms_[number(id)]; }
-  /// The nearest active ones above an atom, reached through atoms without rules.
+  /// The nearest active atoms above an atom, reached through atoms without rules.
   [[nodiscard]] std::span<const ExprId> frontier(ExprId id) const {
     return std::span(frontier_items_).subspan(frontier_begin_[number(id)], frontier_count_[number(id)]);
   }
@@ -155,9 +153,9 @@ class IndexedOntology {
   [[nodiscard]] std::size_t disjointness_count() const { return disjointness_count_; }
   /// All rules that an expression has, as RuleBits.
   [[nodiscard]] std::uint8_t rule_bits(ExprId id) const { return rule_bits_[number(id)]; }
-  /// Whether somewhere something has at most one successor by some role.
+  /// True if some expression has at most one successor by some role.
   [[nodiscard]] bool has_functional() const { return !may_be_functional_.empty(); }
-  /// The same of the role or of one of its super roles.
+  /// True if that is so for the role or one of its super roles.
   [[nodiscard]] bool may_be_functional(RoleId role) const {
     return !may_be_functional_.empty() && may_be_functional_[static_cast<std::size_t>(role)];
   }
@@ -167,19 +165,19 @@ class IndexedOntology {
     return functional_in_[static_cast<std::size_t>(role)];
   }
   [[nodiscard]] std::span<const RoleId> functional_roles(ExprId id) const { return functional_roles_[number(id)]; }
-  /// The negative R Self of a role, or nothing (bottom_expr).
+  /// The negative R Self of a role, or bottom_expr if there is none.
   [[nodiscard]] ExprId negative_self(RoleId role) const;
   [[nodiscard]] bool has_negative_self() const { return has_negative_self_; }
-  /// The atom of everything right of a link of this role, or T where nothing is known of it.
+  /// The atom of the range of a role, or T if it has none.
   [[nodiscard]] ExprId range_of(RoleId role) const;
-  /// Whether something is below a nominal or leads to one.
+  /// True if an expression is below a nominal or leads to one.
   [[nodiscard]] bool has_nominals() const { return has_nominals_; }
   [[nodiscard]] const Roles& roles() const { return roles_; }
   /// The atom in whose context a link to the atom `target` ends.
   [[nodiscard]] ExprId link_root(ExprId target) const;
-  /// Whether a context of this atom could derive nothing that is not known without it.
+  /// True if a context of this atom would have the subsumers of another context.
   [[nodiscard]] bool needs_no_context(ExprId atom) const { return !is_active(atom) && frontier(atom).size() <= 1; }
-  /// Whether told axioms put `super` above `sub`, as far as a short search finds. Both are representatives.
+  /// True if a short search finds `super` above `sub` by told axioms. Requires representatives.
   [[nodiscard]] bool is_told_below(ExprId sub, ExprId super) const;
 
  private:
@@ -222,9 +220,9 @@ class IndexedOntology {
   std::vector<std::pair<std::uint32_t, RoleId>> self_pairs_;
   std::vector<bool> is_told_bottom_;
   std::vector<ExprId> representative_;
-  std::vector<std::uint32_t> supers_first_;  ///< representatives, every one behind those above it
+  std::vector<std::uint32_t> supers_first_;  ///< representatives, each behind those above it
   std::vector<bool> is_nominal_rep_;
-  std::vector<bool> is_data_role_;  ///< by role, as far as any is
+  std::vector<bool> is_data_role_;  ///< by role, up to the last data role
   std::vector<ExprId> values_;      ///< atoms at the end of links of data roles
   std::vector<bool> is_value_rep_;
   std::vector<bool> is_active_;

@@ -1,4 +1,4 @@
-// Which rules may make two things one: functional properties and nominals.
+// The rules that may make two elements one: functional properties and nominals.
 #include <algorithm>
 
 #include "reasoning/el/index/indexed_ontology.hpp"
@@ -37,7 +37,7 @@ void IndexedOntology::forget_merging() {
 }
 
 void IndexedOntology::find_nominals() {
-  // Individuals that nothing leads to need none of the rules for nominals: each is a class that must not be empty.
+  // Individuals that nothing leads to need no rules for nominals: each is a class that has an instance.
   for (std::uint32_t id = 0; id < exprs_.size() && !has_nominals_; ++id) {
     const auto is_nominal_rep = [&](ExprId expr) { return is_nominal_rep_[number(expr)]; };
     has_nominals_ = std::ranges::any_of(told_atoms_[id], is_nominal_rep) ||

@@ -1,7 +1,5 @@
-// What the rules do not use of the axioms, in a form that a model can be tested for.
-//
-// The contexts of a saturation are a model of what the rules use. Where they are a model of the rest, too, nothing is
-// missing (settlement.hpp). Legend as in indexed_ontology.hpp; X stands for an expression that has no rules.
+// Open parts: the parts of axioms that the rules do not use, in a form that a model can be tested for
+// (model/model_check.hpp). Legend as in indexed_ontology.hpp; X stands for an expression that has no rules.
 #ifndef GEMINGA_REASONING_EL_INDEX_OPEN_PARTS_HPP
 #define GEMINGA_REASONING_EL_INDEX_OPEN_PARTS_HPP
 
@@ -22,11 +20,11 @@ struct InverseInclusion {
 /// X < C or D ...
 struct OpenUnion {
   ExprId whole{};
-  std::vector<ExprId> parts;  ///< those that are atoms
-  bool has_all_parts = true;  ///< all are
+  std::vector<ExprId> parts;  ///< the parts that are atoms
+  bool has_all_parts = true;  ///< all parts are atoms
 };
 
-/// X < at most `count` R C, or X < at least `count` R C, of which C is not looked at.
+/// X < at most `count` R C, or X < at least `count` R C. The filler C is not looked at.
 struct OpenCount {
   ExprId whole{};
   RoleId role{};
@@ -38,10 +36,10 @@ struct OpenParts {
   std::vector<OpenUnion> unions;
   std::vector<OpenCount> at_most;
   std::vector<OpenCount> at_least;
-  bool is_mirrored = true;  ///< what inverses say of chains has been told of the properties themselves
-  bool is_more = false;     ///< something else is not used, which has no form above
+  bool is_mirrored = true;  ///< the mirror images of chains have been told (RoleChains::mirror)
+  bool is_more = false;     ///< some part of an axiom that is not used has no form above
 
-  /// Notes that the construct, if there is one, is not used and has no form above. Returns it.
+  /// Notes that the construct, unless it is none, is not used and has no form above. Returns it.
   owl::Construct beyond(owl::Construct construct) {
     is_more = is_more || construct != owl::Construct::none;
     return construct;

@@ -14,54 +14,54 @@
 
 namespace geminga::el {
 
-/// Pairs of the closure of the property hierarchy, and of what chains make of it: at most 24 octets each. A chain of
-/// 1400 properties, each below the next, has so many.
+/// The limit of pairs in the closures of the property hierarchy and of chains, each at most 24 octets. A chain of 1400
+/// properties, each below the next, has so many.
 inline constexpr std::size_t max_role_pairs = std::size_t{1} << 20;
 
 /// A property, of objects or of data, as the rules see it. Dense.
 enum class RoleId : std::uint32_t {};
 
-/// Two links in a row are one of another role: first o second SubPropertyOf result.
+/// Two links in a row imply a link of another role: first o second SubPropertyOf result.
 struct Composition {
   RoleId second{};
   RoleId result{};
   friend auto operator<=>(const Composition&, const Composition&) = default;
 };
 
-/// The closed property box. Filled, then closed, then only read.
+/// The closed property box. It is filled, then closed, then only read.
 class Roles {
  public:
   RoleId add();
   void add_sub_role(RoleId sub, RoleId super);
-  /// chain[0] o ... o chain[n - 1] SubPropertyOf super; requires at least two. Longer chains get roles of their own.
+  /// Adds chain[0] o ... o chain[n - 1] SubPropertyOf super; requires n >= 2. Longer chains get roles of their own.
   void add_chain(std::span<const RoleId> chain, RoleId super);
-  /// Computes the closure. False where it has more than `max_pairs` pairs; then nothing else may be called.
+  /// Computes the closure. False if it has more than `max_pairs` pairs; then nothing else may be called.
   [[nodiscard]] bool close(std::size_t max_pairs);
-  /// The part of it that supers(), is_sub_role() and chains() need.
+  /// Computes the part of the closure that supers(), is_sub_role() and chains() need.
   [[nodiscard]] bool close_hierarchy(std::size_t max_pairs);
 
   [[nodiscard]] std::size_t count() const { return count_; }
   /// Every super role, itself included, ascending. O(1).
   [[nodiscard]] std::span<const RoleId> supers(RoleId role) const { return supers_[static_cast<std::size_t>(role)]; }
-  /// Whether sub SubPropertyOf super. O(1) up to 4096 roles, O(log n) beyond.
+  /// True if sub SubPropertyOf super. O(1) up to 4096 roles, O(log n) beyond.
   [[nodiscard]] bool is_sub_role(RoleId sub, RoleId super) const;
-  /// What a link of `first` followed by a link gives, ascending by second; sub-roles of both are considered already.
+  /// The compositions of a link of `first` with a next link, ascending by second. Sub-roles of both are included.
   [[nodiscard]] std::span<const Composition> compositions(RoleId first) const {
     return compositions_[static_cast<std::size_t>(first)];
   }
   /// The roles of a link of `first` followed by one of `second`.
   [[nodiscard]] auto composed(RoleId first, RoleId second) const {
     const std::span<const Composition> all = compositions(first);
-    // Few chains have the same two roles: what is behind the first of them is looked at and not searched.
+    // Few chains have the same two roles: they are walked one by one.
     const auto begin = std::ranges::lower_bound(all, second, {}, &Composition::second);
     return std::ranges::subrange(begin, all.end()) |
            std::views::take_while([second](const Composition& rule) { return rule.second == second; }) |
            std::views::transform(&Composition::result);
   }
-  /// Whether the role may be the second of a composition.
+  /// True if the role may be the second of a composition.
   [[nodiscard]] bool is_second(RoleId role) const { return is_second_[static_cast<std::size_t>(role)]; }
-  /// Whether a link of `result` that is composed of these two need not be the first of another composition, as its
-  /// first part gives the same with what its second part gives.
+  /// True if a link of `result` that is composed of these two need not be the first of another composition: its first
+  /// part gives the same conclusions with the compositions of its second part.
   [[nodiscard]] bool is_last(RoleId first, RoleId second, RoleId result) const {
     return composes_itself_[static_cast<std::size_t>(result)] && is_sub_role(first, result) &&
            is_sub_role(second, result);

@@ -1,4 +1,4 @@
-// What one element of the model, or one link between two, must satisfy of the axioms that the rules do not use.
+// Tests of one element of the model, and of one link between two, against the axioms that the rules do not use.
 #ifndef GEMINGA_REASONING_EL_MODEL_ELEMENT_TEST_HPP
 #define GEMINGA_REASONING_EL_MODEL_ELEMENT_TEST_HPP
 

@@ -1,4 +1,4 @@
-// What inverses say of a link: which further links it implies, and what its two ends learn of each other.
+// Inverses of roles: the further links that a link implies, and the expressions that its ends learn of each other.
 //
 // Legend as in indexed_ontology.hpp. R(x,y) says S(y,x) where S is told to be an inverse of R or of a role above R. So
 // a subsumer of x may put y into `S some D`, through words of S that go back along links. The automaton of S with
@@ -19,7 +19,7 @@
 
 namespace geminga::el {
 
-/// What the ends of a link x -R-> y learn of expressions `S some D` that are recognised.
+/// Conclusions from a link x -R-> y about expressions `S some D` that are recognised.
 struct Learning {
   RoleId role{};            ///< S
   bool filler = false;      ///< x in D puts y into S some D

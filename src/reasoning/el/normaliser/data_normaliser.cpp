@@ -1,4 +1,4 @@
-// What is known between literals and datatypes. Legend as in data_normaliser.hpp.
+// The relations between literals and datatypes. Legend as in data_normaliser.hpp.
 #include "reasoning/el/normaliser/data_normaliser.hpp"
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
-/// Whether they have some values in common, and each has values that the other has not.
+/// True if the two have some values in common, and each has values that the other has not.
 bool overlap(owl::Datatype one, owl::Datatype other) {
   return one.family() == other.family() && !one.is_within(other) && !other.is_within(one) && !one.is_disjoint(other);
 }
 
-/// The datatypes that values are said to be in. They are few, and axioms that use them are many.
+/// The datatypes in which axioms put values. They are few, and axioms that use them are many.
 std::vector<owl::Datatype> find_used(const PendingUses& pending) {
   std::vector<owl::Datatype> used;
   for (const PendingUse& use : pending.all()) {
@@ -41,7 +41,7 @@ ExprId DataNormaliser::make_datatype(const owl::Term& term) {
   return expr;
 }
 
-// Of a literal whose datatype is not known it is known only that it is equal to itself.
+// A literal of an unknown datatype is only known to equal itself.
 ExprId DataNormaliser::make_literal(owl::TermId id, const owl::Term& term) {
   auto value = value_of(source_, term);
   if (!value) return index_.add_atom();
@@ -123,12 +123,9 @@ void DataNormaliser::exclude(ExprId one, ExprId other) {
   index_.add_told(both_of_them, bottom_expr);
 }
 
-// What is in a finite datatype is one of its values, which EL cannot say. It matters where a value is asked for.
-//
-// What is in two datatypes that overlap is in their intersection, which may be finite or a part of a third. The
-// datatypes of OWL 2 EL are chosen so that this never happens.
-//
-// Whether another literal has the value of an inexact one is not known.
+// Three facts are beyond EL. An element of a finite datatype is one of its values; this matters if a value is asked for.
+// An element of two overlapping datatypes is in their intersection, which may be finite or a part of a third; the
+// datatypes of OWL 2 EL never overlap. A literal may have the value of an inexact one.
 void DataNormaliser::find_unused(UnusedAxioms& unused) const {
   const std::vector<owl::Datatype> used = find_used(pending_);
   std::array<std::size_t, owl::data_family_count> value_counts{};

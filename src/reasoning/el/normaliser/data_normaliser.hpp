@@ -15,24 +15,24 @@
 
 namespace geminga::el {
 
-/// Makes the atoms of literals and datatypes, and tells in the end which are within and which exclude each other.
+/// Makes the atoms of literals and datatypes. In the end it adds which atoms are within others and which exclude others.
 class DataNormaliser {
  public:
   DataNormaliser(const owl::Ontology& source, IndexedOntology& index, PendingUses& pending)
       : source_(source), index_(index), pending_(pending) {}
 
   ExprId make_datatype(const owl::Term& term);
-  /// To be called once for each literal. Literals with the same value are one atom.
+  /// The atom of a literal; literals with the same value share one. To be called once for each literal.
   ExprId make_literal(owl::TermId id, const owl::Term& term);
 
-  /// The literal, which has its atom, stands in an axiom.
+  /// Notes that the literal, which has its atom, stands in the current axiom.
   void note_literal(owl::TermId id);
-  /// The same, where the axiom asks for what has the literal as a value.
+  /// Notes that the current axiom asks for elements with the literal as a value.
   void note_wanted_literal(owl::TermId id);
-  /// The axiom says that values are in the datatype.
+  /// Notes that the current axiom says that values are in the datatype.
   void note_datatype(const owl::Term& term);
 
-  /// To be called once, after the last literal and datatype.
+  /// Adds how literals and datatypes relate. To be called once, after the last literal and datatype.
   void relate();
   /// Adds the axioms of which literals or datatypes are not used in full.
   void find_unused(UnusedAxioms& unused) const;
@@ -52,10 +52,10 @@ class DataNormaliser {
   const owl::Ontology& source_;
   IndexedOntology& index_;
   PendingUses& pending_;
-  std::vector<std::pair<owl::Datatype, ExprId>> datatypes_;  ///< those that are known
+  std::vector<std::pair<owl::Datatype, ExprId>> datatypes_;  ///< known datatypes
   std::vector<std::pair<owl::DataValue, ExprId>> values_;
   std::map<std::pair<owl::DataFamily, std::string>, ExprId> expr_of_value_;
-  std::map<owl::TermId, Literal> literals_;  ///< those whose datatype is known
+  std::map<owl::TermId, Literal> literals_;  ///< literals of known datatypes
   std::array<bool, owl::data_family_count> is_wanted_{};
 };
 

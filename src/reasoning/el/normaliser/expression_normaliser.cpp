@@ -57,7 +57,7 @@ void ExpressionNormaliser::exclude(ExprId one, ExprId other) {
 owl::Construct ExpressionNormaliser::make_left(owl::TermId id) {
   const owl::Term term = source_.term(id);
   const ExprId expr = terms_.expression(id);
-  // What is T or F is exact as it is, whatever it was written with.
+  // A term that equals T or F is exact, whichever constructs it has.
   if (expr == top_expr || expr == bottom_expr) return owl::Construct::none;
   owl::Construct unused = owl::Construct::none;
   switch (term.kind) {
@@ -161,7 +161,7 @@ owl::Construct ExpressionNormaliser::make_right_union(const owl::Term& term, Exp
   const owl::Construct unused = use_all_right(term.arguments);
   std::vector<ExprId> parts;
   for (const owl::TermId part : term.arguments) parts.push_back(terms_.expression(part));
-  // Where the union is one of its parts, the others being empty or equal, the part says all.
+  // A union that equals one of its parts, because the others are empty or equal, is that part.
   if (std::ranges::find(parts, expr) != parts.end()) return unused;
   if (term.kind == owl::TermKind::data_union_of) return open_.beyond(owl::Construct::datatype_union);
   if (term.kind == owl::TermKind::data_one_of) return open_.beyond(owl::Construct::one_of);
@@ -267,11 +267,11 @@ owl::Construct ExpressionNormaliser::make_at_most(std::uint32_t limit, const Pro
   return use_filler(term, Side::left);
 }
 
-//  X < C or D;  and C < X, D < X, which needs to be said only where X is tested for
+//  X < C or D;  and C < X, D < X, which is needed only if X is recognised
 void ExpressionNormaliser::leave_union_open(ExprId whole, std::span<const ExprId> parts) {
   OpenUnion open{whole, {}, true};
   for (const ExprId part : parts) {
-    // What is no atom is not looked for: then nothing is in it.
+    // A part that is no atom is not recognised, so that the model has nothing in it.
     if (!index_.is_atom(part)) open.has_all_parts = false;
     if (!index_.is_atom(part)) continue;
     index_.watch(part);

@@ -1,4 +1,4 @@
-// What the occurrences of an expression left or right of SubClassOf need.
+// The rules that an expression needs because it occurs left or right of SubClassOf.
 //
 // Legend as in indexed_ontology.hpp; X is the atom that stands for an expression without rules.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_EXPRESSION_NORMALISER_HPP
@@ -20,22 +20,22 @@
 
 namespace geminga::el {
 
-/// Adds, once for each term and side, the rules that make its expression recognised or that say what it asserts.
+/// Adds, once for each term and side, the rules that recognise its expression or that draw its conclusions.
 class ExpressionNormaliser {
  public:
   ExpressionNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
                        DataNormaliser& data, UniversalNormaliser& universals, PendingUses& pending, OpenParts& open);
 
-  /// The term stands left of SubClassOf, so that it is to be recognised. The first construct in it without rules.
+  /// Recognises a term that stands left of SubClassOf. Returns the first construct in it without rules.
   owl::Construct use_left(owl::TermId term) { return use(term, Side::left); }
-  /// The term stands right of SubClassOf, so that it is asserted. The first construct in it without rules.
+  /// Asserts a term that stands right of SubClassOf. Returns the first construct in it without rules.
   owl::Construct use_right(owl::TermId term) { return use(term, Side::right); }
 
-  /// R some C of a property that is read forwards, to be recognised.
+  /// Recognises R some C of a property that is read forwards.
   ExprId recognised_some(const Property& property, ExprId filler);
-  /// C and D < F
+  /// Adds C and D < F.
   void exclude(ExprId one, ExprId other);
-  /// X < C or D, for which there is no rule.
+  /// Keeps X < C or D, for which there is no rule.
   void leave_union_open(ExprId whole, std::span<const ExprId> parts);
 
  private:

@@ -24,11 +24,11 @@ owl::Construct KeyNormaliser::add(const owl::Axiom& axiom) {
 //  C HasKey (p1 ... pn)  is  C and N and p1 some {x1} and ... and pn some {xn} < {y} for all named individuals or
 //  literals xi, where {a} < N for every named individual a, and y is an individual of no other axiom
 //
-// Whatever is on the left is then one thing, and y may be that thing, or, where there is none, anything.
+// An element on the left is then unique, and y may be this element, or any element if there is none.
 void KeyNormaliser::finish(UnusedAxioms& unused) {
   if (keys_.empty()) return;
   const Values values = find_values();
-  if (values.individuals.size() < 2) return;  // then no two can be found to be one
+  if (values.individuals.size() < 2) return;  // no two can be found to be one
   const ExprId is_named = index_.add_atom();
   for (const ExprId individual : values.individuals) index_.add_told(individual, is_named);
   for (const Key& key : keys_) {
@@ -53,7 +53,7 @@ KeyNormaliser::Values KeyNormaliser::find_values() {
   return values;
 }
 
-// Over max_key_tuples it is not counted to the end.
+// The count ends beyond max_key_tuples.
 std::size_t KeyNormaliser::count_tuples(const Key& key, const Values& values) {
   std::size_t tuples = 1;
   for (const Property& property : key.properties) {
@@ -74,7 +74,7 @@ void KeyNormaliser::write_out(const Key& key, ExprId is_named, std::size_t tuple
   for (std::size_t tuple = 0; tuple < tuples; ++tuple) make_rule(key, is_named, tuple, values.individuals, literals);
 }
 
-// The rule for the tuple of this number: its digits, each to the base of its property, say which values.
+// Adds the rule for the tuple of this number: its digits, each to the base of its property, select the values.
 void KeyNormaliser::make_rule(const Key& key, ExprId is_named, std::size_t tuple,
                               const std::vector<ExprId>& individuals, const std::vector<ExprId>& literals) {
   std::vector<ExprId> parts = {key.of, is_named};

@@ -15,19 +15,19 @@
 
 namespace geminga::el {
 
-/// The most combinations of values that one key is written out for; over it the key is left out and named.
+/// The limit of combinations of values that one key is written out for. Beyond it the key is left out and named.
 inline constexpr std::size_t max_key_tuples = std::size_t{1} << 16;
 
-/// Collects keys, and writes each out for all values when these are known.
+/// Collects keys, and writes out each for all values when these are known.
 class KeyNormaliser {
  public:
   KeyNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
                 ExpressionNormaliser& expressions, PendingUses& pending)
       : source_(source), index_(index), terms_(terms), expressions_(expressions), pending_(pending) {}
 
-  /// Adds the key that is the current axiom. The first construct of it that is not used.
+  /// Adds the key that is the current axiom. Returns the first construct of it that is not used.
   owl::Construct add(const owl::Axiom& axiom);
-  /// To be called once, after the last axiom. Adds the keys that are too large.
+  /// Writes out the keys, and adds those that are too large to `unused`. To be called once, after the last axiom.
   void finish(UnusedAxioms& unused);
 
  private:
@@ -36,7 +36,7 @@ class KeyNormaliser {
     ExprId of{};
     std::vector<Property> properties;
   };
-  /// What the properties of keys may lead to.
+  /// The values to which the properties of keys may lead.
   struct Values {
     std::vector<ExprId> individuals;
     std::vector<owl::TermId> literals;

@@ -12,13 +12,12 @@
 
 namespace geminga::el {
 
-/// Gives equal expressions without rules one atom, so that each is at least equal to itself.
+/// Gives equal expressions without rules one atom, so that an expression is at least equal to itself.
 class OpaqueAtoms {
  public:
   explicit OpaqueAtoms(IndexedOntology& index) : index_(index) {}
 
-  /// The atom of the expression of this kind with this count and these operands, which `key` lists in the order that
-  /// the kind has.
+  /// The atom of the expression with this kind, count and operands, which `key` lists in the order of the kind.
   ExprId find(owl::TermKind kind, std::uint32_t count, std::vector<std::uint32_t> key);
 
  private:

@@ -25,10 +25,10 @@ using UnusedAxioms = std::vector<std::pair<std::uint32_t, owl::Construct>>;
   return one != owl::Construct::none ? one : other;
 }
 
-/// On which side of SubClassOf a term stands.
+/// The side of SubClassOf on which a term stands.
 enum class Side : std::uint8_t { left, right };
 
-/// A property that must be simple. Where it is not, `construct` is not used in full.
+/// A property that must be simple. If it is not, `construct` is not used in full.
 struct SimpleUse {
   RoleId role{};
   owl::Construct construct = owl::Construct::none;
@@ -51,14 +51,14 @@ struct PendingUse {
 /// Keeps each use with its axiom. The rules of a term are made once, but each axiom that holds the term has its uses.
 class PendingUses {
  public:
-  /// What is noted from here on is of this axiom.
+  /// Makes this axiom the current one, to which the next notes belong.
   void begin(std::uint32_t axiom) { axiom_ = axiom; }
   [[nodiscard]] std::uint32_t axiom() const { return axiom_; }
 
   void note(const PendingUse::What& what) { uses_.push_back({axiom_, what}); }
   [[nodiscard]] std::span<const PendingUse> all() const { return uses_; }
 
-  /// All that was noted since there were `begin` uses was noted because the term stands on this side.
+  /// Keeps the uses from number `begin` on as those of the term on this side.
   void keep(owl::TermId term, Side side, std::size_t begin) {
     if (uses_.size() != begin) uses_of_term_[{term, side}] = {begin, uses_.size(), axiom_};
   }
@@ -66,13 +66,13 @@ class PendingUses {
   void repeat(owl::TermId term, Side side) {
     if (uses_of_term_.empty()) return;
     const auto found = uses_of_term_.find({term, side});
-    if (found == uses_of_term_.end() || found->second.axiom == axiom_) return;  // once for an axiom is enough
+    if (found == uses_of_term_.end() || found->second.axiom == axiom_) return;  // once for each axiom
     found->second.axiom = axiom_;
     for (std::size_t at = found->second.begin; at < found->second.end; ++at) note(PendingUse(uses_[at]).what);
   }
 
  private:
-  /// A range of uses_, and the axiom that they were noted for last.
+  /// A range of uses_, and the axiom for which they were noted last.
   struct TermUses {
     std::size_t begin = 0;
     std::size_t end = 0;

@@ -1,4 +1,4 @@
-// Axioms of properties, one kind after the other. Legend as in indexed_ontology.hpp.
+// One kind of axiom after the other. Legend as in indexed_ontology.hpp.
 #include "reasoning/el/normaliser/property_normaliser.hpp"
 
 #include <algorithm>
@@ -174,11 +174,11 @@ owl::Construct PropertyNormaliser::add_data(const owl::Axiom& axiom) {
   }
 }
 
-// Where another engine has to do everything again, what inverses say is left to it.
+// Inverses are left to another engine if that has to classify everything again.
 void PropertyNormaliser::mirror() { open_.is_mirrored = !open_.is_more && chains_.mirror(open_.inverses); }
 
-// OWL 2 DL's restriction: what counts or compares the successors of a property is for properties without chains. The
-// rules derive nothing wrong from the others, but not all that follows.
+// OWL 2 DL allows axioms that count or compare successors for properties without chains only. From the others the rules
+// derive nothing wrong, but not everything that follows.
 void PropertyNormaliser::find_not_simple(const Roles& closed, UnusedAxioms& unused) const {
   std::vector<bool> is_simple(closed.count(), true);
   for (const Roles::Chain& chain : closed.chains()) {

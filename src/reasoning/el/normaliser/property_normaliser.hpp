@@ -1,4 +1,4 @@
-// What axioms say of properties. Legend as in indexed_ontology.hpp.
+// Axioms of properties. Legend as in indexed_ontology.hpp.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_PROPERTY_NORMALISER_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_PROPERTY_NORMALISER_HPP
 
@@ -17,23 +17,23 @@
 
 namespace geminga::el {
 
-/// Tells the index the axioms of properties: what is below what, chains, domains, ranges and characteristics.
+/// Adds the axioms of properties to the index: hierarchy, chains, domains, ranges and characteristics.
 class PropertyNormaliser {
  public:
   PropertyNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
                      ExpressionNormaliser& expressions, UniversalNormaliser& universals, PendingUses& pending,
                      OpenParts& open);
 
-  /// An axiom of object properties, or of the domain or range of any. The first construct in it that is not used.
+  /// Adds an axiom of object properties, or a domain or range. Returns the first construct in it that is not used.
   owl::Construct add_object(const owl::Axiom& axiom);
-  /// Any other axiom of data properties.
+  /// Adds any other axiom of data properties.
   owl::Construct add_data(const owl::Axiom& axiom);
-  /// The current axiom says that successors by the property, which is no inverse and not the top, are in the range.
+  /// Adds a range of the current axiom. Requires a property that is neither an inverse nor the top property.
   owl::Construct add_range(const Property& property, owl::TermId range);
 
-  /// To be called once, after the last axiom: says of the properties themselves what their inverses say.
+  /// Adds what inverses say to the properties themselves. To be called once, after the last axiom.
   void mirror();
-  /// Adds the axioms that count or compare the successors of properties with chains.
+  /// Adds the axioms to `unused` that count or compare successors of properties with chains.
   void find_not_simple(const Roles& closed, UnusedAxioms& unused) const;
   [[nodiscard]] std::span<const owl::RoleChain> chains() const { return chains_.all(); }
 

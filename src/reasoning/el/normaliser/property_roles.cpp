@@ -1,4 +1,4 @@
-// A role for each property, with what the top and bottom properties mean.
+// A role for each property; the top and bottom properties have a fixed meaning.
 #include "reasoning/el/normaliser/property_roles.hpp"
 
 #include <string_view>

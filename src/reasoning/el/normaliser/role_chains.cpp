@@ -1,4 +1,4 @@
-// The mirror images of chains. Legend as in indexed_ontology.hpp.
+// The mirror image of a chain has the inverses of its roles in reverse order. Legend as in indexed_ontology.hpp.
 #include "reasoning/el/normaliser/role_chains.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t max_mirror_images = 16;  // of one chain
 
-/// Removes the roles that are below another one, of equal ones all but the first.
+/// Removes the roles that are below another one, and of equal roles all but the first.
 void keep_greatest(std::vector<RoleId>& roles, const Roles& closed) {
   const std::vector<RoleId> all = roles;
   std::erase_if(roles, [&](RoleId one) {
@@ -25,7 +25,7 @@ void keep_greatest(std::vector<RoleId>& roles, const Roles& closed) {
   });
 }
 
-/// The words that are read backwards where the word of the chain is read forwards. Ends as soon as there are too many.
+/// The mirror images of the word of a chain. Ends as soon as there are too many.
 std::vector<std::vector<RoleId>> mirror_images(const owl::RoleChain& chain,
                                                std::span<const std::vector<RoleId>> inverses_below) {
   std::vector<std::vector<RoleId>> words = {{}};
@@ -68,7 +68,7 @@ bool RoleChains::mirror(std::span<const InverseInclusion> inverses) {
       }
     }
   }
-  // The greatest are enough: what is below one has it as a super role.
+  // The greatest roles are enough: a role below one of them has it as a super role.
   for (std::vector<RoleId>& below : inverses_below) keep_greatest(below, closed);
   std::set<std::pair<std::vector<owl::Role>, owl::Role>> known;
   for (const owl::RoleChain& chain : chains_) known.emplace(chain.word, chain.super);

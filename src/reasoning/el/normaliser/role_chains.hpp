@@ -1,4 +1,4 @@
-// Chains of properties, and what inverses say of them. Legend as in indexed_ontology.hpp.
+// Chains of properties, and their mirror images by inverses. Legend as in indexed_ontology.hpp.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_ROLE_CHAINS_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_ROLE_CHAINS_HPP
 
@@ -11,18 +11,18 @@
 
 namespace geminga::el {
 
-/// Tells the index the chains of properties, and tells the properties themselves what inverses say of them.
+/// Adds the chains of properties to the index, and the chains that follow of inverses.
 class RoleChains {
  public:
   explicit RoleChains(IndexedOntology& index) : index_(index) {}
 
-  /// R1 o ... o Rn < R
+  /// Adds R1 o ... o Rn < R.
   void add(std::span<const RoleId> word, RoleId super);
-  /// The chains that were added; each has its number instead of its axiom's.
+  /// The added chains. Each has its own number in place of its axiom's.
   [[nodiscard]] std::span<const owl::RoleChain> all() const { return chains_; }
 
-  /// To be called once, after the last chain. Adds the inclusions and chains that follow from the chains and from these
-  /// inverses. False where there are too many mirror images of one chain, which are then left out.
+  /// Adds the inclusions and chains that follow from the chains and these inverses. False if one chain has too many
+  /// mirror images, which are then left out. To be called once, after the last chain.
   [[nodiscard]] bool mirror(std::span<const InverseInclusion> inverses);
 
  private:

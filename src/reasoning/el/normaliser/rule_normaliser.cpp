@@ -1,4 +1,4 @@
-// Axioms of classes and individuals, one kind after the other. Legend as in indexed_ontology.hpp.
+// One kind of axiom after the other. Legend as in indexed_ontology.hpp.
 #include "reasoning/el/normaliser/rule_normaliser.hpp"
 
 #include <algorithm>
@@ -133,10 +133,10 @@ owl::Construct RuleNormaliser::add_disjoint(std::span<const owl::TermId> members
 }
 
 void RuleNormaliser::exclude_each_other(std::vector<ExprId> members) {
-  // Small axioms, and those with equal members, go by pairs; n members of a large one would need n * n conjunctions.
+  // Small axioms, and axioms with equal members, become pairs; n members of a large one would need n * n conjunctions.
   constexpr std::size_t max_by_pairs = 4;
   std::ranges::sort(members);
-  // T and another cannot both have instances; a member that is given twice has none.
+  // Next to T, no other member can have an instance; a member that stands twice has none.
   for (std::size_t at = 0; at + 1 < members.size(); ++at) {
     if (members[at] == members[at + 1]) index_.add_told(members[at], bottom_expr);
   }
@@ -149,7 +149,7 @@ void RuleNormaliser::exclude_each_other(std::vector<ExprId> members) {
   }
   for (std::size_t first = 0; first < members.size(); ++first) {
     for (std::size_t second = first + 1; second < members.size(); ++second) {
-      if (first > 0 && members.front() == top_expr) continue;  // then each of the others is empty already
+      if (first > 0 && members.front() == top_expr) continue;  // the other members are empty already
       expressions_.exclude(members[first], members[second]);
     }
   }
@@ -183,7 +183,7 @@ owl::Construct RuleNormaliser::add_property_assertion(const owl::Axiom& axiom, b
   ExprId to = terms_.expression(axiom.arguments[2]);
   if (role.is_top) {
     if (!is_negative) return owl::Construct::none;
-    index_.add_told(from, bottom_expr);  // all are related by it, so that this cannot hold
+    index_.add_told(from, bottom_expr);  // the top property relates all, so that this cannot hold
     return owl::Construct::none;
   }
   const owl::TermId value = axiom.arguments[2];

@@ -1,4 +1,4 @@
-// From OWL axioms to the index: what EL can say exactly is said, what it cannot is weakened soundly and named.
+// The way from OWL axioms to the index: EL axioms are added exactly, others are weakened soundly and named.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_RULE_NORMALISER_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_RULE_NORMALISER_HPP
 
@@ -21,27 +21,27 @@
 
 namespace geminga::el {
 
-/// Rewrites axioms one by one into an index. Everything it adds follows from the axioms (over names of its own), so
-/// that whatever is derived is sound; where it returns Construct::none, nothing of the axiom is lost.
+/// Rewrites axioms one by one into an index. Everything that it adds follows from the axioms (over names of its own),
+/// so that derivations are sound. If add() returns Construct::none, nothing of the axiom is lost.
 ///
-/// It adds the axioms of classes and individuals itself, and gives what they are made of to the classes below it. Each
-/// of these knows only those that are declared before it.
+/// It adds the axioms of classes and individuals itself, and leaves their parts to its members. Each member knows only
+/// members that are declared before it.
 class RuleNormaliser {
  public:
   RuleNormaliser(const owl::Ontology& source, IndexedOntology& index);
   RuleNormaliser(const RuleNormaliser&) = delete;
   RuleNormaliser& operator=(const RuleNormaliser&) = delete;
 
-  /// Adds one axiom of the source; the first construct in it that is not used in full.
+  /// Adds one axiom of the source. Returns the first construct in it that is not used in full.
   owl::Construct add(std::uint32_t axiom);
-  /// To be called once after the last axiom: says how literals and datatypes relate, what universals and the ranges of
-  /// chains say, and which axioms turn out only then not to be used in full.
+  /// Adds how literals and datatypes relate, universals, and ranges of chains. Returns the axioms that only then turn out
+  /// not to be used in full. To be called once, after the last axiom.
   [[nodiscard]] UnusedAxioms finish(Universals universals = Universals::left_out);
 
-  /// After finish(): the axioms of which a part is used by a universal rule, ascending.
+  /// The axioms of which a part became a universal rule, ascending. Requires finish().
   [[nodiscard]] const UnusedAxioms& uses_of_universals() const { return universals_.uses(); }
 
-  /// What the rules do not use of the added axioms.
+  /// The parts of the added axioms that the rules do not use.
   [[nodiscard]] const OpenParts& open() const { return open_; }
 
   /// The expression of a class, whether an axiom uses it or not.

@@ -1,4 +1,4 @@
-// The expression of each kind of term, with what is T, F or another expression made so at once.
+// One kind of term after the other; a term that equals T, F or another expression becomes that expression at once.
 #include "reasoning/el/normaliser/term_expressions.hpp"
 
 #include <algorithm>

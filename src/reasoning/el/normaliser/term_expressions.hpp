@@ -1,4 +1,4 @@
-// From the terms of an ontology to the expressions of the index.
+// The expressions of an ontology's terms.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_TERM_EXPRESSIONS_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_TERM_EXPRESSIONS_HPP
 
@@ -15,35 +15,34 @@
 
 namespace geminga::el {
 
-/// Gives each term its expression, when it is first asked for and whatever side of SubClassOf it stands on.
-///
-/// An expression that EL has no rules for becomes an atom of its own.
+/// Gives each term its expression when it is first asked for, on either side of SubClassOf. An expression without rules
+/// becomes an atom of its own.
 class TermExpressions {
  public:
   TermExpressions(const owl::Ontology& source, IndexedOntology& index, DataNormaliser& data);
 
-  /// Of a class, a data range, an individual or a literal.
+  /// The expression of a class, a data range, an individual or a literal.
   ExprId expression(owl::TermId term) {
     std::uint32_t& known = exprs_[static_cast<std::size_t>(term)];
     return known != none ? ExprId{known} : make(term);
   }
-  /// Whether expression() was asked for the term.
+  /// True if expression() was asked for the term.
   [[nodiscard]] bool has_expression(owl::TermId term) const { return exprs_[static_cast<std::size_t>(term)] != none; }
   Property property(owl::TermId term) { return roles_.find(term); }
 
-  /// min R C is given as min R T where it is not qualified.
+  /// Treats an unqualified min R as min R T.
   [[nodiscard]] static bool is_qualified(const owl::Term& restriction) { return restriction.arguments.size() == 2; }
-  /// The C of a restriction on R and C.
+  /// The filler C of a restriction on R and C.
   ExprId filler_of(const owl::Term& restriction) {
     return is_qualified(restriction) ? expression(restriction.arguments[1]) : top_expr;
   }
 
-  /// T or F, one of the parts, or an atom that has no rules yet.
+  /// Returns T or F, one of the parts, or an atom that has no rules yet.
   ExprId union_of(std::span<const ExprId> parts);
   /// The atom of a restriction without rules.
   ExprId opaque_restriction(owl::TermKind kind, std::uint32_t count, const Property& property, ExprId filler);
 
-  /// All individuals that were asked for, in that order.
+  /// All individuals that were asked for, in order.
   [[nodiscard]] const std::vector<ExprId>& individuals() const { return individuals_; }
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t max_automaton_states = 1000;  // of one property
 
-/// The roles whose automata lack something: a chain that is not regular, or one of too many, is somewhere below them.
+/// The roles whose automata are incomplete, because a chain below them is not regular or one of too many.
 std::vector<bool> find_partial(const Roles& closed, const owl::RoleBox& box, std::span<const owl::RoleChain> chains) {
   std::vector<bool> is_partial(closed.count(), false);
   const auto touch = [&](owl::Role role) {
@@ -44,7 +44,7 @@ void UniversalNormaliser::add_universal(ExprId restricting, const Property& prop
 
 void UniversalNormaliser::add_range(RoleId role, ExprId range) { ranges_.push_back({pending_.axiom(), role, range}); }
 
-// Each range whose property has a chain below it of which the last property has it not.
+// Finds the ranges that the last property of some chain below their property does not have.
 std::vector<std::size_t> UniversalNormaliser::find_ranges_over_chains(const Roles& closed) const {
   std::vector<std::size_t> found;
   for (std::size_t at = 0; at < ranges_.size(); ++at) {
@@ -98,7 +98,7 @@ void UniversalNormaliser::make_universal(const Universal& universal, const owl::
   const auto& [restricting, property, filler] = universal;
   const owl::Role role = role_of(property.role);
   if (property.is_data || box.is_simple(role)) {
-    // What is said of values must not be said of what else is in a class of the same atom.
+    // A conclusion about values must not reach other elements of the same atom.
     const ExprId target = property.is_data ? index_.add_atom() : filler;
     if (property.is_data) index_.add_told(target, filler);
     index_.add_universal(restricting, property.role, target);

@@ -1,10 +1,10 @@
 // Universals right of SubClassOf, and the ranges that OWL 2 EL does not allow. Legend as in indexed_ontology.hpp.
 //
-// A range of R is a universal of everything, T < R only C. As long as the last property of each chain below R has the
-// range, too (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in it (Baader, Brandt,
-// Lutz: Pushing the EL Envelope Further, 2008). Elsewhere what comes last in a chain is in C only where the rest of the
-// chain comes before it. So C has to travel along the automaton of R, whose states are atoms (Horrocks, Kutz, Sattler:
-// The Even More Irresistible SROIQ, 2006, section 4). Universals of properties with chains travel the same way.
+// A range of R is a universal of everything, T < R only C. If the last property of each chain below R has the range, too
+// (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in C (Baader, Brandt, Lutz: Pushing
+// the EL Envelope Further, 2008). Otherwise the end of a chain is in C only after the rest of the chain. So C travels
+// along the automaton of R, whose states are atoms (Horrocks, Kutz, Sattler: The Even More Irresistible SROIQ, 2006,
+// section 4). Universals of properties with chains travel the same way.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_UNIVERSAL_NORMALISER_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_UNIVERSAL_NORMALISER_HPP
 
@@ -20,7 +20,7 @@
 
 namespace geminga::el {
 
-/// Whether the index may hold universals, for whoever has rules for them.
+/// Says whether the index gets universals, which only a saturation has rules for.
 enum class Universals : std::uint8_t { left_out, used };
 
 /// Collects universals and ranges, and makes rules of them when all chains are known.
@@ -28,16 +28,16 @@ class UniversalNormaliser {
  public:
   UniversalNormaliser(IndexedOntology& index, PendingUses& pending) : index_(index), pending_(pending) {}
 
-  /// What is in `restricting` has only successors by the property, which is no inverse, in the filler.
+  /// Adds `restricting` < property only filler. Requires a property that is no inverse.
   void add_universal(ExprId restricting, const Property& property, ExprId filler);
-  /// The current axiom says that successors by the role are in the range.
+  /// Adds a range of the current axiom.
   void add_range(RoleId role, ExprId range);
   [[nodiscard]] bool has_universals() const { return !universals_.empty(); }
 
-  /// To be called once, after the last axiom, with the roles, whose hierarchy is closed, and with the chains as they
-  /// were told. Adds the axioms whose universals are not used.
+  /// Makes the rules, and adds the axioms whose universals are not used to `unused`. Requires roles whose hierarchy is
+  /// closed, and the told chains. To be called once, after the last axiom.
   void finish(const Roles& closed, std::span<const owl::RoleChain> chains, Universals universals, UnusedAxioms& unused);
-  /// After finish(): the axioms of which a part is used by a universal rule, ascending.
+  /// The axioms of which a part became a universal rule, ascending. Requires finish().
   [[nodiscard]] const UnusedAxioms& uses() const { return uses_; }
 
  private:
