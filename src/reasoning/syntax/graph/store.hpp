@@ -1,6 +1,6 @@
 // What a graph is made of, for the files of this folder.
-#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_STATE_HPP
-#define GEMINGA_REASONING_SYNTAX_GRAPH_STATE_HPP
+#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_STORE_HPP
+#define GEMINGA_REASONING_SYNTAX_GRAPH_STORE_HPP
 
 #include <functional>
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace geminga::graph {
 
-struct Graph::State {
-  explicit State(const Limits& with) : limits(with), statements(world) {}
+struct Graph::Store {
+  explicit Store(const Limits& with) : limits(with), statements(world) {}
 
   Limits limits;
   World world;
