@@ -14,8 +14,8 @@
 #include "reasoning/syntax/error.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
 #include "reasoning/syntax/rdf/triples/graph.hpp"
-#include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
 namespace geminga::rdf {
@@ -26,8 +26,7 @@ struct FileText {
   syntax::Syntax syntax = syntax::Syntax::rdf_xml;
   const std::string& base_iri;
   const std::string& blank_prefix;  ///< the same for the same file on every host: made of its content
-  const std::vector<std::uint32_t>& lines;
-  const Pieces& pieces;
+  const Layout& layout;
 };
 
 /// A raptor world of one's own, for one thread at a time. It opens no file and no connection, whatever a file asks.
