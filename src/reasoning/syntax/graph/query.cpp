@@ -33,7 +33,7 @@ bool declares(std::string_view query, std::string_view prefix) {
   return false;
 }
 
-/// On one line, so that the lines in errors stay right.
+/// The prefixes on one line, so that the lines in errors stay right.
 std::string with_prefixes(const std::string& query, const Prefixes& prefixes) {
   std::string text;
   for (const auto& [prefix, name] : prefixes) {

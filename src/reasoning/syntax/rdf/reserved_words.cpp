@@ -91,7 +91,7 @@ std::vector<std::string> similar_words(std::string_view iri) {
   for (const Vocabulary& vocabulary : vocabularies) {
     any_word(vocabulary.words, [&](std::string_view word) {
       const std::size_t distance = base::edit_distance(local, word, limit);
-      // The right word in the wrong vocabulary is as far as one letter: owl:subClassOf, rdfs:Restriction.
+      // A word of another vocabulary counts as one more letter: owl:subClassOf, rdfs:Restriction.
       if (distance <= limit)
         found.emplace_back(distance + (&vocabulary == own ? 0 : 1),
                            std::string(vocabulary.prefix) + ':' + std::string(word));

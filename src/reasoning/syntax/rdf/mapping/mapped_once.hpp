@@ -1,4 +1,4 @@
-// What became of a node that several others may refer to.
+// The result of mapping a node to which several others may refer.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_MAPPING_MAPPED_ONCE_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_MAPPED_ONCE_HPP
 

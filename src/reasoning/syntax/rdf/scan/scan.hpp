@@ -19,7 +19,7 @@
 
 namespace geminga::rdf {
 
-/// Why a file is refused before it is parsed.
+/// The reason why a file is refused before it is parsed.
 struct ScanProblem {
   std::uint32_t line = 0;
   std::string text;

@@ -64,7 +64,7 @@ class XmlScan {
     place_ = dashes + 3;
   }
 
-  /// Text goes from tag to tag, but an XML literal is one text, tags and all.
+  /// A text goes from tag to tag. An XML literal is one text with its tags.
   void end_of_tag(std::size_t begin) {
     if (literal_depth_ == 0) {
       text_bytes_ = 0;
@@ -94,7 +94,7 @@ class XmlScan {
     add_text(references(begin, end));
   }
 
-  /// What the entity references between two places expand to beyond what is counted anyway.
+  /// Octets that the entity references between two places expand to, beyond those of the references.
   std::size_t references(std::size_t begin, std::size_t end) {
     if (!doctype_) return 0;
     std::size_t expansion = 0;
@@ -142,7 +142,7 @@ class XmlScan {
     if (names_by_id(tag)) pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
   }
 
-  /// Only what stands directly below rdf:RDF can be read by itself.
+  /// Only elements directly below rdf:RDF can be parsed by themselves.
   void root(std::string_view tag) {
     const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
     if (name != "RDF" && !name.ends_with(":RDF")) return pieces_.forbid();

@@ -1,4 +1,4 @@
-// A stack of open brackets, each with the lines of the objects that it has seen (RDF 1.1 Turtle, section 6.5).
+// A stack of open brackets, each with the lines of its objects (RDF 1.1 Turtle, section 6.5).
 #include "reasoning/syntax/rdf/scan/turtle_lines.hpp"
 
 #include <algorithm>

@@ -193,7 +193,7 @@ Prefixes prefixes_of(std::string_view xml) {
   return prefixes;
 }
 
-/// What a prefix means in every file of the field; any other gets an IRI of its own.
+/// The usual meaning of a prefix; any other prefix gets an IRI of its own.
 std::string usual_meaning(std::string_view prefix) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 8> usual{
       {{"rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"},

@@ -54,7 +54,7 @@ std::string_view view_of(const unsigned char* text, std::size_t size) {
   return {reinterpret_cast<const char*>(text), text == nullptr ? 0 : size};
 }
 
-/// Whether an IRI can be written between angle brackets on one line. What else is odd about it is not our business.
+/// Whether an IRI can be written between angle brackets on one line.
 bool is_writable(std::string_view iri) {
   return std::ranges::none_of(iri, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '<' || c == '>'; });
 }
@@ -112,7 +112,7 @@ struct RaptorParser::World {
 
   [[nodiscard]] bool has_failed() const { return error.has_value() || out_of_memory; }
 
-  /// Says nothing that would itself need memory.
+  /// Builds no message, since that would need memory.
   void stop_for_memory() {
     out_of_memory = true;
     if (parser != nullptr) raptor_parser_parse_abort(parser);
@@ -268,7 +268,7 @@ void RaptorParser::World::parse_piece(std::size_t number) {
   const std::size_t end = is_last ? view.size() : parts[number + 1].begin;
   const std::size_t preamble = file->layout.pieces.preamble();
   if (number > 0 && !parse(base::without_mark(view.substr(0, preamble)), false)) return;
-  // What the other pieces need, too, stays.
+  // The preamble stays, because the other pieces need it, too.
   std::size_t released = std::max(piece.begin, preamble);
   std::size_t at = number == 0 ? view.size() - base::without_mark(view).size() : piece.begin;
   while (at < end) {

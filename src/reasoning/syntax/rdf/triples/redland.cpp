@@ -1,4 +1,4 @@
-// Pieces are parsed into graphs of their own and joined in the order of the file.
+// Each piece is parsed into a graph of its own. The graphs are joined in the order of the file.
 #include "reasoning/syntax/rdf/triples/redland.hpp"
 
 #include <sys/mman.h>
@@ -17,10 +17,10 @@
 namespace geminga::rdf {
 namespace {
 
-/// More parsers than this would wait for the one that joins their triples.
+/// More parsers would wait for the thread that joins their triples.
 constexpr unsigned max_threads = 8;
 
-/// What one piece became.
+/// The result of parsing one piece.
 struct ReadPiece {
   Graph graph;
   std::vector<std::pair<std::string, std::string>> prefixes;
