@@ -6,8 +6,8 @@
 
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
-#include "discovery/membership/schedule/deadline.hpp"
 #include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 
 namespace {
 
@@ -19,7 +19,8 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// What was accepted can be announced again, and comes back the same: a presence as a whole, of a state the header.
+/// An accepted announcement can be encoded again and is decoded as the same: a presence as a whole, of a state the
+/// header.
 void check_round_trip(Announcement announcement) {
   announcement.part = 0;
   announcement.part_count = 1;
@@ -34,7 +35,7 @@ void check_round_trip(Announcement announcement) {
   }
 }
 
-/// A table that has heard it keeps within its limits, and forgets it at its deadline.
+/// A table that has received it keeps its limits, and forgets it at its deadline.
 void check_table(const Announcement& announcement) {
   membership::NeighbourTable table(announcement.group);
   table.set_self(ParticipantId{1}, announcement::BootNonce{1});

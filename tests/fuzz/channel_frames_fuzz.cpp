@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto written = frame_bytes(*frame);
     GEMINGA_ASSERT(std::ranges::equal(written, bytes));
   }
-  // The same frames come of a stream that arrives at once and octet by octet.
+  // A stream that arrives at once and one that arrives octet by octet give the same frames.
   constexpr std::size_t largest = 4096;
   std::vector<std::vector<std::byte>> given[2];
   bool is_broken[2] = {};

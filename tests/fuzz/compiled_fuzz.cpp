@@ -1,4 +1,4 @@
-// Any octets as a compiled ontology, and as what stands behind a right header: refused, or answered without a fault.
+// Any octets as a compiled ontology, and as the sections behind a valid header: refused, or answered without a fault.
 #include <algorithm>
 #include <array>
 #include <cstddef>

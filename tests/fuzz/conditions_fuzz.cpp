@@ -1,5 +1,5 @@
-// Any octets as what a peer states about the other side: `where` and `for`, `prefer` and `rank`, `scope`, units. What
-// cannot be read says why; what can be read is decided for services that say all sorts of things.
+// Any octets as conditions: `where` and `for`, `prefer` and `rank`, `scope`, units. Each is refused with a reason, or
+// is decided for services with all kinds of attributes.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

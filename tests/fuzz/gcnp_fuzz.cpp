@@ -1,5 +1,5 @@
-// Any octets as a GCNP stream, from either side: what is read is written and read again the same, what is refused says
-// so.
+// Any octets as a GCNP stream, from either side: each line is refused with an error, or is the same when it is written
+// and read again.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

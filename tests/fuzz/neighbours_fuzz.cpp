@@ -1,8 +1,8 @@
-// Any sequence of datagrams, pauses and lost interfaces: the table of neighbours keeps its limits, and who does all its
-// changes in their order has exactly the services that it counts.
+// Any sequence of datagrams, pauses and lost interfaces: the table of neighbours keeps its limits, and a registry that
+// makes all its changes in order has exactly the services that the table counts.
 //
-// Each step is an octet that says what and from where, one that says how long after the last step, and for a datagram
-// its size in two octets, the low one first, and its octets.
+// A step is an octet for the kind and the source, an octet for the time since the last step, and for a datagram its
+// size in two octets, the low one first, and its octets.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -17,8 +17,8 @@
 
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
-#include "discovery/membership/schedule/deadline.hpp"
 #include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 
 namespace {
 
@@ -32,7 +32,7 @@ void require(bool condition) {
 constexpr ParticipantId ourselves{0x0a0b0c0d};
 constexpr announcement::BootNonce our_life{0x1234};
 
-/// The longest that anybody is believed to be there without a sign of life.
+/// The longest time that a neighbour is kept without a sign of life.
 base::Duration longest_patience() { return patience(announcement::max_interval, {.loss = 1}); }
 
 /// The octets of the input, one after the other.
@@ -59,7 +59,7 @@ class Input {
   std::span<const std::byte> octets_;
 };
 
-/// What a registry has that does all changes.
+/// The services of a registry that makes all changes.
 class Registry {
  public:
   void operator()(const PutPublication& put) { publications_[put.key.participant].insert(number(put.key)); }
@@ -75,7 +75,7 @@ class Registry {
     subscriptions_.erase(gone.participant);
   }
 
-  /// Whether it has what the table counts, and nothing of anybody else.
+  /// Whether it has the services that the table counts, and no others.
   void check(const NeighbourTable& table) {
     std::size_t services = 0;
     table.for_each([&](const Neighbour& neighbour) {
@@ -98,7 +98,7 @@ class Registry {
   std::map<ParticipantId, Numbers> subscriptions_;
 };
 
-/// What we would say of others can be said, and is understood.
+/// The answers that we would send about others can be encoded and decoded.
 void check_report(NeighbourTable& table, base::Instant now) {
   Report report = table.report(now);
   announcement::Announcement presence;
@@ -153,7 +153,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
     }
     check_table(table, registry, now);
   }
-  // Nobody stays who is not heard of any more.
+  // Every silent neighbour is dropped.
   now += longest_patience();
   table.expire(now);
   check_table(table, registry, now);

@@ -12,7 +12,7 @@
 #include "reasoning/syntax/owls/profile.hpp"
 
 #ifdef __clang__
-// What Raptor leaks (rdf/raptor_parser.cpp says what) has no function names where llvm-symbolizer is missing.
+// Leaks of raptor (raptor_parser.cpp lists them) have no function names where llvm-symbolizer is missing.
 // NOLINTNEXTLINE(bugprone-reserved-identifier)
 extern "C" const char* __lsan_default_suppressions() { return "leak:libraptor2.so\n"; }
 #endif

@@ -16,7 +16,7 @@
 #include "reasoning/syntax/rdf/load.hpp"
 
 #ifdef __clang__
-// What Raptor leaks (rdf/raptor_parser.cpp says what) has no function names where llvm-symbolizer is missing.
+// Leaks of raptor (raptor_parser.cpp lists them) have no function names where llvm-symbolizer is missing.
 // NOLINTBEGIN(bugprone-reserved-identifier,misc-definitions-in-headers)
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libraptor2.so\n"; }

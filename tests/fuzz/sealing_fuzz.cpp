@@ -1,5 +1,4 @@
-// Any octets as a datagram, and any octets as what somebody with the key has sealed: neither does harm, and only the
-// second is heard.
+// Any octets as a datagram, and any octets sealed with the key: neither does harm, and only the second is accepted.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -25,7 +24,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// That of the worked examples.
+/// The key of the worked examples.
 Key example_key() {
   Key::Secret secret{};
   for (std::size_t i = 0; i < secret.size(); ++i) secret[i] = static_cast<unsigned char>(i);
@@ -50,7 +49,7 @@ struct Member {
   Seal seal;
 };
 
-/// Whatever was heard, both still prove themselves to each other.
+/// Whatever was received, both sides can still prove themselves to each other.
 void check_team(Member& one, Member& other) {
   for (int i = 0; i < 3; ++i) {
     (void)one.hears(other.say());
@@ -59,7 +58,7 @@ void check_team(Member& one, Member& other) {
   require(one.hears(other.say()) && other.hears(one.say()));
 }
 
-/// Nobody without the key makes what is heard. The datagrams of the seeds are sealed, and of a session without proof.
+/// Without the key no datagram is accepted. The datagrams of the seeds are sealed, and of a session without proof.
 void check_datagram(std::span<const std::byte> datagram) {
   Member one(1);
   Member other(2);
@@ -83,7 +82,7 @@ void check_compression(std::span<const std::byte> octets) {
   }
 }
 
-/// What somebody with the key says is read strictly. The first octet says whether it begins with a greeting.
+/// The content of sealed datagrams is read strictly. The first octet says whether it begins with a greeting.
 void check_text(std::span<const std::byte> octets) {
   const bool has_greeting = !octets.empty() && (octets[0] & std::byte{1}) != std::byte{};
   auto text = octets.subspan(octets.empty() ? 0 : 1);

@@ -18,8 +18,8 @@ namespace geminga::syntax {
 struct Listing {
   std::vector<std::string> files;    ///< in the order of the arguments; of a folder, sorted by path
   std::vector<std::string> folders;  ///< those that were walked, each before those in it
-  /// What these folders contain that is no ontology file by its name or, for .xml, by its beginning. Includes links to
-  /// folders, which are not followed, but nothing hidden.
+  /// Files in these folders that are no ontology files by their name or, for .xml, by their beginning; and links to
+  /// folders, which are not followed. Hidden files are not listed.
   std::vector<std::string> skipped;
 };
 

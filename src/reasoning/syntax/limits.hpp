@@ -1,4 +1,4 @@
-// The most that a file of triples may hold. Each limit protects a parser from what it reads too slowly.
+// Limits of a file of triples. RDF.md says what each protects from.
 #ifndef GEMINGA_REASONING_SYNTAX_LIMITS_HPP
 #define GEMINGA_REASONING_SYNTAX_LIMITS_HPP
 
@@ -43,9 +43,9 @@ struct Limits {
   std::size_t tag_bytes = std::size_t{1} << 22;
   /// Internal entities of one DOCTYPE.
   std::size_t entities = 4096;
-  /// What one internal entity expands to.
+  /// Octets that one internal entity expands to.
   std::size_t entity_bytes = std::size_t{1} << 16;
-  /// What all references to internal entities expand to: this, and `entity_growth` times the size of the file.
+  /// Octets that all references to internal entities expand to: this, and `entity_growth` times the size of the file.
   std::size_t expansion_bytes = std::size_t{1} << 20;
   std::size_t entity_growth = 16;
 };

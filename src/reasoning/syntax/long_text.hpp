@@ -12,16 +12,16 @@
 
 namespace geminga::syntax {
 
-/// What may be too long.
+/// The most octets of each kind of stretch.
 struct LongTextLimits {
   std::size_t text = 0;
-  std::size_t blank = 0;                            ///< white space and comments in a row, but in XML
-  std::size_t name = 0;                             ///< IRIs, too; in XML they are texts
+  std::size_t blank = 0;                            ///< white space and comments in a row, not in XML
+  std::size_t name = 0;                             ///< also of an IRI; in XML these are texts
   std::size_t xml_comment = std::size_t{8} << 20U;  ///< libxml2 keeps one as a whole
 };
 
-/// Goes over a file in stretches. It knows only where texts begin and end. The reader of the syntax scans what it lets
-/// pass, with the exact limits.
+/// Goes over a file in stretches, and knows only where texts begin and end. The reader of the syntax checks the exact
+/// limits later.
 class LongText {
  public:
   enum class Kind : std::uint8_t { text, blank, name, xml_comment };
@@ -29,9 +29,9 @@ class LongText {
   /// In XML a text is what is between two tags. In other syntaxes it is what is in one pair of quotation marks.
   LongText(Syntax syntax, const LongTextLimits& limits) : is_xml_(is_xml(syntax)), limits_(limits) {}
 
-  /// The line in which something begins that is too long. Nothing if none was found so far.
+  /// The line in which something too long begins. Nothing if nothing was found so far.
   [[nodiscard]] std::optional<std::uint32_t> look_at(std::string_view stretch);
-  /// Of what was found.
+  /// The kind of stretch that was found too long.
   [[nodiscard]] Kind kind() const { return kind_; }
 
  private:

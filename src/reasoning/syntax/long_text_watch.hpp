@@ -25,7 +25,7 @@ class LongTextWatch {
   std::optional<LoadError> look_at(std::string_view stretch);
 
  private:
-  /// What was too long, and the limit that a user is told.
+  /// The name of the stretch that was too long, and the limit that a user is told.
   [[nodiscard]] std::pair<std::string_view, std::size_t> beyond() const;
 
   const std::string& path_;

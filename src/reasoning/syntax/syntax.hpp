@@ -13,7 +13,7 @@ enum class Syntax : std::uint8_t {
   rdf_xml,
   turtle,
   n_triples,
-  // Of OWL 2, without triples, and read by somebody else.
+  // Syntaxes of OWL 2, without triples; modules of their own read them.
   functional,
   manchester,
   owl_xml,

@@ -1,4 +1,4 @@
-// The graph of what is declared, and the answers that it gave.
+// The graph of declared conversions, and its remembered answers.
 #include "reasoning/vocabulary/conversions.hpp"
 
 #include "reasoning/compiled/ontology.hpp"

@@ -14,22 +14,20 @@
 
 namespace geminga::vocabulary {
 
-/// The declared conversions of one ontology, without those of which a side can have no instance. Safe to use from many
-/// threads.
+/// The declared conversions of one ontology between satisfiable classes. Safe to use from many threads.
 class Conversions {
  public:
-  /// How many answers are remembered. When there are more, all are forgotten.
+  /// The most answers that are remembered. Beyond it all are forgotten.
   static constexpr std::size_t max_remembered = 4096;
 
   explicit Conversions(std::shared_ptr<const compiled::Ontology> ontology);
 
-  /// The cheapest chain, up to its length, from something above `offered` to something below `requested`; of those the
-  /// shortest, of those the one with the least distance, and of those the first by the classes. Null where there is
-  /// none. Both must be satisfiable.
+  /// The cheapest chain of up to max_chain_conversions from a class above `offered` to a class below `requested`, with
+  /// the ties of StepGraph::cheapest(). Null if there is none. Both classes must be satisfiable.
   [[nodiscard]] std::shared_ptr<const Chain> cheapest(taxonomy::ClassNumber offered,
                                                       taxonomy::ClassNumber requested) const;
   [[nodiscard]] std::size_t size() const { return graph_.size(); }
-  /// All of them, at the places from 0 to size().
+  /// The conversions, at the places from 0 to size().
   [[nodiscard]] const StepGraph& graph() const { return graph_; }
 
  private:

@@ -14,7 +14,7 @@ namespace geminga::vocabulary {
 struct Explanation {
   bool is_subsumed = false;
   /// A minimal set of axioms that entails it, in the order of the argument. Empty if it holds in every ontology or if,
-  /// rarely, no engine finds it again within its limits.
+  /// rarely, no engine derives it within its limits.
   std::vector<explanation::ExplainedAxiom> axioms;
   /// If it is not subsumed: the most specific classes above both, and lines for a person that say what is nearest.
   std::vector<taxonomy::ClassNumber> common;

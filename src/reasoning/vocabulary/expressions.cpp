@@ -11,7 +11,7 @@
 
 namespace geminga::vocabulary {
 
-/// What reads and places expressions, or why that is impossible.
+/// The classifier of expressions and its names, or why expressions are impossible.
 class ExpressionReader {
  public:
   struct Parts {

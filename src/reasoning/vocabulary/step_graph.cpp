@@ -1,4 +1,4 @@
-// The cheapest way by rounds: after round n, the cheapest of n + 1 steps that ends with each.
+// The cheapest way, found by rounds: after round n the cheapest way of n + 1 steps to each step is known.
 #include "reasoning/vocabulary/step_graph.hpp"
 
 #include <algorithm>

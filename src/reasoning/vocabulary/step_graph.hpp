@@ -1,4 +1,4 @@
-// Steps from one representation to another, declared by an ontology or done by somebody, and the cheapest way over
+// Steps from one representation to another, declared by an ontology or offered by a service, and the cheapest way over
 // several of them.
 #ifndef GEMINGA_REASONING_VOCABULARY_STEP_GRAPH_HPP
 #define GEMINGA_REASONING_VOCABULARY_STEP_GRAPH_HPP
@@ -22,24 +22,24 @@ namespace geminga::vocabulary {
 
 /// The most steps in one chain.
 inline constexpr std::size_t max_chain_conversions = 8;
-/// The most that one can cost.
+/// The most that a chain can cost.
 inline constexpr std::uint32_t max_chain_cost = max_chain_conversions * owl::max_conversion_cost;
 
-/// One conversion after the other. What comes of one is below what the next one takes.
+/// Conversions, one after the other. The result of one is below the input of the next.
 struct Chain {
-  /// What the first conversion takes, then what comes of each.
+  /// The input of the first conversion, then the result of each.
   std::vector<taxonomy::ClassNumber> classes;
   std::uint32_t cost = 0;
-  /// Taxonomy edges from what is offered up to what the first conversion takes, between conversions, and from what
-  /// comes of the last up to what is asked for.
+  /// Taxonomy edges from the offered class up to the input of the first conversion, between conversions, and from the
+  /// last result up to the requested class.
   std::uint32_t distance = 0;
-  /// Different for chains over different classes or by others, but for chance; equal on every host.
+  /// A hash of the classes and of the services that convert. Equal on every host.
   std::uint32_t mark = 0;
-  /// Who does each step, as events say it; empty: the consumer does them all.
+  /// The services that do the steps, as events name them; empty: the consumer does all.
   std::string via{};
 };
 
-/// What is in `from` can be turned into something in `to`.
+/// A conversion from one representation into another.
 struct Step {
   taxonomy::ClassNumber from{};
   taxonomy::ClassNumber to{};
@@ -47,15 +47,16 @@ struct Step {
   bool is_service = false;
 };
 
-/// Steps that come and go. A step has a place, a small number, for as long as it is there. Not thread-safe while it is
+/// A changing set of steps. A step keeps its place, a small number, until it is erased. Not thread-safe while it is
 /// changed.
 class StepGraph {
  public:
   explicit StepGraph(std::shared_ptr<const compiled::Ontology> ontology) : ontology_(std::move(ontology)) {}
 
-  /// Adds a step. Its place must be free, its turn that of no other, and both of its classes satisfiable. O(steps).
+  /// Adds a step. Its place must be free, no other step may have its turn, and both of its classes must be satisfiable.
+  /// O(steps).
   void put(std::uint32_t place, const Step& step, std::uint64_t turn);
-  /// Takes it out. O(steps and pairs of them).
+  /// Removes a step. O(steps and pairs of them).
   void erase(std::uint32_t place);
   [[nodiscard]] bool has(std::uint32_t place) const { return place < steps_.size() && steps_[place].is_there; }
   [[nodiscard]] std::size_t size() const { return order_.size(); }
@@ -64,11 +65,11 @@ class StepGraph {
   /// Whether a step may be used. Empty: all.
   using Usable = std::function<bool(std::uint32_t place)>;
   /// The places of the cheapest way, up to max_chain_conversions, from something above `offered` to something below
-  /// `requested`; of those that with the fewest services, of those the shortest, of those that with the least distance,
-  /// of those the one whose last step has the least turn, and so on back to the first. Empty where there is none.
+  /// `requested`. Ties are broken by the fewest services, then the shortest way, then the least distance, then the
+  /// least turn of the last step, of the one before, and so on. Empty if there is none.
   [[nodiscard]] std::vector<std::uint32_t> cheapest(taxonomy::ClassNumber offered, taxonomy::ClassNumber requested,
                                                     const Usable& usable = {}) const;
-  /// What comes of the ways that begin with this step, each place once, with the least cost of a way that ends with it.
+  /// The results of all ways that begin with this step, each place once, with the least cost of a way to it.
   [[nodiscard]] std::vector<std::pair<taxonomy::ClassNumber, std::uint32_t>> behind(std::uint32_t place) const;
   /// These steps as a chain.
   [[nodiscard]] Chain chain_of(const std::vector<std::uint32_t>& way, taxonomy::ClassNumber offered,
@@ -77,24 +78,25 @@ class StepGraph {
  private:
   struct Next {
     std::uint32_t place = 0;
-    std::uint32_t distance = 0;  ///< up to what it takes
+    std::uint32_t distance = 0;  ///< up to its input
   };
   struct Stored {
     Step step;
     std::uint64_t turn = 0;
     bool is_there = false;
-    std::vector<Next> next{};  ///< those that take what comes of it
+    std::vector<Next> next{};  ///< steps that take its result
   };
   struct Best;
   using Round = std::vector<Best>;
   [[nodiscard]] static std::uint64_t weight_of(const Step& step);
   [[nodiscard]] std::uint32_t climb(taxonomy::ClassNumber from, taxonomy::ClassNumber to) const;
-  /// What one step more than `reached` leads to, where that is below `least`; false: nothing.
+  /// Adds to `further` the steps that one step more than `reached` leads to, at a weight below `least`. Returns whether
+  /// there are any.
   [[nodiscard]] bool go_on(const Round& reached, std::uint64_t least, const Usable& usable, Round& further) const;
 
   std::shared_ptr<const compiled::Ontology> ontology_;
   std::vector<Stored> steps_;         ///< by place
-  std::vector<std::uint32_t> order_;  ///< of those that are there, by turn
+  std::vector<std::uint32_t> order_;  ///< of the places in use, by turn
 };
 
 }  // namespace geminga::vocabulary

@@ -24,30 +24,31 @@ struct FoundUnit {
   double factor = 1;
   double offset = 0;
   std::span<const std::int8_t> dimension;  ///< unit_base_count exponents
-  std::uint32_t alone = 0;                 ///< not 0: only what has this number, too, can be compared with it
-  std::string_view symbol;                 ///< that it is usually written by; empty: none
+  std::uint32_t alone = 0;                 ///< not 0: it can be compared only with units of the same number
+  std::string_view symbol;                 ///< the usual one; empty: none
 };
 
-/// What names of units mean. A value: copies are cheap, share their ontology and keep it alive.
+/// The meanings of names of units. A value: copies are cheap, share their ontology and keep it alive.
 class Units {
  public:
-  /// None.
+  /// No units.
   Units() = default;
   /// Null: without an ontology.
   explicit Units(std::shared_ptr<const compiled::Ontology> ontology);
 
   [[nodiscard]] bool is_empty() const { return declared_ == nullptr; }
   [[nodiscard]] std::size_t size() const;
-  /// Whether both are copies of the same, or have no unit.
+  /// Whether both are copies of one value, or have no unit.
   friend bool operator==(const Units& a, const Units& b) { return a.declared_ == b.declared_; }
 
-  /// The unit with this symbol. O(log n), allocates nothing, and so do the others.
+  /// The unit with this symbol. O(log n) without an allocation, like the next two.
   [[nodiscard]] std::optional<FoundUnit> by_symbol(std::string_view symbol) const;
-  /// The unit with the IRI that the two make together.
+  /// The unit whose IRI is both texts together.
   [[nodiscard]] std::optional<FoundUnit> by_iri(std::string_view space, std::string_view name) const;
-  /// That of `prefix:Name` by the prefixes of the ontology; `om:` and `unit:` are known unless it gives them a meaning.
+  /// The unit of `prefix:Name` by the prefixes of the ontology. `om:` and `unit:` are known unless the ontology
+  /// declares them.
   [[nodiscard]] std::optional<FoundUnit> by_name(std::string_view prefixed) const;
-  /// The symbol one letter away from what is none, or empty: "did you mean". Looks at all of them.
+  /// For "did you mean": a symbol that differs from the text by one letter, or empty. Looks at all symbols.
   [[nodiscard]] std::string_view similar_symbol(std::string_view text) const;
 
  private:

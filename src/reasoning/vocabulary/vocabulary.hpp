@@ -1,4 +1,4 @@
-// What the names of services mean: the one thing of reasoning/ that discovery/ knows.
+// The meanings of names: the only part of reasoning/ that discovery/ knows.
 #ifndef GEMINGA_REASONING_VOCABULARY_VOCABULARY_HPP
 #define GEMINGA_REASONING_VOCABULARY_VOCABULARY_HPP
 
@@ -38,13 +38,12 @@ class Expression;
 class ExpressionReader;
 struct Explanation;
 
-/// The team's ontology with its prefixes. Once it is prepared, it also has what class expressions are placed with. It
-/// is one value, replaced as a whole and never changed. Copies are cheap and share their content, which lives as long
-/// as one of them. Safe to read from many threads.
+/// The team's ontology with its prefixes and, once it is prepared, with the tables that class expressions need. An
+/// immutable value. Copies are cheap and share their content, which lives as long as one of them. Safe to read from
+/// many threads.
 ///
-/// A vocabulary without an ontology knows no class. Class numbers and places belong to one ontology. A caller that has
-/// one got it from a vocabulary of that ontology, so functions that take one need no other check that an ontology is
-/// loaded.
+/// A vocabulary without an ontology knows no class. Class numbers and places belong to one ontology, so that functions
+/// that take one require the vocabulary that gave it.
 class Vocabulary {
  public:
   /// Without an ontology.
@@ -66,18 +65,17 @@ class Vocabulary {
   /// The class of `prefix:Name`, `<IRI>` or a bare IRI, or nothing. Looks for no label and no likely meaning, so that
   /// it may be asked often.
   [[nodiscard]] std::optional<ClassNumber> find_term(std::string_view name) const;
-  /// Whether a text is meant as a class expression: it is not the name of a class, and more than one word. It may be
-  /// wrong all the same.
+  /// Whether a text looks like a class expression: more than one word, and not the name of a class. It may still be
+  /// malformed.
   [[nodiscard]] bool is_expression(std::string_view name) const;
   [[nodiscard]] std::string_view iri(ClassNumber number) const;
-  /// `prefix:Name` if a prefix fits, else `<IRI>`, for any IRI, whether it is that of a class or not.
+  /// `prefix:Name` if a prefix fits, else `<IRI>`. The IRI need not be that of a class.
   [[nodiscard]] std::string short_name(ClassNumber number) const;
   [[nodiscard]] std::string short_name(std::string_view iri) const;
   /// A canonical expression with short names.
   [[nodiscard]] std::string short_expression(std::string_view canonical) const;
 
-  // How classes relate. These are the questions of the hot path: none is virtual, and only those that return a vector
-  // allocate.
+  // How classes relate. Matching asks these often; only those that return a vector allocate.
 
   [[nodiscard]] std::uint32_t class_count() const;
   /// owl:Thing, which is above every class. Requires an ontology.
@@ -99,17 +97,17 @@ class Vocabulary {
   [[nodiscard]] std::optional<std::uint32_t> distance_up(const Place& place, ClassNumber super) const;
   [[nodiscard]] std::optional<std::uint32_t> distance_down(const Place& place, ClassNumber sub) const;
 
-  /// How what is in the representation `offered` can be turned into `requested`, at the least cost; null where that is
-  /// not possible. Both must be satisfiable. An answer is remembered.
+  /// The cheapest conversion of the representation `offered` into `requested`; null if there is none. Both must be
+  /// satisfiable. Answers are remembered.
   [[nodiscard]] std::shared_ptr<const Chain> conversion(ClassNumber offered, ClassNumber requested) const;
-  /// All that is declared, at the places from 0 to its size. Requires an ontology.
+  /// The declared conversions, at the places from 0 to their number. Requires an ontology.
   [[nodiscard]] const StepGraph& conversions() const;
 
-  /// What is declared of units of measurement; none without an ontology.
+  /// The declared units of measurement; none without an ontology.
   [[nodiscard]] const Units& units() const { return units_; }
 
-  // Class expressions. They need the saturated ontology and tables of its names, which take seconds to make for a large
-  // one.
+  // Class expressions. They need the saturated ontology and tables of its names, which take seconds to build for a
+  // large ontology.
 
   /// The same ontology, prepared for expressions. May run on any thread, while others read this. If it is impossible,
   /// because the ontology is over a limit or memory runs out, check_expressions() of the result says so. Requires an
@@ -124,18 +122,18 @@ class Vocabulary {
   /// The cost depends on what the expression leads to and what is below it.
   [[nodiscard]] Place place(const Expression& expression) const;
 
-  // Why. These read the axioms and search, which takes milliseconds. 422 if the axioms are damaged.
+  // Explanations. These read the axioms and search, which takes milliseconds. 422 if the axioms are damaged.
 
   [[nodiscard]] std::expected<Explanation, Error> explain(ClassNumber sub, ClassNumber super) const;
   /// Whether something can be an instance of both.
   [[nodiscard]] Overlap overlap(ClassNumber one, ClassNumber other) const;
-  /// The same of an expression in its place.
+  /// The same for an expression and its place.
   [[nodiscard]] Overlap overlap(ClassNumber one, const Expression& other, const Place& place) const;
   /// A minimal set of axioms by which nothing is an instance of both, one line each, in the order of the argument.
-  /// Empty if something can be, or nobody finds them again.
+  /// Empty if something can be one, or if no engine finds the axioms within its limits.
   [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, ClassNumber other) const;
   [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, const Expression& other) const;
-  /// What a class lacks to be below another, in one short line: what is nearest, and what is missing.
+  /// The reason why a class is not below another, in one short line: the nearest class, and what is missing.
   [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
 
   // The ontology itself. Without one the answers are empty, and the digest is 0.
@@ -160,8 +158,7 @@ class Vocabulary {
   std::shared_ptr<const ExpressionReader> reader_;  ///< borrows the ontology; null: not prepared
 };
 
-/// Tells whether a vocabulary still has the ontology that something was remembered of, without keeping that ontology
-/// alive.
+/// Recognises the ontology of a vocabulary later, without keeping it alive.
 class OntologyMark {
  public:
   OntologyMark() = default;

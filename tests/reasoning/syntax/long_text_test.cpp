@@ -1,4 +1,4 @@
-// Texts that are too long, found in whatever stretches the file comes.
+// Texts that are too long are found whatever stretches the file is read in.
 #include "reasoning/syntax/long_text.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace geminga::syntax {
 namespace {
 
-/// The line that is said of a text, read in stretches of this many octets.
+/// The line that is found in a text, read in stretches of this many octets.
 std::optional<std::uint32_t> found(Syntax syntax, const std::string& text, std::size_t stretch) {
   LongText watch(syntax, {.text = 10, .blank = 40, .name = 50, .xml_comment = 80});
   for (std::size_t at = 0; at < text.size(); at += stretch) {

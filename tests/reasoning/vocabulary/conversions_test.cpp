@@ -1,5 +1,4 @@
 // The cheapest chain of conversions: small cases, and random ones against all chains that there are.
-#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/vocabulary/conversions.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <tuple>
 
 #include "base/random.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 #include "support/written.hpp"
 
@@ -53,7 +53,7 @@ TEST(Conversions, TakeTheCheapestChainAndOfThoseTheShortest) {
 }
 
 TEST(Conversions, TakeOfThoseTheOneThatClimbsTheLeast) {
-  // What is offered is A, which is below B and that below C; D is below E, which is asked for.
+  // A is offered, which is below B, and B is below C. E is requested, and D is below it.
   const std::string axioms = "SubClassOf(A B)\nSubClassOf(B C)\nSubClassOf(D E)\nSubClassOf(X T)\nSubClassOf(Y T)";
   EXPECT_EQ(chain(with(axioms, {{"C", "E", 1}, {"B", "E", 1}, {"C", "D", 1}}), "t:A", "t:E"), "t:B>t:E 1 1");
   EXPECT_EQ(chain(with(axioms, {{"B", "D", 1}, {"A", "D", 1}}), "t:A", "t:E"), "t:A>t:D 1 1");

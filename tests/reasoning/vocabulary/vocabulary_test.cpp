@@ -1,10 +1,10 @@
-// What a vocabulary knows, with an ontology and without one, prepared for expressions and not.
-#include "reasoning/compiled/ontology.hpp"
+// Vocabularies with an ontology and without one, prepared for expressions and not.
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
 #include "reasoning/vocabulary/expression.hpp"
 #include "support/written.hpp"

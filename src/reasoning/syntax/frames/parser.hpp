@@ -1,7 +1,7 @@
 // Recursive descent over one document: its head, frames and sections. src/reasoning/syntax/manchester parses class
 // expressions.
 //
-// Each function below reads one production. After the first error nothing more is read, and all functions return.
+// Each function reads one production. After the first error nothing more is read, and all functions return.
 #ifndef GEMINGA_REASONING_SYNTAX_FRAMES_PARSER_HPP
 #define GEMINGA_REASONING_SYNTAX_FRAMES_PARSER_HPP
 

@@ -1,4 +1,4 @@
-// Annotations: checked in full, used for labels, and otherwise counted.
+// Annotations: all are checked and counted; those of names that mean something are used.
 #include <utility>
 
 #include "reasoning/owl/unit.hpp"
@@ -17,7 +17,7 @@ void Parser::annotations() {
   }
 }
 
-// The same as a section of its own. OWL tools also write it without any member.
+// The same as a section of its own. OWL tools write it without members, too.
 void Parser::own_annotations(std::string_view subject) {
   take();
   annotations_.begin();

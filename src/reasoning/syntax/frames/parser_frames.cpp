@@ -260,7 +260,7 @@ void Parser::misc(std::string_view word) {
   do {
     arguments.push_back(are_properties ? any_property() : member(members));
   } while (!failed() && take_comma());
-  if (failed() || arguments.size() < 2) return annotations_.drop();  // of one, nothing is said
+  if (failed() || arguments.size() < 2) return annotations_.drop();  // one member says nothing
   if (are_properties) {
     const bool is_data = source_.kind(arguments.front()) == TermKind::data_property;
     const bool is_disjoint = word == "DisjointProperties:";
@@ -270,7 +270,7 @@ void Parser::misc(std::string_view word) {
   add(kind, arguments, line);
 }
 
-// What the OWL API writes for SWRL: no axiom can express it, and it has symbols that nothing else has.
+// A SWRL rule as the OWL API writes it. No axiom can express it, and it has symbols that nothing else has.
 void Parser::rule() {
   source_.leave_out("swrl:Imp", file_, line());
   take();

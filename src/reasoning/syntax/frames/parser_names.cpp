@@ -91,7 +91,7 @@ std::expected<std::string, std::string> Parser::iri_of(TermKind kind, const Toke
   return expand(token);
 }
 
-// The next word says what is asked of the property. What follows it tells the kind of its values.
+// The next word is the kind of restriction. The word behind it shows the kind of values.
 bool Parser::is_value_of_data(manchester::Tokenizer behind) const {
   const auto is = [&](TokenKind kind, std::string_view text) {
     return behind.token().kind == kind && behind.token().text == text;

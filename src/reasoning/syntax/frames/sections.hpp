@@ -13,7 +13,7 @@ namespace geminga::frames {
 /// All of them, sorted.
 [[nodiscard]] std::span<const std::string_view> section_words();
 
-/// What the members of a section's list are.
+/// The kind of members in a section's list.
 enum class Member : std::uint8_t {
   class_expression,
   object_property,

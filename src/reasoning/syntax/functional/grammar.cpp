@@ -138,7 +138,7 @@ constexpr std::size_t slot_count = 512;
 constexpr std::uint8_t empty_slot = 0xff;
 static_assert(productions.size() < empty_slot);
 
-/// A hash for words that differ in their first letters, their ends and their lengths.
+/// A hash of the first letters, the end and the length of a word.
 constexpr std::size_t slot_of(std::string_view word) {
   std::uint32_t hash = static_cast<std::uint32_t>(word.size());
   for (const char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193U;

@@ -10,7 +10,7 @@
 
 namespace geminga::functional {
 
-/// What a term can be an operand as.
+/// The roles that a term can have as an operand.
 enum class Operand : std::uint8_t {
   none,
   named_class,
@@ -26,7 +26,7 @@ enum class Operand : std::uint8_t {
   facet,  ///< an IRI and a literal
 };
 
-/// What a word begins. The parser reads it by a function of its own or by its operands.
+/// The kind of production that a word begins. The parser reads it by a function of its own or by its operands.
 enum class Form : std::uint8_t {
   document,    ///< Prefix, Ontology: outside of the ontology's brackets
   import,      ///< Import

@@ -1,7 +1,7 @@
 // Recursive descent over the tokens of one file, from the document down to names and literals.
 //
-// Every function below reads one piece of the grammar and says whether it was there; once one has failed, the
-// tokenizer gives no more tokens, and all of them return. Terms that were read stand on a stack.
+// Each function reads one piece of the grammar and returns whether it was there. After the first error the tokenizer
+// gives no more tokens, and all functions return. Terms that were read stand on a stack.
 #ifndef GEMINGA_REASONING_SYNTAX_FUNCTIONAL_PARSER_HPP
 #define GEMINGA_REASONING_SYNTAX_FUNCTIONAL_PARSER_HPP
 
@@ -39,19 +39,19 @@ class Parser {
   bool header();
   bool import();
   bool expect(TokenKind kind, std::string_view what);
-  /// Fails with what was wanted here and what was found; always false.
+  /// Fails with the words "expected ..., found ...". Always false.
   bool expected(std::string_view what);
 
   // parser_axioms.cpp
   bool axiom();
-  /// What stands behind the bracket and the annotations of an axiom. Terms go to the stack.
+  /// The operands of an axiom, behind its bracket and annotations. Terms go to the stack.
   bool axiom_operands(const Production& production);
   bool declaration();
   bool bracketed(Operand wanted);
   bool extension(std::string_view construct, std::uint32_t line);
   /// Declares the entity on the stack, once in a file.
   void declare(std::uint32_t line);
-  /// Hands over the terms on the stack as one axiom, or leaves it out where something in it has no term.
+  /// Adds the terms on the stack as one axiom, or leaves the axiom out if something in it has no term.
   void add(owl::AxiomKind kind, std::uint32_t line);
 
   // parser_annotations.cpp
@@ -60,7 +60,7 @@ class Parser {
   bool annotation_value();
   bool annotation_assertion();
   bool annotation_axiom(std::string_view word);
-  /// Hands over what was read last as the value of an annotation.
+  /// Adds an annotation whose value was read last.
   void keep(owl::Annotation annotation, TokenKind value, std::size_t level);
 
   // parser_expressions.cpp
@@ -73,9 +73,9 @@ class Parser {
   /// One or more, up to the closing bracket, which is left.
   bool repeated(Operand wanted);
   bool too_many_operands();
-  /// One level deeper, where the limit allows it; the caller takes it back.
+  /// Goes one level deeper if the limit allows it. The caller goes back.
   bool descend();
-  /// The term of an expression whose operands stand on the stack from `base` on.
+  /// The term of an expression. Its operands stand on the stack from `base` on.
   owl::TermId term_of(const Production& production, std::size_t base, std::uint32_t number);
 
   // parser_names.cpp
@@ -115,8 +115,8 @@ class Parser {
 
   std::vector<owl::TermId> terms_;
   std::size_t depth_ = 0;           ///< of expressions or annotations
-  bool is_of_ontology_ = false;     ///< what is read now is an annotation of the ontology
-  const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
+  bool is_of_ontology_ = false;     ///< an annotation of the ontology is being read
+  const char* obstacle_ = nullptr;  ///< the part of the current axiom that has no term
   std::vector<bool> declared_;      ///< by term
 };
 

@@ -1,4 +1,4 @@
-// Annotations: read to the letter, used for labels, and otherwise counted.
+// Annotations: all are checked and counted; those of names that mean something are used.
 #include <utility>
 
 #include "reasoning/owl/unit.hpp"

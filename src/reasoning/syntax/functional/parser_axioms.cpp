@@ -30,7 +30,7 @@ bool Parser::axiom() {
       add(AxiomKind::has_key, line);
       break;
     case Form::axiom:
-      // Of one operand where the grammar wants two, nothing is said; OWL tools write such.
+      // OWL tools write one operand where the grammar requires two. Such an axiom says nothing.
       if (production->repeated != Operand::none && terms_.size() < 2) {
         ++document_.vacuous;
         annotations_.drop();

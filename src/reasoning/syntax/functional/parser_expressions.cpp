@@ -94,7 +94,7 @@ bool Parser::expression(Operand wanted) {
 
 owl::TermId Parser::term_of(const Production& production, std::size_t base, std::uint32_t number) {
   const std::span<const owl::TermId> operands = std::span(terms_).subspan(base);
-  // One operand where the grammar wants two is what it says by itself; OWL tools write such.
+  // OWL tools write one operand where the grammar requires two. It stands for itself.
   const bool is_list = production.repeated != Operand::none && production.first.front() == Operand::none &&
                        production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;
   if (is_list && operands.size() == 1) return operands.front();
@@ -120,7 +120,8 @@ bool Parser::n_ary_data() {
       terms_.push_back(source_.datatype(iri_));
       return true;
     }
-    // So it was one more property. No data range of OWL 2 has several values: such a class cannot be understood.
+    // The term before was one more property. No data range of OWL 2 has several values, so that no axiom can express
+    // it.
     obstacle_ = "owl:onProperties";
     if (properties >= limits_.operands) return too_many_operands();
   }

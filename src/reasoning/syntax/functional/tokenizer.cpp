@@ -181,7 +181,7 @@ void Tokenizer::take_string() {
       ++escapes;
       if (end == end_) break;
       if (*end != '"' && *end != '\\') {
-        token_begin_ = end;  // what is wrong is here, perhaps many lines below the first quote
+        token_begin_ = end;  // the error is here, perhaps many lines below the first quotation mark
         const std::size_t count = base::character_bytes(static_cast<unsigned char>(*end));
         return fail("the escape \\" + base::printable(between(end, end + count)) +
                     " in a text: write \\\\ for a backslash");

@@ -36,7 +36,7 @@ struct Token {
   std::string_view text;
 };
 
-/// What is wrong with a text, and in which line.
+/// An error in a text, and its line.
 struct Problem {
   std::uint32_t line = 0;
   std::string text;

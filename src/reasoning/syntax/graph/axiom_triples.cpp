@@ -121,7 +121,7 @@ void AxiomTriples::chained(Terms terms, std::string_view predicate) {
   }
 }
 
-/// Two members are one triple, more are a node of their own.
+/// Two members are one triple. More are a node of their own.
 void AxiomTriples::several(Terms terms, std::string_view of_two, std::string_view of_more) {
   if (terms.size() == 2) return say(node(terms[0]), owl(of_two), node(terms[1]));
   const Node all = fresh();

@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "reasoning/syntax/files.hpp"
-#include "reasoning/syntax/graph/state.hpp"
+#include "reasoning/syntax/graph/store.hpp"
 #include "reasoning/syntax/graph/turtle_numbers.hpp"
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
@@ -18,7 +18,7 @@ constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 
 /// Adds one file to a graph.
 struct Reading {
-  Graph::State& graph;
+  Graph::Store& graph;
   std::string blank_prefix;
   std::uint64_t generated = 0;
 
@@ -86,32 +86,32 @@ std::optional<Format> format_of_file(std::string_view path) {
   return std::nullopt;
 }
 
-Graph::Graph(const Limits& limits) : state_(std::make_unique<State>(limits)) {
-  if (!state_->world.is_open()) state_->fail("Redland does not start: memory is short");
+Graph::Graph(const Limits& limits) : store_(std::make_unique<Store>(limits)) {
+  if (!store_->world.is_open()) store_->fail("Redland does not start: memory is short");
 }
 
 Graph::~Graph() = default;
 
 void Graph::set_filter(std::function<bool(const Node&, std::string_view, const Node&)> keeps) {
-  state_->keeps = std::move(keeps);
+  store_->keeps = std::move(keeps);
 }
 
 void Graph::add(const Node& subject, const Node& predicate, const Node& object) {
-  if (!state_->make_room()) return;
-  if (state_->keeps && !state_->keeps(subject, predicate.text, object)) return;
-  if (!state_->statements.add(subject, predicate, object))
-    state_->fail("a triple cannot be held: memory is short, or a language tag has more than 255 letters");
+  if (!store_->make_room()) return;
+  if (store_->keeps && !store_->keeps(subject, predicate.text, object)) return;
+  if (!store_->statements.add(subject, predicate, object))
+    store_->fail("a triple cannot be held: memory is short, or a language tag has more than 255 letters");
 }
 
 std::optional<syntax::LoadError> Graph::add_file(const std::string& path, std::size_t number) {
   const auto refuse = [&](std::string text) {
     return syntax::LoadError{base::printable(path, 4096), 0, std::move(text)};
   };
-  if (state_->problem) return std::nullopt;
+  if (store_->problem) return std::nullopt;
   const auto text = rdf::read_text(path);
   if (!text) return text.error();
-  raptor_world* raptor = state_->world.raptor();
-  Reading reading{*state_, 'f' + std::to_string(number)};
+  raptor_world* raptor = store_->world.raptor();
+  Reading reading{*store_, 'f' + std::to_string(number)};
   raptor_world_set_generate_bnodeid_handler(raptor, &reading, Reading::on_blank);
   raptor_parser* parser = raptor_new_parser(raptor, parser_of(text->syntax));
   raptor_uri* base = raptor_new_uri(raptor, octets(text->base_iri));
@@ -134,22 +134,22 @@ std::optional<syntax::LoadError> Graph::add_file(const std::string& path, std::s
   if (base != nullptr) raptor_free_uri(base);
   raptor_world_set_generate_bnodeid_handler(raptor, nullptr, nullptr);
   if (is_read) return std::nullopt;
-  const std::string error = state_->world.take_error();
+  const std::string error = store_->world.take_error();
   return refuse(error.empty() ? "cannot be parsed" : error);
 }
 
-const std::optional<std::string>& Graph::problem() const { return state_->problem; }
+const std::optional<std::string>& Graph::problem() const { return store_->problem; }
 
-void Graph::sort() { state_->statements.sort(); }
+void Graph::sort() { store_->statements.sort(); }
 
-void Graph::remove(const Graph& others) { state_->statements.remove(others.state_->statements); }
+void Graph::remove(const Graph& others) { store_->statements.remove(others.store_->statements); }
 
-std::size_t Graph::size() const { return state_->statements.size(); }
+std::size_t Graph::size() const { return store_->statements.size(); }
 
-void Graph::for_each(const TripleSink& sink) const { state_->statements.for_each(sink); }
+void Graph::for_each(const TripleSink& sink) const { store_->statements.for_each(sink); }
 
 std::expected<std::string, std::string> Graph::write(Format format, const Prefixes& prefixes) const {
-  return graph::write(state_->world, state_->statements, format, prefixes);
+  return graph::write(store_->world, store_->statements, format, prefixes);
 }
 
 const char* name_of(Format format) {

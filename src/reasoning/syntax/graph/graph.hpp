@@ -62,11 +62,11 @@ class Graph {
   /// The whole graph as one text, or why that is impossible.
   [[nodiscard]] std::expected<std::string, std::string> write(Format format, const Prefixes& prefixes) const;
 
-  struct State;
-  [[nodiscard]] State& state() const { return *state_; }
+  struct Store;
+  [[nodiscard]] Store& store() const { return *store_; }
 
  private:
-  std::unique_ptr<State> state_;
+  std::unique_ptr<Store> store_;
 };
 
 }  // namespace geminga::graph

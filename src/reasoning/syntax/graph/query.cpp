@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/text.hpp"
-#include "reasoning/syntax/graph/state.hpp"
+#include "reasoning/syntax/graph/store.hpp"
 
 namespace geminga::graph {
 namespace {
@@ -33,7 +33,7 @@ bool declares(std::string_view query, std::string_view prefix) {
   return false;
 }
 
-/// On one line, so that the lines in errors stay right.
+/// The prefixes on one line, so that the lines in errors stay right.
 std::string with_prefixes(const std::string& query, const Prefixes& prefixes) {
   std::string text;
   for (const auto& [prefix, name] : prefixes) {
@@ -128,7 +128,7 @@ std::expected<Answer, std::string> ask(const Graph& graph, const std::string& qu
     return std::unexpected("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
   if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos)
     return std::unexpected("the query is no text in UTF-8");
-  World& world = graph.state().world;
+  World& world = graph.store().world;
   const std::string text = with_prefixes(query, prefixes);
   Answer answer;
   if (auto refusal = refusal_of(world, text, answer.variables)) return std::unexpected(std::move(*refusal));
@@ -136,7 +136,7 @@ std::expected<Answer, std::string> ask(const Graph& graph, const std::string& qu
   const Owned<librdf_storage> storage(
       librdf_new_storage(world.redland(), "hashes", "asked", "hash-type='memory',index-predicates='yes'"));
   const Owned<librdf_model> model(storage ? librdf_new_model(world.redland(), storage.get(), nullptr) : nullptr);
-  const Owned<librdf_stream> all(model ? graph.state().statements.stream() : nullptr);
+  const Owned<librdf_stream> all(model ? graph.store().statements.stream() : nullptr);
   if (!all || librdf_model_add_statements(model.get(), all.get()) != 0)
     return std::unexpected("Redland cannot hold the graph: memory is short");
   const Owned<librdf_query> asked(librdf_new_query(world.redland(), language, nullptr, octets(text), nullptr));

@@ -10,7 +10,7 @@
 namespace geminga::graph {
 namespace {
 
-/// What librdf asks of a stream.
+/// The functions that librdf calls for a stream.
 struct Cursor {
   const std::vector<raptor_statement*>& all;
   std::size_t place = 0;
@@ -90,7 +90,7 @@ bool Statements::add(const Node& subject, const Node& predicate, const Node& obj
 }
 
 bool Statements::add_copy(const raptor_statement* statement) {
-  // A statement of a parser is its own until the next; its terms are counted.
+  // The parser reuses its statement for the next triple. Terms have counts of references.
   const auto copy = [](raptor_term* term) { return raptor_term_copy(term); };
   raptor_statement* kept = raptor_new_statement_from_nodes(
       world_.raptor(), copy(statement->subject), copy(statement->predicate), copy(statement->object), nullptr);

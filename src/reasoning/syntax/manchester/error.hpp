@@ -8,7 +8,7 @@
 
 namespace geminga::manchester {
 
-/// What is wrong with a text, and where.
+/// An error in a text, and its place.
 struct ParseError {
   enum class Kind : std::uint8_t {
     malformed,  ///< not in the grammar

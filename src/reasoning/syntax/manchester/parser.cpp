@@ -23,7 +23,7 @@ bool begins_restriction(const Token& token) {
 }  // namespace
 
 Parser::Level::Level(Parser& parser) : parser_(parser) {
-  if (parser.depth_++ <= parser.limits_.nesting) return;  // the text itself is no level
+  if (parser.depth_++ <= parser.limits_.nesting) return;  // level 0 is the text itself
   parser.fail(ParseError::Kind::too_large, parser.tokens_.token().begin,
               "more than " + std::to_string(parser.limits_.nesting) + " levels of nesting");
 }

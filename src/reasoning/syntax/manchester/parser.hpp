@@ -1,4 +1,4 @@
-// The grammar of class expressions, one function for each production. Derived classes resolve names.
+// The grammar of class expressions, one function a production. Derived classes resolve names.
 #ifndef GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSER_HPP
 #define GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSER_HPP
 
@@ -17,7 +17,7 @@
 
 namespace geminga::manchester {
 
-/// What is wrong, and the octet of the text where it is.
+/// An error, and its octet in the text.
 struct Problem {
   ParseError::Kind kind = ParseError::Kind::malformed;
   std::size_t octet = 0;

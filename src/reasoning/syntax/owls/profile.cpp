@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "reasoning/syntax/rdf/triples/graph.hpp"
 #include "reasoning/syntax/rdf/tolerant/tolerant.hpp"
+#include "reasoning/syntax/rdf/triples/graph.hpp"
 
 namespace geminga::owls {
 namespace {
@@ -28,7 +28,7 @@ bool is_word(std::string_view iri, std::string_view ontology, std::string_view w
   return iri.ends_with(ontology) && (iri.size() == ontology.size() || iri[iri.size() - ontology.size() - 1] == '/');
 }
 
-/// As profiles and processes name it.
+/// The words of profiles and processes.
 bool is_about_parameters(std::string_view predicate, std::string_view word) {
   return is_word(predicate, "Profile", word) || is_word(predicate, "Process", word);
 }
@@ -87,7 +87,8 @@ class Reading {
   }
 
  private:
-  /// Those of which `is_one(predicate, object)` holds, in the order of the file. The predicate is empty for rdf:type.
+  /// The subjects of triples for which `is_one(predicate, object)` holds, in the order of the file. The predicate is
+  /// empty for rdf:type.
   template <typename Test>
   std::vector<NodeId> subjects(const Test& is_one) const {
     std::vector<NodeId> found;
@@ -108,7 +109,7 @@ class Reading {
     });
   }
 
-  /// The IRI that is said of a parameter. A collection may also name the class in place of the parameter, or as another
+  /// The IRI of the type of a parameter. A collection may also name the class in place of the parameter, or as another
   /// of its types.
   std::string type_of(NodeId parameter, NodeId profile) const {
     if (graph_.is_literal(parameter)) return absolute(graph_.text(parameter), parameter);
@@ -130,7 +131,7 @@ class Reading {
           is_word(iri, "Process", "Input") || is_word(iri, "Process", "Output") || is_word(iri, "Process", "Parameter");
       if (graph_.is_iri(type) && !is_of_owls && rdf::word_of(type) == Word::none) return std::string(iri);
     }
-    // A parameter of the same file that is not described is one that was forgotten.
+    // A parameter of the same file without a description was forgotten.
     const bool is_elsewhere =
         about.empty() && graph_.is_iri(parameter) && document_of(parameter) != document_of(profile);
     return is_elsewhere ? std::string(graph_.text(parameter)) : std::string();
@@ -146,7 +147,7 @@ class Reading {
     return text.substr(0, text.find('#'));
   }
 
-  /// Without white space; a mere fragment is one of the file.
+  /// An IRI without white space; a fragment alone belongs to the file.
   std::string absolute(std::string_view written, NodeId parameter) const {
     std::string iri(base::trimmed(written));
     std::erase_if(iri, [](char c) { return c == '\n' || c == '\r' || c == '\t'; });

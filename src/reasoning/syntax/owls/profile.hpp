@@ -1,4 +1,4 @@
-// What OWL-S descriptions of services say of their inputs and outputs.
+// The types of inputs and outputs in OWL-S descriptions of services.
 //
 // OWL-S 1.1 (W3C Member Submission, 22 November 2004), sections 4 and 5: a profile names its parameters, and the type
 // of a parameter is the IRI of a class, as a literal.

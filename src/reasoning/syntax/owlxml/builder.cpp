@@ -1,4 +1,4 @@
-// The document: which elements may stand where, its head, and the stack of what is open.
+// The document: which elements may stand where, its head, and the stack of open elements.
 #include "reasoning/syntax/owlxml/builder.hpp"
 
 #include <algorithm>
@@ -219,7 +219,7 @@ Listener::Refusal Builder::end() {
     default:
       break;
   }
-  // The ontology's base was set before its own place was noted.
+  // The base that begin_ontology() sets stays until the end.
   if (open.role != Role::ontology) bases_.resize(std::min(bases_.size(), open.bases));
   text_.clear();
   return refusal;

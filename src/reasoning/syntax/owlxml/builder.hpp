@@ -32,22 +32,22 @@ class Builder final : public Listener {
   Refusal text(std::string_view part) override;
   Refusal end() override;
 
-  /// When the file has ended.
+  /// Requires that the file has ended.
   [[nodiscard]] Document take_document() { return std::move(document_); }
 
  private:
-  /// What an element is if it is no word of the functional syntax or means something else there.
+  /// The role of an element. `production`: its word means the same in the functional syntax.
   enum class Role : std::uint8_t { production, ontology, prefix, literal, facet, iri, short_iri, blank, left_out };
 
   /// An open element.
   struct Open {
     const functional::Production* production = nullptr;
     Role role = Role::production;
-    bool is_annotation = false;  ///< it, or one around it, is about annotations: nothing in it becomes a term
+    bool is_annotation = false;  ///< it is in an annotation, and nothing in it becomes a term
     std::size_t first = 0;       ///< its operands begin here
     std::uint32_t line = 0;
     std::uint32_t number = 0;  ///< cardinality
-    std::size_t bases = 0;     ///< xml:base is that of so many
+    std::size_t bases = 0;     ///< the number of xml:base around it
   };
 
   /// An operand in an element that is still open.
@@ -71,7 +71,7 @@ class Builder final : public Listener {
   Refusal open_element(std::string_view name, std::span<const Attribute> attributes, Open& open);
   Refusal check_attributes(std::string_view name, std::span<const Attribute> attributes);
 
-  // builder_elements.cpp: what becomes of an element when it ends.
+  // builder_elements.cpp: the ends of elements.
   Refusal end_expression(const Open& open);
   Refusal end_axiom(const Open& open);
   Refusal end_annotation(const Open& open);
@@ -82,7 +82,7 @@ class Builder final : public Listener {
   [[nodiscard]] bool fits(functional::Operand wanted, const Operand& operand) const;
   void add(owl::AxiomKind kind, const Open& open);
   void drop_annotations(const Open& open);
-  /// Hands over an annotation with this value.
+  /// Adds an annotation with this value.
   void keep(owl::Annotation annotation, const Operand& value, std::size_t level);
 
   // builder_names.cpp: names and literals.
@@ -112,7 +112,7 @@ class Builder final : public Listener {
   std::string literal_datatype_;    ///< of the literal that is open
   std::string literal_language_;    ///< of the literal that is open
   std::string facet_iri_;           ///< of the facet restriction that is open
-  const char* obstacle_ = nullptr;  ///< what in the current axiom has no term
+  const char* obstacle_ = nullptr;  ///< the part of the current axiom that has no term
 };
 
 }  // namespace geminga::owlxml

@@ -1,4 +1,4 @@
-// What becomes of an element when it ends: an operand of the one around it, or an axiom.
+// The end of an element: it becomes an operand of the element around it, or an axiom.
 #include <algorithm>
 #include <span>
 

@@ -18,7 +18,7 @@ struct Attribute {
   std::string_view value;
 };
 
-/// What is wrong with a file, and in which line.
+/// An error in a file, and its line.
 struct Problem {
   std::uint32_t line = 0;
   std::string text;

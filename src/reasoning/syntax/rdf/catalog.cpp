@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "base/text.hpp"
-#include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
 
 namespace geminga::rdf {
@@ -34,8 +33,8 @@ std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(const s
   const auto refuse = [&](std::uint32_t line, std::string text) {
     return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
   };
-  Pieces pieces(bytes.size());
-  if (auto problem = scan_xml(bytes, limits, pieces)) return refuse(problem->line, std::move(problem->text));
+  if (auto layout = scan_xml(bytes, limits); !layout)
+    return refuse(layout.error().line, std::move(layout.error().text));
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return refuse(0, "is too large");
   const std::unique_ptr<xmlTextReader, decltype(&xmlFreeTextReader)> reader(
       xmlReaderForMemory(bytes.data(), static_cast<int>(bytes.size()), nullptr, nullptr,

@@ -1,4 +1,4 @@
-// The catalogue that Protégé writes beside ontologies: which import means which file.
+// The catalogue that Protégé writes beside ontologies. It maps imports to files.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_CATALOG_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_CATALOG_HPP
 
@@ -13,7 +13,7 @@
 
 namespace geminga::rdf {
 
-/// Its name in a folder.
+/// The name of a catalogue in a folder.
 inline constexpr std::string_view catalog_name = "catalog-v001.xml";
 
 /// One `<uri name="IRI" uri="FILE"/>` (OASIS XML Catalogs 1.1, section 6.5.6).
@@ -22,8 +22,8 @@ struct CatalogEntry {
   std::string file;  ///< as it is written: relative to the catalogue, or a file: URL
 };
 
-/// The entries of a catalogue in their order, at most `limits.files`. Everything else in it is ignored, and nothing
-/// that it names is opened.
+/// The entries of a catalogue in their order, at most `limits.files`. Other elements are ignored, and no file that it
+/// names is opened.
 [[nodiscard]] std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(const std::string& path,
                                                                                        std::string_view bytes,
                                                                                        const syntax::Limits& limits);

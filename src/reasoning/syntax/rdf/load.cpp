@@ -15,13 +15,12 @@
 #include "reasoning/owl/fingerprint.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
-#include "reasoning/syntax/rdf/triples/base_iri.hpp"
 #include "reasoning/syntax/rdf/catalog.hpp"
-#include "reasoning/syntax/rdf/triples/graph.hpp"
 #include "reasoning/syntax/rdf/mapping/mapping.hpp"
-#include "reasoning/syntax/rdf/triples/redland.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
-#include "reasoning/syntax/rdf/scan/turtle_lines.hpp"
+#include "reasoning/syntax/rdf/triples/base_iri.hpp"
+#include "reasoning/syntax/rdf/triples/graph.hpp"
+#include "reasoning/syntax/rdf/triples/redland.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
 namespace geminga::rdf {
@@ -138,6 +137,30 @@ std::vector<PrefixConflict> choose_prefixes(const std::vector<DeclaredPrefix>& d
   return conflicts;
 }
 
+/// A file that was unpacked if necessary, and scanned.
+struct ScannedFile {
+  syntax::FileBytes bytes;
+  owl::Fingerprint content;  ///< of the file as it is on the disk
+  syntax::Syntax syntax = syntax::Syntax::turtle;
+  Layout layout;
+};
+
+std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& path, const syntax::Limits& limits) {
+  const auto refuse = [&](std::uint32_t line, std::string text) {
+    return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
+  };
+  auto bytes = syntax::FileBytes::read(path, limits);
+  if (!bytes) return std::unexpected(std::move(bytes.error()));
+  const auto content = owl::fingerprint_of(bytes->view());
+  if (syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
+  if (!bytes) return std::unexpected(std::move(bytes.error()));
+  const auto syntax = syntax::detect_syntax(path, bytes->view());
+  if (!syntax) return refuse(0, syntax.error());
+  auto layout = scan(*syntax, bytes->view(), limits);
+  if (!layout) return refuse(layout.error().line, std::move(layout.error().text));
+  return ScannedFile{std::move(*bytes), content, *syntax, std::move(*layout)};
+}
+
 /// One load, file by file.
 class Loading {
  public:
@@ -147,28 +170,18 @@ class Loading {
   std::optional<syntax::LoadError> read(std::size_t number) {
     const std::string& path = paths_[number];
     const owl::FileId file = loaded_.source.add_file(path);
-    auto bytes = syntax::FileBytes::read(path, limits_);
-    if (!bytes) return std::move(bytes.error());
-    loaded_.source.set_content(file, owl::fingerprint_of(bytes->view()));
-    if (syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits_);
-    if (!bytes) return std::move(bytes.error());
-    auto syntax = syntax::detect_syntax(path, bytes->view());
-    if (!syntax) return syntax::LoadError{base::printable(path, 4096), 0, syntax.error()};
-    loaded_.syntaxes.push_back(*syntax);
-    TurtleLines lines;
-    Pieces pieces(limits_.piece_bytes);
-    if (auto problem = scan(*syntax, bytes->view(), limits_, lines, pieces))
-      return syntax::LoadError{base::printable(path, 4096), problem->line, std::move(problem->text)};
-    if (!syntax::has_triples(*syntax)) {
-      graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
-      if (auto error = refuse_other(number, *syntax)) return error;
-      if (!syntax::is_read_last(*syntax)) return read_other(number, *syntax, bytes->view());
-      other_->look_ahead(*syntax, bytes->view());
-      waiting_.push_back({number, std::move(*bytes)});
-      return std::nullopt;
-    }
-    if (*syntax == syntax::Syntax::n_triples && lines.has_quote_in_comment()) syntax = syntax::Syntax::turtle;
-    return redland_.read(path, *syntax, *bytes, base_iri(path), lines.take(), pieces, graph_);
+    auto scanned = read_and_scan(path, limits_);
+    if (!scanned) return std::move(scanned.error());
+    const syntax::Syntax syntax = scanned->syntax;
+    loaded_.source.set_content(file, scanned->content);
+    loaded_.syntaxes.push_back(syntax);
+    if (syntax::has_triples(syntax)) return redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_);
+    graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
+    if (auto error = refuse_other(number, syntax)) return error;
+    if (!syntax::is_read_last(syntax)) return read_other(number, syntax, scanned->bytes.view());
+    other_->look_ahead(syntax, scanned->bytes.view());
+    waiting_.push_back({number, std::move(scanned->bytes)});
+    return std::nullopt;
   }
 
   /// Takes the catalogue of a folder, if there is one: an import for which it names one of our files is answered.
@@ -256,19 +269,9 @@ class Loading {
 }  // namespace
 
 std::expected<TextFile, syntax::LoadError> read_text(const std::string& path, const syntax::Limits& limits) {
-  const auto refuse = [&](std::uint32_t line, std::string text) {
-    return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
-  };
-  auto bytes = syntax::FileBytes::read(path, limits);
-  if (bytes && syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
-  if (!bytes) return std::unexpected(std::move(bytes.error()));
-  const auto syntax = syntax::detect_syntax(path, bytes->view());
-  if (!syntax) return refuse(0, syntax.error());
-  TurtleLines lines;
-  Pieces pieces(limits.piece_bytes);
-  if (auto problem = scan(*syntax, bytes->view(), limits, lines, pieces))
-    return refuse(problem->line, std::move(problem->text));
-  return TextFile{std::move(*bytes), *syntax, base_iri(path)};
+  auto scanned = read_and_scan(path, limits);
+  if (!scanned) return std::unexpected(std::move(scanned.error()));
+  return TextFile{std::move(scanned->bytes), scanned->syntax, base_iri(path)};
 }
 
 std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments, const syntax::Limits& limits,

@@ -49,11 +49,11 @@ class OtherReader {
       std::vector<owl::Annotation>& annotations) = 0;
 };
 
-/// Everything that was read.
+/// The result of a load.
 struct Loaded {
   owl::Ontology source;
   std::vector<syntax::Syntax> syntaxes;  ///< of the source's files
-  syntax::Listing listing;               ///< what the arguments meant
+  syntax::Listing listing;               ///< the files of the arguments
   std::uint64_t triples = 0;
   std::vector<UnresolvedImport> unresolved;     ///< in the order of reading, each IRI once; in source's left-outs, too
   std::vector<PrefixConflict> conflicts;        ///< sorted by prefix

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 #include "base/edit_distance.hpp"
@@ -13,162 +12,38 @@
 namespace geminga::rdf {
 namespace {
 
-constexpr auto rdf_words = std::to_array<std::string_view>(
-    {"type",         "first",      "rest",         "nil",        "List",      "Property", "Statement",
-     "subject",      "predicate",  "object",       "value",      "Bag",       "Seq",      "Alt",
-     "PlainLiteral", "XMLLiteral", "HTML",         "langString", "langRange", "JSON",     "CompoundLiteral",
-     "direction",    "language",   "dirLangString"});
-constexpr auto rdfs_words = std::to_array<std::string_view>(
-    {"Class", "Resource", "Datatype", "Literal", "subClassOf", "subPropertyOf", "domain", "range", "label", "comment",
-     "seeAlso", "isDefinedBy", "member", "Container", "ContainerMembershipProperty"});
-constexpr auto owl_words = std::to_array<std::string_view>({"AllDifferent",
-                                                            "AllDisjointClasses",
-                                                            "AllDisjointProperties",
-                                                            "Annotation",
-                                                            "AnnotationProperty",
-                                                            "AsymmetricProperty",
-                                                            "Axiom",
-                                                            "Class",
-                                                            "DataRange",
-                                                            "DatatypeProperty",
-                                                            "DeprecatedClass",
-                                                            "DeprecatedProperty",
-                                                            "FunctionalProperty",
-                                                            "InverseFunctionalProperty",
-                                                            "IrreflexiveProperty",
-                                                            "NamedIndividual",
-                                                            "NegativePropertyAssertion",
-                                                            "Nothing",
-                                                            "ObjectProperty",
-                                                            "Ontology",
-                                                            "OntologyProperty",
-                                                            "ReflexiveProperty",
-                                                            "Restriction",
-                                                            "SymmetricProperty",
-                                                            "Thing",
-                                                            "TransitiveProperty",
-                                                            "allValuesFrom",
-                                                            "annotatedProperty",
-                                                            "annotatedSource",
-                                                            "annotatedTarget",
-                                                            "assertionProperty",
-                                                            "backwardCompatibleWith",
-                                                            "bottomDataProperty",
-                                                            "bottomObjectProperty",
-                                                            "cardinality",
-                                                            "complementOf",
-                                                            "datatypeComplementOf",
-                                                            "deprecated",
-                                                            "differentFrom",
-                                                            "disjointUnionOf",
-                                                            "disjointWith",
-                                                            "distinctMembers",
-                                                            "equivalentClass",
-                                                            "equivalentProperty",
-                                                            "hasKey",
-                                                            "hasSelf",
-                                                            "hasValue",
-                                                            "imports",
-                                                            "incompatibleWith",
-                                                            "intersectionOf",
-                                                            "inverseOf",
-                                                            "maxCardinality",
-                                                            "maxQualifiedCardinality",
-                                                            "members",
-                                                            "minCardinality",
-                                                            "minQualifiedCardinality",
-                                                            "onClass",
-                                                            "onDataRange",
-                                                            "onDatatype",
-                                                            "onProperties",
-                                                            "onProperty",
-                                                            "oneOf",
-                                                            "priorVersion",
-                                                            "propertyChainAxiom",
-                                                            "propertyDisjointWith",
-                                                            "qualifiedCardinality",
-                                                            "rational",
-                                                            "real",
-                                                            "sameAs",
-                                                            "someValuesFrom",
-                                                            "sourceIndividual",
-                                                            "targetIndividual",
-                                                            "targetValue",
-                                                            "topDataProperty",
-                                                            "topObjectProperty",
-                                                            "unionOf",
-                                                            "versionIRI",
-                                                            "versionInfo",
-                                                            "withRestrictions"});
-constexpr auto xsd_words = std::to_array<std::string_view>({"anyType",
-                                                            "anySimpleType",
-                                                            "anyAtomicType",
-                                                            "string",
-                                                            "boolean",
-                                                            "decimal",
-                                                            "float",
-                                                            "double",
-                                                            "duration",
-                                                            "dateTime",
-                                                            "time",
-                                                            "date",
-                                                            "gYearMonth",
-                                                            "gYear",
-                                                            "gMonthDay",
-                                                            "gDay",
-                                                            "gMonth",
-                                                            "hexBinary",
-                                                            "base64Binary",
-                                                            "anyURI",
-                                                            "QName",
-                                                            "NOTATION",
-                                                            "normalizedString",
-                                                            "token",
-                                                            "language",
-                                                            "NMTOKEN",
-                                                            "NMTOKENS",
-                                                            "Name",
-                                                            "NCName",
-                                                            "ID",
-                                                            "IDREF",
-                                                            "IDREFS",
-                                                            "ENTITY",
-                                                            "ENTITIES",
-                                                            "integer",
-                                                            "nonPositiveInteger",
-                                                            "negativeInteger",
-                                                            "long",
-                                                            "int",
-                                                            "short",
-                                                            "byte",
-                                                            "nonNegativeInteger",
-                                                            "unsignedLong",
-                                                            "unsignedInt",
-                                                            "unsignedShort",
-                                                            "unsignedByte",
-                                                            "positiveInteger",
-                                                            "yearMonthDuration",
-                                                            "dayTimeDuration",
-                                                            "dateTimeStamp",
-                                                            "length",
-                                                            "minLength",
-                                                            "maxLength",
-                                                            "pattern",
-                                                            "enumeration",
-                                                            "whiteSpace",
-                                                            "maxInclusive",
-                                                            "maxExclusive",
-                                                            "minExclusive",
-                                                            "minInclusive",
-                                                            "totalDigits",
-                                                            "fractionDigits",
-                                                            "assertions",
-                                                            "explicitTimezone"});
+constexpr std::string_view rdf_words =
+    "type first rest nil List Property Statement subject predicate object value Bag Seq Alt PlainLiteral "
+    "XMLLiteral HTML langString langRange JSON CompoundLiteral direction language dirLangString";
+constexpr std::string_view rdfs_words =
+    "Class Resource Datatype Literal subClassOf subPropertyOf domain range label comment seeAlso isDefinedBy "
+    "member Container ContainerMembershipProperty";
+constexpr std::string_view owl_words =
+    "AllDifferent AllDisjointClasses AllDisjointProperties Annotation AnnotationProperty AsymmetricProperty "
+    "Axiom Class DataRange DatatypeProperty DeprecatedClass DeprecatedProperty FunctionalProperty "
+    "InverseFunctionalProperty IrreflexiveProperty NamedIndividual NegativePropertyAssertion Nothing "
+    "ObjectProperty Ontology OntologyProperty ReflexiveProperty Restriction SymmetricProperty Thing "
+    "TransitiveProperty allValuesFrom annotatedProperty annotatedSource annotatedTarget assertionProperty "
+    "backwardCompatibleWith bottomDataProperty bottomObjectProperty cardinality complementOf "
+    "datatypeComplementOf deprecated differentFrom disjointUnionOf disjointWith distinctMembers equivalentClass "
+    "equivalentProperty hasKey hasSelf hasValue imports incompatibleWith intersectionOf inverseOf maxCardinality "
+    "maxQualifiedCardinality members minCardinality minQualifiedCardinality onClass onDataRange onDatatype "
+    "onProperties onProperty oneOf priorVersion propertyChainAxiom propertyDisjointWith qualifiedCardinality "
+    "rational real sameAs someValuesFrom sourceIndividual targetIndividual targetValue topDataProperty "
+    "topObjectProperty unionOf versionIRI versionInfo withRestrictions";
+constexpr std::string_view xsd_words =
+    "anyType anySimpleType anyAtomicType string boolean decimal float double duration dateTime time date "
+    "gYearMonth gYear gMonthDay gDay gMonth hexBinary base64Binary anyURI QName NOTATION normalizedString token "
+    "language NMTOKEN NMTOKENS Name NCName ID IDREF IDREFS ENTITY ENTITIES integer nonPositiveInteger "
+    "negativeInteger long int short byte nonNegativeInteger unsignedLong unsignedInt unsignedShort unsignedByte "
+    "positiveInteger yearMonthDuration dayTimeDuration dateTimeStamp length minLength maxLength pattern "
+    "enumeration whiteSpace maxInclusive maxExclusive minExclusive minInclusive totalDigits fractionDigits "
+    "assertions explicitTimezone";
 
 struct Vocabulary {
   std::string_view prefix;
   std::string_view iri;
-  std::span<const std::string_view> words;
+  std::string_view words;  ///< separated by blanks
 };
 constexpr std::array<Vocabulary, 4> vocabularies{{{"rdf", syntax::rdf_namespace, rdf_words},
                                                   {"rdfs", syntax::rdfs_namespace, rdfs_words},
@@ -179,6 +54,17 @@ const Vocabulary* vocabulary_of(std::string_view iri) {
   const auto found =
       std::ranges::find_if(vocabularies, [&](const Vocabulary& vocabulary) { return iri.starts_with(vocabulary.iri); });
   return found == vocabularies.end() ? nullptr : &*found;
+}
+
+/// Calls `take` with each word, until it returns true.
+template <typename Take>
+bool any_word(std::string_view words, Take&& take) {
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    if (take(words.substr(0, end))) return true;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return false;
 }
 
 }  // namespace
@@ -192,7 +78,7 @@ bool is_reserved_word(std::string_view iri) {
   // rdf:_1, rdf:_2 and so on are the members of containers.
   if (vocabulary->prefix == "rdf" && local.starts_with('_') && base::parse_number<std::uint64_t>(local.substr(1)))
     return true;
-  return local.empty() || std::ranges::find(vocabulary->words, local) != vocabulary->words.end();
+  return local.empty() || any_word(vocabulary->words, [&](std::string_view word) { return word == local; });
 }
 
 std::vector<std::string> similar_words(std::string_view iri) {
@@ -203,13 +89,14 @@ std::vector<std::string> similar_words(std::string_view iri) {
   const std::size_t limit = base::tolerated_slips(local);
   std::vector<std::pair<std::size_t, std::string>> found;
   for (const Vocabulary& vocabulary : vocabularies) {
-    for (const std::string_view word : vocabulary.words) {
+    any_word(vocabulary.words, [&](std::string_view word) {
       const std::size_t distance = base::edit_distance(local, word, limit);
-      // The right word in the wrong vocabulary is as far as one letter: owl:subClassOf, rdfs:Restriction.
+      // A word of another vocabulary counts as one more letter: owl:subClassOf, rdfs:Restriction.
       if (distance <= limit)
         found.emplace_back(distance + (&vocabulary == own ? 0 : 1),
                            std::string(vocabulary.prefix) + ':' + std::string(word));
-    }
+      return false;
+    });
   }
   std::ranges::sort(found);
   std::vector<std::string> words;

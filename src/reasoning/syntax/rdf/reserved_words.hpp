@@ -1,4 +1,4 @@
-// The names that W3C's recommendations give the reserved vocabularies: whatever else is in them is a slip of the pen.
+// The names in the reserved vocabularies of the W3C. Any other name in them is a mistake.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_RESERVED_WORDS_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_RESERVED_WORDS_HPP
 

@@ -1,5 +1,5 @@
-// Names in triples that are no names of axioms: words that the reserved vocabularies do not have, and predicates that
-// nothing declares, which the mapping must take for annotations.
+// Names in triples that may be mistakes: words that the reserved vocabularies do not have, and predicates that nothing
+// declares, which the mapping takes for annotation properties.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_USED_NAMES_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_USED_NAMES_HPP
 
@@ -11,7 +11,7 @@
 
 namespace geminga::rdf {
 
-/// The most names of either kind that are noted. A file can make up as many as it likes.
+/// The most names of either kind that are noted. A file can invent any number.
 inline constexpr std::size_t max_used_names = 1000;
 
 /// A name and where it stands first.

@@ -1,4 +1,4 @@
-// What the annotations of names add to a source, and what is left out by name.
+// Labels, conversions and units that annotations add to a source, and those that are left out by name.
 #include "reasoning/syntax/document/name_annotations.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What a document says beside its frames, and where what it says stands.
+// The head of a document, its annotations and omissions, and the lines of all.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Limits at their last value and one beyond, bytes that are no text, and depths that no stack would bear.
+// Limits at their last value and one beyond, octets that are no text, and depths beyond any stack.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What the tests of this folder begin with: a text read as a document, its axioms written in functional syntax.
+// The fixture of this folder: a text read as a document, its axioms written in functional syntax.
 #ifndef GEMINGA_TESTS_REASONING_SYNTAX_FRAMES_READING_HPP
 #define GEMINGA_TESTS_REASONING_SYNTAX_FRAMES_READING_HPP
 
@@ -10,7 +10,7 @@
 
 namespace geminga::frames {
 
-/// What one text became.
+/// The result of reading one text.
 struct Reading {
   owl::Ontology source;
   Document document;

@@ -1,4 +1,4 @@
-// Every construct of the structural specification: what is written is what the source holds.
+// The source holds every construct of the structural specification as it is written.
 #include <gtest/gtest.h>
 
 #include "reasoning/syntax/functional/grammar.hpp"

@@ -1,4 +1,4 @@
-// What a file says beside its axioms, where it says it, and what is counted or left out.
+// The parts of a file beside its axioms: head, annotations, lines, counts and omissions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

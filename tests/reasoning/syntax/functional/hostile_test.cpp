@@ -1,4 +1,4 @@
-// Files that were made to hurt, or were damaged on their way.
+// Hostile and damaged files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(Hostile, WhatIsSkippedMayNestWithoutEnd) {
 }
 
 TEST(Hostile, QuotesWithoutEndCostOnePassEach) {
-  // Each of these made a quadratic scan of some reader.
+  // A careless reader would take quadratic time for each of these.
   std::string escapes = "Ontology(Annotation(rdfs:comment \"";
   for (int i = 0; i < 1'000'000; ++i) escapes += "\\\"";
   EXPECT_THAT(Reading(escapes).error, StartsWith("t.ofn:1: a text that is never closed"));

@@ -1,4 +1,4 @@
-// Ontologies that others published in both syntaxes: what is read from the one is what is read from the other.
+// Ontologies that others published in both syntaxes must give the same axioms from both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Axioms axioms_of(const owl::Ontology& source, bool with_declarations) {
   return {lines.begin(), lines.end()};
 }
 
-/// What one set has and the other has not, one a line.
+/// The members of one set that the other lacks, one a line.
 std::string missing(const Axioms& wanted, const Axioms& found) {
   std::string lines;
   for (const std::string& axiom : wanted) {

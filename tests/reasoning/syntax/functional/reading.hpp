@@ -1,4 +1,4 @@
-// What the tests of this folder begin with: a text read as an ontology, its axioms written out again.
+// The fixture of this folder: a text read as an ontology, its axioms written out again.
 #ifndef GEMINGA_TESTS_REASONING_SYNTAX_FUNCTIONAL_READING_HPP
 #define GEMINGA_TESTS_REASONING_SYNTAX_FUNCTIONAL_READING_HPP
 
@@ -11,7 +11,7 @@
 
 namespace geminga::functional {
 
-/// What one text became.
+/// The result of reading one text.
 struct Reading {
   owl::Ontology source;
   Document document;

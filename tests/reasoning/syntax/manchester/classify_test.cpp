@@ -1,4 +1,4 @@
-// Where expressions stand: each construct and each trap.
+// The places of expressions: each construct and each trap.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -160,7 +160,7 @@ TEST(Place, FindsTheValuesWithinBounds) {
 }
 
 TEST(Place, IsExactWhereIndividualsDecide) {
-  // Whoever sits on the throne is the king, and the king is bald.
+  // The king is the only one on the throne, and he is bald.
   const Asked asked(
       "SubClassOf(Enthroned ObjectOneOf(i:king))\nClassAssertion(Bald i:king)\nDeclaration(Crowned)\n"
       "SubClassOf(Court ObjectSomeValuesFrom(has ObjectIntersectionOf(Enthroned Crowned)))\n"

@@ -1,4 +1,4 @@
-// The worked examples of MANCHESTER.md, and what stands at the edges.
+// The worked examples of MANCHESTER.md, and edge cases.
 #include <gtest/gtest.h>
 
 #include <fstream>

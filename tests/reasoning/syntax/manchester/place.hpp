@@ -13,7 +13,7 @@
 
 namespace geminga::manchester {
 
-/// An ontology in the syntax of support/written.hpp with everything that reads and classifies expressions over it.
+/// An ontology in the syntax of support/written.hpp, with its reader and classifier of expressions.
 class Asked {
  public:
   explicit Asked(std::string_view ontology, const placement::ExpressionLimits& limits = {});
@@ -26,7 +26,7 @@ class Asked {
   [[nodiscard]] placement::ExpressionPlace place_of(std::string_view expression) const;
   /// "yes", "no", or "no?" where there are gaps.
   [[nodiscard]] std::string is_subsumed(std::string_view sub, std::string_view super) const;
-  /// The canonical text, or what is wrong.
+  /// The canonical text, or the error.
   [[nodiscard]] std::string read(std::string_view expression, const Limits& limits = {}) const;
 
   [[nodiscard]] const compiled::Ontology& ontology() const { return *ontology_; }

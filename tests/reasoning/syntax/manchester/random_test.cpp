@@ -1,4 +1,4 @@
-// Random ontologies and random expressions: the overlay against the classification from scratch of the ontology with a
+// Random ontologies and expressions: the overlay must agree with a classification from scratch of the ontology with a
 // class that is equivalent to the expression.
 #include "base/random.hpp"
 
@@ -23,7 +23,7 @@ class Expressions {
  public:
   Expressions(base::Random& random, std::uint64_t classes) : random_(random), classes_(classes) {}
 
-  /// What is beyond EL as well: unions, complements, universal restrictions, numbers, inverses.
+  /// Constructs beyond EL as well: unions, complements, universal restrictions, numbers, inverses.
   std::string write_any(int depth) {
     const std::string role = "t:r" + std::to_string(random_.below(4));
     switch (depth == 0 ? 12 : random_.below(13)) {

@@ -131,7 +131,7 @@ TEST(Files, FifosDevicesAndSocketsAreNeverOpened) {
   const Scratch scratch;
   const std::string fifo = (scratch.path() / "fifo.ttl").string();
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
-  const auto read_fifo = syntax::FileBytes::read(fifo, {});  // would wait for ever for somebody who writes
+  const auto read_fifo = syntax::FileBytes::read(fifo, {});  // a blocking open would wait for a writer for ever
   ASSERT_FALSE(read_fifo);
   EXPECT_EQ(read_fifo.error().text, "is a FIFO, not a regular file");
   EXPECT_TRUE(read_fifo.error().is_unreadable);
@@ -159,7 +159,7 @@ TEST(Files, WhatMayNotBeReadIsUnreadable) {
   const Scratch scratch;
   const std::string path = scratch.write("a.ttl", "");
   ASSERT_EQ(chmod(path.c_str(), 0), 0);
-  // Root may read everything, so for the length of the call it is somebody who may not.
+  // Root may read every file, so that the test drops that right for the call.
   const bool is_root = geteuid() == 0;
   constexpr uid_t nobody = 65'534;
   if (is_root && seteuid(nobody) != 0) GTEST_SKIP() << "root of this user namespace may become nobody else";

@@ -1,4 +1,4 @@
-// Files that are made to hurt whoever reads them: each is refused with its line, and costs little.
+// Hostile files: each is refused with its line, and costs little.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -146,7 +146,7 @@ TEST(Hostile, ListsThatShareTheirTailsCostNoMoreThanTheFile) {
 }
 
 TEST(Hostile, OneSubjectOfAllTriplesCostsNoMoreThanTheFile) {
-  // Each of these made somebody look at all triples of a subject once for each of them.
+  // A careless mapping would look at all triples of a subject once for each of them.
   constexpr int count = 20'000;
   const std::string owl = "<http://www.w3.org/2002/07/owl#";
   const std::string type = " <http://www.w3.org/1999/02/22-rdf-syntax-ns#type> ";

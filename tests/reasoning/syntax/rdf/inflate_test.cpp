@@ -1,4 +1,4 @@
-// Files that gzip made smaller say what they say without it, and bombs cost no more than their limit.
+// Packed files give the same axioms as unpacked ones, and bombs cost no more than their limit.
 #include "reasoning/syntax/inflate.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What files say to each other: imports, prefixes, names, labels, encodings, mixed syntaxes.
+// Loads of several files: imports, prefixes, names, labels, encodings, mixed syntaxes.
 #include "reasoning/syntax/rdf/load.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What gzip makes of a text.
+// A text as gzip packs it.
 #ifndef GEMINGA_TESTS_REASONING_SYNTAX_RDF_PACKED_HPP
 #define GEMINGA_TESTS_REASONING_SYNTAX_RDF_PACKED_HPP
 

@@ -1,4 +1,4 @@
-// Large files are cut and read by several threads: nothing may show that they were.
+// Large files are cut and read by several threads, and the result must be that of one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::StartsWith;
 
-/// All that a load says, one thing a line.
+/// The whole result of a load, one item a line.
 std::vector<std::string> everything(const std::vector<std::string>& files, const syntax::Limits& limits,
                                     unsigned threads) {
   const auto loaded = load(files, limits, {}, threads);

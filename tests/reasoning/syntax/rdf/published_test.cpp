@@ -1,4 +1,4 @@
-// Ontologies that somebody else wrote, where they are there.
+// Published ontologies, if the test data has them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 namespace geminga::rdf {
 
-/// What a file of this name and content gives.
+/// The result of loading a file of this name and content.
 [[nodiscard]] std::expected<Loaded, syntax::LoadError> load_text(const std::string& name, std::string_view content,
                                                                  const syntax::Limits& limits = {});
 /// "NAME:LINE: text" of why it was refused, or "accepted". The path is cut to its last part.

@@ -1,5 +1,5 @@
-// Units in the forms in which QUDT 2.1 and OM 2.0 publish theirs, and what is wrong with others. Names, factors and
-// vectors are those of the published ontologies; the texts were written here.
+// Units in the forms of QUDT 2.1 and OM 2.0, and the errors of others. Names, factors and vectors are those of the
+// published ontologies; the texts were written here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Does something in a process of its own, and watches what that asks of the system.
+// Runs a function in a process of its own, and watches its system calls.
 #ifndef GEMINGA_TESTS_REASONING_SYNTAX_RDF_WATCHED_HPP
 #define GEMINGA_TESTS_REASONING_SYNTAX_RDF_WATCHED_HPP
 
@@ -8,10 +8,10 @@
 
 namespace geminga::rdf {
 
-/// What a process asked for and left behind.
+/// The system calls of a process, and its result.
 struct Watched {
   int status = -1;                  ///< as waitpid gives it
-  std::string said;                 ///< what the deed gave
+  std::string said;                 ///< the result of the function
   std::vector<std::string> opened;  ///< paths of open and openat, tried or done
   bool asked_for_sockets = false;
   bool asked_for_programs = false;

@@ -24,7 +24,7 @@ class AxiomMapper {
         axioms_(axioms),
         type_mapper_(triples, types, ranges, expressions, axioms) {}
 
-  /// A triple that is part of an expression stays unused: it is used where the expression is.
+  /// Leaves a triple unused if it is part of an expression; the mapping of the expression uses it.
   void map(std::uint32_t number);
 
  private:

@@ -1,4 +1,4 @@
-// Notes what was declared and left out, so that neither repeats nor made-up names fill the ontology.
+// Repeated declarations are added once, and made-up names are limited.
 #include "reasoning/syntax/rdf/mapping/axiom_writer.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Where the axioms that triples became go, with the place of their triple.
+// Adds the axioms of triples to an ontology, with the place of their triple.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_MAPPING_AXIOM_WRITER_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_AXIOM_WRITER_HPP
 
@@ -22,7 +22,7 @@ class AxiomWriter {
   /// `files` are the ontology's numbers of the graph's files.
   AxiomWriter(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files);
 
-  /// An axiom of these arguments; the first that could not be mapped is left out instead.
+  /// Adds an axiom of these arguments. If one could not be mapped, its obstacle is left out by name instead.
   void add(std::uint32_t triple, owl::AxiomKind kind, std::initializer_list<Mapped> arguments);
   void add(std::uint32_t triple, owl::AxiomKind kind, const std::vector<owl::TermId>& arguments);
   /// Declares the triple's subject, once for each kind of entity; nothing where it is blank.
@@ -36,7 +36,7 @@ class AxiomWriter {
   owl::Ontology& ontology_;
   std::vector<owl::FileId> files_;
   std::vector<bool> declared_;                     ///< by node and kind of entity
-  std::set<std::string, std::less<>> constructs_;  ///< that were left out
+  std::set<std::string, std::less<>> constructs_;  ///< the names of what was left out
 };
 
 }  // namespace geminga::rdf

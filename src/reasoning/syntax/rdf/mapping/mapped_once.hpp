@@ -1,4 +1,4 @@
-// What became of a node that several others may refer to.
+// The result of mapping a node to which several others may refer.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_MAPPING_MAPPED_ONCE_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_MAPPED_ONCE_HPP
 
@@ -12,25 +12,25 @@ namespace geminga::rdf {
 /// The result of mapping one node, kept, so that it is mapped once however often it is used.
 class MappedOnce {
  public:
-  [[nodiscard]] bool was_tried() const { return state_ != State::unknown; }
-  [[nodiscard]] bool is_mapped() const { return state_ == State::mapped; }
+  [[nodiscard]] bool was_tried() const { return progress_ != Progress::untried; }
+  [[nodiscard]] bool is_mapped() const { return progress_ == Progress::mapped; }
   /// The result, if there is one. `circular` is the obstacle where the node is being mapped: it contains itself.
   [[nodiscard]] std::optional<Mapped> known(const char* circular) const {
-    switch (state_) {
-      case State::unknown:
+    switch (progress_) {
+      case Progress::untried:
         return std::nullopt;
-      case State::open:
+      case Progress::open:
         return std::unexpected(circular);
-      case State::mapped:
+      case Progress::mapped:
         return term_;
-      case State::failed:
+      case Progress::failed:
         break;
     }
     return std::unexpected(obstacle_);
   }
-  void begin() { state_ = State::open; }
+  void begin() { progress_ = Progress::open; }
   Mapped end(Mapped result) {
-    state_ = result ? State::mapped : State::failed;
+    progress_ = result ? Progress::mapped : Progress::failed;
     if (result) {
       term_ = *result;
     } else {
@@ -40,7 +40,7 @@ class MappedOnce {
   }
 
  private:
-  enum class State : std::uint8_t { unknown, open, mapped, failed } state_ = State::unknown;
+  enum class Progress : std::uint8_t { untried, open, mapped, failed } progress_ = Progress::untried;
   owl::TermId term_{};
   const char* obstacle_ = nullptr;
 };

@@ -1,4 +1,4 @@
-// The order of the passes: what each node is, the axioms, the labels, and what nobody used.
+// The order of the passes: the types of nodes, the axioms, the labels, and the triples that no axiom used.
 #include "reasoning/syntax/rdf/mapping/mapping.hpp"
 
 #include <cstdint>
@@ -94,7 +94,8 @@ void add_conversions(const Graph& graph, const std::vector<owl::FileId>& files, 
   }
 }
 
-/// What is said of units is declared by QUDT and OM in ways that make it annotations, facts or neither.
+/// Statements of units are read from triples, because QUDT and OM declare their properties as annotation properties, as
+/// others, or not at all.
 void add_unit_statements(const Graph& graph, const std::vector<owl::FileId>& files, owl::Ontology& ontology) {
   std::vector<owl::UnitWord> words(graph.node_count(), owl::UnitWord::none);
   bool has_any = false;

@@ -11,7 +11,7 @@
 namespace geminga::rdf {
 
 /// Adds the axioms of an indexed graph to an ontology. What cannot be mapped is left out by name; nothing is refused.
-/// Everything has been read before anything is mapped, so the order of triples means nothing. `files` are the
+/// All files are read before anything is mapped, so that the order of triples means nothing. `files` are the
 /// ontology's numbers of the graph's files.
 void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files);
 

@@ -1,4 +1,4 @@
-// What each node of a graph is: a class, a datatype, which kinds of property, or the subject of annotations.
+// The types of the nodes of a graph: class, datatype, kinds of property, or subject of annotations.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_MAPPING_NODE_TYPES_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_NODE_TYPES_HPP
 
@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "reasoning/syntax/rdf/triples/graph.hpp"
 #include "reasoning/syntax/rdf/mapping/triple_reader.hpp"
+#include "reasoning/syntax/rdf/triples/graph.hpp"
 
 namespace geminga::rdf {
 
@@ -15,7 +15,7 @@ namespace geminga::rdf {
 /// several types (OWL 2, section 5.9).
 class NodeTypes {
  public:
-  /// Looks at all triples, so that their order decides nothing; uses those of lists.
+  /// Looks at all triples, so that their order decides nothing. Marks the triples of lists as used.
   explicit NodeTypes(TripleReader& triples);
 
   [[nodiscard]] bool is_class(NodeId node) const { return has(node, type_class); }
@@ -32,7 +32,7 @@ class NodeTypes {
   [[nodiscard]] bool is_object_property_expression(NodeId node) const {
     return graph_.is_blank(node) || is_object_property(node);
   }
-  /// An ontology or a reified axiom or annotation: what is said about it are annotations.
+  /// An ontology, or a reified axiom or annotation: all triples about it are annotations.
   [[nodiscard]] bool has_annotations_only(NodeId node) const { return has(node, type_ontology | type_reified); }
   /// A datatype that is no class, or a blank node that describes a data range.
   [[nodiscard]] bool is_data_range(NodeId node) const { return is_data_range(node, 0); }

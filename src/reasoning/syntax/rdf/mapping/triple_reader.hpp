@@ -1,4 +1,4 @@
-// How the mapping looks triples up, and which of them it has used.
+// Looks up triples for the mapping, and remembers which were used.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_MAPPING_TRIPLE_READER_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_TRIPLE_READER_HPP
 
@@ -12,13 +12,13 @@
 
 namespace geminga::rdf {
 
-/// The term that a node was mapped to, or the construct that stood in the way.
+/// The term that a node was mapped to, or the construct that prevents it.
 using Mapped = std::expected<owl::TermId, const char*>;
 /// The same of the members of a list.
 using MappedList = std::expected<std::vector<owl::TermId>, const char*>;
 
-/// Reads an indexed graph and marks the triples that became part of something; what is left says nothing that OWL 2 can
-/// express. A repeated triple counts as used.
+/// Reads an indexed graph and marks the triples that became part of an axiom or expression. OWL 2 cannot express the
+/// rest. A repeated triple counts as used.
 class TripleReader {
  public:
   explicit TripleReader(const Graph& graph);
@@ -56,7 +56,7 @@ class TripleReader {
   std::vector<bool> used_;
   std::vector<std::uint32_t> list_marks_;  ///< the walk that last came by a node
   std::uint32_t list_walk_ = 0;
-  std::uint64_t list_steps_left_;  ///< lists that share their tails could cost the square of the file
+  std::uint64_t list_steps_left_;  ///< a limit: lists that share their tails could cost the square of the file
 };
 
 }  // namespace geminga::rdf

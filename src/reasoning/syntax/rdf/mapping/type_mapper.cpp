@@ -37,7 +37,7 @@ constexpr std::array<std::pair<Word, owl::TermKind>, 10> declarations{{
     {Word::owl_named_individual, owl::TermKind::individual},
 }};
 
-/// What a type says about an object property.
+/// The characteristic of an object property that a type states.
 constexpr std::array<std::pair<Word, owl::AxiomKind>, 6> characteristics{{
     {Word::owl_inverse_functional_property, owl::AxiomKind::inverse_functional_object_property},
     {Word::owl_reflexive_property, owl::AxiomKind::reflexive_object_property},
@@ -79,7 +79,7 @@ void TypeMapper::map(std::uint32_t number) {
       return map_negative_assertion(number);
     case Word::owl_axiom:
       return map_reified(number);
-    case Word::rdfs_class:  // a datatype
+    case Word::rdfs_class:  // of a datatype
     case Word::rdf_property:
     case Word::owl_deprecated_property:
     case Word::owl_annotation:

@@ -1,4 +1,4 @@
-// What an rdf:type says: declarations, characteristics, assertions, and axioms that have a node of their own
+// Triples of rdf:type as axioms: declarations, characteristics, assertions, and axioms that have a node of their own
 // (mapping, tables 7, 16 and 17).
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_MAPPING_TYPE_MAPPER_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_TYPE_MAPPER_HPP

@@ -16,7 +16,7 @@ struct Entity {
   std::string_view value;
   std::size_t place = 0;
   std::size_t bytes = 0;
-  enum class State { unmeasured, open, measured } state = State::unmeasured;
+  enum class Measure { unknown, open, known } measure = Measure::unknown;
 };
 using Entities = std::map<std::string_view, Entity>;
 
@@ -96,13 +96,13 @@ class SubsetReader {
   /// The size of an entity with those that it refers to. The depth has a limit of its own, because an expansion of
   /// `entity_bytes` can be nested as deep as there are entities.
   std::size_t measure(std::string_view name, Entity& entity, std::size_t depth) {
-    if (problem_ || entity.state == Entity::State::measured) return entity.bytes;
-    if (entity.state == Entity::State::open || depth > max_depth) {
+    if (problem_ || entity.measure == Entity::Measure::known) return entity.bytes;
+    if (entity.measure == Entity::Measure::open || depth > max_depth) {
       place_ = entity.place;
       fail("declares the entity " + base::printable(name) + " by itself, or too deep");
       return 0;
     }
-    entity.state = Entity::State::open;
+    entity.measure = Entity::Measure::open;
     entity.bytes = entity.value.size();
     for (std::size_t at = entity.value.find('&'); at != std::string_view::npos; at = entity.value.find('&', at + 1)) {
       const std::size_t close = entity.value.find(';', at);
@@ -121,7 +121,7 @@ class SubsetReader {
       fail("declares the entity " + base::printable(name) + ", which is larger than " +
            std::to_string(limits_.entity_bytes) + " bytes");
     }
-    entity.state = Entity::State::measured;
+    entity.measure = Entity::Measure::known;
     return entity.bytes;
   }
 

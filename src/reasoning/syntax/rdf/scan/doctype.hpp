@@ -1,4 +1,4 @@
-// The internal entities that a DOCTYPE declares, as Protégé writes them, and what they expand to.
+// The internal entities that a DOCTYPE declares, as Protégé writes them, and their expanded sizes.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_SCAN_DOCTYPE_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_SCAN_DOCTYPE_HPP
 
@@ -22,7 +22,7 @@ class Doctype {
 
   /// The place behind the closing bracket.
   [[nodiscard]] std::size_t end() const { return end_; }
-  /// The size in octets of what a reference to this entity expands to; 1 for an entity that is not declared here.
+  /// The octets that a reference to this entity expands to; 1 for an entity that is not declared here.
   [[nodiscard]] std::size_t expanded_bytes(std::string_view name) const;
 
  private:

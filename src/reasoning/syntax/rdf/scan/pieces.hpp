@@ -1,8 +1,8 @@
 // Where a large file can be cut, so that several parsers read it at once.
 //
-// Below rdf:RDF stands one description after the other, and a Turtle file is one statement after the other: what is
-// between two of them can be parsed by itself, behind the declarations that the file begins with. The cuts depend on
-// the file only, never on the number of threads, and so do the names of blank nodes and the order of triples.
+// The descriptions below rdf:RDF, and the statements of a Turtle file, can be parsed one by one behind the declarations
+// at the beginning of the file. The cuts depend on the file only, not on the number of threads, and so do the names of
+// blank nodes and the order of triples.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_SCAN_PIECES_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_SCAN_PIECES_HPP
 
@@ -20,20 +20,20 @@ struct Piece {
   std::size_t triples = 0;  ///< of Turtle: how many stand before it
 };
 
-/// How a file is cut. Filled by the scan; one that was never told of a cut is one piece.
+/// The cuts of a file. The scan fills it in; without a cut the file is one piece.
 class Pieces {
  public:
   /// No piece but the last is smaller than `bytes`.
   explicit Pieces(std::size_t bytes) : bytes_(bytes) {}
 
-  /// What stands before this place is parsed before every piece: the first tag and its DOCTYPE, or directives.
+  /// The octets before this place are parsed before every piece: the first tag and its DOCTYPE, or directives.
   void begin_at(std::size_t place, std::uint32_t lines, std::string closing = {}) {
     if (preamble_ != 0) return forbid();
     preamble_ = place;
     preamble_lines_ = lines;
     closing_ = std::move(closing);
   }
-  /// From now on the file cannot be cut, and what was cut is joined again.
+  /// Undoes all cuts, and allows no more.
   void forbid() {
     is_forbidden_ = true;
     parts_.resize(1);
@@ -46,7 +46,7 @@ class Pieces {
   [[nodiscard]] std::size_t preamble() const { return preamble_; }
   /// Ends of lines in what stands before every piece.
   [[nodiscard]] std::uint32_t preamble_lines() const { return preamble_lines_; }
-  /// What is parsed behind every piece but the last.
+  /// The text that is parsed behind every piece but the last.
   [[nodiscard]] const std::string& closing() const { return closing_; }
 
  private:

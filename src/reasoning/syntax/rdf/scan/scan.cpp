@@ -1,11 +1,13 @@
-// What every syntax has in common: no NUL, and UTF-8 unless XML says otherwise.
+// All syntaxes: no NUL, and UTF-8 unless XML says otherwise.
 #include "reasoning/syntax/rdf/scan/scan.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/utf8.hpp"
 
 namespace geminga::rdf {
+
 std::uint32_t line_of(std::string_view bytes, std::size_t place) {
   const std::string_view before = bytes.substr(0, place);
   return 1 + static_cast<std::uint32_t>(std::ranges::count(before, '\n'));
@@ -20,12 +22,11 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
   return std::nullopt;
 }
 
-std::optional<ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes, const syntax::Limits& limits,
-                                TurtleLines& lines, Pieces& pieces) {
-  if (is_xml(syntax)) return scan_xml(bytes, limits, pieces);
-  if (!has_triples(syntax)) return std::nullopt;  // its reader looks for itself
-  if (auto problem = scan_text(bytes, true)) return problem;
-  return scan_turtle(bytes, limits, lines, pieces);
+std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes, const syntax::Limits& limits) {
+  if (is_xml(syntax)) return scan_xml(bytes, limits);
+  if (!has_triples(syntax)) return Layout{Pieces(limits.piece_bytes)};  // its reader looks for itself
+  if (auto problem = scan_text(bytes, true)) return std::unexpected(std::move(*problem));
+  return scan_turtle(bytes, limits);
 }
 
 }  // namespace geminga::rdf

@@ -12,10 +12,10 @@ namespace {
 
 class TurtleScan {
  public:
-  TurtleScan(std::string_view bytes, const syntax::Limits& limits, TurtleLines& lines, Pieces& pieces)
-      : bytes_(bytes), limits_(limits), lines_(lines), pieces_(pieces) {}
+  TurtleScan(std::string_view bytes, const syntax::Limits& limits)
+      : bytes_(bytes), limits_(limits), pieces_(limits.piece_bytes) {}
 
-  std::optional<ScanProblem> run() {
+  std::expected<Layout, ScanProblem> run() {
     if (bytes_.starts_with("\xef\xbb\xbf")) place_ = 3;
     while (place_ < bytes_.size() && !problem_) {
       const std::size_t before = place_;
@@ -28,7 +28,8 @@ class TurtleScan {
       if (lines_.prefix_count() > limits_.prefixes)
         fail(place_, "declares more than " + std::to_string(limits_.prefixes) + " prefixes");
     }
-    return std::move(problem_);
+    if (problem_) return std::unexpected(std::move(*problem_));
+    return Layout{std::move(pieces_), lines_.take(), has_quote_in_comment_};
   }
 
  private:
@@ -116,7 +117,8 @@ class TurtleScan {
   /// skips what follows; its Turtle reader does not.
   void comment() {
     const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
-    if (bytes_.substr(place_, end - place_).find_first_of("\"'") != std::string_view::npos) lines_.quote_in_comment();
+    if (bytes_.substr(place_, end - place_).find_first_of("\"'") != std::string_view::npos)
+      has_quote_in_comment_ = true;
     place_ = end;
   }
 
@@ -197,8 +199,9 @@ class TurtleScan {
 
   std::string_view bytes_;
   const syntax::Limits& limits_;
-  TurtleLines& lines_;
-  Pieces& pieces_;
+  TurtleLines lines_;
+  Pieces pieces_;
+  bool has_quote_in_comment_ = false;
   bool has_begun_ = false;      ///< the first statement
   std::size_t directives_ = 0;  ///< before it
   std::size_t place_ = 0;
@@ -211,9 +214,8 @@ class TurtleScan {
 
 }  // namespace
 
-std::optional<ScanProblem> scan_turtle(std::string_view bytes, const syntax::Limits& limits, TurtleLines& lines,
-                                       Pieces& pieces) {
-  return TurtleScan(bytes, limits, lines, pieces).run();
+std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::Limits& limits) {
+  return TurtleScan(bytes, limits).run();
 }
 
 }  // namespace geminga::rdf

@@ -11,31 +11,15 @@
 namespace geminga::rdf {
 namespace {
 
-/// The encoding that the XML declaration names, or an empty view.
-std::string_view declared_encoding(std::string_view bytes) {
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  if (!bytes.starts_with("<?xml")) return {};
-  std::string_view declaration = bytes.substr(0, std::min(bytes.find("?>"), std::size_t{1024}));
-  const std::size_t word = declaration.find("encoding");
-  if (word == std::string_view::npos) return {};
-  const std::size_t open = declaration.find_first_of("'\"", word);
-  if (open == std::string_view::npos) return {};
-  const std::size_t close = declaration.find(declaration[open], open + 1);
-  return close == std::string_view::npos ? std::string_view() : declaration.substr(open + 1, close - open - 1);
-}
-
-bool equals_ignoring_case(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](char x, char y) { return (x | 0x20) == (y | 0x20); });
-}
-
 class XmlScan {
  public:
-  XmlScan(std::string_view bytes, const syntax::Limits& limits, Pieces& pieces)
-      : bytes_(bytes), limits_(limits), pieces_(pieces) {}
+  XmlScan(std::string_view bytes, const syntax::Limits& limits)
+      : bytes_(bytes), limits_(limits), pieces_(limits.piece_bytes) {}
 
-  std::optional<ScanProblem> run() {
+  std::expected<Layout, ScanProblem> run() {
     while (place_ < bytes_.size() && !problem_) step();
-    return std::move(problem_);
+    if (problem_) return std::unexpected(std::move(*problem_));
+    return Layout{std::move(pieces_)};
   }
 
  private:
@@ -80,7 +64,7 @@ class XmlScan {
     place_ = dashes + 3;
   }
 
-  /// Text goes from tag to tag, but an XML literal is one text, tags and all.
+  /// A text goes from tag to tag. An XML literal is one text with its tags.
   void end_of_tag(std::size_t begin) {
     if (literal_depth_ == 0) {
       text_bytes_ = 0;
@@ -110,7 +94,7 @@ class XmlScan {
     add_text(references(begin, end));
   }
 
-  /// What the entity references between two places expand to beyond what is counted anyway.
+  /// Octets that the entity references between two places expand to, beyond those of the references.
   std::size_t references(std::size_t begin, std::size_t end) {
     if (!doctype_) return 0;
     std::size_t expansion = 0;
@@ -158,7 +142,7 @@ class XmlScan {
     if (names_by_id(tag)) pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
   }
 
-  /// Only what stands directly below rdf:RDF can be read by itself.
+  /// Only elements directly below rdf:RDF can be parsed by themselves.
   void root(std::string_view tag) {
     const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
     if (name != "RDF" && !name.ends_with(":RDF")) return pieces_.forbid();
@@ -196,7 +180,7 @@ class XmlScan {
 
   std::string_view bytes_;
   const syntax::Limits& limits_;
-  Pieces& pieces_;
+  Pieces pieces_;
   std::size_t place_ = 0;
   std::size_t counted_ = 0;  ///< lines were counted up to here
   std::uint32_t line_ = 1;
@@ -210,18 +194,30 @@ class XmlScan {
 
 }  // namespace
 
-std::optional<ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits& limits, Pieces& pieces) {
+DeclaredEncoding declared_encoding(std::string_view xml) {
+  constexpr std::size_t npos = std::string_view::npos;
+  const std::size_t mark = xml.size() - base::without_mark(xml).size();
+  if (!xml.substr(mark).starts_with("<?xml")) return {};
+  const std::string_view declaration = xml.substr(0, std::min(xml.find("?>"), std::size_t{1024}));
+  const std::size_t word = declaration.find("encoding");
+  const std::size_t open = word == npos ? npos : declaration.find_first_of("'\"", word);
+  const std::size_t close = open == npos ? npos : declaration.find(declaration[open], open + 1);
+  if (close == npos) return {};
+  return {word, close + 1 - word, declaration.substr(open + 1, close - open - 1)};
+}
+
+std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits& limits) {
   constexpr std::array<std::string_view, 4> utf8_names{"utf-8", "utf8", "us-ascii", "ascii"};
   constexpr std::array<std::string_view, 3> latin1_names{"iso-8859-1", "latin1", "iso_8859-1"};
-  const std::string_view encoding = declared_encoding(bytes);
-  const auto is_named = [&](std::string_view name) { return equals_ignoring_case(name, encoding); };
-  const bool is_latin1 = std::ranges::any_of(latin1_names, is_named);
-  if (!encoding.empty() && !is_latin1 && std::ranges::none_of(utf8_names, is_named))
-    return ScanProblem{1, "is in an encoding that is not read: convert it to UTF-8"};
+  const auto refuse = [](const char* text) { return std::unexpected(ScanProblem{1, text}); };
+  const std::string encoding = base::in_lower_case(declared_encoding(bytes).name);
+  const bool is_latin1 = std::ranges::find(latin1_names, encoding) != latin1_names.end();
+  const bool is_utf8 = encoding.empty() || std::ranges::find(utf8_names, encoding) != utf8_names.end();
+  if (!is_latin1 && !is_utf8) return refuse("is in an encoding that is not read: convert it to UTF-8");
   if (is_latin1 && base::without_mark(bytes).size() != bytes.size())
-    return ScanProblem{1, "begins as UTF-8 and declares ISO-8859-1: correct its declaration"};
-  if (auto problem = scan_text(bytes, !is_latin1)) return problem;
-  return XmlScan(bytes, limits, pieces).run();
+    return refuse("begins as UTF-8 and declares ISO-8859-1: correct its declaration");
+  if (auto problem = scan_text(bytes, is_utf8)) return std::unexpected(std::move(*problem));
+  return XmlScan(bytes, limits).run();
 }
 
 }  // namespace geminga::rdf

@@ -1,4 +1,4 @@
-// A stack of open brackets, each with the lines of the objects that it has seen (RDF 1.1 Turtle, section 6.5).
+// A stack of open brackets, each with the lines of its objects (RDF 1.1 Turtle, section 6.5).
 #include "reasoning/syntax/rdf/scan/turtle_lines.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ bool is_keyword(std::string_view text, std::string_view lower) {
 }  // namespace
 
 void TurtleLines::word(std::string_view text, std::uint32_t line) {
-  const bool is_statement_start = frames_.size() == 1 && frames_.front().next == Place::subject;
+  const bool is_statement_start = frames_.size() == 1 && frames_.front().next == Part::subject;
   if (is_statement_start && (text == "@prefix" || is_keyword(text, "prefix"))) {
     directive_left_ = 2;
     ++prefix_count_;
@@ -46,10 +46,10 @@ void TurtleLines::term(std::uint32_t line) {
   if (frame.bracket == '(') {
     frame.objects.push_back(line);
     statement_triples_ += 2;
-  } else if (frame.next == Place::subject) {
-    frame.next = Place::verb;
-  } else if (frame.next == Place::verb) {
-    frame.next = Place::object;
+  } else if (frame.next == Part::subject) {
+    frame.next = Part::verb;
+  } else if (frame.next == Part::verb) {
+    frame.next = Part::object;
   } else {
     frame.objects.push_back(line);
     ++statement_triples_;
@@ -59,7 +59,7 @@ void TurtleLines::term(std::uint32_t line) {
 void TurtleLines::open(char bracket, std::uint32_t line) {
   Frame& frame = frames_.emplace_back();
   frame.bracket = bracket;
-  frame.next = Place::verb;
+  frame.next = Part::verb;
   frame.line = line;
 }
 
@@ -74,7 +74,7 @@ void TurtleLines::close(char bracket) {
 
 void TurtleLines::punctuation(char mark) {
   if (mark == '.') return end_statement();
-  if (mark == ';' && frames_.back().next != Place::subject) frames_.back().next = Place::verb;
+  if (mark == ';' && frames_.back().next != Part::subject) frames_.back().next = Part::verb;
 }
 
 void TurtleLines::end_statement() {

@@ -1,7 +1,7 @@
-// The line of every triple of a Turtle file, in the order in which raptor will give them out.
+// The lines of the triples of a Turtle file, in the order in which raptor gives the triples out.
 //
-// Raptor knows only where it is, and that is the end of a statement when it gives out the triples of one. People write
-// a whole class as one statement, and want to know the line of the axiom.
+// Raptor gives out the triples of a statement at its end, and knows no other line. A statement often describes a whole
+// class, and users need the line of each axiom.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_SCAN_TURTLE_LINES_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_SCAN_TURTLE_LINES_HPP
 
@@ -23,26 +23,24 @@ class TurtleLines {
   void open(char bracket, std::uint32_t line);
   void close(char bracket);
   void punctuation(char mark);  ///< one of . ; ,
-  void quote_in_comment() { has_quote_in_comment_ = true; }
   /// The next word or IRI is the datatype of the literal before it.
   void datatype() { is_datatype_next_ = true; }
 
-  /// Triples of the statement that is open, brackets that were closed included.
+  /// Triples of the open statement, those of its closed brackets included.
   [[nodiscard]] std::size_t statement_triples() const { return statement_triples_; }
   [[nodiscard]] std::size_t prefix_count() const { return prefix_count_; }
-  /// @prefix and @base, and how SPARQL writes them.
+  /// The number of @prefix and @base, also in the style of SPARQL.
   [[nodiscard]] std::size_t directive_count() const { return directive_count_; }
-  [[nodiscard]] bool is_in_statement() const { return frames_.size() > 1 || frames_.front().next != Place::subject; }
-  [[nodiscard]] bool has_quote_in_comment() const { return has_quote_in_comment_; }
+  [[nodiscard]] bool is_in_statement() const { return frames_.size() > 1 || frames_.front().next != Part::subject; }
   /// Triples of the statements that have ended.
   [[nodiscard]] std::size_t triple_count() const { return lines_.size(); }
   [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(lines_); }
 
  private:
-  enum class Place { subject, verb, object };
+  enum class Part { subject, verb, object };
   struct Frame {
     char bracket = 0;  ///< 0: the statement itself
-    Place next = Place::subject;
+    Part next = Part::subject;
     std::uint32_t line = 0;
     std::vector<std::uint32_t> objects;
   };
@@ -56,7 +54,6 @@ class TurtleLines {
   std::size_t prefix_count_ = 0;
   std::size_t directive_count_ = 0;
   bool is_datatype_next_ = false;
-  bool has_quote_in_comment_ = false;
   int directive_left_ = 0;  ///< terms of a directive that are still to come
 };
 

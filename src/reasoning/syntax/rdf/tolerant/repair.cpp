@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -20,25 +21,6 @@ constexpr std::array<std::uint16_t, 32> upper_controls{0x20AC, 0x0081, 0x201A, 0
 
 void append_windows_1252(unsigned char byte, std::string& out) {
   base::append_character(byte >= 0x80 && byte < 0xa0 ? upper_controls[byte - 0x80] : byte, out);
-}
-
-/// Where the declaration says `encoding="..."`, and the name in it.
-struct Declared {
-  std::size_t begin = 0;
-  std::size_t size = 0;
-  std::string name;
-};
-
-Declared declared_encoding(std::string_view xml) {
-  if (!xml.starts_with("<?xml")) return {};
-  const std::string_view declaration = xml.substr(0, std::min(xml.find("?>"), std::size_t{1024}));
-  const std::size_t word = declaration.find("encoding");
-  const std::size_t open =
-      word == std::string_view::npos ? std::string_view::npos : declaration.find_first_of("'\"", word);
-  if (open == std::string_view::npos) return {};
-  const std::size_t close = declaration.find(declaration[open], open + 1);
-  if (close == std::string_view::npos) return {};
-  return {word, close + 1 - word, base::in_lower_case(declaration.substr(open + 1, close - open - 1))};
 }
 
 bool is_letter(unsigned char c) { return (c | 0x20U) - 'a' < 26U || c == '_' || c >= 0x80; }
@@ -211,7 +193,7 @@ Prefixes prefixes_of(std::string_view xml) {
   return prefixes;
 }
 
-/// What a prefix means in every file of the field; any other gets an IRI of its own.
+/// The usual meaning of a prefix; any other prefix gets an IRI of its own.
 std::string usual_meaning(std::string_view prefix) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 8> usual{
       {{"rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"},
@@ -246,9 +228,10 @@ std::optional<std::string> in_utf8(std::string_view xml) {
                                                     "iso_8859-1",   "latin-1", "iso-8859-15"};
   constexpr std::array<std::string_view, 4> utf8{"utf-8", "utf8", "us-ascii", "ascii"};
   xml = base::without_mark(xml);
-  const Declared declared = declared_encoding(xml);
-  const bool is_western = std::ranges::find(western, declared.name) != western.end();
-  const bool says_utf8 = declared.name.empty() || std::ranges::find(utf8, declared.name) != utf8.end();
+  const DeclaredEncoding declared = declared_encoding(xml);
+  const std::string name = base::in_lower_case(declared.name);
+  const bool is_western = std::ranges::find(western, name) != western.end();
+  const bool says_utf8 = name.empty() || std::ranges::find(utf8, name) != utf8.end();
   if (!is_western && !says_utf8) return std::nullopt;
   const auto invalid = base::find_invalid_utf8(xml);
   if (says_utf8 && !invalid) return std::nullopt;

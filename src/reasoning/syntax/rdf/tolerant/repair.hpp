@@ -1,4 +1,4 @@
-// Mends what people do wrong in RDF/XML and every browser forgives: encodings, names that XML forbids, bare ampersands.
+// Repairs common faults of RDF/XML: wrong encodings, names that XML forbids, bare ampersands.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_TOLERANT_REPAIR_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_TOLERANT_REPAIR_HPP
 
@@ -8,10 +8,9 @@
 
 namespace geminga::rdf {
 
-/// The text of an XML file in UTF-8, if it is not: what is declared as windows-1252, ISO-8859-1 or -15, and octets that
-/// are no UTF-8 where nothing is declared, are taken for windows-1252, which begins as ISO-8859-1 does. The declaration
-/// of the encoding becomes spaces. Lines stay. Nothing where the text is UTF-8 already, or in an encoding that is
-/// unknown.
+/// The text of an XML file in UTF-8. Nothing if it is UTF-8 already, or in an unknown encoding. A text that declares
+/// windows-1252, ISO-8859-1 or -15, and octets that are no UTF-8 in a text that declares nothing, are read as
+/// windows-1252. The declaration of the encoding becomes spaces. Lines stay.
 [[nodiscard]] std::optional<std::string> in_utf8(std::string_view xml);
 
 /// The same text with rdf:about in place of each rdf:ID that XML does not allow as a name or that was given before,

@@ -1,4 +1,4 @@
-// What triples say at first sight about which class is above which, without reasoning.
+// The class hierarchy that triples state, without reasoning.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_TOLERANT_TOLD_CLASSES_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_TOLERANT_TOLD_CLASSES_HPP
 

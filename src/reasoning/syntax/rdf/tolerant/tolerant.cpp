@@ -9,12 +9,9 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
-#include "reasoning/syntax/rdf/triples/base_iri.hpp"
-#include "reasoning/syntax/rdf/scan/pieces.hpp"
-#include "reasoning/syntax/rdf/triples/redland.hpp"
-#include "reasoning/syntax/rdf/tolerant/repair.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
-#include "reasoning/syntax/rdf/scan/turtle_lines.hpp"
+#include "reasoning/syntax/rdf/tolerant/repair.hpp"
+#include "reasoning/syntax/rdf/triples/redland.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -35,14 +32,14 @@ std::optional<FileBytes> bytes_of(std::string_view text) {
 /// One try at a text; an error that is_unreadable is one that no repair of names can help.
 std::optional<LoadError> parse(const std::string& path, Syntax syntax, std::string_view text,
                                const syntax::Limits& limits, Graph& graph) {
-  TurtleLines lines;
-  Pieces pieces(std::numeric_limits<std::size_t>::max());
-  if (auto problem = scan(syntax, text, limits, lines, pieces))
-    return LoadError{base::printable(path, 4096), problem->line, std::move(problem->text), true};
+  syntax::Limits in_one_piece = limits;
+  in_one_piece.piece_bytes = std::numeric_limits<std::size_t>::max();
+  const auto layout = scan(syntax, text, in_one_piece);
+  if (!layout) return LoadError{base::printable(path, 4096), layout.error().line, layout.error().text, true};
   auto bytes = bytes_of(text);
   if (!bytes) return LoadError{base::printable(path, 4096), 0, "needs more memory than there is", true};
   Redland redland(limits, 1);
-  return redland.read(path, syntax, *bytes, base_iri(path), lines.take(), pieces, graph);
+  return redland.read(path, syntax, *bytes, *layout, graph);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the relative IRIs of a file are relative to.
+// The base of the relative IRIs of a file.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_BASE_IRI_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_BASE_IRI_HPP
 
@@ -6,7 +6,7 @@
 
 namespace geminga::rdf {
 
-/// `file:///NAME` of a file's name without its folder and without .gz, so that it is the same on every robot.
+/// `file:///NAME`, where NAME is the file's name without its folder and without .gz. It is the same on every host.
 [[nodiscard]] std::string base_iri(const std::string& path);
 
 }  // namespace geminga::rdf

@@ -54,7 +54,7 @@ std::string_view view_of(const unsigned char* text, std::size_t size) {
   return {reinterpret_cast<const char*>(text), text == nullptr ? 0 : size};
 }
 
-/// Whether an IRI can be written between angle brackets on one line. What else is odd about it is not our business.
+/// Whether an IRI can be written between angle brackets on one line.
 bool is_writable(std::string_view iri) {
   return std::ranges::none_of(iri, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '<' || c == '>'; });
 }
@@ -112,7 +112,7 @@ struct RaptorParser::World {
 
   [[nodiscard]] bool has_failed() const { return error.has_value() || out_of_memory; }
 
-  /// Says nothing that would itself need memory.
+  /// Builds no message, since that would need memory.
   void stop_for_memory() {
     out_of_memory = true;
     if (parser != nullptr) raptor_parser_parse_abort(parser);
@@ -159,7 +159,7 @@ struct RaptorParser::World {
     const NodeId predicate = node(statement->predicate);
     if (is_comment(predicate)) return;
     const Triple triple{node(statement->subject), predicate, node(statement->object),
-                        number < file->lines.size() ? file->lines[number] : line()};
+                        number < file->layout.lines.size() ? file->layout.lines[number] : line()};
     if (!error) graph->add(triple);
   }
 
@@ -261,14 +261,14 @@ bool RaptorParser::World::parse(std::string_view chunk, bool is_end) {
 }
 
 void RaptorParser::World::parse_piece(std::size_t number) {
-  const std::vector<Piece>& parts = file->pieces.parts();
+  const std::vector<Piece>& parts = file->layout.pieces.parts();
   const std::string_view view = file->bytes.view();
   const Piece& piece = parts[number];
   const bool is_last = number + 1 == parts.size();
   const std::size_t end = is_last ? view.size() : parts[number + 1].begin;
-  const std::size_t preamble = file->pieces.preamble();
+  const std::size_t preamble = file->layout.pieces.preamble();
   if (number > 0 && !parse(base::without_mark(view.substr(0, preamble)), false)) return;
-  // What the other pieces need, too, stays.
+  // The preamble stays, because the other pieces need it, too.
   std::size_t released = std::max(piece.begin, preamble);
   std::size_t at = number == 0 ? view.size() - base::without_mark(view).size() : piece.begin;
   while (at < end) {
@@ -277,10 +277,10 @@ void RaptorParser::World::parse_piece(std::size_t number) {
     released = file->bytes.release(released, next);
     at = next;
   }
-  if (!is_last && !parse(file->pieces.closing(), false)) return;
+  if (!is_last && !parse(file->layout.pieces.closing(), false)) return;
   if (!parse({}, true) || file->syntax != syntax::Syntax::n_triples) return;
   // Raptor's N-Triples reader may skip what it does not understand. One that counts with it makes sure.
-  const std::size_t expected = (is_last ? file->lines.size() : parts[number + 1].triples) - piece.triples;
+  const std::size_t expected = (is_last ? file->layout.lines.size() : parts[number + 1].triples) - piece.triples;
   if (triples != expected)
     fail("holds " + std::to_string(expected) + " triples, of which " + std::to_string(triples) +
          " can be read: check its quotation marks");
@@ -290,11 +290,11 @@ std::optional<syntax::LoadError> RaptorParser::read(const FileText& text, std::s
   World& state = *world_;
   syntax::LoadError short_of_memory{{}, 0, "cannot be read: Redland does not start, memory is short"};
   if (state.world == nullptr) return short_of_memory;
-  const Piece& part = text.pieces.parts()[piece];
+  const Piece& part = text.layout.pieces.parts()[piece];
   state.graph = &graph;
   state.file = &text;
   state.blank_letters = piece == 0 ? "g" : 'g' + std::to_string(piece) + '_';
-  state.line_shift = piece == 0 ? 0 : std::int64_t{part.line} - 1 - text.pieces.preamble_lines();
+  state.line_shift = piece == 0 ? 0 : std::int64_t{part.line} - 1 - text.layout.pieces.preamble_lines();
   state.place = part.triples;
   state.triples = 0;
   state.generated = 0;

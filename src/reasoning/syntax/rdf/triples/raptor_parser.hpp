@@ -1,5 +1,5 @@
-// The one place that names Redland: the bytes of a piece of a file go through one of its raptor parsers as a stream,
-// triples come out. RDF.md says why it is raptor and not librdf.
+// Feeds the octets of a piece of a file to a raptor parser, and takes its triples. RDF.md says why it is raptor and not
+// librdf.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_RAPTOR_PARSER_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_TRIPLES_RAPTOR_PARSER_HPP
 
@@ -14,26 +14,25 @@
 #include "reasoning/syntax/error.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
 #include "reasoning/syntax/rdf/triples/graph.hpp"
-#include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
 namespace geminga::rdf {
 
-/// A file that is to be parsed, piece by piece. Borrows everything for the time of parsing.
+/// A file that is to be parsed piece by piece. Borrows everything while it is parsed.
 struct FileText {
   syntax::FileBytes& bytes;
   syntax::Syntax syntax = syntax::Syntax::rdf_xml;
   const std::string& base_iri;
-  const std::string& blank_prefix;  ///< the same for the same file on every host: made of its content
-  const std::vector<std::uint32_t>& lines;
-  const Pieces& pieces;
+  const std::string& blank_prefix;  ///< a hash of the content, so that it is the same on every host
+  const Layout& layout;
 };
 
-/// A raptor world of one's own, for one thread at a time. It opens no file and no connection, whatever a file asks.
+/// A raptor world for one thread at a time. It opens no file and no connection, whatever a file asks for.
 class RaptorParser {
  public:
-  /// For files in one syntax. Not while another parser is at work: what lies below raptor is set up once for all.
+  /// For files in one syntax. No other parser may be at work, because raptor and libxml2 set up global state.
   RaptorParser(const syntax::Limits& limits, syntax::Syntax syntax);
   RaptorParser(const RaptorParser&) = delete;
   RaptorParser& operator=(const RaptorParser&) = delete;

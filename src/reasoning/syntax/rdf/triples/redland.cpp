@@ -1,4 +1,4 @@
-// Pieces are parsed into graphs of their own and joined in the order of the file.
+// Each piece is parsed into a graph of its own. The graphs are joined in the order of the file.
 #include "reasoning/syntax/rdf/triples/redland.hpp"
 
 #include <sys/mman.h>
@@ -12,14 +12,15 @@
 #include "base/parallel/crew.hpp"
 #include "base/text.hpp"
 #include "reasoning/owl/blank_prefix.hpp"
+#include "reasoning/syntax/rdf/triples/base_iri.hpp"
 
 namespace geminga::rdf {
 namespace {
 
-/// More parsers than this would wait for the one that joins their triples.
+/// More parsers would wait for the thread that joins their triples.
 constexpr unsigned max_threads = 8;
 
-/// What one piece became.
+/// The result of parsing one piece.
 struct ReadPiece {
   Graph graph;
   std::vector<std::pair<std::string, std::string>> prefixes;
@@ -98,10 +99,11 @@ Redland::Redland(const syntax::Limits& limits, unsigned threads)
     : limits_(limits), threads_(std::clamp(threads, 1U, max_threads)) {}
 
 std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::Syntax syntax, syntax::FileBytes& bytes,
-                                               const std::string& base_iri, const std::vector<std::uint32_t>& lines,
-                                               const Pieces& pieces, Graph& graph) {
+                                               const Layout& layout, Graph& graph) {
+  if (syntax == syntax::Syntax::n_triples && layout.has_quote_in_comment) syntax = syntax::Syntax::turtle;
+  const std::string base = base_iri(path);
   const std::string blank_prefix = owl::blank_prefix_of(bytes.view());
-  const FileText text{bytes, syntax, base_iri, blank_prefix, lines, pieces};
+  const FileText text{bytes, syntax, base, blank_prefix, layout};
   known_prefixes_.clear();
   graph.begin_file();
   auto error = read_pieces(text, graph);
@@ -111,7 +113,8 @@ std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::
 
 std::optional<syntax::LoadError> Redland::read_pieces(const FileText& text, Graph& graph) {
   try {
-    return threads_ == 1 || text.pieces.parts().size() == 1 ? read_in_turn(text, graph) : read_at_once(text, graph);
+    return threads_ == 1 || text.layout.pieces.parts().size() == 1 ? read_in_turn(text, graph)
+                                                                   : read_at_once(text, graph);
   } catch (const std::bad_alloc&) {
     return syntax::LoadError{{}, 0, "needs more memory than there is"};
   }
@@ -141,7 +144,7 @@ std::vector<std::unique_ptr<RaptorParser>>& Redland::parsers_for(syntax::Syntax 
 std::optional<syntax::LoadError> Redland::read_in_turn(const FileText& text, Graph& graph) {
   RaptorParser& parser = *parsers_for(text.syntax, 1).front();
   const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
-  for (std::size_t number = 0; number < text.pieces.parts().size(); ++number) {
+  for (std::size_t number = 0; number < text.layout.pieces.parts().size(); ++number) {
     if (auto error = parser.read(text, number, graph)) return error;
     if (auto error = take_over(parser.prefixes(), parser.triple_count(), file)) return error;
   }
@@ -149,7 +152,7 @@ std::optional<syntax::LoadError> Redland::read_in_turn(const FileText& text, Gra
 }
 
 std::optional<syntax::LoadError> Redland::read_at_once(const FileText& text, Graph& graph) {
-  const std::size_t count = text.pieces.parts().size();
+  const std::size_t count = text.layout.pieces.parts().size();
   const std::size_t threads = std::min<std::size_t>(threads_, count);
   if (!has_room_for(threads)) return read_in_turn(text, graph);
   parallel::Crew crew(static_cast<unsigned>(threads) + 1);  // the caller's joins what the others parse

@@ -13,8 +13,8 @@
 #include "reasoning/syntax/error.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/scan/scan.hpp"
 #include "reasoning/syntax/rdf/triples/graph.hpp"
-#include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/rdf/triples/raptor_parser.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
@@ -34,14 +34,11 @@ class Redland {
  public:
   Redland(const syntax::Limits& limits, unsigned threads);
 
-  /// Parses one file that was scanned (scan/scan.hpp) into the graph. `base_iri` is what relative IRIs are relative to.
-  /// `lines` are those of the file's triples in their order (scan/turtle_lines.hpp); beyond them
-  /// raptor's own are taken. Stops at the first error. Triples whose predicate can only be a comment are counted and
-  /// not kept. Neither the triples nor an error depend on the number of threads.
+  /// Parses one file, which has this layout (scan/scan.hpp), into the graph. Stops at the first error. Triples whose
+  /// predicate can only be a comment are counted and not kept. Triples without a line in the layout have raptor's.
+  /// Neither the triples nor an error depend on the number of threads.
   [[nodiscard]] std::optional<syntax::LoadError> read(const std::string& path, syntax::Syntax syntax,
-                                                      syntax::FileBytes& bytes, const std::string& base_iri,
-                                                      const std::vector<std::uint32_t>& lines, const Pieces& pieces,
-                                                      Graph& graph);
+                                                      syntax::FileBytes& bytes, const Layout& layout, Graph& graph);
 
   /// The prefixes of all files so far, in the order of reading.
   [[nodiscard]] const std::vector<DeclaredPrefix>& prefixes() const { return prefixes_; }

@@ -1,4 +1,4 @@
-// What is mended in RDF/XML, and what is left alone.
+// Repairs of RDF/XML, and texts that stay as they are.
 #include "reasoning/syntax/rdf/tolerant/repair.hpp"
 
 #include <gtest/gtest.h>

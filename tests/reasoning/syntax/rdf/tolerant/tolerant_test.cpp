@@ -1,4 +1,4 @@
-// What is made of files that are not quite right, and which are refused all the same.
+// Results for files that are not quite right, and the files that are refused.
 #include "reasoning/syntax/rdf/tolerant/tolerant.hpp"
 
 #include <gmock/gmock.h>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reasoning/syntax/rdf/tolerant/told_classes.hpp"
 #include "reasoning/syntax/rdf/scratch.hpp"
+#include "reasoning/syntax/rdf/tolerant/told_classes.hpp"
 
 namespace geminga::rdf {
 namespace {

@@ -1,6 +1,6 @@
-// What a graph is made of, for the files of this folder.
-#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_STATE_HPP
-#define GEMINGA_REASONING_SYNTAX_GRAPH_STATE_HPP
+// The content of a graph, for the files of this folder.
+#ifndef GEMINGA_REASONING_SYNTAX_GRAPH_STORE_HPP
+#define GEMINGA_REASONING_SYNTAX_GRAPH_STORE_HPP
 
 #include <functional>
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace geminga::graph {
 
-struct Graph::State {
-  explicit State(const Limits& with) : limits(with), statements(world) {}
+struct Graph::Store {
+  explicit Store(const Limits& with) : limits(with), statements(world) {}
 
   Limits limits;
   World world;
@@ -22,7 +22,7 @@ struct Graph::State {
   std::function<bool(const Node&, std::string_view, const Node&)> keeps;
   std::optional<std::string> problem;
 
-  /// Counts one more triple; false: it has no room.
+  /// Whether there is room for one more triple. If not, that is the problem of the graph.
   bool make_room() {
     if (!problem && statements.size() >= limits.triples)
       problem = "more than " + std::to_string(limits.triples) + " triples in all: give fewer files";
