@@ -66,8 +66,8 @@ struct Publication {
   std::string protocol = "udp";
   std::int32_t priority = 0;  ///< greater wins an arbitration
   Attributes attributes;
-  std::string scope{};     ///< which hosts it is for (src/discovery/matching/SCOPE.md); empty: all
-  std::string for_whom{};  ///< a condition on the consumer (src/discovery/matching/WHERE.md); empty: none
+  std::string scope{};     ///< which hosts it is for (SCOPE.md); empty: all
+  std::string for_whom{};  ///< a condition on the consumer (WHERE.md); empty: none
   friend bool operator==(const Publication&, const Publication&) = default;
 };
 
@@ -85,7 +85,7 @@ struct Subscription {
   Identity identity;
   Degree weakest = Degree::narrower;      ///< the weakest degree of match that counts
   std::vector<ProviderFilter> providers;  ///< empty: any provider
-  std::string where;                      ///< a filter over attributes (src/discovery/matching/WHERE.md); empty: none
+  std::string where;                      ///< a filter over attributes (WHERE.md); empty: none
   std::uint32_t limit = 0;                ///< at most this many providers, the best; 0: all
   std::int32_t priority = 0;
   std::uint16_t port = 0;  ///< where the consumer can be reached; 0: unstated
@@ -93,14 +93,14 @@ struct Subscription {
   Attributes attributes;
   std::vector<std::string> protocols{};    ///< only publications with one of these; empty: any
   std::vector<ProviderFilter> favoured{};  ///< first these providers, in this order, then all others
-  std::string prefer{};  ///< the attributes by which a provider is preferred (src/discovery/matching/PREFERENCES.md);
-                         ///< empty: none
-  std::string rank{};    ///< the order of the criteria of ranking; empty: the usual order
-  std::string scope{};   ///< from which hosts (src/discovery/matching/SCOPE.md); empty: all
+  std::string prefer{};                    ///< the attributes by which a provider is preferred (PREFERENCES.md);
+                                           ///< empty: none
+  std::string rank{};                      ///< the order of the criteria of ranking; empty: the usual order
+  std::string scope{};                     ///< from which hosts (SCOPE.md); empty: all
   /// The providers that the consumer's host has chosen, ascending. It is announced, not stated, where there was a
   /// choice.
   std::vector<ServiceKey> chosen{};
-  std::uint32_t convert = 0;  ///< the largest cost of converting (src/discovery/matching/CONVERSIONS.md); 0: not at all
+  std::uint32_t convert = 0;  ///< the largest cost of converting (CONVERSIONS.md); 0: not at all
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "base/text.hpp"
-#include "discovery/matching/preferences.hpp"
-#include "discovery/matching/scope.hpp"
-#include "discovery/matching/unit.hpp"
-#include "discovery/matching/where.hpp"
+#include "discovery/matching/arbitration/preferences.hpp"
+#include "discovery/matching/conditions/scope.hpp"
+#include "discovery/matching/conditions/unit.hpp"
+#include "discovery/matching/conditions/where.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The program's conversions, applied along the chain of a match (src/discovery/matching/CONVERSIONS.md).
+// The program's conversions, applied along the chain of a match (CONVERSIONS.md).
 #ifndef GEMINGA_CLIENT_PROTOCOL_CONVERTER_HPP
 #define GEMINGA_CLIENT_PROTOCOL_CONVERTER_HPP
 

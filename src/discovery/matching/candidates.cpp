@@ -1,4 +1,3 @@
-// Filing plans and the walk from an offer to the subscriptions that wait for it.
 #include "discovery/matching/candidates.hpp"
 
 #include <algorithm>

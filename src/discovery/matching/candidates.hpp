@@ -1,46 +1,38 @@
-// Who may match whom: look-ups in the registry that miss nobody and seldom give one too many.
+// Look-ups in the registry: all that may match an entry, and seldom more.
 #ifndef GEMINGA_DISCOVERY_MATCHING_CANDIDATES_HPP
 #define GEMINGA_DISCOVERY_MATCHING_CANDIDATES_HPP
 
 #include <algorithm>
-#include <memory>
 #include <set>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "discovery/matching/converters.hpp"
-#include "discovery/matching/degree.hpp"
+#include "discovery/matching/degrees/degree.hpp"
+#include "discovery/matching/editions.hpp"
 #include "discovery/registry/table.hpp"
 #include "geminga/service.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
-/// One of the vocabularies that are at work while one takes the place of another, with the index that is filed by it.
-struct Edition {
-  vocabulary::Vocabulary vocabulary;
-  registry::Generation generation = registry::Generation::even;
-  std::shared_ptr<Converters> converters{};  ///< null where there is no vocabulary
-};
-
-/// The classes that an entry is filed under, kept alive for a registry::Filing.
+/// The classes that an entry is filed under. Owns what its registry::Filing borrows.
 class FilingPlan {
  public:
-  /// A publication is filed below every subsumer of its concept, itself included.
+  /// The plan of a publication: below every subsumer of its concept, itself included.
   [[nodiscard]] static FilingPlan of_publication(const Classes& classes, const Edition& edition);
-  /// A subscription is filed below its subsumers only when it accepts broader concepts: then they may meet it. One that
-  /// accepts concepts that overlap is filed under owl:Thing: every concept may meet it.
+  /// The plan of a subscription. It is filed below its subsumers only where it accepts broader concepts, since these
+  /// may meet it then. One that accepts overlapping concepts is filed under owl:Thing, since every concept may meet it.
   [[nodiscard]] static FilingPlan of_subscription(const Classes& classes, Degree weakest, const Edition& edition);
 
-  /// Borrows from this.
+  /// Borrows from this plan.
   [[nodiscard]] registry::Filing filing() const { return {own_, below_, further_own_, generation_}; }
-  /// How many classes it is filed under.
+  /// How many classes the entry is filed under.
   [[nodiscard]] std::size_t size() const { return below_.size() + further_own_.size() + (own_ ? 1 : 0); }
 
  private:
   FilingPlan(std::optional<vocabulary::ClassNumber> own, bool is_below, const Edition& edition);
-  /// Of an expression: under the classes right below it, below which its narrower offers are.
+  /// The plan of an expression: under the classes right below it, because narrower offers are below these.
   FilingPlan(const vocabulary::Place& place, bool is_below, const Edition& edition);
 
   registry::Generation generation_;
@@ -49,14 +41,14 @@ class FilingPlan {
   std::vector<registry::ClassIndex> further_own_;
 };
 
-/// Whether `match` allows concepts that are broader.
+/// Whether broader concepts are accepted.
 [[nodiscard]] constexpr bool accepts_broader(Degree weakest) { return !is_weaker(Degree::broader, weakest); }
 
-/// As visit_publications() for an expression in a place.
+/// visit_publications() for an expression in a place.
 template <typename Visit>
 void visit_publications_around(const registry::Publications& publications, const vocabulary::Place& place,
                                Degree weakest, const Edition& edition, const Visit& visit) {
-  std::set<std::uint32_t> seen;  // a concept may be below several of the classes right below the expression
+  std::set<std::uint32_t> seen;  // a concept may be below several classes that are right below the expression
   const auto visit_all = [&](auto filed) {
     for (const auto& one : filed) {
       if (seen.insert(one.stored->slot).second && visit(*one.stored)) return true;
@@ -73,7 +65,7 @@ void visit_publications_around(const registry::Publications& publications, const
   }
 }
 
-/// Calls `visit` once for each publication whose concept may meet the request's. `visit` gives true to stop.
+/// Calls `visit` once for each publication whose identity may meet the requested one. `visit` gives true to stop.
 template <typename Visit>
 void visit_publications(const registry::Publications& publications, const Identity& requested, const Classes& classes,
                         Degree weakest, const Edition& edition, const Visit& visit) {
@@ -115,13 +107,13 @@ void visit_publications(const registry::Publications& publications, const Identi
   }
 }
 
-/// Appends the subscriptions of one edition that an offer, which has these classes and is filed by them, may meet, and
-/// those that it may meet whatever the classes, in no order and perhaps more than once.
+/// Appends the subscriptions that an offer with these classes may meet: those filed by one edition, and those whose
+/// identity decides without classes. In no order, and perhaps more than once.
 void add_subscriptions_for(const registry::Subscriptions& subscriptions, const registry::StoredPublication& offer,
                            const Classes& classes, const Edition& edition,
                            std::vector<const registry::StoredSubscription*>& found);
 
-/// Sorts by key and drops what is there twice.
+/// Sorts subscriptions by key, each once.
 void order_by_key(std::vector<const registry::StoredSubscription*>& subscriptions);
 
 }  // namespace geminga::matching

@@ -1,4 +1,4 @@
-// Which subscriptions have a publication among their candidates, and how it ranks there.
+// The subscriptions that have a publication among their candidates, and its ranks there.
 #ifndef GEMINGA_DISCOVERY_MATCHING_CONSIDERED_BY_HPP
 #define GEMINGA_DISCOVERY_MATCHING_CONSIDERED_BY_HPP
 
@@ -7,12 +7,12 @@
 #include <map>
 #include <memory>
 
-#include "discovery/matching/arbitration.hpp"
+#include "discovery/matching/arbitration/choice.hpp"
 
 namespace geminga::matching {
 
-/// Ranks by the slot of the subscription. Of a large team most publications are considered by nobody here: they pay for
-/// a pointer.
+/// Ranks by the slot of the subscription. Most publications of a large team are considered by nobody here, so an empty
+/// one costs a pointer.
 class ConsideredBy {
  public:
   using Ranks = std::map<std::uint32_t, Rank>;

@@ -1,231 +1,282 @@
-// The matcher's face: it translates keys to entries and leaves the rest to its state.
 #include "discovery/matching/matcher.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <ranges>
+#include <string_view>
 
-#include "discovery/matching/obstacle.hpp"
-#include "discovery/matching/representation.hpp"
-#include "discovery/matching/state.hpp"
+#include "discovery/matching/degrees/representation.hpp"
+#include "discovery/matching/interest.hpp"
 
 namespace geminga::matching {
 
+using registry::PublicationEntry;
 using registry::StoredPublication;
 using registry::StoredSubscription;
+using registry::SubscriptionEntry;
 
-Matcher::Matcher(vocabulary::Vocabulary vocabulary, Placing placing, Overlapping overlapping)
-    : state_(std::make_unique<State>(std::move(vocabulary), std::move(placing), std::move(overlapping))) {}
+Matcher::Matcher(const vocabulary::Vocabulary& vocabulary, Placing placing, Overlapping overlapping)
+    : editions_(vocabulary),
+      preparation_(editions_, std::move(placing), std::move(overlapping)),
+      directory_(editions_),
+      clashes_(directory_.publications(), directory_.subscriptions()),
+      judge_(directory_, clashes_),
+      events_(directory_),
+      pairs_(directory_, judge_, events_),
+      stale_(editions_, directory_, pairs_),
+      departures_(directory_, clashes_, pairs_, stale_),
+      change_(editions_, preparation_, directory_, judge_, pairs_),
+      examination_(editions_, preparation_, directory_, judge_) {}
 
-Matcher::~Matcher() = default;
+template <typename Entry>
+const registry::Stored<Entry>* Matcher::known_before(const registry::Table<Entry>& table, const Entry& entry) {
+  const registry::Stored<Entry>* known = table.find(entry.key);
+  if (known == nullptr) return nullptr;
+  if (directory_.is_going(*known)) {
+    departures_.finish();
+    return nullptr;
+  }
+  if (known->entry.is_local == entry.is_local) return known;
+  departures_.remove(*known, Reason::changed);
+  return nullptr;
+}
 
-void Matcher::put(registry::PublicationEntry entry) { state_->put(std::move(entry)); }
+void Matcher::put(PublicationEntry entry) {
+  const StoredPublication* known = known_before(directory_.publications(), entry);
+  if (known != nullptr && known->entry.same_as(entry)) {
+    directory_.refresh(*known, entry.updated);
+    return;
+  }
+  const Id32 number_before = known == nullptr ? id32(entry.publication.identity) : known->identity;
+  const bool is_new_identity = known == nullptr || known->entry.publication.identity != entry.publication.identity;
+  Cause cause;
+  if (known == nullptr) {
+    known = &directory_.add(std::move(entry));
+    pairs_.add(*known);
+  } else {
+    cause.replace(*known, directory_.replace(*known, std::move(entry)));
+  }
+  const auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
+  auto concerned = directory_.subscriptions_for(*known);
+  for (const auto& [slot, rank] : pairs_.considered_by(*known)) concerned.push_back(&directory_.subscription_at(slot));
+  order_by_key(concerned);
+  for (const auto* subscription : concerned) {
+    if (std::ranges::find(anew, subscription) != anew.end()) continue;
+    pairs_.judge(*subscription, *known, cause);
+    pairs_.settle(*subscription, cause);
+  }
+  pairs_.judge_anew(anew, cause);
+  Cause further;
+  pairs_.relieve(further);
+  stale_.judge_some();
+}
 
-void Matcher::put(registry::SubscriptionEntry entry, Telling telling) { state_->put(std::move(entry), telling); }
+void Matcher::put(SubscriptionEntry entry, Telling telling) {
+  const StoredSubscription* known = known_before(directory_.subscriptions(), entry);
+  if (known != nullptr && known->entry.same_as(entry)) {
+    directory_.refresh(*known, entry.updated);
+    return;
+  }
+  const Id32 number_before = known == nullptr ? id32(entry.subscription.identity) : known->identity;
+  const bool is_new_identity = known == nullptr || known->entry.subscription.identity != entry.subscription.identity;
+  Request request = preparation_.prepare(entry, false);
+  Cause cause;
+  if (known == nullptr) {
+    known = &directory_.add(std::move(entry), std::move(request));
+    pairs_.prepare(*known, nullptr);
+  } else {
+    const bool was_clashing = clashes_.contains(known->identity);
+    cause.replace(*known, directory_.replace(*known, std::move(entry), std::move(request)), was_clashing);
+    pairs_.prepare(*known, &cause.replaced_subscription()->before.request);
+  }
+  auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
+  std::erase(anew, known);
+  if (telling == Telling::providers) cause.untold = known;
+  pairs_.judge_all(*known, cause);
+  pairs_.settle(*known, cause);
+  Cause further;
+  pairs_.judge_anew(anew, further);
+  pairs_.relieve(further);
+}
 
 bool Matcher::remove_publication(const ServiceKey& key, Reason reason) {
-  const StoredPublication* stored = state_->publications_.find(key);
-  if (stored == nullptr || state_->is_going(*stored)) return false;
-  state_->remove({stored}, {}, reason);
+  const StoredPublication* stored = directory_.publications().find(key);
+  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  departures_.remove(*stored, reason);
   return true;
 }
 
 bool Matcher::remove_subscription(const ServiceKey& key, Reason reason) {
-  const StoredSubscription* stored = state_->subscriptions_.find(key);
-  if (stored == nullptr || state_->is_going(*stored)) return false;
-  state_->remove({}, {stored}, reason);
+  const StoredSubscription* stored = directory_.subscriptions().find(key);
+  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  departures_.remove(*stored, reason);
   return true;
 }
 
 void Matcher::remove_peer(ParticipantId participant, PeerId peer, Reason reason) {
-  auto publications = state_->publications_.of_peer(participant, peer);
-  auto subscriptions = state_->subscriptions_.of_peer(participant, peer);
-  std::erase_if(publications, [&](const StoredPublication* one) { return state_->is_going(*one); });
-  std::erase_if(subscriptions, [&](const StoredSubscription* one) { return state_->is_going(*one); });
-  state_->remove(publications, subscriptions, reason);
+  auto publications = directory_.publications().of_peer(participant, peer);
+  auto subscriptions = directory_.subscriptions().of_peer(participant, peer);
+  std::erase_if(publications, [&](const StoredPublication* one) { return directory_.is_going(*one); });
+  std::erase_if(subscriptions, [&](const StoredSubscription* one) { return directory_.is_going(*one); });
+  departures_.remove(publications, subscriptions, reason);
 }
 
-void Matcher::begin_departure(ParticipantId participant, Reason reason) {
-  state_->begin_departure(participant, reason);
+void Matcher::catch_up(const ServiceKey& subscription) {
+  if (const StoredSubscription* stored = directory_.subscriptions().find(subscription)) stale_.judge(*stored);
 }
 
-bool Matcher::depart_next() { return state_->depart_next(); }
+std::vector<ServiceKey> Matcher::chosen(const ServiceKey& subscription) const {
+  std::vector<ServiceKey> keys;
+  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
+  if (stored == nullptr) return keys;
+  for (const auto& one : pairs_.choice(*stored).chosen()) keys.push_back(one.publication->entry.key);
+  return keys;
+}
 
-bool Matcher::is_departing() const { return !state_->departures_.empty(); }
+std::vector<ServiceKey> Matcher::consumers(const ServiceKey& publication) const {
+  std::vector<ServiceKey> keys;
+  const StoredPublication* stored = directory_.publications().find(publication);
+  if (stored == nullptr || stored->entry.publication.mode == ChannelMode::one_to_many_stream) return keys;
+  for (const auto& [slot, rank] : pairs_.considered_by(*stored)) {
+    const StoredSubscription& one = directory_.subscription_at(slot);
+    if (pairs_.choice(one).is_chosen(rank)) keys.push_back(one.entry.key);
+  }
+  return keys;
+}
 
-const vocabulary::Vocabulary& Matcher::vocabulary() const { return state_->in_force_.vocabulary; }
+std::optional<Match> Matcher::given(const ServiceKey& subscription, const ServiceKey& publication) const {
+  const StoredSubscription* asks = directory_.subscriptions().find(subscription);
+  const StoredPublication* offers = directory_.publications().find(publication);
+  return asks == nullptr || offers == nullptr ? std::nullopt : pairs_.chosen_match(*asks, *offers);
+}
 
-std::string Matcher::chain_words(const ServiceKey& subscription, const vocabulary::Chain& chain) const {
-  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
-  return asked == nullptr ? "" : matching::chain_words(&chain, state_->edition_of(*asked).vocabulary);
+std::vector<ServiceKey> Matcher::announced_choice(const ServiceKey& subscription) const {
+  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
+  return stored == nullptr ? std::vector<ServiceKey>() : pairs_.announced().of(*stored);
 }
 
 std::shared_ptr<const vocabulary::Chain> Matcher::chain(const ServiceKey& subscription,
                                                         const ServiceKey& publication) const {
-  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
-  const StoredPublication* offered = state_->publications_.find(publication);
-  return asked == nullptr || offered == nullptr ? nullptr : state_->chain_of(*asked, *offered);
+  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
+  const StoredPublication* offered = directory_.publications().find(publication);
+  return asked == nullptr || offered == nullptr ? nullptr : directory_.chain(*asked, *offered);
 }
 
-bool Matcher::rejudge_next() { return state_->rejudge_next(); }
-
-bool Matcher::has_stale() const { return state_->has_stale(); }
-
-void Matcher::catch_up(const ServiceKey& subscription) {
-  if (const StoredSubscription* stored = state_->subscriptions_.find(subscription)) state_->catch_up(*stored);
+std::string Matcher::chain_words(const ServiceKey& subscription, const vocabulary::Chain& chain) const {
+  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
+  return asked == nullptr ? "" : matching::chain_words(&chain, directory_.edition_of(*asked).vocabulary);
 }
 
-void Matcher::begin_vocabulary(vocabulary::Vocabulary next) { state_->begin_vocabulary(std::move(next)); }
-
-bool Matcher::file_next() { return state_->file_next(); }
-
-void Matcher::put_in_force() { state_->put_in_force(); }
-
-bool Matcher::rematch_next() { return state_->rematch_next(); }
-
-bool Matcher::take_prepared(vocabulary::Vocabulary prepared) { return state_->take_prepared(std::move(prepared)); }
-
-void Matcher::place_again() { state_->place_again(); }
-
-std::vector<Event> Matcher::take_events() { return std::exchange(state_->events_, {}); }
-
-std::vector<Clash> Matcher::take_clashes() { return std::exchange(state_->clashes_, {}); }
-
-std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication) {
-  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
-  const StoredPublication* offered = state_->publications_.find(publication);
-  if (asked == nullptr || offered == nullptr) return std::nullopt;
-  return state_->standing(*asked, *offered);
+const PublicationEntry* Matcher::find_publication(const ServiceKey& key) const {
+  const StoredPublication* stored = directory_.publications().find(key);
+  return stored == nullptr ? nullptr : &stored->entry;
 }
 
-std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication,
-                                          const Place& place) {
-  const StoredSubscription* asked = state_->subscriptions_.find(subscription);
-  const StoredPublication* offered = state_->publications_.find(publication);
-  if (asked == nullptr || offered == nullptr) return std::nullopt;
-  return state_->standing(*asked, *offered, place);
+const SubscriptionEntry* Matcher::find_subscription(const ServiceKey& key) const {
+  const StoredSubscription* stored = directory_.subscriptions().find(key);
+  return stored == nullptr ? nullptr : &stored->entry;
 }
 
-std::size_t Matcher::counted_limit(const registry::SubscriptionEntry& subscription) {
-  return State::counted_limit(subscription);
+bool Matcher::walk_publications(const std::optional<ServiceKey>& after,
+                                const std::function<bool(const PublicationEntry&)>& visit) const {
+  return directory_.publications().visit_after(after,
+                                               [&visit](const StoredPublication& one) { return visit(one.entry); });
 }
 
-std::shared_ptr<const Request> Matcher::prepare(const registry::SubscriptionEntry& asked) const {
-  return std::make_shared<const Request>(state_->prepare(asked));
+bool Matcher::walk_subscriptions(const std::optional<ServiceKey>& after,
+                                 const std::function<bool(const SubscriptionEntry&)>& visit) const {
+  return directory_.subscriptions().visit_after(after,
+                                                [&visit](const StoredSubscription& one) { return visit(one.entry); });
+}
+
+bool Matcher::is_served(const SubscriptionEntry& subscription) const {
+  const Request request = preparation_.prepare(subscription, false);
+  bool is_served = false;
+  directory_.visit_publications_for(subscription.subscription, request, [&](const StoredPublication& publication) {
+    is_served = !directory_.is_going(publication) &&
+                judge_.judge(subscription, request, publication, editions_.in_force()).match.has_value();
+    return is_served;
+  });
+  return is_served;
+}
+
+bool Matcher::is_used(const PublicationEntry& publication) const {
+  const StoredPublication* stored = directory_.publications().find(publication.key);
+  return stored != nullptr &&
+         std::ranges::any_of(directory_.subscriptions_for(*stored), [&](const StoredSubscription* subscription) {
+           return judge_.judge(*subscription, *stored).match.has_value();
+         });
+}
+
+std::set<std::string> Matcher::converters_in_use() const {
+  std::set<std::string> places;
+  if (editions_.in_force().converters->is_empty()) return places;
+  directory_.subscriptions().visit_after(std::nullopt, [&](const StoredSubscription& subscription) {
+    if (subscription.entry.subscription.convert == 0) return true;
+    directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
+      const auto match = judge_.judge(subscription, publication).match;
+      const auto chain = match && match->cost != 0 ? directory_.chain(subscription, publication) : nullptr;
+      if (chain == nullptr || chain->via.empty()) return false;
+      for (const auto step : std::views::split(chain->via, ',')) places.emplace(std::string_view(step));
+      return false;
+    });
+    return true;
+  });
+  return places;
+}
+
+std::shared_ptr<const Request> Matcher::prepare(const SubscriptionEntry& asked) const {
+  return std::make_shared<const Request>(preparation_.prepare(asked, true));
 }
 
 std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const {
-  return std::make_shared<const Request>(prepared(asked, vocabulary(), state_->placing_, {}, state_->overlapping_));
+  return std::make_shared<const Request>(preparation_.prepare(asked));
 }
 
-OverlapAnswer Matcher::overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
-                               const Classes& requested_classes) const {
-  return state_->overlapping_ ? state_->overlapping_(vocabulary(), offered, requested, requested_classes, {})
-                              : decided_at_once(vocabulary(), offered, requested, requested_classes);
-}
-
-std::optional<Match> Matcher::meets(const registry::SubscriptionEntry& asked, const Request& request,
-                                    const registry::PublicationEntry& publication) const {
-  return state_->meets(asked, request, publication);
+std::optional<Match> Matcher::meets(const SubscriptionEntry& asked, const Request& request,
+                                    const PublicationEntry& publication) const {
+  const StoredPublication* stored = directory_.publications().find(publication.key);
+  if (stored == nullptr || directory_.is_going(*stored)) return std::nullopt;
+  return judge_.judge(asked, request, *stored, editions_.in_force()).match;
 }
 
 std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& asked, const Request& request,
                                                            std::size_t most) const {
-  std::vector<ServiceKey> keys;
-  visit_publications(state_->publications_, asked.identity, request.classes, asked.weakest, state_->in_force_,
-                     [&](const StoredPublication& publication) {
-                       keys.push_back(publication.entry.key);
-                       return keys.size() > most;
-                     });
-  if (keys.size() > most) return std::nullopt;
-  return keys;
+  auto keys = some_candidates(asked, request, most + 1);
+  return keys.size() > most ? std::nullopt : std::optional(std::move(keys));
 }
 
 std::vector<ServiceKey> Matcher::some_candidates(const Subscription& asked, const Request& request,
                                                  std::size_t most) const {
   std::vector<ServiceKey> keys;
-  visit_publications(state_->publications_, asked.identity, request.classes, asked.weakest, state_->in_force_,
-                     [&](const StoredPublication& publication) {
-                       if (keys.size() < most) keys.push_back(publication.entry.key);
-                       return keys.size() >= most;
-                     });
+  directory_.visit_publications_for(asked, request, [&](const StoredPublication& publication) {
+    if (keys.size() < most) keys.push_back(publication.entry.key);
+    return keys.size() >= most;
+  });
   return keys;
 }
 
-Finding Matcher::examine(const registry::SubscriptionEntry& asked, const Request& request,
-                         const registry::PublicationEntry& offer) const {
-  return state_->examine(asked, request, offer);
+std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication) {
+  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
+  const StoredPublication* offered = directory_.publications().find(publication);
+  if (asked == nullptr || offered == nullptr) return std::nullopt;
+  change_.catch_up(*asked);
+  const auto place = ranked_place(*asked, *offered, directory_, judge_, editions_.in_force());
+  return place ? std::optional(standing_of(*asked, *offered, *place, directory_, pairs_)) : std::nullopt;
 }
 
-bool Matcher::examine_requests(const std::optional<ServiceKey>& after, const registry::PublicationEntry& offer,
-                               const VisitFinding& visit) const {
-  return state_->examine_requests(after, offer, visit);
+std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication,
+                                          const Place& place) {
+  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
+  const StoredPublication* offered = directory_.publications().find(publication);
+  if (asked == nullptr || offered == nullptr) return std::nullopt;
+  change_.catch_up(*asked);
+  return standing_of(*asked, *offered, place, directory_, pairs_);
 }
 
-std::size_t Matcher::examine_near(const registry::PublicationEntry& offer, std::size_t most,
-                                  const VisitFinding& visit) const {
-  return state_->examine_near(offer, most, visit);
+std::optional<std::vector<ServiceKey>> Matcher::known_choice(const SubscriptionEntry& subscription) const {
+  const auto& announced = subscription.subscription.chosen;
+  if (!subscription.is_local && !announced.empty()) return announced;
+  return is_chosen_here(subscription) ? std::optional(chosen(subscription.key)) : std::nullopt;
 }
-
-std::size_t Matcher::waiting_converters() const { return state_->waiting_converters(); }
-
-std::optional<std::vector<ServiceKey>> Matcher::known_choice(const registry::SubscriptionEntry& subscription) const {
-  return state_->known_choice(subscription);
-}
-
-std::expected<Match, std::string> Matcher::why(const registry::SubscriptionEntry& request,
-                                               const registry::PublicationEntry& offer, const AskChain& chains) const {
-  ++state_->judged_;
-  if (state_->is_kept_apart(offer.publication.identity, request.subscription.identity)) {
-    return std::unexpected(
-        "identity: the number is that of two different services, and connects neither with whoever states the number");
-  }
-  const Imagined imagined(offer, vocabulary());
-  Request prepared = state_->prepare(request);
-  if (chains) prepared.chains = chains;
-  return explained(request, prepared, imagined.offer, vocabulary());
-}
-
-bool Matcher::walk_publications(const std::optional<ServiceKey>& after, const VisitPublication& visit) const {
-  return state_->publications_.visit_after(after,
-                                           [&visit](const StoredPublication& stored) { return visit(stored.entry); });
-}
-
-bool Matcher::walk_subscriptions(const std::optional<ServiceKey>& after, const VisitSubscription& visit) const {
-  return state_->subscriptions_.visit_after(after,
-                                            [&visit](const StoredSubscription& stored) { return visit(stored.entry); });
-}
-
-std::size_t Matcher::publication_count() const { return state_->publications_.size(); }
-std::size_t Matcher::subscription_count() const { return state_->subscriptions_.size(); }
-std::vector<ServiceKey> Matcher::chosen(const ServiceKey& subscription) const { return state_->chosen(subscription); }
-std::vector<ServiceKey> Matcher::announced_choice(const ServiceKey& subscription) const {
-  return state_->announced_choice(subscription);
-}
-bool Matcher::take_choice_change() { return std::exchange(state_->has_choice_changed_, false); }
-std::vector<ServiceKey> Matcher::consumers(const ServiceKey& publication) const {
-  return state_->consumers(publication);
-}
-std::optional<Match> Matcher::given(const ServiceKey& subscription, const ServiceKey& publication) const {
-  return state_->given(subscription, publication);
-}
-std::uint64_t Matcher::judged() const { return state_->judged_; }
-std::uint64_t Matcher::filed() const { return state_->filed_; }
-
-const registry::PublicationEntry* Matcher::find_publication(const ServiceKey& key) const {
-  const StoredPublication* stored = state_->publications_.find(key);
-  return stored == nullptr ? nullptr : &stored->entry;
-}
-
-const registry::SubscriptionEntry* Matcher::find_subscription(const ServiceKey& key) const {
-  const StoredSubscription* stored = state_->subscriptions_.find(key);
-  return stored == nullptr ? nullptr : &stored->entry;
-}
-
-bool Matcher::is_served(const registry::SubscriptionEntry& subscription) const {
-  return state_->is_served(subscription);
-}
-
-bool Matcher::is_used(const registry::PublicationEntry& publication) const { return state_->is_used(publication); }
-std::set<std::string> Matcher::converters_in_use() const { return state_->converters_in_use(); }
 
 }  // namespace geminga::matching

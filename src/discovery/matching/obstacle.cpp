@@ -1,59 +1,59 @@
-// The walk through a pair, and how near it came.
 #include "discovery/matching/obstacle.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <utility>
 
 #include "base/edit_distance.hpp"
-#include "discovery/matching/overlap.hpp"
-#include "discovery/matching/representation.hpp"
+#include "discovery/matching/conditions/provider.hpp"
+#include "discovery/matching/degrees/overlap.hpp"
+#include "discovery/matching/degrees/representation.hpp"
 
 namespace geminga::matching {
 namespace {
 
 using registry::PublicationEntry;
 
-constexpr auto words = std::to_array<std::string_view>({"none",
-                                                        "kind",
-                                                        "number",
-                                                        "text",
-                                                        "similar_text",
-                                                        "clash",
-                                                        "no_ontology",
-                                                        "unknown_concept",
-                                                        "unknown_offer",
-                                                        "unsatisfiable",
-                                                        "unclassified",
-                                                        "unrelated",
-                                                        "disjoint",
-                                                        "undecided",
-                                                        "representation",
-                                                        "representation_unstated",
-                                                        "unknown_representation",
-                                                        "broader",
-                                                        "degree",
-                                                        "mode",
-                                                        "protocol",
-                                                        "provider",
-                                                        "scope",
-                                                        "where",
-                                                        "for",
-                                                        "signature",
-                                                        "unreadable",
-                                                        "outranked",
-                                                        "incumbent",
-                                                        "nobody",
-                                                        "ontology_differs",
-                                                        "incomplete"});
-static_assert(words.size() == std::to_underlying(Obstacle::incomplete) + 1U);
+constexpr std::string_view words[] = {"none",
+                                      "kind",
+                                      "number",
+                                      "text",
+                                      "similar_text",
+                                      "clash",
+                                      "no_ontology",
+                                      "unknown_concept",
+                                      "unknown_offer",
+                                      "unsatisfiable",
+                                      "unclassified",
+                                      "unrelated",
+                                      "disjoint",
+                                      "undecided",
+                                      "representation",
+                                      "representation_unstated",
+                                      "unknown_representation",
+                                      "broader",
+                                      "degree",
+                                      "mode",
+                                      "protocol",
+                                      "provider",
+                                      "scope",
+                                      "where",
+                                      "for",
+                                      "signature",
+                                      "unreadable",
+                                      "outranked",
+                                      "incumbent",
+                                      "nobody",
+                                      "ontology_differs",
+                                      "incomplete"};
+static_assert(std::size(words) == std::to_underlying(Obstacle::incomplete) + 1U);
 
 bool is_similar(const std::string& a, const std::string& b) {
   const std::size_t limit = base::tolerated_slips(a);
   return base::edit_distance(a, b, limit) <= limit;
 }
 
-/// Why two names have no degree; `unknown_asked` and `unknown_offered` say so of this kind of name.
+/// The obstacle between two names without a degree. The last three are the codes for this kind of name.
 Obstacle of_names(const std::string& offered, const std::string& requested, const vocabulary::Vocabulary& vocabulary,
                   Obstacle unknown_asked, Obstacle unknown_offered, Obstacle different) {
   if (!vocabulary.is_loaded()) return Obstacle::no_ontology;
@@ -67,7 +67,7 @@ Obstacle of_names(const std::string& offered, const std::string& requested, cons
   return different;
 }
 
-/// Of two semantic identities that do not match at all.
+/// The obstacle between two semantic identities that do not match at all.
 Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, const SemanticIdentity& request,
                       const Classes& requested, Degree weakest, const AskOverlap& overlaps,
                       const vocabulary::Vocabulary& vocabulary) {
@@ -99,7 +99,7 @@ Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, con
   return is_missed ? Obstacle::incomplete : Obstacle::unrelated;
 }
 
-/// Of two identities that do not match at all.
+/// The obstacle between two identities that do not match at all.
 Obstacle of_identities(const Identity& offered, const Classes& offered_classes, const Identity& requested,
                        const Classes& requested_classes, Degree weakest, const AskOverlap& overlaps,
                        const vocabulary::Vocabulary& vocabulary) {
@@ -167,15 +167,8 @@ Obstacle Finding::first() const {
 }
 
 std::size_t Finding::count() const {
-  const auto met = {identity == Obstacle::none,
-                    is_mode_met,
-                    is_protocol_met,
-                    is_provider_met,
-                    is_scope_met,
-                    is_where_met,
-                    is_for_met,
-                    is_signature_met};
-  return static_cast<std::size_t>(std::ranges::count(met, false));
+  return std::size_t{identity != Obstacle::none} + !is_mode_met + !is_protocol_met + !is_provider_met + !is_scope_met +
+         !is_where_met + !is_for_met + !is_signature_met;
 }
 
 std::tuple<unsigned, std::size_t, unsigned, Match> Finding::remoteness() const {
@@ -185,8 +178,8 @@ std::tuple<unsigned, std::size_t, unsigned, Match> Finding::remoteness() const {
 
 bool Finding::is_near() const { return stage_of(identity) < first_far; }
 
-Finding examine(const registry::SubscriptionEntry& subscription, const Request& request, const Offer& offer,
-                const vocabulary::Vocabulary& vocabulary, bool is_kept_apart) {
+Finding compared(const registry::SubscriptionEntry& subscription, const Request& request, const Offer& offer,
+                 const vocabulary::Vocabulary& vocabulary) {
   const Subscription& asked = subscription.subscription;
   const Publication& offered = offer.entry.publication;
   Finding finding;
@@ -204,19 +197,26 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
     by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);
     finding.is_signature_met = by_signature.has_value();
   }
+  finding.by_identity = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
+                                           asked.convert, request.overlaps, request.chains);
+  finding.match = finding.by_identity;
+  if (finding.match && by_signature) finding.match = combined(*finding.match, *by_signature);
+  return finding;
+}
+
+Finding examine(const registry::SubscriptionEntry& subscription, const Request& request, const Offer& offer,
+                const vocabulary::Vocabulary& vocabulary, bool is_kept_apart) {
+  const Subscription& asked = subscription.subscription;
+  Finding finding = compared(subscription, request, offer, vocabulary);
   if (is_kept_apart) {
     finding.identity = Obstacle::clash;
-    return finding;
+    finding.by_identity = finding.match = std::nullopt;
+  } else if (!finding.by_identity) {
+    finding.identity = of_identities(offer.entry.publication.identity, offer.classes, asked.identity, request.classes,
+                                     asked.weakest, request.overlaps, vocabulary);
+  } else if (!is_accepted_degree(asked, request, offer, *finding.by_identity, vocabulary)) {
+    finding.identity = finding.by_identity->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
   }
-  finding.match = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
-                                     asked.convert, request.overlaps, request.chains);
-  if (!finding.match) {
-    finding.identity = of_identities(offered.identity, offer.classes, asked.identity, request.classes, asked.weakest,
-                                     request.overlaps, vocabulary);
-  } else if (!is_accepted_degree(asked, request, offer, *finding.match, vocabulary)) {
-    finding.identity = finding.match->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
-  }
-  if (finding.match && by_signature) finding.match = combined(*finding.match, *by_signature);
   return finding;
 }
 

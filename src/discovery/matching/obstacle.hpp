@@ -1,4 +1,4 @@
-// What keeps a publication from meeting a subscription, by words that programs can act on.
+// Obstacles: codes for what keeps a publication from meeting a subscription.
 #ifndef GEMINGA_DISCOVERY_MATCHING_OBSTACLE_HPP
 #define GEMINGA_DISCOVERY_MATCHING_OBSTACLE_HPP
 
@@ -13,14 +13,14 @@
 
 namespace geminga::matching {
 
-/// QUERIES.md lists them ("Codes"). Their words are only ever appended.
+/// The codes of QUERIES.md ("Codes"). Their words are only ever appended.
 enum class Obstacle : std::uint8_t {
   none,
   // Of the identity of a pair.
-  kind,                     ///< a number, a text and a concept are of different kinds
+  kind,                     ///< the identities are of different kinds: numbers, texts, concepts
   number,                   ///< another number
   text,                     ///< another text
-  similar_text,             ///< another text that differs by a slip of the keyboard
+  similar_text,             ///< another text, which differs by a slip of the keyboard
   clash,                    ///< the number is that of two different concepts
   no_ontology,              ///< without an ontology names are compared letter by letter
   unknown_concept,          ///< the concept that is asked for is unknown here
@@ -29,13 +29,13 @@ enum class Obstacle : std::uint8_t {
   unclassified,             ///< the expression is unknown, unsatisfiable, or waits to be classified
   unrelated,                ///< neither concept subsumes the other
   disjoint,                 ///< nothing can be both, where concepts that overlap are accepted
-  undecided,                ///< whether something can be both is not decided, where that would be accepted
+  undecided,                ///< it is not decided whether something can be both, where that would be accepted
   representation,           ///< the concept fits, the representation is another one
   representation_unstated,  ///< the concept fits, the offer states no representation
   unknown_representation,   ///< the concept fits, a representation is unknown here
-  broader,                  ///< what is offered is broader, and that was not allowed
-  degree,                   ///< it fits, less well than what was allowed
-  // Of the rest of a pair, in the order in which it is walked.
+  broader,                  ///< the offer is broader, and that is not accepted
+  degree,                   ///< it fits, but less well than what is accepted
+  // Of the rest of a pair, in the order of Finding::first().
   mode,
   protocol,
   provider,
@@ -44,18 +44,18 @@ enum class Obstacle : std::uint8_t {
   for_whom,    ///< the provider's condition
   signature,   ///< inputs or outputs
   unreadable,  ///< a scope or a condition cannot be read
-  // Of a pair that meets, and of a request as a whole.
+  // Of a pair that meets, or of a request as a whole.
   outranked,         ///< better ones take the places that the limit leaves
   incumbent,         ///< one that is no better was there first
-  nobody,            ///< nothing that is offered comes near
+  nobody,            ///< no offer comes near
   ontology_differs,  ///< the consumer's host has another ontology, and the name is unknown here
-  incomplete,        ///< neither is known to subsume the other, and the place of the expression may miss something
+  incomplete,        ///< neither is known to subsume the other, and the place of the expression may be incomplete
 };
 
 /// The word of GCNP. Static storage.
 [[nodiscard]] std::string_view to_string(Obstacle obstacle);
 
-/// What was found out about one pair without putting it into words.
+/// All that is wrong with one pair, as codes.
 struct Finding {
   Obstacle identity = Obstacle::none;
   bool is_mode_met = true;
@@ -65,24 +65,30 @@ struct Finding {
   bool is_where_met = true;
   bool is_for_met = true;
   bool is_signature_met = true;
-  // Whether these can be read; one that cannot is not met.
+  // Whether these can be read; a condition that cannot be read is not met.
   bool is_scope_readable = true;
   bool is_where_readable = true;
   bool is_for_readable = true;
-  std::optional<Match> match{};  ///< of identity and signature, also where that is too weak
+  // Also where they are too weak.
+  std::optional<Match> by_identity{};  ///< of the identity alone
+  std::optional<Match> match{};        ///< of identity and signature
 
   [[nodiscard]] bool meets() const { return first() == Obstacle::none; }
-  /// The first that is met on the way: identity, mode, protocol, provider, scope, conditions of both, signature.
+  /// The first obstacle in the order identity, mode, protocol, provider, scope, conditions of both, signature.
   [[nodiscard]] Obstacle first() const;
-  /// How many of these stand in the way.
+  /// How many of these are not met.
   [[nodiscard]] std::size_t count() const;
-  /// The lesser the nearer: those whose concept fits by how much is wrong, then the others by how far apart they are.
+  /// Orders findings, the nearest first: pairs whose concepts fit by how much is wrong, then the others by how far
+  /// apart their identities are.
   [[nodiscard]] std::tuple<unsigned, std::size_t, unsigned, Match> remoteness() const;
-  /// Whether the concept fits at least: something about the pair can be mended by one side alone.
+  /// Whether at least the concepts fit, so that one side alone could make the pair meet.
   [[nodiscard]] bool is_near() const;
 };
 
-/// Goes through the whole pair. As meets(), which it agrees with; `is_kept_apart` says that a clash of numbers keeps
+/// Goes through the whole pair, as meets() does until it has found the first obstacle. `identity` is left at none.
+[[nodiscard]] Finding compared(const registry::SubscriptionEntry& subscription, const Request& request,
+                               const Offer& offer, const vocabulary::Vocabulary& vocabulary);
+/// The same with the obstacle in the identity. Agrees with meets(). `is_kept_apart` says that a clash of numbers keeps
 /// the two apart.
 [[nodiscard]] Finding examine(const registry::SubscriptionEntry& subscription, const Request& request,
                               const Offer& offer, const vocabulary::Vocabulary& vocabulary, bool is_kept_apart);

@@ -1,52 +1,51 @@
-// A subscription made ready to be compared with many publications, and the judgement on one pair.
+// Requests: subscriptions prepared to be compared with many publications; and the judgement on one pair.
 #ifndef GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
 #define GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
 
-#include <expected>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "discovery/matching/arbitration.hpp"
-#include "discovery/matching/audience.hpp"
-#include "discovery/matching/consumer.hpp"
-#include "discovery/matching/degree.hpp"
-#include "discovery/matching/overlap.hpp"
-#include "discovery/matching/preferences.hpp"
-#include "discovery/matching/scope.hpp"
-#include "discovery/matching/signature.hpp"
-#include "discovery/matching/where.hpp"
+#include "discovery/matching/arbitration/preferences.hpp"
+#include "discovery/matching/arbitration/rank.hpp"
+#include "discovery/matching/conditions/audience.hpp"
+#include "discovery/matching/conditions/scope.hpp"
+#include "discovery/matching/conditions/where.hpp"
+#include "discovery/matching/conversions/consumer.hpp"
+#include "discovery/matching/degrees/degree.hpp"
+#include "discovery/matching/degrees/overlap.hpp"
+#include "discovery/matching/degrees/signature.hpp"
 #include "discovery/registry/entry.hpp"
 #include "geminga/service.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::matching {
 
-/// What is computed once a subscription: its classes, its parsed filter, and what it prefers.
+/// A subscription as it is compared: its classes, its parsed conditions and its preferences.
 struct Request {
   Classes classes;
-  std::optional<Where> where;            ///< nothing: it cannot be read, and the subscription never matches
+  std::optional<Where> where;            ///< nothing: it cannot be read, and accepts nobody
   Preferences preferences{};             ///< none where they cannot be read
   std::optional<Signature> signature{};  ///< nothing: none is stated
-  std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and the subscription never matches
-  AskOverlap overlaps{};                 ///< empty: it asks for a better degree than overlapping
-  AskChain chains{};                     ///< empty: it asks for no representation, or declared conversions are all
-  AskChain chains_of_all{};              ///< with converters that it does not take part with, too; empty: not asked
-  std::shared_ptr<const Consumer> consumer{};  ///< who asks `chains`; null where that is empty
+  std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and admits nobody
+  AskOverlap overlaps{};                 ///< empty: it accepts no overlapping concepts
+  AskChain chains{};                     ///< empty: declared conversions alone, or it asks for no representation
+  AskChain chains_of_all{};              ///< of all converters, also those that it takes no part with; may be empty
+  std::shared_ptr<const Consumer> consumer{};  ///< the consumer that asks `chains`; null where that is empty
 
-  /// How such a publication, which matches, ranks among all that do.
+  /// The rank of a publication that matches among all that do.
   [[nodiscard]] Rank rank(const registry::PublicationEntry& publication, const Match& match) const {
     return {publication.publication.priority, match, publication.key, preferences.score(publication, match)};
   }
 };
 
-/// `placing` may be empty: then expressions meet nothing. `from` is whose subscription it is. Where `overlapping` is
-/// empty, the reasoner is asked at once; it must live as long as the request.
+/// Prepares a subscription of the participant `from`. Where `placing` is empty, expressions meet nothing. Where
+/// `overlapping` is empty, the reasoner decides at once; else it must live as long as the request.
 [[nodiscard]] Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary,
                                const Placing& placing = {}, ParticipantId from = {},
                                const Overlapping& overlapping = {});
 
-/// A publication with what is computed of it. Borrows all.
+/// A publication with its parsed audience, classes and signature. Borrows all.
 struct Offer {
   const registry::PublicationEntry& entry;
   const Audience& audience;
@@ -54,7 +53,7 @@ struct Offer {
   const Signature* signature = nullptr;  ///< null: it states none
 };
 
-/// What is computed of a publication that nobody has stored. Borrows the entry.
+/// An offer of a publication that is not stored. Borrows the entry.
 struct Imagined {
   Imagined(const registry::PublicationEntry& entry, const vocabulary::Vocabulary& vocabulary)
       : audience(Audience::of(entry.publication)),
@@ -70,29 +69,29 @@ struct Imagined {
   Offer offer;
 };
 
-/// Whether it is by one of the providers that are asked for, or speaks one of the protocols; always where none are.
-[[nodiscard]] bool is_accepted_provider(const Subscription& subscription,
-                                        const registry::PublicationEntry& publication);
-[[nodiscard]] bool is_accepted_protocol(const Subscription& subscription,
-                                        const registry::PublicationEntry& publication);
 /// Whether each is in the scope of the other.
 [[nodiscard]] bool is_in_scope(const registry::SubscriptionEntry& subscription, const Request& request,
                                const Offer& offer);
 
-/// Whether the degree counts for the subscription. A representation that is converted is accepted as such, and `match`
-/// limits the concept alone.
+/// Whether the subscription accepts the degree of a match. Where the representation is converted, `match` limits the
+/// degree of the concept alone.
 [[nodiscard]] bool is_accepted_degree(const Subscription& asked, const Request& request, const Offer& offer,
                                       const Match& match, const vocabulary::Vocabulary& vocabulary);
 
-/// How the offer meets the subscription by mode, provider, protocol, scope, identity, conditions of both and
-/// signature; nothing where it does not. `subscription` is what `request` was prepared from.
-[[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& subscription, const Request& request,
-                                         const Offer& offer, const vocabulary::Vocabulary& vocabulary);
-
-/// The same with everything that does not fit in words, joined by "; ".
-[[nodiscard]] std::expected<Match, std::string> explained(const registry::SubscriptionEntry& subscription,
-                                                          const Request& request, const Offer& offer,
-                                                          const vocabulary::Vocabulary& vocabulary);
+/// The result of judging one pair.
+struct Judgement {
+  std::optional<Match> match;  ///< how the offer meets the subscription; nothing where it does not
+  bool waits = false;          ///< whether a question to the reasoner about this pair has no answer yet
+};
+/// Judges a pair by mode, provider, protocol, scope, identity, conditions of both and signature. `subscription` is what
+/// `request` was prepared from.
+[[nodiscard]] Judgement judgement_of(const registry::SubscriptionEntry& subscription, const Request& request,
+                                     const Offer& offer, const vocabulary::Vocabulary& vocabulary);
+/// The match of a pair; nothing where it does not meet.
+[[nodiscard]] inline std::optional<Match> meets(const registry::SubscriptionEntry& subscription, const Request& request,
+                                                const Offer& offer, const vocabulary::Vocabulary& vocabulary) {
+  return judgement_of(subscription, request, offer, vocabulary).match;
+}
 
 }  // namespace geminga::matching
 

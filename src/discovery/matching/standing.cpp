@@ -1,59 +1,69 @@
-// Tells from the choice itself who is chosen; the ranking alone does not know who was there first.
 #include "discovery/matching/standing.hpp"
 
 #include <algorithm>
+#include <vector>
 
-#include "discovery/matching/state.hpp"
+#include "discovery/matching/directory.hpp"
+#include "discovery/matching/interest.hpp"
+#include "discovery/matching/judge.hpp"
+#include "discovery/matching/pairs.hpp"
 
 namespace geminga::matching {
+namespace {
 
 using registry::StoredPublication;
 using registry::StoredSubscription;
 
-std::optional<Standing> Matcher::State::standing(const StoredSubscription& subscription,
-                                                 const StoredPublication& publication) {
-  // While the vocabulary changes: its step is taken now, so that choice and ranking are by the same vocabulary.
-  if (edition_of(subscription).generation != in_force_.generation) rematch(subscription);
-  const auto ranked = match(subscription.entry, of_subscription_[subscription.slot].request);
+/// A publication that meets a request.
+struct Ranked {
+  const registry::PublicationEntry* publication = nullptr;
+  Rank rank;
+};
+
+}  // namespace
+
+std::optional<Place> ranked_place(const StoredSubscription& subscription, const StoredPublication& publication,
+                                  const Directory& directory, const Judge& judge, const Edition& edition) {
+  const Request& request = directory.request(subscription);
+  std::vector<Ranked> ranked;
+  directory.visit_publications_for(subscription.entry.subscription, request, [&](const StoredPublication& candidate) {
+    if (directory.is_going(candidate)) return false;
+    const auto match = judge.judge(subscription.entry, request, candidate, edition).match;
+    if (match) ranked.push_back({&candidate.entry, request.rank(candidate.entry, *match)});
+    return false;
+  });
+  std::ranges::sort(ranked, BestFirst{}, &Ranked::rank);
   const auto at = std::ranges::find(ranked, &publication.entry, &Ranked::publication);
   if (at == ranked.end()) return std::nullopt;
   const std::size_t limit = counted_limit(subscription.entry);
   Place place{.rank = static_cast<std::size_t>(at - ranked.begin()) + 1, .candidates = ranked.size()};
   if (limit != 0 && place.rank > limit) place.last = ranked[limit - 1].publication;
-  return standing(subscription, publication, place);
+  return place;
 }
 
-std::size_t Matcher::State::counted_limit(const registry::SubscriptionEntry& subscription) {
-  return subscription.is_local ? limit_of(subscription) : subscription.subscription.limit;
-}
-
-Standing Matcher::State::standing(const StoredSubscription& subscription, const StoredPublication& publication,
-                                  const Place& place) {
-  if (edition_of(subscription).generation != in_force_.generation) rematch(subscription);
+Standing standing_of(const StoredSubscription& subscription, const StoredPublication& publication, const Place& place,
+                     const Directory& directory, const Pairs& pairs) {
   Standing standing{.rank = place.rank, .candidates = place.candidates};
   const std::size_t limit = counted_limit(subscription.entry);
   const bool is_within = limit == 0 || standing.rank <= limit;
   standing.is_chosen = is_within;
   if (!is_within) standing.rival = place.last;
   if (limit == 0) return standing;
-  if (!subscription.entry.is_local && !subscription.entry.subscription.chosen.empty()) {
+  const auto& announced = subscription.entry.subscription.chosen;
+  if (!subscription.entry.is_local && !announced.empty()) {
     standing.decided = Standing::Decided::by_consumer;
     standing.is_chosen = is_announced_choice(subscription.entry, publication.entry);
-    const auto* rival = publications_.find(subscription.entry.subscription.chosen.back());
+    const auto* rival = directory.publications().find(announced.back());
     standing.rival = standing.is_chosen || rival == nullptr ? nullptr : &rival->entry;
     return standing;
   }
-  if (!subscription.entry.is_local &&
-      (limit_of(subscription.entry) == 0 || subscription.entry.subscription.mode == ChannelMode::one_to_many_stream)) {
-    standing.decided = Standing::Decided::elsewhere;  // no choice of it is kept here
+  if (!is_chosen_here(subscription.entry)) {
+    standing.decided = Standing::Decided::elsewhere;
     return standing;
   }
-  const Choice& choice = of_subscription_[subscription.slot].choice;
-  const auto& considered_by = of_publication_[publication.slot].considered_by;
-  const auto considered = considered_by.find(subscription.slot);
-  standing.is_chosen = considered != considered_by.end() && choice.is_chosen(considered->second);
+  standing.is_chosen = pairs.chosen_match(subscription, publication).has_value();
   standing.rival = nullptr;
-  const auto chosen = choice.chosen();
+  const auto chosen = pairs.choice(subscription).chosen();
   if (!standing.is_chosen && !chosen.empty()) standing.rival = &chosen.back().publication->entry;
   if (standing.is_chosen != is_within) standing.decided = Standing::Decided::by_incumbent;
   return standing;

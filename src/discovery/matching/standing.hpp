@@ -1,40 +1,57 @@
-// How one publication stands in the arbitration of one subscription; what `geminga-query why` tells.
+// The standing of one publication in the arbitration of one subscription, for `geminga-query why`.
 #ifndef GEMINGA_DISCOVERY_MATCHING_STANDING_HPP
 #define GEMINGA_DISCOVERY_MATCHING_STANDING_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
-#include "discovery/registry/entry.hpp"
+#include "discovery/registry/stored.hpp"
 
 namespace geminga::matching {
 
-/// Where a publication ranks among all that match a subscription.
+class Directory;
+class Judge;
+class Pairs;
+struct Edition;
+
+/// The place of a publication among all that match a subscription.
 struct Place {
   std::size_t rank = 0;        ///< from 1
   std::size_t candidates = 0;  ///< how many match
-  /// The last within the limit, where the publication is not; null where that is not known. Borrowed until the next
-  /// change of the matcher.
+  /// The last publication within the limit, where this one is not within it; null where that is not known. Borrowed
+  /// until the next change of the matcher.
   const registry::PublicationEntry* last = nullptr;
 };
 
-/// Of a pair that matches.
+/// The standing of a pair that matches.
 struct Standing {
-  /// Why a publication that ranks behind the limit is chosen all the same, or one within it is not.
+  /// The reason why a publication is chosen or not.
   enum class Decided : std::uint8_t {
     by_rank,       ///< the best up to the limit are chosen
-    by_incumbent,  ///< one that was there first keeps its place against one that is no better but for its key
+    by_incumbent,  ///< one that was chosen first keeps its place against one that is better only by its key
     by_consumer,   ///< its consumer's host has announced its choice
-    elsewhere,     ///< its consumer is on another host, which is not asked; this is what it chooses if nobody was first
+    elsewhere,     ///< another host chooses; this is what it chooses if it has no incumbent
   };
 
   std::size_t rank = 0;        ///< from 1, among all that match
   std::size_t candidates = 0;  ///< how many match
   bool is_chosen = false;
   Decided decided = Decided::by_rank;
-  /// Who has the place that it does not get; null where it is chosen. Borrowed until the next change of the matcher.
+  /// The publication that is chosen in its place; null where it is chosen. Borrowed until the next change of the
+  /// matcher.
   const registry::PublicationEntry* rival = nullptr;
 };
+
+/// The place of a publication, for which all that match the subscription are ranked; nothing where it does not match.
+/// `edition` is the one in force, by which the subscription must be judged.
+[[nodiscard]] std::optional<Place> ranked_place(const registry::StoredSubscription& subscription,
+                                                const registry::StoredPublication& publication,
+                                                const Directory& directory, const Judge& judge, const Edition& edition);
+/// The standing of a publication in this place, by the choice: the ranking does not know the incumbents.
+[[nodiscard]] Standing standing_of(const registry::StoredSubscription& subscription,
+                                   const registry::StoredPublication& publication, const Place& place,
+                                   const Directory& directory, const Pairs& pairs);
 
 }  // namespace geminga::matching
 

@@ -1,4 +1,4 @@
-// A publication or subscription as the registry keeps it: what was stated, by whom, and when it was last heard.
+// Publications and subscriptions as the registry keeps them: the statement, its peer, and when it was last heard.
 #ifndef GEMINGA_DISCOVERY_REGISTRY_ENTRY_HPP
 #define GEMINGA_DISCOVERY_REGISTRY_ENTRY_HPP
 
@@ -9,16 +9,16 @@
 
 namespace geminga::registry {
 
-/// The stated part and its provenance. `address` of the publication is one that works for consumers of this host.
+/// A publication with its provenance. Its address is one that consumers of this host can reach.
 struct PublicationEntry {
   ServiceKey key;
   Publication publication;
   std::string peer_name;
   std::string participant_name;
   bool is_local = false;  ///< offered by a peer of this very participant
-  base::Instant
-      updated;  ///< last said; when it was affirmed since then, and when it expires, the neighbour table knows
-  /// Whether a consumer would see a difference; provenance times do not count.
+  /// When it was last stated. The neighbour table knows when it was last affirmed and when it expires.
+  base::Instant updated;
+  /// Whether the two are equal for consumers. Times do not count.
   [[nodiscard]] bool same_as(const PublicationEntry& other) const {
     return key == other.key && publication == other.publication && peer_name == other.peer_name &&
            participant_name == other.participant_name;

@@ -1,4 +1,4 @@
-// What the registry's templates need to know of an entry without knowing which kind it is.
+// Fields that the registry's templates read of entries of either kind.
 #ifndef GEMINGA_DISCOVERY_REGISTRY_FIELDS_HPP
 #define GEMINGA_DISCOVERY_REGISTRY_FIELDS_HPP
 

@@ -1,4 +1,4 @@
-// Entries by full identity and by concept: found by the 32-bit identity, decided by the full one.
+// The index of entries by full identity and by concept: found by the 32-bit identity, decided by the full one.
 #ifndef GEMINGA_DISCOVERY_REGISTRY_NAME_INDEX_HPP
 #define GEMINGA_DISCOVERY_REGISTRY_NAME_INDEX_HPP
 
@@ -19,11 +19,11 @@
 
 namespace geminga::registry {
 
-/// What a name is of. The first three are the alternatives of Identity.
+/// The kind of a name. The first three are the alternatives of Identity.
 enum class NameKind : std::uint8_t { number, text, semantic, concept_alone };
 
-/// An identity, or a concept in whatever representation, as two texts, borrowed: the concept and the representation, or
-/// the text and nothing. A number is its 32-bit form already.
+/// An identity, or a concept in any representation, as two borrowed texts: the concept and the representation, or the
+/// text and nothing. A number has no texts, because it is its 32-bit form.
 struct NameView {
   NameKind kind = NameKind::number;
   std::string_view first;
@@ -38,9 +38,9 @@ inline NameView view_of(const Identity& identity) {
   return {};
 }
 
-/// A name that some entry has, and the entries that have it. Each is kept once, so that a look-up compares one full
-/// name, however many entries share it. Its octets stand right behind it and it begins a cache line: to find and
-/// compare two IRIs of usual length costs two of them.
+/// A name with the entries that have it. A look-up compares one full name, however many entries share it. The octets
+/// stand right behind the object, which begins a cache line: to find and compare two IRIs of usual length touches two
+/// cache lines.
 template <typename Entry>
 class alignas(64) Name {
  public:
@@ -60,7 +60,7 @@ class alignas(64) Name {
   Name(const Name&) = delete;
   Name& operator=(const Name&) = delete;
 
-  /// Whether this is the whole of that name, 32-bit numbers apart.
+  /// Whether this name is equal to that one, 32-bit numbers apart.
   [[nodiscard]] bool is(const NameView& view) const {
     return kind_ == view.kind && first_size_ == view.first.size() && second_size_ == view.second.size() &&
            std::string_view(octets(), first_size_) == view.first &&
@@ -99,7 +99,7 @@ class NameIndex {
   NameIndex(const NameIndex&) = delete;
   NameIndex& operator=(const NameIndex&) = delete;
   ~NameIndex() {
-    // One by one, because a hostile host may have made a chain that is too long for the stack.
+    // One by one, because a hostile host may have made a chain that is too long for recursion.
     for (auto& [id, chain] : names_) {
       while (chain) chain = std::move(chain->next);
     }
@@ -114,7 +114,7 @@ class NameIndex {
     }
   }
 
-  /// Takes an entry out, and forgets the names that nobody has any more.
+  /// Takes an entry out, and deletes names without entries.
   void unfile(const Stored<Entry>& stored) {
     for (auto& [name, position] : stored.names) {
       if (name == nullptr) continue;
@@ -180,7 +180,7 @@ class NameIndex {
     if (!found->second) names_.erase(found);
   }
 
-  /// By 32-bit number. Open addressing, because a look-up that misses the cache should do so once.
+  /// By 32-bit number. Open addressing, so that a look-up misses the cache only once.
   boost::unordered_flat_map<Id32, typename Name<Entry>::Owner> names_;
 };
 

@@ -1,4 +1,4 @@
-// The semantic index: entries by the class that they are filed under and by every class that they are filed below.
+// The index of entries by the classes that they are filed under and those that they are filed below.
 #ifndef GEMINGA_DISCOVERY_REGISTRY_SEMANTIC_INDEX_HPP
 #define GEMINGA_DISCOVERY_REGISTRY_SEMANTIC_INDEX_HPP
 
@@ -13,8 +13,7 @@
 
 namespace geminga::registry {
 
-/// A class that nobody is filed under costs one pointer, because an ontology has many more classes than a team
-/// services.
+/// A class without entries costs one pointer, because an ontology has many more classes than a team has services.
 template <typename Entry>
 class SemanticIndex {
  public:
@@ -69,7 +68,7 @@ class SemanticIndex {
     return stored.classes[std::to_underlying(generation)];
   }
 
-  /// The bucket of what is filed under a class, and behind it, that of what is filed below it.
+  /// The bucket of entries filed under a class, or that of entries filed below it.
   Bucket<Entry>& at(const ClassedAt& filed) {
     GEMINGA_ASSERT(filed.number() < classes_.size());
     auto& buckets = classes_[filed.number()];

@@ -1,4 +1,4 @@
-// How an entry stands in the registry: its 32-bit identity, its dense slot, and every bucket it is filed in.
+// Stored entries: an entry with its 32-bit identity, its slot, and every bucket that it is filed in.
 #ifndef GEMINGA_DISCOVERY_REGISTRY_STORED_HPP
 #define GEMINGA_DISCOVERY_REGISTRY_STORED_HPP
 
@@ -21,23 +21,23 @@ class Bucket;
 template <typename Entry>
 class Name;
 
-/// Two ontologies are at work while one takes the place of the other, and each has a semantic index; an entry may be
-/// filed in both.
+/// The semantic index of one of two ontologies that are at work while one takes the place of the other. An entry may be
+/// filed in both indexes.
 enum class Generation : std::uint8_t { even, odd };
 [[nodiscard]] constexpr Generation other(Generation one) {
   return one == Generation::even ? Generation::odd : Generation::even;
 }
 
-/// What an entry is filed by: its names, or the classes of one ontology.
+/// The kind of a filing: by names, or by the classes of one ontology.
 enum class FiledBy : std::uint8_t { names, even_classes, odd_classes };
 [[nodiscard]] constexpr FiledBy filed_by(Generation one) {
   return one == Generation::even ? FiledBy::even_classes : FiledBy::odd_classes;
 }
 
-/// By which of its names an entry is filed.
+/// The name of an entry that it is filed by.
 enum class NameFiling : std::uint8_t { identity, concept_alone };
 
-/// The place of an entry among those with one name, and among those of one class: the way back that makes removal
+/// The position of an entry among those with one name, or those of one class. It makes the cost of removing an entry
 /// independent of how many they are.
 template <typename Entry>
 struct NamedAt {
@@ -57,14 +57,14 @@ struct Stored {
   Entry entry;
   /// The 32-bit identity: candidates, never proof.
   Id32 identity = 0;
-  /// A small number that no other entry of the same table has; used again after the entry was erased. Lets others keep
-  /// what they know about an entry in an array.
+  /// A small number that no other entry of the same table has. It is used again after the entry was erased. Others can
+  /// keep what they know about entries in an array by slot.
   std::uint32_t slot = 0;
 
-  /// The registry's own; mutable because none of it is part of a key of the container.
+  /// Used by the registry alone; mutable because none of it is part of a key of the container.
   mutable std::array<NamedAt<Entry>, 2> names;            ///< by NameFiling
   mutable std::array<std::vector<ClassedAt>, 2> classes;  ///< by Generation
-  /// Tells where it is now in the bucket that `by` and `back` are about.
+  /// Updates its position in the bucket that `by` and `back` name.
   void move_to(FiledBy by, std::uint32_t back, std::uint32_t position) const {
     if (by == FiledBy::names) {
       names[back].position = position;
@@ -74,9 +74,9 @@ struct Stored {
   }
 };
 
-/// Entries that share something, in no order that means anything. A caller that shows or decides by them sorts first. A
-/// single entry needs no allocation, because most identities have one provider and a look-up should not pay for more.
-/// Must not be moved while an entry is filed in it.
+/// Entries with one name or class, in an arbitrary order. A caller that shows them or decides by them sorts them first.
+/// A single entry needs no allocation, because most identities have one provider. A bucket must not be moved while an
+/// entry is filed in it.
 template <typename Entry>
 class Bucket {
  public:

@@ -1,4 +1,3 @@
-// The MultiIndex container behind Table; names and classes have indexes of their own beside it.
 #include "discovery/registry/table.hpp"
 
 #include <algorithm>
@@ -55,8 +54,8 @@ using Container = mi::multi_index_container<
         mi::ordered_unique<mi::tag<InKeyOrder>,
                            mi::const_mem_fun<Element<Entry>, const ServiceKey&, &Element<Entry>::key>>>>;
 
-/// Compares keys by what is given of them, so that the entries of a participant or a peer are one range of the key
-/// order.
+/// Compares a key with a participant, so that the entries of a participant are one range of the key order. InPeer does
+/// the same for a peer.
 struct InParticipant {
   bool operator()(const ServiceKey& key, ParticipantId participant) const { return key.participant < participant; }
   bool operator()(ParticipantId participant, const ServiceKey& key) const { return participant < key.participant; }
@@ -135,16 +134,17 @@ const Stored<Entry>& Table<Entry>::insert(Entry entry, const Filing& filing) {
 }
 
 template <typename Entry>
-void Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
+Entry Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
   GEMINGA_ASSERT(stored.entry.key == entry.key);
   const auto at = indexes_->position_of(stored);
   indexes_->unfile(stored);
   const bool is_replaced = indexes_->container.modify(at, [&](Element<Entry>& element) {
     element.identity = id32(identity_of(entry));
-    element.entry = std::move(entry);
+    std::swap(element.entry, entry);
   });
   GEMINGA_ASSERT(is_replaced);
   indexes_->file(*at, filing);
+  return entry;
 }
 
 template <typename Entry>
@@ -225,11 +225,6 @@ template <typename Entry>
 std::vector<const Stored<Entry>*> Table<Entry>::of_peer(ParticipantId participant, PeerId peer) const {
   const auto& index = indexes_->container.template get<InKeyOrder>();
   return plain<Entry>(pointers(index.equal_range(PeerPrefix{participant, peer}, InPeer{})));
-}
-
-template <typename Entry>
-void Table<Entry>::for_each(const std::function<void(const StoredEntry&)>& visit) const {
-  for (const auto& element : indexes_->container.template get<InKeyOrder>()) visit(element);
 }
 
 template <typename Entry>

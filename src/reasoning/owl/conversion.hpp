@@ -1,5 +1,5 @@
 // That one representation can be turned into another: the two annotations that say so. They mean nothing to the
-// reasoner (src/discovery/matching/CONVERSIONS.md).
+// reasoner (src/discovery/matching/conversions/CONVERSIONS.md).
 #ifndef GEMINGA_REASONING_OWL_CONVERSION_HPP
 #define GEMINGA_REASONING_OWL_CONVERSION_HPP
 

@@ -1,5 +1,5 @@
 // Units of measurement that an ontology declares in the words of QUDT 2.1 or OM 2.0. They mean nothing to the reasoner
-// (src/discovery/matching/UNITS.md).
+// (src/discovery/matching/conditions/UNITS.md).
 #ifndef GEMINGA_REASONING_OWL_UNIT_HPP
 #define GEMINGA_REASONING_OWL_UNIT_HPP
 

@@ -1,4 +1,4 @@
-// What it costs the matcher that a service comes, stays, and is asked for, among many others.
+// The cost of a service that comes, stays and is asked for, among many others.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void tell(benchmark::State& state) {
   }
 }
 
-/// Beside the rare class, below which nobody asks for anything.
+/// The service is of the rare class, and no consumer asks for anything above it.
 void tell_nobody(benchmark::State& state) {
   Matcher& matcher = team<Strangers>(state.range(0)).matcher;
   const auto entry = service(0, identity(rare_class()));

@@ -1,4 +1,3 @@
-// Fills matchers with teams.
 #include "bench/matching/teams.hpp"
 
 #include <utility>

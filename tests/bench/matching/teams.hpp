@@ -1,4 +1,4 @@
-// Teams of one size: those who ask, and those who offer.
+// Teams of one size, made of consumers or of providers.
 #ifndef GEMINGA_TESTS_BENCH_MATCHING_TEAMS_HPP
 #define GEMINGA_TESTS_BENCH_MATCHING_TEAMS_HPP
 
@@ -12,23 +12,23 @@
 
 namespace geminga::matching {
 
-/// How many services or consumers belong to the request or service that is measured.
+/// How many services match the measured request, or consumers the measured service.
 inline constexpr std::uint32_t answers = 10;
-/// What exact requests ask for.
+/// The identity that exact requests ask for.
 [[nodiscard]] Identity rare_text();
 
 [[nodiscard]] Identity identity(std::uint32_t of_class);
 [[nodiscard]] registry::PublicationEntry service(std::uint32_t number, Identity identity);
-/// Of a peer of our own.
+/// A request of a peer of our own.
 [[nodiscard]] registry::SubscriptionEntry wish(std::uint32_t number, Identity identity);
 
-/// Standing requests of local peers, of which a few want the rare class, by whatever name above it.
+/// Requests of local peers, of which a few ask for the rare class or a class above it.
 struct Consumers {
   explicit Consumers(std::uint32_t size);
   Matcher matcher;
 };
 
-/// Standing requests of local peers for whatever is not the rare class.
+/// Requests of local peers, none of which asks for the rare class.
 struct Strangers {
   explicit Strangers(std::uint32_t size);
   Matcher matcher;
@@ -41,7 +41,7 @@ struct Providers {
   std::vector<registry::PublicationEntry> entries;
 };
 
-/// The team of this size, built when it is first asked for.
+/// The team of this size, built at the first call.
 template <typename Team>
 Team& team(std::int64_t size) {
   static std::map<std::int64_t, std::unique_ptr<Team>> teams;

@@ -1,4 +1,3 @@
-// Builds the tree as an ontology and classifies it.
 #include "bench/matching/tree.hpp"
 
 #include <utility>

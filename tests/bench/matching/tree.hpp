@@ -10,23 +10,23 @@
 
 namespace geminga::matching {
 
-/// Every class has so many right below it, but for those at the bottom.
+/// How many classes are right below each class that is not at the bottom.
 inline constexpr std::uint32_t branching = 4;
 
-/// How many classes the tree of this run has: as many as the largest published ontologies, or in a small run as a
-/// team's.
+/// How many classes the tree of this run has: as many as the largest published ontologies, or in a small run as the
+/// ontology of a team.
 [[nodiscard]] std::uint32_t tree_size();
 
-/// Class 0 is the root, and what is above a class has a lesser number.
+/// The IRI of a class. Class 0 is the root, and a class has a greater number than those above it.
 [[nodiscard]] std::string class_iri(std::uint32_t number);
 [[nodiscard]] constexpr std::uint32_t class_above(std::uint32_t number) { return (number - 1) / branching; }
 
-/// Classified when it is first asked for.
+/// The tree, classified at the first call.
 [[nodiscard]] const vocabulary::Vocabulary& tree();
 
-/// The class at the end of the tree, which is at the bottom.
+/// The last class of the tree, which is at the bottom.
 [[nodiscard]] std::uint32_t rare_class();
-/// Any class at the bottom but that one and its three sisters.
+/// A random class at the bottom, but not the rare one or one of its three sisters.
 [[nodiscard]] std::uint32_t common_class(base::Random& random);
 
 }  // namespace geminga::matching

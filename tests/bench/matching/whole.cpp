@@ -1,4 +1,4 @@
-// Memory is what the allocator has given out.
+// Memory is counted by what the allocator has given out.
 #include "bench/matching/whole.hpp"
 
 #include <malloc.h>
@@ -20,13 +20,13 @@ namespace {
 constexpr std::uint32_t best = 10;          // how many providers the consumer asks for that measures the best of many
 constexpr std::uint32_t departures = 1000;  // how many of the best go after each other
 
-/// 0 where the allocator does not tell, as under a sanitizer.
+/// The memory in use; 0 where the allocator does not tell, as under a sanitizer.
 double given_out() {
   const auto info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-/// The octets of what a publication states in words.
+/// The octets of the texts of a publication.
 double text_octets(const registry::PublicationEntry& entry) {
   const auto& semantic = std::get<SemanticIdentity>(entry.publication.identity);
   return static_cast<double>(semantic.concept_iri.size() + semantic.representation_iri.size() +
@@ -67,12 +67,12 @@ void measure_unchanged(Matcher& matcher, std::uint32_t size) {
     matcher.put(std::move(entry));
     most = std::max(most, tests::allocations() - before);
   }
-  // A limit of 0 is none: half an allocation is none, too.
+  // A limit of 0 means none, and half an allocation is none as well.
   bench::row("allocations of an unchanged publication", std::to_string(size), static_cast<double>(most), "at most",
              {.limit = 0.5});
 }
 
-/// How long a change takes until its events are there.
+/// The time from a change to its events.
 template <typename Change>
 double time_of(Matcher& matcher, const Change& change) {
   const auto began = bench::Clock::now();

@@ -1,4 +1,4 @@
-// What is measured once for a whole team: memory, allocations, and the best of many.
+// Measurements that are made once for a whole team: memory, allocations, and the best of many.
 #ifndef GEMINGA_TESTS_BENCH_MATCHING_WHOLE_HPP
 #define GEMINGA_TESTS_BENCH_MATCHING_WHOLE_HPP
 

@@ -1,4 +1,4 @@
-// FoundPlaces of class expressions as the reasoner finds them, each found once.
+// The places of class expressions as the reasoner finds them, each found once.
 #ifndef GEMINGA_TESTS_DISCOVERY_MATCHING_FOUND_PLACES_HPP
 #define GEMINGA_TESTS_DISCOVERY_MATCHING_FOUND_PLACES_HPP
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "discovery/matching/degree.hpp"
+#include "discovery/matching/degrees/degree.hpp"
 #include "reasoning/vocabulary/expression.hpp"
 
 namespace geminga::matching {

@@ -1,4 +1,4 @@
-// What the matcher is asked: who has the place, what meets a request, who is served.
+// Questions to the matcher: which publication has the place, which meet a request, which requests are served.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What peers are told: the matcher's promises one by one.
+// The events of the matcher: its promises one by one.
 #include "discovery/matching/matcher.hpp"
 
 #include <gmock/gmock.h>
@@ -319,7 +319,7 @@ TEST(Matcher, AnnouncesAChoiceOnlyWhereItHadToChoose) {
   matcher.remove_publication(key(3, 1, 1), Reason::left);
   EXPECT_TRUE(matcher.take_choice_change());
   EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), IsEmpty());
-  // Whose providers are not told, who takes all, and who takes more than are announced.
+  // Requests whose providers are not told, that take all, and that take more than are announced.
   matcher.put(request(key(here, 1, 2), ball, 0));
   matcher.put(request(key(here, 1, 3), ball, 1, Degree::narrower, one_to_many_stream));
   matcher.put(request(key(here, 1, 4), ball, max_announced_choice));

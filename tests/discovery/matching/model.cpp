@@ -4,7 +4,7 @@
 #include <string>
 #include <tuple>
 
-#include "discovery/matching/naive_chains.hpp"
+#include "discovery/matching/conversions/naive_chains.hpp"
 #include "discovery/matching/team.hpp"
 
 namespace geminga::matching {
@@ -17,13 +17,13 @@ bool is_same(const Told& a, const Told& b) {
   if (a.match.degree != b.match.degree || a.match.distance != b.match.distance) return false;
   if (a.about.index() == 0) {
     if (a.match != b.match) return false;
-    // For whom it is, is not told.
+    // Scope and `for` are not told.
     PublicationEntry one = *std::get<0>(a.about);
     one.publication.scope = std::get<0>(b.about)->publication.scope;
     one.publication.for_whom = std::get<0>(b.about)->publication.for_whom;
     return one.same_as(*std::get<0>(b.about));
   }
-  // Nobody is told what a consumer wants and what it has chosen, only whether he has been.
+  // Providers are not told what a consumer wants and has chosen, only that it has chosen them.
   const Subscription& other = std::get<1>(b.about)->subscription;
   SubscriptionEntry one = *std::get<1>(a.about);
   Subscription told = other;
@@ -87,7 +87,7 @@ void Model::work_out() {
   }
   for (const auto& [key, subscription] : subscriptions) {
     const auto& incumbents = before[key];
-    // Of all that may be preferred only what random_team_test.cpp draws: the favourite robot3, and the greatest rate.
+    // The only preferences that random_team_test.cpp draws: the favourite robot3, and the greatest rate.
     const Subscription& asked = subscription.subscription;
     const auto place = [&](const PublicationEntry& publication) {
       const bool is_behind = !asked.favoured.empty() && publication.participant_name != "robot3";
@@ -139,8 +139,8 @@ View Model::view() const {
 std::string Replay::apply(const std::vector<Event>& events, Reason reason, const Model& model) {
   std::set<std::pair<ServiceKey, ServiceKey>> seen;
   std::map<ServiceKey, int> last;
-  // Within a step each consumer hears first of what matches no more, then of what changed, then of what it gains, and
-  // last of what that has outranked.
+  // Within a step each consumer is told first of services that do not match any longer, then of those that changed,
+  // then of those that it gains, and last of those that are outranked.
   const auto turn = [](const Event& event) {
     if (event.change == Change::del) return event.reason == Reason::outranked ? 3 : 0;
     return event.change == Change::modify ? 1 : 2;

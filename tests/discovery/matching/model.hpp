@@ -1,4 +1,4 @@
-// A matcher that knows nothing of indexes: it works everything out from scratch after each step and compares.
+// A model of the matcher without indexes: it works everything out from scratch after each step.
 #ifndef GEMINGA_TESTS_DISCOVERY_MATCHING_MODEL_HPP
 #define GEMINGA_TESTS_DISCOVERY_MATCHING_MODEL_HPP
 
@@ -15,14 +15,14 @@
 
 namespace geminga::matching {
 
-/// What one peer has been told about one thing.
+/// The last that a peer was told about a service or consumer.
 struct Told {
   decltype(Event::about) about;
   Match match;
 };
 
-/// What all local peers have been told: by who was told, then by whom it is about. Publications and subscriptions share
-/// one space of keys in GCNP, and so they do here.
+/// All that local peers were told: by the key of the peer's own service or request, then by the key of the other side.
+/// Publications and subscriptions share one space of keys, as in GCNP.
 using View = std::map<std::pair<ServiceKey, ServiceKey>, Told>;
 
 [[nodiscard]] bool is_same(const Told& a, const Told& b);
@@ -36,10 +36,10 @@ class Model {
   std::map<ServiceKey, registry::PublicationEntry> publications;
   std::map<ServiceKey, registry::SubscriptionEntry> subscriptions;
   vocabulary::Vocabulary ontology;
-  /// While an ontology changes: the subscriptions that are still judged by the former one.
+  /// The subscriptions that are still judged by the former ontology while it changes.
   std::set<ServiceKey> former;
   vocabulary::Vocabulary former_ontology;
-  /// Which concepts overlap; remembered, since the reasoner has to search.
+  /// Says which concepts overlap. Answers are remembered, since the reasoner has to search.
   Overlapping overlapping = [this](const vocabulary::Vocabulary& by, vocabulary::ClassNumber offered,
                                    const SemanticIdentity& requested, const Classes& classes, ParticipantId) {
     auto& answer = overlaps_[{by.digest(), offered, requested.concept_iri}];
@@ -49,15 +49,15 @@ class Model {
 
   /// Chooses anew for every subscription, with those chosen last time as incumbents.
   void work_out();
-  /// What every local peer knows after work_out().
+  /// All that local peers know after work_out().
   [[nodiscard]] View view() const;
-  /// Between entries that are here since the last work_out().
+  /// The match of two entries that are known since the last work_out().
   [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& subscription,
                                            const registry::PublicationEntry& publication) const;
-  /// The same of both in another form; what is converted for the subscription is as it was.
+  /// The same for changed forms of both; conversions are those of the subscription as it was.
   [[nodiscard]] std::optional<Match> would_meet(const registry::SubscriptionEntry& subscription,
                                                 const registry::PublicationEntry& publication) const;
-  /// What a subscription of any host is given by the whole of what is known, as far as it chooses for itself.
+  /// The publications that a subscription of any host is given, by all that is known, as far as it chooses for itself.
   [[nodiscard]] bool is_chosen(const ServiceKey& subscription, const ServiceKey& publication) const {
     return chosen_.at(subscription).contains(publication);
   }
@@ -68,18 +68,18 @@ class Model {
   std::map<ServiceKey, Request> requests_;
   std::uint64_t arrivals_ = 0;
   std::map<ServiceKey, std::uint64_t> arrival_;  ///< of publications, in the order in which they came
-  /// Whether one is a number and the other a concept, and the number that of two different concepts.
+  /// Whether one is a number, the other a concept, and the number is that of two different concepts.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const;
   std::map<Id32, std::set<Identity>> concepts_;               ///< by their number
   std::map<ServiceKey, std::map<ServiceKey, Match>> chosen_;  ///< by subscription, then by publication
 };
 
-/// Checks events against two views, and says what is wrong; empty where nothing is. `reason` is that of the step.
+/// Checks events against two views, and gives the error; empty where there is none. `reason` is that of the step.
 class Replay {
  public:
   explicit Replay(View view) : view_(std::move(view)) {}
 
-  /// Applies the events to the view: per pair add (modify)* del, each at most once a step, a del as last told.
+  /// Applies the events to the view: for each pair add (modify)* del, each at most once in a step, a del as last told.
   [[nodiscard]] std::string apply(const std::vector<Event>& events, Reason reason, const Model& model);
   [[nodiscard]] const View& view() const { return view_; }
   /// The end of a peer's own request is not told to it.
@@ -91,7 +91,7 @@ class Replay {
   View view_;
 };
 
-/// Where two views differ; empty where they do not.
+/// The difference of two views; empty where there is none.
 [[nodiscard]] std::string difference(const View& told, const View& wanted);
 
 }  // namespace geminga::matching

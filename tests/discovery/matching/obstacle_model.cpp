@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "discovery/matching/scope.hpp"
+#include "discovery/matching/conditions/scope.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -18,7 +18,7 @@ struct Pair {
   PublicationEntry publication;
 };
 
-/// Takes a condition away, so that it holds.
+/// Removes a condition, so that it holds.
 using Waive = void (*)(Pair&);
 
 struct Step {
@@ -26,7 +26,7 @@ struct Step {
   Waive waive;
 };
 
-/// In the order in which a pair is walked (QUERIES.md, "Why"), behind the identity.
+/// The conditions behind the identity, in the order of QUERIES.md ("Why").
 const auto steps = std::to_array<Step>({
     {{Obstacle::mode}, [](Pair& pair) { pair.subscription.subscription.mode = pair.publication.publication.mode; }},
     {{Obstacle::protocol}, [](Pair& pair) { pair.subscription.subscription.protocols.clear(); }},
@@ -54,7 +54,7 @@ bool is_unreadable(const Pair& pair) {
          !Where::parse(pair.subscription.subscription.where) || !Where::parse(pair.publication.publication.for_whom);
 }
 
-/// Nothing but the identity is left, and that keeps the two apart: whether the obstacle says how.
+/// Whether the obstacle says how the identities keep a pair apart of which no other condition is left.
 std::string complaint_about_identity(const Model& model, Pair pair, Obstacle obstacle) {
   Subscription& asked = pair.subscription.subscription;
   const auto* offered = std::get_if<SemanticIdentity>(&pair.publication.publication.identity);
@@ -79,7 +79,7 @@ std::string complaint_about_identity(const Model& model, Pair pair, Obstacle obs
           is_unknown != (obstacle == Obstacle::unknown_representation)) {
         return "unknown";
       }
-      // The concept alone is at least related.
+      // The concepts are at least related.
       asked.identity = SemanticIdentity{requested->concept_iri, ""};
       asked.weakest = before.weakest == Degree::overlapping ? Degree::overlapping : Degree::broader;
       return meets(model, pair) ? "" : "the concept does not fit either";
@@ -121,7 +121,7 @@ std::string complaint_about(const Model& model, const SubscriptionEntry& subscri
   const std::string said(to_string(first));
   if (is_met != finding.meets()) return said + ", and the model says that they " + (is_met ? "meet" : "do not meet");
   if (is_met) return "";
-  // Without anything else the identity is what stands in the way, or is not.
+  // With all conditions removed, only the identity can stand in the way.
   std::vector<Pair> without{pair};  // that many of the last steps
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
     step->waive(pair);

@@ -1,4 +1,4 @@
-// What stands first in the way of a pair, found without looking for it: by taking one condition after the other away.
+// Checks the first obstacle of a pair by removing one condition after the other.
 #ifndef GEMINGA_TESTS_DISCOVERY_MATCHING_OBSTACLE_MODEL_HPP
 #define GEMINGA_TESTS_DISCOVERY_MATCHING_OBSTACLE_MODEL_HPP
 
@@ -9,9 +9,9 @@
 
 namespace geminga::matching {
 
-/// What is wrong with what a matcher says of a pair that it and the model know, of which no other vocabulary is coming
-/// into force; empty where nothing is. It must meet exactly where the model says so; else each condition that comes
-/// before its first obstacle must hold, and that one must not. Its arbitration must say what the model has chosen.
+/// The error in a matcher's answers about a pair that it and the model know; empty where there is none. The pair must
+/// meet exactly where the model says so. Else each condition before its first obstacle must hold, and that one must
+/// not. Its arbitration must say what the model has chosen. Requires that no other vocabulary is coming into force.
 [[nodiscard]] std::string complaint(Matcher& matcher, const Model& model,
                                     const registry::SubscriptionEntry& subscription,
                                     const registry::PublicationEntry& publication);

@@ -1,4 +1,4 @@
-// What stands between an offer and a request: every obstacle by a case, and which of two offers is nearer.
+// Obstacles between an offer and a request: a case for each, and which of two offers is nearer.
 #include "discovery/matching/obstacle.hpp"
 
 #include <gtest/gtest.h>
@@ -133,7 +133,7 @@ TEST(Obstacle, WhatFitsInItsConceptIsNearAndTheLessIsWrongTheNearer) {
       << "two things are wrong";
 }
 
-/// Whatever is asked for and offered: nothing stands in the way exactly where the two meet.
+/// Random pairs: there is no obstacle exactly where the two meet.
 TEST(Obstacle, IsThereExactlyWhereTheTwoDoNotMeet) {
   const std::vector<Identity> identities{
       NumericIdentity{7}, NumericIdentity{8},        TextIdentity{"a"},

@@ -1,4 +1,4 @@
-// One function a kind of step.
+// One function for each kind of step.
 #include "discovery/matching/random_team.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 using registry::PublicationEntry;
 using registry::SubscriptionEntry;
 
-/// One team, held by a matcher and by a model, and what its local peers were told.
+/// A team in a matcher and in a model, and all that its local peers were told.
 class RandomTeam {
  public:
   RandomTeam(std::uint64_t seed, std::vector<vocabulary::Vocabulary> ontologies, Sabotage sabotage)
@@ -35,7 +35,7 @@ class RandomTeam {
     model_.ontology = ontologies_.front();
   }
 
-  /// What is wrong after the step; empty where nothing is. The same seed makes the same of what is there.
+  /// Takes a step, and gives the error after it; empty where there is none. The seed and the team decide the step.
   [[nodiscard]] std::string step(std::uint64_t seed) {
     words_.seed(seed);
     wrong_.clear();
@@ -62,7 +62,7 @@ class RandomTeam {
   }
 
  private:
-  /// In the midst of the others, so that ties are won by smaller and by greater keys.
+  /// A key amid the others, so that ties are won by smaller and by greater keys.
   static bool is_local(const ServiceKey& of) { return of.participant == ParticipantId{3}; }
 
   void put_publication() {
@@ -105,7 +105,7 @@ class RandomTeam {
         break;  // as it was
     }
     entry.is_local = is_local(one);
-    // In a packed team the local ones come last, so that they are needed only after many have gone at once.
+    // In a packed team local ones rank last, so that they are needed only after many have gone at once.
     if (words_.is(Crowd::packed) && entry.is_local) entry.publication.priority = -2;
     entry.updated = now_;
     model_.publications[one] = entry;
@@ -184,7 +184,7 @@ class RandomTeam {
     }
     entry.is_local = is_local(one);
     entry.updated = now_;
-    // Whatever changes is judged by the ontology in force from then on.
+    // An entry that changes is judged by the ontology in force from then on.
     if (known == model_.subscriptions.end() || !known->second.same_as(entry)) model_.former.erase(one);
     model_.subscriptions[one] = entry;
     matcher_.put(entry);
@@ -230,7 +230,7 @@ class RandomTeam {
     }
   }
 
-  /// Time goes by, and participants that were not heard of are given up, as the neighbour table does it.
+  /// Time goes by, and participants that were not heard are given up, as by the neighbour table.
   void expire() {
     reason_ = Reason::expired;
     now_ += lifetime;
@@ -243,7 +243,7 @@ class RandomTeam {
     }
   }
 
-  /// Begins a change, which goes on beside the next steps or is done at once.
+  /// Begins a change of the ontology, which goes on beside the next steps or is done at once.
   void set_ontology() {
     if (stage_ == Stage::none) {
       next_ontology_ = ontologies_[words_.random().below(ontologies_.size())];
@@ -282,7 +282,7 @@ class RandomTeam {
     compare();
   }
 
-  /// As announcements do every interval.
+  /// Puts every entry again, as announcements do every interval.
   void put_everything_again() {
     for (auto& [one, entry] : model_.publications) {
       entry.updated = now_;
@@ -309,7 +309,7 @@ class RandomTeam {
     expect(different.empty(), different);
   }
 
-  /// What can be asked at any time, and changes nothing.
+  /// Compares the answers to questions that change nothing.
   void compare_questions() {
     for (const auto& [one, entry] : model_.publications) {
       const bool is_used = std::ranges::any_of(
@@ -348,7 +348,7 @@ class RandomTeam {
   Model model_;
   Matcher matcher_;
   Replay replay_;
-  /// The change of the ontology that is under way.
+  /// The state of a change of the ontology.
   enum class Stage { none, filing, rematching } stage_ = Stage::none;
   vocabulary::Vocabulary next_ontology_;
   std::optional<ServiceKey> at_;

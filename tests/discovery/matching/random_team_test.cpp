@@ -1,4 +1,4 @@
-// The matcher against the model over random lives of a team. What fails is told as the shortest life that fails, too.
+// The matcher against the model over random lives of a team. A failure is reported as the shortest life that fails.
 // GEMINGA_SEED chooses another first seed.
 #include "discovery/matching/random_team.hpp"
 
@@ -8,7 +8,7 @@
 #include <functional>
 #include <map>
 
-#include "discovery/matching/degree.hpp"
+#include "discovery/matching/degrees/degree.hpp"
 #include "discovery/matching/taxonomy.hpp"
 
 namespace geminga::matching {
@@ -69,7 +69,7 @@ TEST(RandomTeam, IsCaughtTellingTooLittleInAFewSteps) {
   EXPECT_LE(least.steps.size(), 12) << in_words(least, "");
 }
 
-/// Whether lives come to what a rule is about: where nothing is told of it, the model notices.
+/// Whether random lives use a rule: where its events are suppressed, the model notices.
 TEST(RandomTeam, ComesToAllThatMatchingKnows) {
   const auto all = ontologies();
   const auto is_numeric = [](const Event& event) {

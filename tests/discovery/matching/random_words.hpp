@@ -1,4 +1,4 @@
-// What a random team offers and asks for.
+// Random offers and requests of a team.
 #ifndef GEMINGA_TESTS_DISCOVERY_MATCHING_RANDOM_WORDS_HPP
 #define GEMINGA_TESTS_DISCOVERY_MATCHING_RANDOM_WORDS_HPP
 
@@ -13,12 +13,12 @@
 
 namespace geminga::matching {
 
-/// A crowded team wants much the same thing, so that arbitration has much to do; a packed one has so many that offer
-/// it that not all of them are remembered.
-/// One that converts has many converters, and asks for all that they turn into each other.
+/// The kind of a team. A crowded one asks for much the same, so that arbitration has much to do. A packed one has so
+/// many providers of it that not all of them are remembered. One that converts has many converters, and asks for
+/// everything that they turn into each other.
 enum class Crowd { mixed, crowded, packed, converting };
 
-/// Draws from words that often mean the same.
+/// Draws from names that often mean the same.
 class RandomWords {
  public:
   explicit RandomWords(Crowd crowd) : crowd_(crowd) {}
@@ -45,7 +45,7 @@ class RandomWords {
     return semantic(concept_name, one_of<7>({"", "", "Frame", "FieldFrame", "Pitch", "PolarFieldFrame", "NewFrame"}));
   }
 
-  /// Of a request, which may also be a class expression.
+  /// The identity of a request, which may also be a class expression.
   Identity wish() {
     if (crowd_ == Crowd::packed || random_.chance(0.7)) return identity();
     const char* text = one_of<6>({"<Ball> or <Robot>", "<Round> and <Tracked>", "<has> some <Ball>", "not <Ball>",
@@ -74,7 +74,7 @@ class RandomWords {
                       ChannelMode::one_to_many_stream}[std::min<std::uint64_t>(random_.below(5) / 2, 2)];
   }
 
-  /// Numbers of publications and subscriptions of one peer differ, as in GCNP.
+  /// The key of a service. Numbers of publications and subscriptions of one peer differ, as in GCNP.
   ServiceKey some_key(bool is_subscription) {
     return key(static_cast<std::uint32_t>(1 + random_.below(4)), static_cast<std::uint32_t>(1 + random_.below(2)),
                static_cast<std::uint32_t>(2 * random_.below(crowd_ == Crowd::packed && !is_subscription ? 9 : 3) +

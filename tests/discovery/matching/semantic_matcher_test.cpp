@@ -1,4 +1,4 @@
-// What peers are told thanks to the ontology, and when the ontology changes.
+// Events that follow from the ontology, and from a change of it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

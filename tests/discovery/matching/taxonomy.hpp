@@ -39,14 +39,14 @@ class Taxonomy {
     source_.add(owl::AxiomKind::disjoint_classes, {named(a), named(b)}, file_, ++line_);
     return *this;
   }
-  /// Each has a value of the property that is one.
+  /// Every `sub` has a value of the property that is a `filler`.
   Taxonomy& some(std::string_view sub, std::string_view property, std::string_view filler) {
     const owl::TermId role = source_.object_property(iri(property));
     const owl::TermId some = source_.term(owl::TermKind::object_some_values_from, {role, named(filler)});
     source_.add(owl::AxiomKind::sub_class_of, {named(sub), some}, file_, ++line_);
     return *this;
   }
-  /// As if an axiom could not be read.
+  /// Leaves an axiom out, as if it could not be read.
   Taxonomy& leave_out(std::string_view construct) {
     source_.leave_out(construct, file_, ++line_);
     return *this;

@@ -20,7 +20,7 @@ inline ServiceKey key(std::uint32_t participant, std::uint32_t peer, std::uint32
 
 inline base::Instant at(int seconds) { return base::Instant(std::chrono::seconds(seconds)); }
 
-/// "p1.1.7": participant, peer and number.
+/// A key in words: "p1.1.7" for participant, peer and number.
 inline std::string name(const ServiceKey& key) {
   return "p" + std::to_string(std::to_underlying(key.participant)) + "." +
          std::to_string(std::to_underlying(key.peer)) + "." + std::to_string(key.number);
@@ -30,7 +30,7 @@ inline const ServiceKey& key_of(const Event& event) {
   return std::visit([](const auto& entry) -> const ServiceKey& { return entry->key; }, event.about);
 }
 
-/// Builds entries from what matters to a test; everything else is as by default.
+/// Build entries from the values that matter to a test; everything else is as by default.
 inline registry::PublicationEntry offer(const ServiceKey& key, Identity identity, std::int32_t priority = 0,
                                         ChannelMode mode = ChannelMode::one_to_one) {
   registry::PublicationEntry entry;
@@ -64,7 +64,7 @@ inline std::string word(Change change) {
   return change == Change::add ? "add" : change == Change::modify ? "modify" : "del";
 }
 
-/// "p1.1.1 pub add p2.1.7 narrower 2", "p1.1.1 pub del p2.1.7 expired", "p1.1.9 sub add p2.1.8 exact 0".
+/// An event in words: "p1.1.1 pub add p2.1.7 narrower 2", "p1.1.1 pub del p2.1.7 expired".
 inline std::string in_words(const Event& event) {
   const bool is_publication = event.about.index() == 0;
   std::string words =
@@ -73,14 +73,14 @@ inline std::string in_words(const Event& event) {
   return words + " " + std::string(to_string(event.match.degree)) + " " + std::to_string(event.match.distance);
 }
 
-/// All steps of a participant's departure.
+/// Takes all steps of a participant's departure.
 inline void remove_participant(Matcher& matcher, ParticipantId participant, Reason reason) {
   matcher.begin_departure(participant, reason);
   while (matcher.depart_next() || matcher.rejudge_next()) {
   }
 }
 
-/// All steps of the change to another vocabulary.
+/// Takes all steps of the change to another vocabulary.
 inline void change_vocabulary(Matcher& matcher, const vocabulary::Vocabulary& next) {
   matcher.begin_vocabulary(next);
   while (matcher.file_next()) {
@@ -90,7 +90,7 @@ inline void change_vocabulary(Matcher& matcher, const vocabulary::Vocabulary& ne
   }
 }
 
-/// All steps that place_again() asks for.
+/// Takes all steps that place_again() asks for.
 inline void place_again(Matcher& matcher) {
   matcher.place_again();
   while (matcher.rematch_next()) {
@@ -110,7 +110,7 @@ inline std::vector<ServiceKey> matched(const Matcher& matcher, const registry::S
   return keys;
 }
 
-/// The same, asked for by a peer of this host.
+/// The same for a request of a peer of this host.
 inline std::vector<ServiceKey> matched(const Matcher& matcher, const Subscription& asked) {
   registry::SubscriptionEntry entry = request(key(here, 1, 0), asked.identity);
   entry.subscription = asked;

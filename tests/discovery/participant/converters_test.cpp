@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "discovery/matching/state.hpp"
+#include "discovery/matching/matcher.hpp"
 #include "sim/client.hpp"
 #include "sim/host.hpp"
 #include "sim/small_ontology.hpp"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "discovery/matching/state.hpp"
+#include "discovery/matching/matcher.hpp"
 #include "discovery/participant/knowledge/work.hpp"
 #include "discovery/participant/queries/demand.hpp"
 #include "discovery/participant/why.hpp"

@@ -63,7 +63,7 @@ TEST(SemanticIndex, TwoOntologiesAreFiledBesideEachOther) {
   EXPECT_THAT(keys_of_filed(table.with_concept("http://example.org/a")), IsEmpty());
 }
 
-/// What the index should say, found by looking at everything.
+/// The expected answer of the index, found by looking at every entry.
 struct Model {
   struct Filed {
     Identity identity;

@@ -1,4 +1,4 @@
-// Keys, descriptions, identities and orders of time.
+// Tables: look-ups by key, identity and concept, and walks in order of key.
 #include "discovery/registry/table.hpp"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,10 @@ TEST(Registry, ListsByKeyByParticipantAndByPeer) {
     table.insert(offer(one, TextIdentity{"a"}), {});
   }
   std::vector<ServiceKey> all;
-  table.for_each([&all](const StoredPublication& stored) { all.push_back(stored.entry.key); });
+  table.visit_after(std::nullopt, [&all](const StoredPublication& stored) {
+    all.push_back(stored.entry.key);
+    return true;
+  });
   EXPECT_THAT(all, ElementsAre(key(1, 1, 9), key(1, 2, 3), key(1, 2, 7), key(2, 1, 1), key(3, 0, 0)));
   EXPECT_THAT(keys_of(table.of_participant(ParticipantId{1})), ElementsAre(key(1, 1, 9), key(1, 2, 3), key(1, 2, 7)));
   EXPECT_THAT(keys_of(table.of_participant(ParticipantId{4})), IsEmpty());

@@ -82,7 +82,7 @@ public final class Offer {
     }
 
     /**
-     * States the hosts on which consumers may be (src/discovery/matching/SCOPE.md).
+     * States the hosts on which consumers may be (src/discovery/matching/conditions/SCOPE.md).
      *
      * @param scope as {@code host}, or {@code robot2/vision,!host}; empty for any
      * @return the offer
@@ -92,7 +92,7 @@ public final class Offer {
     }
 
     /**
-     * States a condition on the attributes of consumers (src/discovery/matching/SCOPE.md).
+     * States a condition on the attributes of consumers (src/discovery/matching/conditions/SCOPE.md).
      *
      * @param condition as {@code rate in (10, 30)}; empty for all
      * @return the offer

@@ -67,7 +67,7 @@ public final class Request {
     }
 
     /**
-     * States the providers that come first (src/discovery/matching/PREFERENCES.md).
+     * States the providers that come first (src/discovery/matching/arbitration/PREFERENCES.md).
      *
      * @param providers {@code PARTICIPANT[/PEER]} each, in this order; none for no preference
      * @return the request
@@ -77,7 +77,7 @@ public final class Request {
     }
 
     /**
-     * States the attributes by which a provider is better (src/discovery/matching/PREFERENCES.md).
+     * States the attributes by which a provider is better (src/discovery/matching/arbitration/PREFERENCES.md).
      *
      * @param wishes {@code KEY asc} or {@code KEY desc} each, perhaps with {@code by NUMBER [UNIT]}
      * @return the request
@@ -97,7 +97,7 @@ public final class Request {
     }
 
     /**
-     * States a condition over attributes (src/discovery/matching/WHERE.md).
+     * States a condition over attributes (src/discovery/matching/conditions/WHERE.md).
      *
      * @param condition as {@code rate >= 30 and camera = 'front'}; empty for none
      * @return the request
@@ -107,7 +107,7 @@ public final class Request {
     }
 
     /**
-     * States the hosts on which providers may be (src/discovery/matching/SCOPE.md).
+     * States the hosts on which providers may be (src/discovery/matching/conditions/SCOPE.md).
      *
      * @param scope as {@code host}, or {@code robot2/vision,!host}; empty for any
      * @return the request
@@ -167,7 +167,7 @@ public final class Request {
     }
 
     /**
-     * Asks also for services whose representation can be converted into the requested one (src/discovery/matching/CONVERSIONS.md).
+     * Asks also for services whose representation can be converted into the requested one (src/discovery/matching/conversions/CONVERSIONS.md).
      *
      * @param cost {@code yes}, {@code no}, or the largest cost
      * @return the request

@@ -17,9 +17,9 @@ export interface Abortable {
 
 export interface PublicationStatement {
   priority?: number;
-  /** The hosts on which consumers may be (src/discovery/matching/SCOPE.md). */
+  /** The hosts on which consumers may be (src/discovery/matching/conditions/SCOPE.md). */
   scope?: string;
-  /** A condition over the consumer (src/discovery/matching/WHERE.md). */
+  /** A condition over the consumer (src/discovery/matching/conditions/WHERE.md). */
   for?: string;
   attributes?: Record<string, AttributeValue>;
 }

@@ -6,8 +6,8 @@
 #include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
-#include "discovery/matching/converter.hpp"
-#include "discovery/matching/scope.hpp"
+#include "discovery/matching/conditions/scope.hpp"
+#include "discovery/matching/conversions/converter.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 
 namespace geminga::participant {

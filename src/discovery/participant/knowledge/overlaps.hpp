@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/time.hpp"
-#include "discovery/matching/overlap.hpp"
+#include "discovery/matching/degrees/overlap.hpp"
 #include "discovery/participant/knowledge/remote_quota.hpp"
 #include "geminga/service.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "discovery/matching/preferences.hpp"
-#include "discovery/matching/where.hpp"
+#include "discovery/matching/arbitration/preferences.hpp"
+#include "discovery/matching/conditions/where.hpp"
 
 namespace geminga::participant {
 namespace {

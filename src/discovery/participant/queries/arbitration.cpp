@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "discovery/matching/interest.hpp"
 #include "discovery/matching/standing.hpp"
 #include "discovery/participant/queries/lines.hpp"
 
@@ -160,7 +161,7 @@ Check check_arbitration(matching::Matcher& matcher, const Survey& survey, const 
   const Asked& asked = survey.asked();
   if (!asked.is_living || !offer.is_living) return check_imagined(matcher, survey, offer.entry, rank, offer.is_living);
   matching::Place place{.rank = survey.ahead() + 1, .candidates = survey.matching()};
-  const std::size_t limit = matching::Matcher::counted_limit(asked.entry);
+  const std::size_t limit = matching::counted_limit(asked.entry);
   if (limit != 0 && place.rank > limit && limit <= survey.best().size()) {
     const auto last = std::next(survey.best().begin(), static_cast<std::ptrdiff_t>(limit) - 1);
     place.last = matcher.find_publication(last->key);

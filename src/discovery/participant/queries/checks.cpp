@@ -5,7 +5,8 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
-#include "discovery/matching/representation.hpp"
+#include "discovery/matching/conditions/provider.hpp"
+#include "discovery/matching/degrees/representation.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/mending.hpp"

@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "discovery/matching/interest.hpp"
+
 namespace geminga::participant {
 
 using registry::PublicationEntry;
@@ -55,7 +57,7 @@ bool Demand::proceed(Piece& piece) {
       survey_.emplace(matcher_, overlaps_, std::move(asked), rank);
     }
     if (!survey_->proceed(piece)) return false;
-    note(request->key, survey_->ahead() < matching::Matcher::counted_limit(*request));
+    note(request->key, survey_->ahead() < matching::counted_limit(*request));
     survey_.reset();
   }
   return true;
@@ -84,7 +86,7 @@ void Demand::look(const SubscriptionEntry& request, matching::Finding finding) {
 
 /// A newcomer must be better than the last that is chosen.
 Demand::Taking Demand::taking(const SubscriptionEntry& request, const matching::Match& match) const {
-  const std::size_t limit = matching::Matcher::counted_limit(request);
+  const std::size_t limit = matching::counted_limit(request);
   if (limit == 0) return Taking::yes;
   const auto chosen = matcher_.known_choice(request);
   if (!chosen) return Taking::unknown;

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "discovery/gcnp/event.hpp"
-#include "discovery/matching/arbitration.hpp"
-#include "discovery/matching/representation.hpp"
+#include "discovery/matching/arbitration/rank.hpp"
+#include "discovery/matching/degrees/representation.hpp"
 #include "discovery/matching/request.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"

@@ -2,8 +2,8 @@
 
 #include "base/text.hpp"
 #include "discovery/gcnp/parameters.hpp"
-#include "discovery/matching/consumer.hpp"
-#include "discovery/matching/representation.hpp"
+#include "discovery/matching/conversions/consumer.hpp"
+#include "discovery/matching/degrees/representation.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "discovery/matching/arbitration.hpp"
+#include "discovery/matching/arbitration/rank.hpp"
 #include "discovery/participant/knowledge/overlaps.hpp"
 #include "discovery/participant/queries/reasons.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "discovery/matching/converter.hpp"
+#include "discovery/matching/conversions/converter.hpp"
 #include "discovery/matching/matcher.hpp"
 
 namespace geminga::participant {

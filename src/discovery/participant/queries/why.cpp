@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "discovery/matching/representation.hpp"
+#include "discovery/matching/degrees/representation.hpp"
 #include "discovery/participant/queries/arbitration.hpp"
 #include "discovery/participant/queries/demand.hpp"
 #include "discovery/participant/queries/lines.hpp"

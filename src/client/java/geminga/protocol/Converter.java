@@ -4,7 +4,7 @@ import geminga.Conversion;
 import java.util.List;
 import java.util.Map;
 
-/** The application's conversions, applied along the chain of a match (src/discovery/matching/CONVERSIONS.md). */
+/** The application's conversions, applied along the chain of a match (src/discovery/matching/conversions/CONVERSIONS.md). */
 public final class Converter {
     private Converter() {}
 

@@ -1,4 +1,4 @@
-"""The application's conversions, applied along the chain of a match (src/discovery/matching/CONVERSIONS.md)."""
+"""The application's conversions, applied along the chain of a match (src/discovery/matching/conversions/CONVERSIONS.md)."""
 
 from __future__ import annotations
 

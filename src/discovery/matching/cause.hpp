@@ -1,0 +1,98 @@
+// One change of the matcher on its way from the directory through judging and choosing to the events.
+#ifndef GEMINGA_DISCOVERY_MATCHING_CAUSE_HPP
+#define GEMINGA_DISCOVERY_MATCHING_CAUSE_HPP
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "discovery/matching/directory.hpp"
+#include "discovery/matching/event.hpp"
+
+namespace geminga::matching {
+
+/// Says what a put() has replaced and which consumer is not told, and keeps the copies of entries that its events
+/// share. An empty cause is that of a change that replaces nothing. It must end before an entry that it told of is
+/// erased or replaced, because copies are found again by the address of the entry.
+class Cause {
+ public:
+  struct PublicationBefore {
+    const registry::StoredPublication* stored = nullptr;
+    registry::PublicationEntry before;
+    bool is_silent = false;  ///< nothing changed that is told
+  };
+  struct SubscriptionBefore {
+    const registry::StoredSubscription* stored = nullptr;
+    ReplacedSubscription before;
+    bool was_clashing = false;  ///< whether its number was that of two concepts
+    bool is_silent = false;     ///< nothing changed that is told
+  };
+
+  Cause() = default;
+  Cause(const Cause&) = delete;
+  Cause& operator=(const Cause&) = delete;
+
+  /// Says what an entry was until it was replaced.
+  void replace(const registry::StoredPublication& stored, registry::PublicationEntry before) {
+    const bool is_silent = is_told_alike(before, stored.entry);
+    publication_ = {.stored = &stored, .before = std::move(before), .is_silent = is_silent};
+  }
+  void replace(const registry::StoredSubscription& stored, ReplacedSubscription before, bool was_clashing) {
+    const bool is_silent = is_told_alike(before.entry, stored.entry);
+    subscription_ = {
+        .stored = &stored, .before = std::move(before), .was_clashing = was_clashing, .is_silent = is_silent};
+  }
+  /// The subscription whose consumer gets no events; null: all consumers get them.
+  const registry::StoredSubscription* untold = nullptr;
+
+  /// The subscription that was replaced; null: none was.
+  [[nodiscard]] const SubscriptionBefore* replaced_subscription() const {
+    return subscription_ ? &*subscription_ : nullptr;
+  }
+  [[nodiscard]] bool replaces(const registry::StoredSubscription& stored) const {
+    return subscription_ && subscription_->stored == &stored;
+  }
+  /// Whether the entry was replaced by one about which peers are told something else.
+  [[nodiscard]] bool modifies(const registry::StoredPublication& stored) const {
+    return publication_ && publication_->stored == &stored && !publication_->is_silent;
+  }
+  [[nodiscard]] bool modifies(const registry::StoredSubscription& stored) const {
+    return replaces(stored) && !subscription_->is_silent;
+  }
+  /// The entry as its peers were told of it.
+  [[nodiscard]] const registry::PublicationEntry& as_told(const registry::StoredPublication& stored) const {
+    return publication_ && publication_->stored == &stored ? publication_->before : stored.entry;
+  }
+  [[nodiscard]] const registry::SubscriptionEntry& as_told(const registry::StoredSubscription& stored) const {
+    return replaces(stored) ? subscription_->before.entry : stored.entry;
+  }
+
+  /// A copy of an entry. Many events about it, one after the other, share one copy.
+  [[nodiscard]] std::shared_ptr<const registry::PublicationEntry> copy(const registry::PublicationEntry& entry) {
+    return last_publication_.of(entry);
+  }
+  [[nodiscard]] std::shared_ptr<const registry::SubscriptionEntry> copy(const registry::SubscriptionEntry& entry) {
+    return last_subscription_.of(entry);
+  }
+
+ private:
+  template <typename Entry>
+  struct LastCopy {
+    const Entry* original = nullptr;
+    std::shared_ptr<const Entry> copied;
+
+    const std::shared_ptr<const Entry>& of(const Entry& entry) {
+      if (original != &entry) *this = {&entry, std::make_shared<const Entry>(entry)};
+      return copied;
+    }
+  };
+
+  std::optional<PublicationBefore> publication_;
+  std::optional<SubscriptionBefore> subscription_;
+  LastCopy<registry::PublicationEntry> last_publication_;
+  LastCopy<registry::SubscriptionEntry> last_subscription_;
+};
+
+}  // namespace geminga::matching
+
+#endif

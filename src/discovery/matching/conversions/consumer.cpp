@@ -1,0 +1,17 @@
+#include "discovery/matching/conversions/consumer.hpp"
+
+#include "discovery/matching/conditions/provider.hpp"
+
+namespace geminga::matching {
+
+bool Consumer::takes_part(const Converter& converter) const {
+  const Subscription& asked = entry.subscription;
+  if (!is_accepted_protocol(asked, converter.entry) || !is_accepted_provider(asked, converter.entry)) return false;
+  const Party consumer = party(entry);
+  const Party provider = party(converter.entry);
+  const Audience& audience = converter.audience;
+  return scope && scope->admits(consumer, provider) && audience.scope && audience.scope->admits(provider, consumer) &&
+         audience.condition && audience.condition->accepts(entry, declared);
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,106 @@
+// The degree of match of an offered and a requested identity, by the vocabulary or, where it knows neither, by name.
+#ifndef GEMINGA_DISCOVERY_MATCHING_DEGREES_DEGREE_HPP
+#define GEMINGA_DISCOVERY_MATCHING_DEGREES_DEGREE_HPP
+
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geminga/identity.hpp"
+#include "geminga/match.hpp"
+#include "geminga/service.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
+
+namespace geminga::matching {
+
+/// How well an offer meets a request.
+struct Match {
+  Degree degree = Degree::exact;
+  std::uint32_t distance = 0;  ///< taxonomy edges of the concept plus those of the representation
+  std::uint32_t cost = 0;      ///< of converting the representation; 0: it is not converted
+  std::uint32_t chain = 0;     ///< vocabulary::Chain::mark of the conversion; 0: it is not converted
+  friend bool operator==(const Match&, const Match&) = default;
+  /// Orders the better one first: by degree, cost and distance. Different chains of one cost are equally good.
+  friend std::weak_ordering operator<=>(const Match& a, const Match& b) {
+    if (a.degree != b.degree) return weakness(a.degree) <=> weakness(b.degree);
+    if (a.cost != b.cost) return a.cost <=> b.cost;
+    return a.distance <=> b.distance;
+  }
+};
+
+/// The classes of a semantic identity in one vocabulary. A name that the vocabulary does not know has no class here. An
+/// unsatisfiable class counts as none: it is below every other class, but has no instance that could be given or
+/// taken. Identities without classes match exactly or not at all.
+struct Classes {
+  std::optional<vocabulary::ClassNumber> concept_class;
+  std::optional<vocabulary::ClassNumber> representation_class;
+  /// The place of an expression that is asked for instead of a concept; null: it is no expression, or has no place.
+  std::shared_ptr<const vocabulary::Place> place{};
+};
+
+/// Gives the place of a canonical expression in a vocabulary; null where it is not known (yet) or has no instances.
+/// `from` is the participant that asks.
+using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
+    const vocabulary::Vocabulary& vocabulary, const std::string& expression, ParticipantId from)>;
+
+/// Says for one request whether an offered class overlaps with what it asks for; null: that waits to be decided. Empty
+/// where the request does not accept overlapping concepts (overlap.hpp).
+using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(const vocabulary::Vocabulary& vocabulary,
+                                                                            vocabulary::ClassNumber offered)>;
+
+/// Gives for one request the cheapest chain from an offered representation to a requested one; null where there is
+/// none. Empty: chains of declared conversions alone.
+using AskChain = std::function<std::shared_ptr<const vocabulary::Chain>(vocabulary::ClassNumber offered,
+                                                                        vocabulary::ClassNumber requested)>;
+
+/// Looks up the concept and the representation.
+[[nodiscard]] Classes classes_of(const Identity& identity, const vocabulary::Vocabulary& vocabulary);
+
+/// The degree of one name, a concept or a representation: exact for equal names, otherwise by subsumption between the
+/// two classes. Nothing where one has no class or neither subsumes the other.
+[[nodiscard]] std::optional<Match> degree_of_name(const std::string& offered_iri,
+                                                  std::optional<vocabulary::ClassNumber> offered,
+                                                  const std::string& requested_iri,
+                                                  std::optional<vocabulary::ClassNumber> requested,
+                                                  const vocabulary::Vocabulary& vocabulary);
+
+/// The degree and distance of a concept against an expression: those against a class in the expression's place
+/// (reasoning/placement/expression.hpp).
+[[nodiscard]] std::optional<Match> degree_of_expression(std::optional<vocabulary::ClassNumber> offered,
+                                                        const vocabulary::Place* requested,
+                                                        const vocabulary::Vocabulary& vocabulary);
+
+/// Whether a class without a degree against an expression may be below it all the same, because the place has gaps: the
+/// class is below every known superclass of the expression. With `is_broader_enough` also whether it may be above it.
+[[nodiscard]] bool may_be_missed(vocabulary::ClassNumber offered, const vocabulary::Place& requested,
+                                 bool is_broader_enough, const vocabulary::Vocabulary& vocabulary);
+
+/// The reasons in words why the place of a requested expression may be incomplete; empty where it is complete.
+[[nodiscard]] std::string gap_words(const Classes& requested);
+
+/// Whether the first is a number and the second a concept with that 32-bit identity.
+[[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
+
+/// The degree of the concepts alone, however weak.
+[[nodiscard]] std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Classes& offered_classes,
+                                                     const SemanticIdentity& requested,
+                                                     const Classes& requested_classes,
+                                                     const vocabulary::Vocabulary& vocabulary);
+
+/// The degree of the whole identity, however weak: the caller compares it with the weakest that the subscription
+/// allows. Numbers and texts match only when they are equal. Identities of different kinds never match, but for one
+/// exception: a number matches exactly the concept whose 32-bit identity it is. `convert` is the largest cost of a
+/// conversion that is accepted. `overlaps` is asked about concepts that have no other degree, `chains` about
+/// representations that have to be converted.
+[[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
+                                                      const Identity& requested, const Classes& requested_classes,
+                                                      const vocabulary::Vocabulary& vocabulary,
+                                                      std::uint32_t convert = 0, const AskOverlap& overlaps = {},
+                                                      const AskChain& chains = {});
+
+}  // namespace geminga::matching
+
+#endif

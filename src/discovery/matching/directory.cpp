@@ -1,0 +1,154 @@
+#include "discovery/matching/directory.hpp"
+
+#include "discovery/matching/conversions/converter.hpp"
+#include "discovery/matching/degrees/representation.hpp"
+
+namespace geminga::matching {
+
+using registry::PublicationEntry;
+using registry::StoredPublication;
+using registry::StoredSubscription;
+using registry::SubscriptionEntry;
+
+Directory::Directory(const Editions& editions) : editions_(editions) { open_indexes(editions.in_force()); }
+
+const StoredPublication& Directory::add(PublicationEntry entry) {
+  const StoredPublication& stored = publications_.insert(std::move(entry), {});
+  if (stored.slot >= of_publication_.size()) of_publication_.resize(stored.slot + 1);
+  known(stored) = {};
+  known(stored).arrival = ++arrivals_;
+  take_in(stored);
+  return stored;
+}
+
+PublicationEntry Directory::replace(const StoredPublication& stored, PublicationEntry entry) {
+  PublicationEntry before = publications_.replace(stored, std::move(entry), {});
+  take_in(stored);
+  return before;
+}
+
+void Directory::take_in(const StoredPublication& stored) {
+  const Publication& offered = stored.entry.publication;
+  known(stored).audience =
+      Audience::is_stated(offered) ? std::make_unique<const Audience>(Audience::of(offered)) : nullptr;
+  file(stored, editions_.in_force());
+  if (editions_.are_both_filed()) file(stored, editions_.other());
+}
+
+const StoredSubscription& Directory::add(SubscriptionEntry entry, Request request) {
+  const FilingPlan plan = this->plan(entry, request);
+  const StoredSubscription& stored = subscriptions_.insert(std::move(entry), plan.filing());
+  if (stored.slot >= of_subscription_.size()) of_subscription_.resize(stored.slot + 1);
+  known(stored) = {.stored = &stored, .request = std::move(request), .generation = editions_.in_force().generation};
+  watch(stored);
+  return stored;
+}
+
+ReplacedSubscription Directory::replace(const StoredSubscription& stored, SubscriptionEntry entry, Request request) {
+  const FilingPlan plan = this->plan(entry, request);
+  unwatch(stored);
+  KnownSubscription& subscription = known(stored);
+  ReplacedSubscription before{subscriptions_.replace(stored, std::move(entry), plan.filing()),
+                              std::exchange(subscription.request, std::move(request)),
+                              std::exchange(subscription.generation, editions_.in_force().generation)};
+  watch(stored);
+  return before;
+}
+
+void Directory::retire(const StoredPublication& stored, Reason reason) {
+  known(stored).leaves = reason;
+  for (const Edition* edition : {&editions_.in_force(), &editions_.other()}) {
+    if (edition->converters == nullptr || edition->converters->is_empty()) continue;
+    edition->converters->erase(stored.entry.key);
+    filed_ += edition->converters->take_work();
+  }
+}
+
+void Directory::erase(const StoredPublication& stored) {
+  filed_ += 1 + stored.classes[std::to_underlying(editions_.in_force().generation)].size();
+  publications_.erase(stored);
+}
+
+void Directory::erase(const StoredSubscription& stored) {
+  unwatch(stored);
+  known(stored) = {};
+  subscriptions_.erase(stored);
+}
+
+void Directory::open_indexes(const Edition& edition) {
+  publications_.set_class_count(edition.vocabulary.class_count(), edition.generation);
+  subscriptions_.set_class_count(edition.vocabulary.class_count(), edition.generation);
+}
+
+void Directory::close_indexes(const Edition& edition) {
+  publications_.set_class_count(0, edition.generation);
+  subscriptions_.set_class_count(0, edition.generation);
+}
+
+void Directory::file(const StoredPublication& stored, const Edition& edition) {
+  KnownPublication& publication = known(stored);
+  const auto generation = std::to_underlying(edition.generation);
+  publication.classes[generation] = classes_of(stored.entry.publication.identity, edition.vocabulary);
+  const Attributes& attributes = stored.entry.publication.attributes;
+  publication.signatures[generation] =
+      has_signature(attributes) ? std::make_unique<const Signature>(signature_of(attributes, edition.vocabulary))
+                                : nullptr;
+  if (!publication.leaves && (is_converter(attributes) || !edition.converters->is_empty())) {
+    edition.converters->put(stored.entry, audience(publication), publication.arrival);
+    filed_ += edition.converters->take_work();
+  }
+  const FilingPlan plan = FilingPlan::of_publication(publication.classes[generation], edition);
+  publications_.refile(stored, plan.filing());
+  filed_ += 1 + plan.size();
+}
+
+void Directory::unfile(const StoredPublication& stored, const Edition& edition) {
+  const auto generation = std::to_underlying(edition.generation);
+  filed_ += 1 + stored.classes[generation].size();
+  publications_.unfile(stored, edition.generation);
+  known(stored).classes[generation] = {};
+  known(stored).signatures[generation] = nullptr;
+}
+
+void Directory::unfile(const StoredSubscription& stored) {
+  unwatch(stored);
+  subscriptions_.unfile(stored, std::exchange(known(stored).generation, editions_.in_force().generation));
+}
+
+Request Directory::file(const StoredSubscription& stored, Request request) {
+  const FilingPlan plan = this->plan(stored.entry, request);
+  subscriptions_.refile(stored, plan.filing());
+  filed_ += 1 + plan.size();
+  Request before = std::exchange(known(stored).request, std::move(request));
+  watch(stored);
+  return before;
+}
+
+void Directory::watch(const StoredSubscription& stored) {
+  const Request& request = known(stored).request;
+  if (request.consumer == nullptr) return;
+  edition_of(stored).converters->watch(request.consumer, *request.classes.representation_class);
+}
+
+void Directory::unwatch(const StoredSubscription& stored) { edition_of(stored).converters->unwatch(stored.entry.key); }
+
+std::shared_ptr<const vocabulary::Chain> Directory::chain(const StoredSubscription& subscription,
+                                                          const StoredPublication& publication) const {
+  const Edition& edition = edition_of(subscription);
+  const Request& asked = request(subscription);
+  return chain_between(classes(publication, edition).representation_class, asked.classes.representation_class,
+                       edition.vocabulary, asked.chains);
+}
+
+std::vector<const StoredSubscription*> Directory::subscriptions_for(const StoredPublication& publication) const {
+  std::vector<const StoredSubscription*> found;
+  const auto add = [&](const Edition& edition) {
+    add_subscriptions_for(subscriptions_, publication, classes(publication, edition), edition, found);
+  };
+  add(editions_.in_force());
+  if (editions_.stage() == ChangeStage::rematching) add(editions_.other());
+  order_by_key(found);
+  return found;
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,205 @@
+#include "discovery/matching/pairs.hpp"
+
+#include <functional>
+#include <utility>
+
+#include "discovery/matching/interest.hpp"
+
+namespace geminga::matching {
+
+using registry::StoredPublication;
+using registry::StoredSubscription;
+using registry::SubscriptionEntry;
+
+void Pairs::add(const StoredPublication& publication) {
+  if (publication.slot >= considered_by_.size()) considered_by_.resize(publication.slot + 1);
+}
+
+void Pairs::prepare(const StoredSubscription& subscription, const Request* former) {
+  if (subscription.slot >= of_subscription_.size()) of_subscription_.resize(subscription.slot + 1);
+  OfSubscription& own = of(subscription);
+  const Request& request = directory_.request(subscription);
+  if (former != nullptr && former->preferences != request.preferences) {
+    own.choice.release_waiting();
+    forget_dropped(subscription);
+  }
+  own.choice.set_margins(request.preferences.margins());
+  own.choice.set_limit(arbitrated_limit(subscription.entry));
+  own.is_waiting = false;
+}
+
+bool Pairs::was_chosen_unseen(const StoredPublication& publication, const Cause& cause) const {
+  const auto* replaced = cause.replaced_subscription();
+  if (replaced == nullptr) return false;
+  const SubscriptionEntry& before = replaced->before.entry;
+  const Edition& edition = directory_.edition_of(replaced->before);
+  const bool was_kept_apart =
+      replaced->was_clashing && before.subscription.identity.index() != publication.entry.publication.identity.index();
+  const bool was_announced = before.subscription.chosen.empty() || is_announced_choice(before, publication.entry);
+  return was_announced && !is_of_interest(before, publication.entry) &&
+         before.subscription.mode != ChannelMode::one_to_many_stream && !was_kept_apart &&
+         meets(before, replaced->before.request, directory_.offer(publication, edition), edition.vocabulary);
+}
+
+bool Pairs::is_hopeless(const StoredSubscription& subscription, const StoredPublication& publication,
+                        const Cause& cause) {
+  // A replaced subscription without a limit may have been given this publication unseen. Only judging the pair shows
+  // it.
+  if (cause.replaced_subscription() != nullptr) return false;
+  constexpr Match best_possible;
+  Choice& choice = of(subscription).choice;
+  return choice.has_passed_over() &&
+         choice.passes_over(directory_.request(subscription).rank(publication.entry, best_possible));
+}
+
+void Pairs::judge(const StoredSubscription& subscription, const StoredPublication& publication, const Cause& cause) {
+  auto& considered = considered_by_[publication.slot];
+  auto& choice = of(subscription).choice;
+  const bool is_interesting = is_of_interest(subscription.entry, publication.entry);
+  const auto known = considered.find(subscription.slot);
+  if (!is_interesting && known == considered.end()) return;
+  if (known == considered.end() && is_hopeless(subscription, publication, cause)) return;
+  const auto [match, waits] = judge_.judge(subscription, publication);
+  if (waits) of(subscription).is_waiting = true;
+  if (!match || !is_interesting) {
+    if (known == considered.end()) return;
+    const Reason reason = match ? Reason::outranked : Reason::changed;  // its consumer has chosen others
+    choice.withdraw(known->second, directory_.reason_to_go(publication).value_or(reason));
+    considered.erase(known);
+    return;
+  }
+  const Rank rank = directory_.request(subscription).rank(publication.entry, *match);
+  if (known != considered.end()) {
+    choice.change(std::exchange(known->second, rank), rank);
+  } else {
+    const bool is_incumbent = was_chosen_unseen(publication, cause);
+    if (!is_incumbent && choice.passes_over(rank)) return;
+    if (is_turned_away(subscription, publication)) return;
+    considered.emplace(subscription.slot, rank);
+    choice.offer(rank, publication, is_incumbent);
+  }
+  forget_dropped(subscription);
+}
+
+void Pairs::judge_all(const StoredSubscription& subscription, const Cause& cause) {
+  for (const auto& [rank, publication] : choice(subscription).candidates()) judge(subscription, *publication, cause);
+  directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
+    if (!considered_by(publication).contains(subscription.slot)) judge(subscription, publication, cause);
+    return false;
+  });
+}
+
+void Pairs::refill(const StoredSubscription& subscription, const Cause& cause) {
+  forget_dropped(subscription);
+  directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
+    const bool is_candidate =
+        !directory_.is_going(publication) && !considered_by(publication).contains(subscription.slot);
+    if (is_candidate) judge(subscription, publication, cause);
+    return false;
+  });
+}
+
+void Pairs::forget_dropped(const StoredSubscription& subscription) {
+  for (const auto* dropped : of(subscription).choice.take_dropped())
+    considered_by_[dropped->slot].erase(subscription.slot);
+}
+
+void Pairs::settle(const StoredSubscription& subscription, Cause& cause) {
+  rejudge_if_stale(subscription, cause);
+  Choice& choice = of(subscription).choice;
+  const auto refill_choice = [&] { refill(subscription, cause); };
+  const Verdict verdict = choice.settle(std::ref(refill_choice));
+  forget_dropped(subscription);
+  events_.tell(subscription, verdict, cause);
+  if (!subscription.entry.is_local) return;
+  const bool is_same = verdict.gone.empty() && verdict.come.empty() && verdict.outranked.empty();
+  announced_.update(subscription, choice, !is_same || cause.replaces(subscription));
+}
+
+void Pairs::rejudge_if_stale(const StoredSubscription& subscription, const Cause& cause) {
+  const auto& converters = directory_.edition_of(subscription).converters;
+  const ServiceKey& key = subscription.entry.key;
+  if (converters->stale().empty() || !converters->stale().contains(key)) return;
+  converters->refresh(key);
+  if (directory_.is_going(subscription)) return;
+  directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
+    ++passed_;
+    if (directory_.is_going(publication)) return false;
+    const auto& considered = considered_by(publication);
+    const auto known = considered.find(subscription.slot);
+    const auto chain = directory_.chain(subscription, publication);
+    const bool is_converted = chain != nullptr && chain->cost <= subscription.entry.subscription.convert;
+    const std::uint32_t mark = is_converted ? chain->mark : 0;
+    // The mark is 0 for a pair without a conversion, and for a publication that is no candidate.
+    const std::uint32_t was = known == considered.end() ? 0 : known->second.match.chain;
+    if (mark != was) judge(subscription, publication, cause);
+    return false;
+  });
+}
+
+void Pairs::judge_anew(const std::vector<const StoredSubscription*>& subscriptions, Cause& cause) {
+  for (const auto* subscription : subscriptions) {
+    judge_all(*subscription, cause);
+    settle(*subscription, cause);
+  }
+}
+
+bool Pairs::is_turned_away(const StoredSubscription& subscription, const StoredPublication& publication) {
+  // A consumer with a limit remembers few candidates anyway, however many publications there are.
+  const bool takes_all = !subscription.entry.is_local && arbitrated_limit(subscription.entry) == 0;
+  if (!takes_all || considered_by(publication).size() < max_consumers) return false;
+  crowded_.insert(publication.entry.key);
+  return true;
+}
+
+void Pairs::relieve(Cause& cause) {
+  for (auto at = crowded_.begin(); at != crowded_.end();) {
+    const StoredPublication* stored = directory_.publications().find(*at);
+    if (stored != nullptr && considered_by(*stored).size() > max_consumers / 2) {
+      ++at;
+      continue;
+    }
+    at = crowded_.erase(at);
+    if (stored == nullptr) continue;
+    for (const auto* subscription : directory_.subscriptions_for(*stored)) {
+      judge(*subscription, *stored, cause);
+      settle(*subscription, cause);
+    }
+  }
+}
+
+std::vector<const StoredSubscription*> Pairs::withdraw(const std::vector<const StoredPublication*>& publications,
+                                                       Reason reason) {
+  std::vector<const StoredSubscription*> concerned;
+  for (const auto* publication : publications) {
+    for (const auto& [slot, rank] : considered_by(*publication)) {
+      of_subscription_[slot].choice.withdraw(rank, reason);
+      concerned.push_back(&directory_.subscription_at(slot));
+    }
+    considered_by_[publication->slot].clear();
+  }
+  passed_ += concerned.size();
+  order_by_key(concerned);
+  return concerned;
+}
+
+void Pairs::end(const StoredSubscription& subscription, Reason reason, Cause& cause) {
+  OfSubscription& own = of(subscription);
+  events_.tell_end(subscription, own.choice.chosen(), reason, cause);
+  for (const auto& [rank, publication] : own.choice.candidates()) {
+    considered_by_[publication->slot].erase(subscription.slot);
+    ++passed_;
+  }
+  own = {};
+  announced_.erase(subscription);
+}
+
+std::optional<Match> Pairs::chosen_match(const StoredSubscription& subscription,
+                                         const StoredPublication& publication) const {
+  const auto& considered = considered_by(publication);
+  const auto known = considered.find(subscription.slot);
+  const bool is_chosen = known != considered.end() && choice(subscription).is_chosen(known->second);
+  return is_chosen ? std::optional(known->second.match) : std::nullopt;
+}
+
+}  // namespace geminga::matching

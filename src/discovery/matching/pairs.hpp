@@ -1,0 +1,110 @@
+// The pairs that match, and the choice of each subscription among them.
+#ifndef GEMINGA_DISCOVERY_MATCHING_PAIRS_HPP
+#define GEMINGA_DISCOVERY_MATCHING_PAIRS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "discovery/matching/announced_choices.hpp"
+#include "discovery/matching/arbitration/choice.hpp"
+#include "discovery/matching/cause.hpp"
+#include "discovery/matching/considered_by.hpp"
+#include "discovery/matching/directory.hpp"
+#include "discovery/matching/events.hpp"
+#include "discovery/matching/judge.hpp"
+
+namespace geminga::matching {
+
+/// Consumers of other hosts without a limit that a publication of our own is told of. A further one waits until half of
+/// them have gone, so that the walk through all who ask for it is made once for many departures.
+inline constexpr std::size_t max_consumers = 1024;
+
+/// A pair is judged first, which changes the candidates of the subscription. To settle the subscription afterwards
+/// makes its choice and tells the events of it. Every subscription that was judged must be settled.
+class Pairs {
+ public:
+  Pairs(const Directory& directory, const Judge& judge, Events& events)
+      : directory_(directory), judge_(judge), events_(events) {}
+  Pairs(const Pairs&) = delete;
+  Pairs& operator=(const Pairs&) = delete;
+
+  /// A publication has come that was not there. It is in no pair.
+  void add(const registry::StoredPublication& publication);
+  /// The request of a subscription has been made anew; `former` is the request that it had, null where it is new. All
+  /// its pairs must be judged.
+  void prepare(const registry::StoredSubscription& subscription, const Request* former);
+  void judge(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication,
+             const Cause& cause);
+  /// Judges all pairs of a subscription.
+  void judge_all(const registry::StoredSubscription& subscription, const Cause& cause);
+  void settle(const registry::StoredSubscription& subscription, Cause& cause);
+  /// Judges all pairs of each of these, and settles it.
+  void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions, Cause& cause);
+  /// Takes up the consumers that wait for a publication which has room again.
+  void relieve(Cause& cause);
+
+  /// Ends all pairs of publications that are about to be erased. Gives the subscriptions that must be settled, in
+  /// ascending order of key.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> withdraw(
+      const std::vector<const registry::StoredPublication*>& publications, Reason reason);
+  /// Ends all pairs of a subscription that is about to be erased, and tells its providers.
+  void end(const registry::StoredSubscription& subscription, Reason reason, Cause& cause);
+
+  /// The subscriptions that have a publication among their candidates.
+  [[nodiscard]] const ConsideredBy& considered_by(const registry::StoredPublication& publication) const {
+    return considered_by_[publication.slot];
+  }
+  [[nodiscard]] const Choice& choice(const registry::StoredSubscription& subscription) const {
+    return of_subscription_[subscription.slot].choice;
+  }
+  /// Whether the reasoner has still to decide about a pair of the subscription.
+  [[nodiscard]] bool is_waiting(const registry::StoredSubscription& subscription) const {
+    return of_subscription_[subscription.slot].is_waiting;
+  }
+  /// The match of a pair that is chosen.
+  [[nodiscard]] std::optional<Match> chosen_match(const registry::StoredSubscription& subscription,
+                                                  const registry::StoredPublication& publication) const;
+  [[nodiscard]] const AnnouncedChoices& announced() const { return announced_; }
+  [[nodiscard]] bool take_choice_change() { return announced_.take_change(); }
+  /// How many entries of an index were passed since the start.
+  [[nodiscard]] std::uint64_t passed() const { return passed_; }
+
+ private:
+  struct OfSubscription {
+    Choice choice;
+    bool is_waiting = false;
+  };
+
+  [[nodiscard]] OfSubscription& of(const registry::StoredSubscription& subscription) {
+    return of_subscription_[subscription.slot];
+  }
+  /// Judges each candidate of a subscription whose chain is not what it was, if converters have made it stale.
+  void rejudge_if_stale(const registry::StoredSubscription& subscription, const Cause& cause);
+  /// Offers every candidate that the choice does not hold.
+  void refill(const registry::StoredSubscription& subscription, const Cause& cause);
+  void forget_dropped(const registry::StoredSubscription& subscription);
+  /// Whether a new candidate would be dropped however well it meets the subscription, so that this need not be known.
+  [[nodiscard]] bool is_hopeless(const registry::StoredSubscription& subscription,
+                                 const registry::StoredPublication& publication, const Cause& cause);
+  /// Whether the pair had been chosen although it was of no interest, before the subscription got a limit.
+  [[nodiscard]] bool was_chosen_unseen(const registry::StoredPublication& publication, const Cause& cause) const;
+  /// Whether the publication has as many consumers as it can be told of, and this one has to wait.
+  [[nodiscard]] bool is_turned_away(const registry::StoredSubscription& subscription,
+                                    const registry::StoredPublication& publication);
+
+  const Directory& directory_;
+  const Judge& judge_;
+  Events& events_;
+  AnnouncedChoices announced_;
+  std::vector<ConsideredBy> considered_by_;      ///< by slot of the publication
+  std::vector<OfSubscription> of_subscription_;  ///< by slot
+  std::set<ServiceKey> crowded_;                 ///< publications that somebody waits for
+  std::uint64_t passed_ = 0;
+};
+
+}  // namespace geminga::matching
+
+#endif

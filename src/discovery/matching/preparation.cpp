@@ -1,0 +1,41 @@
+#include "discovery/matching/preparation.hpp"
+
+#include <memory>
+
+namespace geminga::matching {
+
+Request Preparation::prepare(const Subscription& asked) const {
+  return prepared(asked, editions_.in_force().vocabulary, placing_, {}, overlapping_);
+}
+
+Request Preparation::prepare(const registry::SubscriptionEntry& entry, bool must_convert) const {
+  const Edition& edition = editions_.in_force();
+  Request request = prepared(entry.subscription, edition.vocabulary, placing_, entry.key.participant, overlapping_);
+  if (!request.classes.representation_class || (!must_convert && entry.subscription.convert == 0)) return request;
+  const auto asking = [&](std::shared_ptr<const Consumer> consumer) -> AskChain {
+    return [converters = edition.converters, consumer = std::move(consumer)](vocabulary::ClassNumber offered,
+                                                                             vocabulary::ClassNumber requested) {
+      return converters->chain(*consumer, offered, requested);
+    };
+  };
+  const vocabulary::Units& declared = edition.vocabulary.units();
+  request.consumer =
+      std::make_shared<const Consumer>(Consumer{.entry = entry, .scope = request.scope, .declared = declared});
+  request.chains = asking(request.consumer);
+  if (!must_convert) return request;
+  registry::SubscriptionEntry of_all = entry;
+  of_all.subscription.providers.clear();
+  of_all.subscription.protocols.clear();
+  request.chains_of_all =
+      asking(std::make_shared<const Consumer>(Consumer{.entry = of_all, .scope = Scope(), .declared = declared}));
+  return request;
+}
+
+OverlapAnswer Preparation::overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
+                                   const Classes& requested_classes) const {
+  const vocabulary::Vocabulary& vocabulary = editions_.in_force().vocabulary;
+  return overlapping_ ? overlapping_(vocabulary, offered, requested, requested_classes, {})
+                      : decided_at_once(vocabulary, offered, requested, requested_classes);
+}
+
+}  // namespace geminga::matching

@@ -1,0 +1,146 @@
+#include "discovery/matching/vocabulary_change.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#include "base/assert.hpp"
+
+namespace geminga::matching {
+namespace {
+
+using registry::StoredPublication;
+using registry::StoredSubscription;
+
+/// How many entries one step of a walk may pass while it looks for one that needs work.
+constexpr std::size_t entries_in_step = 64;
+
+/// The first entry behind `at`, to which `at` moves; null where there is none.
+template <typename Table>
+auto next_after(const Table& table, std::optional<ServiceKey>& at) {
+  const typename Table::StoredEntry* found = nullptr;
+  table.visit_after(at, [&](const auto& stored) {
+    found = &stored;
+    return false;
+  });
+  if (found != nullptr) at = found->entry.key;
+  return found;
+}
+
+}  // namespace
+
+void VocabularyChange::begin(const vocabulary::Vocabulary& next) {
+  editions_.begin_filing(next);
+  directory_.open_indexes(editions_.other());
+  at_.reset();
+}
+
+bool VocabularyChange::file_next() {
+  GEMINGA_ASSERT(editions_.stage() == ChangeStage::filing);
+  const auto* stored = next_after(directory_.publications(), at_);
+  if (stored == nullptr) return false;
+  directory_.file(*stored, editions_.other());
+  return true;
+}
+
+void VocabularyChange::put_in_force() {
+  editions_.begin_rematching();
+  at_.reset();
+  place_walk_.reset();  // all are asked for their places now
+}
+
+bool VocabularyChange::rematch_next() {
+  GEMINGA_ASSERT(editions_.stage() != ChangeStage::filing);
+  if (editions_.stage() == ChangeStage::none) return place_next();
+  if (editions_.stage() == ChangeStage::unfiling) {
+    unfile_next();
+    return true;
+  }
+  const auto before = at_;
+  const auto* stored = next_after(directory_.subscriptions(), at_);
+  if (stored == nullptr) {
+    editions_.begin_unfiling();
+    at_.reset();
+    return true;
+  }
+  const bool is_due = directory_.edition_of(*stored).generation != editions_.in_force().generation;
+  if (is_due && !rematch_if_answered(*stored)) at_ = before;
+  return true;
+}
+
+void VocabularyChange::catch_up(const StoredSubscription& subscription) {
+  if (directory_.edition_of(subscription).generation == editions_.in_force().generation) return;
+  rematch(subscription, preparation_.prepare(subscription.entry, false));
+}
+
+bool VocabularyChange::asks_overlaps(const StoredSubscription& subscription, const Request& request) const {
+  if (!request.overlaps) return true;
+  bool waits = false;
+  directory_.visit_publications_for(
+      subscription.entry.subscription, request, [&](const StoredPublication& publication) {
+        if (directory_.is_going(publication)) return false;
+        waits = judge_.judge(subscription.entry, request, publication, editions_.in_force()).waits;
+        return waits;
+      });
+  return !waits;
+}
+
+bool VocabularyChange::rematch_if_answered(const StoredSubscription& subscription) {
+  Request request = preparation_.prepare(subscription.entry, false);
+  const bool may_wait = subscription.entry.is_local && !directory_.is_going(subscription);
+  if (may_wait && !asks_overlaps(subscription, request)) return false;
+  rematch(subscription, std::move(request));
+  return true;
+}
+
+void VocabularyChange::rematch(const StoredSubscription& subscription, Request request) {
+  directory_.unfile(subscription);
+  if (directory_.is_going(subscription)) return;
+  const Request former = directory_.file(subscription, std::move(request));
+  pairs_.prepare(subscription, &former);
+  Cause cause;
+  pairs_.judge_all(subscription, cause);
+  pairs_.settle(subscription, cause);
+}
+
+void VocabularyChange::unfile_next() {
+  const auto* stored = next_after(directory_.publications(), at_);
+  if (stored != nullptr) {
+    directory_.unfile(*stored, editions_.other());
+    return;
+  }
+  directory_.close_indexes(editions_.other());
+  editions_.end_change();
+}
+
+void VocabularyChange::place_again() {
+  if (place_walk_) {
+    place_walk_->must_repeat = true;
+  } else {
+    place_walk_.emplace();
+  }
+}
+
+bool VocabularyChange::place_next() {
+  if (!place_walk_) return false;
+  const StoredSubscription* waiting = nullptr;
+  std::size_t passed = 0;
+  std::optional<ServiceKey> before;
+  const bool is_over = directory_.subscriptions().visit_after(place_walk_->at, [&](const StoredSubscription& stored) {
+    before = std::exchange(place_walk_->at, stored.entry.key);
+    const bool is_placed = directory_.request(stored).classes.place != nullptr;
+    const bool must_be_placed = !is_placed && has_expression(stored.entry.subscription.identity);
+    const bool is_due = must_be_placed || pairs_.is_waiting(stored);
+    if (is_due && !directory_.is_going(stored)) waiting = &stored;
+    return waiting == nullptr && ++passed < entries_in_step;
+  });
+  passed_ += passed;
+  if (waiting != nullptr) {
+    if (!rematch_if_answered(*waiting)) place_walk_->at = before;
+  } else if (is_over) {
+    const bool must_repeat = place_walk_->must_repeat;
+    place_walk_ = must_repeat ? std::optional(PlaceWalk()) : std::nullopt;
+  }
+  return true;
+}
+
+}  // namespace geminga::matching

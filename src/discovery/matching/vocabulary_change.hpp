@@ -1,0 +1,63 @@
+// The change from one vocabulary to another, in steps between which everything else goes on.
+#ifndef GEMINGA_DISCOVERY_MATCHING_VOCABULARY_CHANGE_HPP
+#define GEMINGA_DISCOVERY_MATCHING_VOCABULARY_CHANGE_HPP
+
+#include <cstdint>
+#include <optional>
+
+#include "discovery/matching/directory.hpp"
+#include "discovery/matching/editions.hpp"
+#include "discovery/matching/judge.hpp"
+#include "discovery/matching/pairs.hpp"
+#include "discovery/matching/preparation.hpp"
+
+namespace geminga::matching {
+
+/// The promises of each step are those of the functions of Matcher with the same name.
+class VocabularyChange {
+ public:
+  VocabularyChange(Editions& editions, const Preparation& preparation, Directory& directory, const Judge& judge,
+                   Pairs& pairs)
+      : editions_(editions), preparation_(preparation), directory_(directory), judge_(judge), pairs_(pairs) {}
+
+  void begin(const vocabulary::Vocabulary& next);
+  bool file_next();
+  void put_in_force();
+  bool rematch_next();
+  void place_again();
+
+  /// Judges a subscription by the vocabulary in force now, if the former one judges it.
+  void catch_up(const registry::StoredSubscription& subscription);
+  /// How many entries of an index were passed since the start.
+  [[nodiscard]] std::uint64_t passed() const { return passed_; }
+
+ private:
+  /// Judges a subscription by the vocabulary in force.
+  void rematch(const registry::StoredSubscription& subscription, Request request);
+  /// The same unless a request of our own waits for the reasoner: then nothing is done, so that it loses nothing that
+  /// it has. Whether it was done.
+  bool rematch_if_answered(const registry::StoredSubscription& subscription);
+  /// Asks the reasoner whatever judging this subscription will ask it. False: some of it waits to be decided.
+  [[nodiscard]] bool asks_overlaps(const registry::StoredSubscription& subscription, const Request& request) const;
+  void unfile_next();
+  bool place_next();
+
+  /// The walk over the subscriptions whose expressions have no place, and those that wait for the reasoner.
+  struct PlaceWalk {
+    std::optional<ServiceKey> at;  ///< the last one that it passed
+    bool must_repeat = false;
+  };
+
+  Editions& editions_;
+  const Preparation& preparation_;
+  Directory& directory_;
+  const Judge& judge_;
+  Pairs& pairs_;
+  std::optional<ServiceKey> at_;  ///< the last entry that the change has dealt with; nothing: none yet
+  std::optional<PlaceWalk> place_walk_;
+  std::uint64_t passed_ = 0;
+};
+
+}  // namespace geminga::matching
+
+#endif
