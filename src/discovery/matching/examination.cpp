@@ -39,8 +39,7 @@ Finding Examination::examine(const StoredSubscription& stored, const Offer& offe
   const bool is_current = directory_.edition_of(stored).generation == edition.generation;
   const Request& known = directory_.request(stored);
   const auto* requested = std::get_if<SemanticIdentity>(&asked.subscription.identity);
-  const bool may_overlap =
-      requested != nullptr && asked.subscription.weakest == Degree::overlapping && preparation_.has_overlapping();
+  const bool may_overlap = requested != nullptr && asked.subscription.weakest == Degree::overlapping;
   if (is_current && !may_overlap) return judge_.examine(asked, known, offer, edition);
   Request anew = is_current ? known : preparation_.prepare(asked, false);
   if (may_overlap) {  // the question is that of the peer that examines, and takes nothing of the consumer's share

@@ -24,8 +24,6 @@ class Preparation {
   /// The request of nobody in particular: nobody converts for it.
   [[nodiscard]] Request prepare(const Subscription& asked) const;
 
-  /// Whether others answer about overlaps. Else the reasoner decides at once.
-  [[nodiscard]] bool has_overlapping() const { return bool(overlapping_); }
   /// Whether an offered class overlaps with what is asked for, by the vocabulary in force, for a peer of this host;
   /// null: that waits to be decided.
   [[nodiscard]] OverlapAnswer overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
