@@ -34,7 +34,7 @@ vocabulary::Vocabulary movers(bool is_whole = true) {
 struct Case {
   Identity offered;
   Identity asked;
-  std::string wanted;  ///< what a request for overlapping concepts is told; empty: nothing
+  std::string wanted;  ///< the event of a request for overlapping concepts; empty: none
   std::string code;    ///< the code of the obstacle; empty: none
 };
 
