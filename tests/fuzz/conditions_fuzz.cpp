@@ -64,7 +64,7 @@ void check_preferences(std::string_view text, const registry::PublicationEntry& 
   Subscription subscription;
   subscription.prefer = text;
   subscription.rank = text.substr(0, text.find(';'));
-  const auto preferences = Preferences::of(subscription);
+  const auto preferences = Preferences::parse(subscription);
   require(preferences.has_value() != matching::check_preferences(subscription).has_value());
   if (!preferences) return check_error(preferences.error());
   const Score score = preferences->score(entry, {});
@@ -76,7 +76,7 @@ void check_preferences(std::string_view text, const registry::PublicationEntry& 
 }
 
 void check_scope(std::string_view text, const registry::PublicationEntry& entry) {
-  const auto scope = Scope::of(text);
+  const auto scope = Scope::parse(text);
   if (!scope) return check_error(scope.error());
   const Party own{entry.key, entry.participant_name, entry.peer_name};
   static_cast<void>(scope->admits(own, {{ParticipantId{2}, PeerId{1}, 1}, "robot2", "world"}));

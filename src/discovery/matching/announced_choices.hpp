@@ -22,7 +22,7 @@ class AnnouncedChoices {
   }
 
   /// In ascending order of key; nothing where nothing is announced.
-  [[nodiscard]] std::vector<ServiceKey> of(const registry::StoredSubscription& subscription) const {
+  [[nodiscard]] std::vector<ServiceKey> keys(const registry::StoredSubscription& subscription) const {
     return subscription.slot < of_subscription_.size() ? of_subscription_[subscription.slot].keys
                                                        : std::vector<ServiceKey>();
   }

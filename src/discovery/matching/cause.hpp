@@ -69,10 +69,10 @@ class Cause {
 
   /// A copy of an entry. Many events about it, one after the other, share one copy.
   [[nodiscard]] std::shared_ptr<const registry::PublicationEntry> copy(const registry::PublicationEntry& entry) {
-    return last_publication_.of(entry);
+    return last_publication_.copy_of(entry);
   }
   [[nodiscard]] std::shared_ptr<const registry::SubscriptionEntry> copy(const registry::SubscriptionEntry& entry) {
-    return last_subscription_.of(entry);
+    return last_subscription_.copy_of(entry);
   }
 
  private:
@@ -81,7 +81,7 @@ class Cause {
     const Entry* original = nullptr;
     std::shared_ptr<const Entry> copied;
 
-    const std::shared_ptr<const Entry>& of(const Entry& entry) {
+    const std::shared_ptr<const Entry>& copy_of(const Entry& entry) {
       if (original != &entry) *this = {&entry, std::make_shared<const Entry>(entry)};
       return copied;
     }

@@ -30,7 +30,7 @@ PublicationEntry Directory::replace(const StoredPublication& stored, Publication
 void Directory::take_in(const StoredPublication& stored) {
   const Publication& offered = stored.entry.publication;
   known(stored).audience =
-      Audience::is_stated(offered) ? std::make_unique<const Audience>(Audience::of(offered)) : nullptr;
+      Audience::is_stated(offered) ? std::make_unique<const Audience>(Audience::parse(offered)) : nullptr;
   file(stored, editions_.in_force());
   if (editions_.are_both_filed()) file(stored, editions_.other());
 }

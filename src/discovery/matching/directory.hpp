@@ -84,10 +84,10 @@ class Directory {
   }
   /// The edition that a subscription is judged by.
   [[nodiscard]] const Edition& edition_of(const registry::StoredSubscription& stored) const {
-    return editions_.of(known(stored).generation);
+    return editions_.by_generation(known(stored).generation);
   }
   [[nodiscard]] const Edition& edition_of(const ReplacedSubscription& replaced) const {
-    return editions_.of(replaced.generation);
+    return editions_.by_generation(replaced.generation);
   }
   [[nodiscard]] const Classes& classes(const registry::StoredPublication& stored, const Edition& edition) const {
     return known(stored).classes[std::to_underlying(edition.generation)];

@@ -37,7 +37,7 @@ class Editions {
   [[nodiscard]] const Edition& in_force() const { return in_force_; }
   /// The next edition while filing, then the former one. Without vocabulary and converters outside of a change.
   [[nodiscard]] const Edition& other() const { return other_; }
-  [[nodiscard]] const Edition& of(registry::Generation generation) const {
+  [[nodiscard]] const Edition& by_generation(registry::Generation generation) const {
     return generation == in_force_.generation ? in_force_ : other_;
   }
   [[nodiscard]] ChangeStage stage() const { return stage_; }

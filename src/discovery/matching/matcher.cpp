@@ -151,7 +151,7 @@ std::optional<Match> Matcher::given(const ServiceKey& subscription, const Servic
 
 std::vector<ServiceKey> Matcher::announced_choice(const ServiceKey& subscription) const {
   const StoredSubscription* stored = directory_.subscriptions().find(subscription);
-  return stored == nullptr ? std::vector<ServiceKey>() : pairs_.announced().of(*stored);
+  return stored == nullptr ? std::vector<ServiceKey>() : pairs_.announced().keys(*stored);
 }
 
 std::shared_ptr<const vocabulary::Chain> Matcher::chain(const ServiceKey& subscription,

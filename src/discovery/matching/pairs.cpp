@@ -16,16 +16,16 @@ void Pairs::add(const StoredPublication& publication) {
 }
 
 void Pairs::prepare(const StoredSubscription& subscription, const Request* former) {
-  if (subscription.slot >= of_subscription_.size()) of_subscription_.resize(subscription.slot + 1);
-  OfSubscription& own = of(subscription);
+  if (subscription.slot >= choosers_.size()) choosers_.resize(subscription.slot + 1);
+  Chooser& chooser = chooser_of(subscription);
   const Request& request = directory_.request(subscription);
   if (former != nullptr && former->preferences != request.preferences) {
-    own.choice.release_waiting();
+    chooser.choice.release_waiting();
     forget_dropped(subscription);
   }
-  own.choice.set_margins(request.preferences.margins());
-  own.choice.set_limit(arbitrated_limit(subscription.entry));
-  own.is_waiting = false;
+  chooser.choice.set_margins(request.preferences.margins());
+  chooser.choice.set_limit(arbitrated_limit(subscription.entry));
+  chooser.is_waiting = false;
 }
 
 bool Pairs::was_chosen_unseen(const StoredPublication& publication, const Cause& cause) const {
@@ -47,20 +47,20 @@ bool Pairs::is_hopeless(const StoredSubscription& subscription, const StoredPubl
   // it.
   if (cause.replaced_subscription() != nullptr) return false;
   constexpr Match best_possible;
-  Choice& choice = of(subscription).choice;
+  Choice& choice = chooser_of(subscription).choice;
   return choice.has_passed_over() &&
          choice.passes_over(directory_.request(subscription).rank(publication.entry, best_possible));
 }
 
 void Pairs::judge(const StoredSubscription& subscription, const StoredPublication& publication, const Cause& cause) {
   auto& considered = considered_by_[publication.slot];
-  auto& choice = of(subscription).choice;
+  auto& choice = chooser_of(subscription).choice;
   const bool is_interesting = is_of_interest(subscription.entry, publication.entry);
   const auto known = considered.find(subscription.slot);
   if (!is_interesting && known == considered.end()) return;
   if (known == considered.end() && is_hopeless(subscription, publication, cause)) return;
   const auto [match, waits] = judge_.judge(subscription, publication);
-  if (waits) of(subscription).is_waiting = true;
+  if (waits) chooser_of(subscription).is_waiting = true;
   if (!match || !is_interesting) {
     if (known == considered.end()) return;
     const Reason reason = match ? Reason::outranked : Reason::changed;  // its consumer has chosen others
@@ -100,13 +100,13 @@ void Pairs::refill(const StoredSubscription& subscription, const Cause& cause) {
 }
 
 void Pairs::forget_dropped(const StoredSubscription& subscription) {
-  for (const auto* dropped : of(subscription).choice.take_dropped())
+  for (const auto* dropped : chooser_of(subscription).choice.take_dropped())
     considered_by_[dropped->slot].erase(subscription.slot);
 }
 
 void Pairs::settle(const StoredSubscription& subscription, Cause& cause) {
   rejudge_if_stale(subscription, cause);
-  Choice& choice = of(subscription).choice;
+  Choice& choice = chooser_of(subscription).choice;
   const auto refill_choice = [&] { refill(subscription, cause); };
   const Verdict verdict = choice.settle(std::ref(refill_choice));
   forget_dropped(subscription);
@@ -173,7 +173,7 @@ std::vector<const StoredSubscription*> Pairs::withdraw(const std::vector<const S
   std::vector<const StoredSubscription*> concerned;
   for (const auto* publication : publications) {
     for (const auto& [slot, rank] : considered_by(*publication)) {
-      of_subscription_[slot].choice.withdraw(rank, reason);
+      choosers_[slot].choice.withdraw(rank, reason);
       concerned.push_back(&directory_.subscription_at(slot));
     }
     considered_by_[publication->slot].clear();
@@ -184,13 +184,13 @@ std::vector<const StoredSubscription*> Pairs::withdraw(const std::vector<const S
 }
 
 void Pairs::end(const StoredSubscription& subscription, Reason reason, Cause& cause) {
-  OfSubscription& own = of(subscription);
-  events_.tell_end(subscription, own.choice.chosen(), reason, cause);
-  for (const auto& [rank, publication] : own.choice.candidates()) {
+  Chooser& chooser = chooser_of(subscription);
+  events_.tell_end(subscription, chooser.choice.chosen(), reason, cause);
+  for (const auto& [rank, publication] : chooser.choice.candidates()) {
     considered_by_[publication->slot].erase(subscription.slot);
     ++passed_;
   }
-  own = {};
+  chooser = {};
   announced_.erase(subscription);
 }
 

@@ -36,10 +36,12 @@ class Pairs {
   /// The request of a subscription has been made anew; `former` is the request that it had, null where it is new. All
   /// its pairs must be judged.
   void prepare(const registry::StoredSubscription& subscription, const Request* former);
+  /// Makes the pair a candidate, changes its rank, or withdraws it.
   void judge(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication,
              const Cause& cause);
   /// Judges all pairs of a subscription.
   void judge_all(const registry::StoredSubscription& subscription, const Cause& cause);
+  /// Chooses, and tells the events.
   void settle(const registry::StoredSubscription& subscription, Cause& cause);
   /// Judges all pairs of each of these, and settles it.
   void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions, Cause& cause);
@@ -58,11 +60,11 @@ class Pairs {
     return considered_by_[publication.slot];
   }
   [[nodiscard]] const Choice& choice(const registry::StoredSubscription& subscription) const {
-    return of_subscription_[subscription.slot].choice;
+    return choosers_[subscription.slot].choice;
   }
   /// Whether the reasoner has still to decide about a pair of the subscription.
   [[nodiscard]] bool is_waiting(const registry::StoredSubscription& subscription) const {
-    return of_subscription_[subscription.slot].is_waiting;
+    return choosers_[subscription.slot].is_waiting;
   }
   /// The match of a pair that is chosen.
   [[nodiscard]] std::optional<Match> chosen_match(const registry::StoredSubscription& subscription,
@@ -73,13 +75,14 @@ class Pairs {
   [[nodiscard]] std::uint64_t passed() const { return passed_; }
 
  private:
-  struct OfSubscription {
+  /// A subscription that chooses, and whether the reasoner has still to decide about one of its pairs.
+  struct Chooser {
     Choice choice;
     bool is_waiting = false;
   };
 
-  [[nodiscard]] OfSubscription& of(const registry::StoredSubscription& subscription) {
-    return of_subscription_[subscription.slot];
+  [[nodiscard]] Chooser& chooser_of(const registry::StoredSubscription& subscription) {
+    return choosers_[subscription.slot];
   }
   /// Judges each candidate of a subscription whose chain is not what it was, if converters have made it stale.
   void rejudge_if_stale(const registry::StoredSubscription& subscription, const Cause& cause);
@@ -99,9 +102,9 @@ class Pairs {
   const Judge& judge_;
   Events& events_;
   AnnouncedChoices announced_;
-  std::vector<ConsideredBy> considered_by_;      ///< by slot of the publication
-  std::vector<OfSubscription> of_subscription_;  ///< by slot
-  std::set<ServiceKey> crowded_;                 ///< publications that somebody waits for
+  std::vector<ConsideredBy> considered_by_;  ///< by slot of the publication
+  std::vector<Chooser> choosers_;            ///< by slot
+  std::set<ServiceKey> crowded_;             ///< publications that somebody waits for
   std::uint64_t passed_ = 0;
 };
 

@@ -70,9 +70,9 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
     if (request.classes.place && !request.classes.place->is_satisfiable) request.classes.place = nullptr;
   }
   if (auto where = Where::parse(subscription.where, vocabulary.units())) request.where = std::move(*where);
-  if (auto preferences = Preferences::of(subscription, vocabulary.units()))
+  if (auto preferences = Preferences::parse(subscription, vocabulary.units()))
     request.preferences = std::move(*preferences);
-  auto scope = Scope::of(subscription.scope);
+  auto scope = Scope::parse(subscription.scope);
   request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
   request.overlaps = asking(subscription, request.classes, from, overlapping);
   if (has_signature(subscription.attributes)) request.signature = signature_of(subscription.attributes, vocabulary);

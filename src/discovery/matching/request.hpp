@@ -56,7 +56,7 @@ struct Offer {
 /// An offer of a publication that is not stored. Borrows the entry.
 struct Imagined {
   Imagined(const registry::PublicationEntry& entry, const vocabulary::Vocabulary& vocabulary)
-      : audience(Audience::of(entry.publication)),
+      : audience(Audience::parse(entry.publication)),
         classes(classes_of(entry.publication.identity, vocabulary)),
         signature(signature_of(entry.publication.attributes, vocabulary)),
         offer{entry, audience, classes, &signature} {}

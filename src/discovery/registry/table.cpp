@@ -102,16 +102,17 @@ struct Table<Entry>::Indexes {
     return slot;
   }
 
-  SemanticIndex<Entry>& of(Generation generation) { return classes[std::to_underlying(generation)]; }
+  SemanticIndex<Entry>& index_of(Generation generation) { return classes[std::to_underlying(generation)]; }
 
   void file(const Stored<Entry>& stored, const Filing& filing) {
     names.file(stored);
-    of(filing.generation).file(stored, filing);
+    index_of(filing.generation).file(stored, filing);
   }
 
   void unfile(const Stored<Entry>& stored) {
     names.unfile(stored);
-    for (const Generation generation : {Generation::even, Generation::odd}) of(generation).unfile(stored, generation);
+    for (const Generation generation : {Generation::even, Generation::odd})
+      index_of(generation).unfile(stored, generation);
   }
 };
 
@@ -162,19 +163,19 @@ void Table<Entry>::erase(const StoredEntry& stored) {
 
 template <typename Entry>
 void Table<Entry>::set_class_count(std::size_t count, Generation generation) {
-  indexes_->of(generation).set_class_count(count);
+  indexes_->index_of(generation).set_class_count(count);
 }
 
 template <typename Entry>
 void Table<Entry>::refile(const StoredEntry& stored, const Filing& filing) {
-  auto& index = indexes_->of(filing.generation);
+  auto& index = indexes_->index_of(filing.generation);
   index.unfile(stored, filing.generation);
   index.file(stored, filing);
 }
 
 template <typename Entry>
 void Table<Entry>::unfile(const StoredEntry& stored, Generation generation) {
-  indexes_->of(generation).unfile(stored, generation);
+  indexes_->index_of(generation).unfile(stored, generation);
   stored.classes[std::to_underlying(generation)].shrink_to_fit();
 }
 
@@ -207,12 +208,12 @@ std::span<const Filed<Entry>> Table<Entry>::with_concept(std::string_view concep
 
 template <typename Entry>
 std::span<const Filed<Entry>> Table<Entry>::own(ClassIndex number, Generation generation) const {
-  return indexes_->of(generation).own(number);
+  return indexes_->index_of(generation).own(number);
 }
 
 template <typename Entry>
 std::span<const Filed<Entry>> Table<Entry>::below(ClassIndex number, Generation generation) const {
-  return indexes_->of(generation).below(number);
+  return indexes_->index_of(generation).below(number);
 }
 
 template <typename Entry>

@@ -22,8 +22,8 @@ TEST(Editions, GoThroughTheStagesOfAChangeAndEndWithTheNextOneAlone) {
   editions.begin_rematching();
   EXPECT_TRUE(editions.are_both_filed());
   EXPECT_TRUE(editions.in_force().vocabulary.has_ontology_of(next));
-  EXPECT_EQ(&editions.of(editions.in_force().generation), &editions.in_force());
-  EXPECT_EQ(&editions.of(editions.other().generation), &editions.other());
+  EXPECT_EQ(&editions.by_generation(editions.in_force().generation), &editions.in_force());
+  EXPECT_EQ(&editions.by_generation(editions.other().generation), &editions.other());
   editions.begin_unfiling();
   EXPECT_FALSE(editions.are_both_filed());
   editions.end_change();

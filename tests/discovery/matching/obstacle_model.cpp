@@ -50,7 +50,7 @@ bool meets(const Model& model, const Pair& pair) {
 }
 
 bool is_unreadable(const Pair& pair) {
-  return !Scope::of(pair.subscription.subscription.scope) || !Scope::of(pair.publication.publication.scope) ||
+  return !Scope::parse(pair.subscription.subscription.scope) || !Scope::parse(pair.publication.publication.scope) ||
          !Where::parse(pair.subscription.subscription.where) || !Where::parse(pair.publication.publication.for_whom);
 }
 

@@ -91,11 +91,11 @@ TEST(Pairs, AnnounceTheChoiceOfARequestThatHadToChooseAndForgetItWithTheRequest)
   const auto& asked = owners.add(request(key(here, 1, 1), ball, 1));
   Cause cause;
   owners.pairs.judge_anew({&asked}, cause);
-  EXPECT_THAT(owners.pairs.announced().of(asked), ElementsAre(second.entry.key));
+  EXPECT_THAT(owners.pairs.announced().keys(asked), ElementsAre(second.entry.key));
   EXPECT_TRUE(owners.pairs.take_choice_change());
   EXPECT_FALSE(owners.pairs.take_choice_change());
   owners.pairs.end(asked, Reason::withdrawn, cause);
-  EXPECT_THAT(owners.pairs.announced().of(asked), IsEmpty());
+  EXPECT_THAT(owners.pairs.announced().keys(asked), IsEmpty());
   EXPECT_FALSE(owners.pairs.take_choice_change());
 }
 

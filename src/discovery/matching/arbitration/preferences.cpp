@@ -98,7 +98,7 @@ std::string shown(const Wish& wish, const PublicationEntry& publication, const U
 
 }  // namespace
 
-std::expected<Preferences, Error> Preferences::of(const Subscription& subscription, const Units& declared) {
+std::expected<Preferences, Error> Preferences::parse(const Subscription& subscription, const Units& declared) {
   Preferences preferences;
   preferences.favoured_ = subscription.favoured;
   if (subscription.prefer.ends_with(',')) {
@@ -219,7 +219,7 @@ std::string Preferences::lead(const PublicationEntry& better, const Match& its_m
 }
 
 std::optional<Error> check_preferences(const Subscription& subscription, const Units& declared) {
-  const auto preferences = Preferences::of(subscription, declared);
+  const auto preferences = Preferences::parse(subscription, declared);
   return preferences ? std::nullopt : std::optional(preferences.error());
 }
 

@@ -45,8 +45,8 @@ class Preferences {
   Preferences() = default;
   /// Reads the preferences of a subscription. `declared` are the units that are known beside the table. The error (422)
   /// says what cannot be read.
-  [[nodiscard]] static std::expected<Preferences, Error> of(const Subscription& subscription,
-                                                            const vocabulary::Units& declared = {});
+  [[nodiscard]] static std::expected<Preferences, Error> parse(const Subscription& subscription,
+                                                               const vocabulary::Units& declared = {});
 
   /// The place of a publication in the preferred order: one number for each criterion and wish, the lesser the better.
   /// The scores of all publications have the same length. Empty, without an allocation, where there are no preferences.

@@ -22,10 +22,10 @@ struct Audience {
   [[nodiscard]] static bool is_stated(const Publication& publication) {
     return !publication.scope.empty() || !publication.for_whom.empty();
   }
-  [[nodiscard]] static Audience of(const Publication& publication) {
+  [[nodiscard]] static Audience parse(const Publication& publication) {
     Audience audience;
     if (!publication.scope.empty()) {
-      auto scope = Scope::of(publication.scope);
+      auto scope = Scope::parse(publication.scope);
       audience.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
     }
     if (!publication.for_whom.empty()) {

@@ -29,7 +29,7 @@ std::optional<Scope::Entry> Scope::entry(std::string_view text) {
   return entry;
 }
 
-std::expected<Scope, Error> Scope::of(std::string_view text) {
+std::expected<Scope, Error> Scope::parse(std::string_view text) {
   const auto unreadable = [&](std::string_view item) {
     return std::unexpected(Error{
         ErrorCode::impossible, "scope: " + base::printable(item.empty() ? text : item, max_shown_item) +
@@ -71,7 +71,7 @@ bool Scope::admits(const Party& own, const Party& other) const {
 }
 
 std::optional<Error> check_scope(std::string_view text) {
-  auto scope = Scope::of(text);
+  auto scope = Scope::parse(text);
   return scope ? std::nullopt : std::optional(std::move(scope.error()));
 }
 

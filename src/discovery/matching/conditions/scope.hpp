@@ -31,7 +31,7 @@ class Scope {
   /// Admits everybody.
   Scope() = default;
   /// Reads a scope. The empty one admits everybody. The error (422) says what cannot be read.
-  [[nodiscard]] static std::expected<Scope, Error> of(std::string_view text);
+  [[nodiscard]] static std::expected<Scope, Error> parse(std::string_view text);
 
   [[nodiscard]] bool is_everybody() const { return entries_.empty(); }
   /// Whether the scope of `own` admits the other: no entry excludes it, and an entry admits it or no entry admits

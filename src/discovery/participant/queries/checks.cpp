@@ -239,7 +239,7 @@ Check check_scope(const matching::Matcher& matcher, const Asked& asked, const Pu
   other.publication.for_whom.clear();
   const auto match = matcher.why(one, other);
   if (match) return {"scope", Obstacle::none, "each is in the scope of the other"};
-  const bool is_readable = asked.request->scope && matching::Scope::of(offer.publication.scope);
+  const bool is_readable = asked.request->scope && matching::Scope::parse(offer.publication.scope);
   return {"scope", is_readable ? Obstacle::scope : Obstacle::unreadable, match.error(),
           is_readable ? "widen that scope, or leave it out" : newer_elsewhere};
 }

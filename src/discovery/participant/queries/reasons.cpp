@@ -240,7 +240,7 @@ Reason Reasons::likely(Piece& piece, const registry::SubscriptionEntry& request)
 
 /// What is wrong with the offer itself, whatever is asked for.
 std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& offer) {
-  if (!matching::Scope::of(offer.publication.scope) || !matching::Where::parse(offer.publication.for_whom)) {
+  if (!matching::Scope::parse(offer.publication.scope) || !matching::Where::parse(offer.publication.for_whom)) {
     return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
                   "its provider's host knows more of conditions than this one: update a whole team"};
   }

@@ -20,7 +20,7 @@ const Identity ball = TextIdentity{"ball"};
 
 /// Which of peer 1 (module1) on robot1, robot2 and robot12 the scope of a module on robot1 admits.
 std::vector<std::string> admitted(const std::string& text) {
-  const auto scope = Scope::of(text);
+  const auto scope = Scope::parse(text);
   EXPECT_TRUE(scope) << text << ": " << scope.error().text;
   const Party own{key(1, 9, 9), "robot1", "module9"};
   std::vector<std::string> names;
