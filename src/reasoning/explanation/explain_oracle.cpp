@@ -12,7 +12,7 @@ using hypertableau::Verdict;
 
 /// The bounds of one question. An explanation asks tens of them, most about a handful of axioms.
 struct Bounds {
-  hypertableau::Limits model;
+  hypertableau::QuestionLimits model;
   std::size_t derived_clauses = 0;
   std::size_t undecided = 0;  ///< so many of these questions may be too hard
 };

@@ -300,7 +300,7 @@ class Completing {
   const taxonomy::Classification& classification_;
   const Options& options_;
   const CompletionLimits& limits_;
-  hypertableau::Limits question_;
+  hypertableau::QuestionLimits question_;
   std::uint32_t top_;
   std::uint32_t bottom_;
   Completion result_;

@@ -23,7 +23,7 @@ struct CompletionLimits {
   std::size_t classes = 50'000;     ///< of an ontology; beyond it no model is looked for
   std::size_t questions = 100'000;  ///< to the tableau, of all kinds
   std::size_t unanswered = 20;      ///< questions that were too hard
-  hypertableau::Limits question{.nodes = 20'000, .steps = 500'000};
+  hypertableau::QuestionLimits question{.nodes = 20'000, .steps = 500'000};
 };
 
 struct Completion {

@@ -139,6 +139,14 @@ bool ClauseStore::has_alternatives() const {
                              [](const Record& record) { return record.head > 1 && record.state != State::redundant; });
 }
 
+bool ClauseStore::count_alternative(std::uint32_t most) {
+  if (is_cut_) return false;
+  if (++alternatives_ <= most) return true;
+  is_cut_ = true;
+  drop_alternatives();
+  return false;
+}
+
 void ClauseStore::drop_alternatives() {
   for (Record& record : clauses_) {
     if (record.head > 1) record.state = State::redundant;

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/dl/consequence/literal.hpp"
 #include "reasoning/dl/consequence/pool.hpp"
+#include "reasoning/dl/consequence/rules/literal.hpp"
 
 namespace geminga::consequence {
 
@@ -20,7 +20,7 @@ using ClauseNumber = std::uint32_t;
 
 class ClauseStore {
  public:
-  /// What is filed under a literal, or under a key that stands for one (in_body(), neighbours()).
+  /// Entries under a literal, or under a key that stands for one (in_body(), neighbours()).
   struct Lists {
     Pooled<std::uint32_t> maximal;  ///< clauses with it as a maximal literal; of neighbours(): terms
     Pooled<std::uint32_t> others;   ///< clauses with it elsewhere in the head; of in_body(): in the body
@@ -100,8 +100,10 @@ class ClauseStore {
   ClauseNumber insert(std::span<const Literal> body, std::span<const Literal> head, std::size_t maximal);
   /// Whether some clause has more than one literal in its head.
   [[nodiscard]] bool has_alternatives() const;
-  /// Drops every clause with more than one literal in its head.
-  void drop_alternatives();
+  /// Counts a conclusion with alternatives (more than one literal in the head). With more than `most` of them the store
+  /// is cut: it drops every clause with alternatives and takes no more. False: it is cut.
+  [[nodiscard]] bool count_alternative(std::uint32_t most);
+  [[nodiscard]] bool is_cut() const { return is_cut_; }
   void clear();
   /// The number of clauses that were compared since the last call.
   [[nodiscard]] std::size_t take_compared() { return std::exchange(compared_, 0); }
@@ -136,6 +138,7 @@ class ClauseStore {
                              std::span<const Literal> body, std::span<const Literal> head) const;
   void drop_implied(ClauseNumber clause);
   void drop_implied(const Record& by, const Pooled<std::uint32_t>& candidates);
+  void drop_alternatives();
 
   Pooled<Slot> slots_;
   std::size_t used_slots_ = 0;
@@ -143,6 +146,8 @@ class ClauseStore {
   Pooled<Literal> literals_;
   Pooled<Record> clauses_;
   Pooled<ClauseNumber> headless_;
+  std::uint32_t alternatives_ = 0;  ///< conclusions with alternatives
+  bool is_cut_ = false;
   mutable std::size_t compared_ = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/sorted.hpp"
+#include "reasoning/dl/consequence/rules/rule_builder.hpp"
+#include "reasoning/dl/consequence/rules/rules.hpp"
 #include "reasoning/dl/consequence/saturation.hpp"
 #include "reasoning/dl/consequence/settled.hpp"
 
@@ -33,7 +35,7 @@ using clauses::number;
 
 Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses, std::span<const ConceptId> wanted,
                  const Options& options) {
-  const Rules rules(RuleBuilder(source, clauses, options.facts).run());
+  const Rules rules(build_rules(source, clauses, options.facts));
   const RuleSet& vocabulary = rules.vocabulary();
   std::vector<std::uint32_t> wanted_predicates;
   for (const ConceptId asked : wanted) wanted_predicates.push_back(vocabulary.predicate_of[number(asked)]);
@@ -41,32 +43,30 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                         {.clauses = options.clauses, .alternatives = options.alternatives, .budget = options.budget});
   const ArenaUse use(saturation.arena());
   // There is some thing, and there is each individual.
-  const auto exists = [&](ContextKey&& key) {
-    saturation.post(saturation.context_for(std::move(key), 0), MessageKind::exists, nullptr, x_term, {}, {}, 0);
-  };
-  exists({});
+  saturation.assert_existence({});
   if (options.facts) {
-    for (const std::uint32_t nominal : vocabulary.nominal_of) exists({{unary(nominal, x_term)}});
+    for (const std::uint32_t nominal : vocabulary.nominal_of) saturation.assert_existence({{unary(nominal, x_term)}});
   }
   for (const ConceptId asked : wanted) {
-    if (asked != clauses::nothing) static_cast<void>(saturation.context_for(key_of(vocabulary, asked), 0));
+    if (asked != clauses::nothing) saturation.ask(key_of(vocabulary, asked));
   }
   saturation.run(std::max(1U, options.threads));
 
+  const SharedEffort& effort = saturation.effort();
   Closure closure;
   closure.gaps = vocabulary.gaps;
-  if (saturation.is_cut_off() && !saturation.is_contradictory()) {
+  if (effort.is_cut_off() && !effort.is_contradictory()) {
     const auto spent = options.budget == nullptr ? std::nullopt : options.budget->reason();
-    const std::string most = saturation.is_flooded()
-                                 ? std::to_string(saturation.max_messages()) + " messages between contexts waited"
+    const std::string most = effort.is_flooded()
+                                 ? std::to_string(effort.max_messages()) + " messages between contexts waited"
                                  : std::to_string(options.clauses) + " clauses were derived";
     closure.gaps.push_back(spent ? *spent : "more than " + most);
   }
-  if (saturation.has_cut_context() && !saturation.is_contradictory()) closure.gaps.emplace_back(alternative_gap);
+  if (effort.has_cut_context() && !effort.is_contradictory()) closure.gaps.emplace_back(alternative_gap);
   base::sort_unique(closure.gaps);
-  closure.contexts = saturation.context_count();
-  closure.derived = saturation.clause_count();
-  closure.is_consistent = !saturation.is_contradictory();
+  closure.contexts = saturation.contexts().size();
+  closure.derived = effort.clause_count();
+  closure.is_consistent = !effort.is_contradictory();
   const Settled settled(saturation, closure.gaps);
   for (const ConceptId asked : wanted) {
     if (!closure.is_consistent || asked == clauses::nothing) {
@@ -75,7 +75,7 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
       closure.is_plain.push_back(false);
       continue;
     }
-    const Context& context = *saturation.find(key_of(vocabulary, asked));
+    const Context& context = *saturation.contexts().find(key_of(vocabulary, asked));
     closure.subsumers.push_back(subsumers_of(vocabulary, context, asked));
     closure.is_settled.push_back(settled.is_settled(context));
     closure.is_plain.push_back(settled.is_settled(context) && !context.is_unsatisfiable &&

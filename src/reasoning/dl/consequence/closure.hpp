@@ -10,11 +10,15 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/budget.hpp"
 #include "reasoning/dl/clauses/clause.hpp"
+#include "reasoning/dl/consequence/rules/gaps.hpp"
+
+namespace geminga::owl {
+class Ontology;
+}
 
 namespace geminga::consequence {
 
@@ -34,16 +38,7 @@ struct Options {
   base::Budget* budget = nullptr;
 };
 
-/// The gaps. The first two are about facts alone. If there is no other gap, the subsumers of named classes are complete
-/// as long as the facts are consistent, which is then undecided unless is_consistent is false.
-inline constexpr std::string_view fact_gap = "facts about properties, together with alternatives";
-inline constexpr std::string_view key_gap = "owl:hasKey";
-inline constexpr std::string_view nominal_gap = "owl:oneOf, owl:hasValue";
-inline constexpr std::string_view range_gap = "data ranges that are more than datatypes and single values";
-inline constexpr std::string_view alternative_gap = "classes with many alternatives";
-inline constexpr std::string_view value_gap = "numbers of values of finite data ranges";
-
-/// What follows. Always sound. Complete if `gaps` is empty.
+/// The consequences of the clauses. Always sound. Complete if `gaps` is empty.
 struct Closure {
   bool is_consistent = true;  ///< false: an individual of the facts cannot exist
   /// For each concept that was asked for, in that order: the named classes and nominals above it, ascending, including

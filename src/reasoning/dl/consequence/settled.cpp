@@ -11,18 +11,18 @@ Settled::Settled(const Saturation& saturation, std::span<const std::string> gaps
   const auto is_local = [&](std::string_view gap) {
     return is_about_facts(gap) || gap == nominal_gap || gap == range_gap || gap == alternative_gap;
   };
-  is_open_.assign(saturation.context_count(), !std::ranges::all_of(gaps, is_local));
+  is_open_.assign(saturation.contexts().size(), !std::ranges::all_of(gaps, is_local));
   if (!std::ranges::all_of(gaps, is_about_facts) && std::ranges::all_of(gaps, is_local)) find_open(saturation);
 }
 
 void Settled::find_open(const Saturation& saturation) {
-  std::vector<std::vector<std::uint32_t>> predecessors(saturation.context_count());
+  std::vector<std::vector<std::uint32_t>> predecessors(saturation.contexts().size());
   std::vector<std::uint32_t> open;
-  saturation.for_each_context([&](const Context& context) {
-    for (const Successor& successor : context.successors) {
+  saturation.contexts().for_each([&](const Context& context) {
+    for (const Successor& successor : context.successors.all()) {
       if (successor.target != nullptr) predecessors[successor.target->number].push_back(context.number);
     }
-    if ((context.has_open || context.is_cut) && !context.is_unsatisfiable) open.push_back(context.number);
+    if ((context.has_open || context.store.is_cut()) && !context.is_unsatisfiable) open.push_back(context.number);
   });
   for (const std::uint32_t number : open) is_open_[number] = true;
   while (!open.empty()) {

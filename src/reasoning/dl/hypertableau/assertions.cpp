@@ -23,8 +23,8 @@ void Assertions::clash(DependencySet dependency) {
   clash_ = dependency;
 }
 
-void Assertions::restore(std::size_t state) {
-  introduced_.resize(state);
+void Assertions::restore(std::size_t introduced) {
+  introduced_.resize(introduced);
   merges_.clear();
   have_values_changed_ = false;
 }

@@ -1,4 +1,4 @@
-// What is said of the nodes of the model under construction.
+// Writes nodes and facts into the model under construction, and merges nodes.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_ASSERTIONS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_ASSERTIONS_HPP
 
@@ -14,13 +14,12 @@
 #include "reasoning/dl/hypertableau/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
 namespace geminga::hypertableau {
 
-/// Writes nodes and facts into the graph. What cannot be written is a clash, and nodes that are equal wait to be
-/// merged.
+/// Writes nodes and facts into the graph. A fact that cannot hold is a clash. Nodes that are equal wait to be merged.
 class Assertions {
  public:
   Assertions(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, Graph& graph,
@@ -65,9 +64,9 @@ class Assertions {
   /// A clash where the values cannot all exist. Returns why this could not be found out, or nothing.
   std::string check_values();
 
-  /// How much there is beside the graph; to be restored together with the graph.
-  [[nodiscard]] std::size_t state() const { return introduced_.size(); }
-  void restore(std::size_t state);
+  /// The number of introduced individuals; to be restored together with the graph.
+  [[nodiscard]] std::size_t sizes() const { return introduced_.size(); }
+  void restore(std::size_t introduced);
   /// Forgets the individuals, too.
   void clear();
 

@@ -7,13 +7,13 @@ namespace geminga::hypertableau {
 
 namespace {
 
-/// So many nodes are looked at in the time that a fact takes.
+/// Nodes that are looked at in the time that a fact takes.
 constexpr std::size_t nodes_a_step = 16;
 
 }  // namespace
 
 std::size_t Blocking::update() {
-  // What is older than any change is as it was.
+  // Nodes before the first changed one keep their marks.
   const NodeId changed = graph_.take_changed();
   if (changed == none) return 0;
   blockers_.cut(changed);

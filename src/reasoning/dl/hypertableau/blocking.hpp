@@ -1,8 +1,8 @@
-// Which nodes need not be expanded, as another one that is like them has been.
+// Blocking: a node need not be expanded if a node like it has been.
 //
 //   x is blocked by an older y that is not, if both are in the same concepts and so are their parents, with the same
 //   edges between (pairwise anywhere blocking); where no clause looks back along an edge, the node alone is compared.
-//   What is under a blocked node is blocked.
+//   A node below a blocked node is blocked.
 //
 // The nodes of the models of earlier questions block, too: see Search::keep().
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_BLOCKING_HPP
@@ -15,20 +15,20 @@
 #include "reasoning/dl/hypertableau/blockers.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
-/// Marks the blocked nodes of the graph, and remembers who blocks them, so that only what changed is looked at again.
+/// Marks the blocked nodes of the graph. Remembers the blocker of each, so that only changed nodes are looked at again.
 class Blocking {
  public:
   Blocking(const Program& program, Graph& graph, Effort& effort) : program_(program), graph_(graph), effort_(effort) {}
 
-  /// Marks all nodes as they are blocked. How many were looked at.
+  /// Updates the marks of all nodes. Returns how many nodes were looked at.
   std::size_t update();
 
  private:
-  /// Who blocked a node, and the versions of what was compared.
+  /// The node that blocks another one, and the versions of the nodes that were compared.
   struct BlockedBy {
     NodeId blocker = none;
     std::array<std::uint64_t, 4> versions{};

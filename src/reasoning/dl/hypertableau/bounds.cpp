@@ -9,9 +9,9 @@ namespace geminga::hypertableau {
 using clauses::Atom;
 using clauses::AtomKind;
 
-void Bounds::restore(const State& state) {
-  demands_.resize(state.demands);
-  next_demand_ = state.next;
+void Bounds::restore(const Sizes& sizes) {
+  demands_.resize(sizes.demands);
+  next_demand_ = sizes.next;
   suspects_.clear();
 }
 

@@ -18,7 +18,7 @@
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
@@ -34,7 +34,7 @@ class Bounds {
         neighbours_(neighbours),
         disjunctions_(disjunctions) {}
 
-  // What was asserted may exceed a bound, which is to be looked at.
+  // Notes the bounds that a new fact may exceed. check_last() looks at them.
   void note(const Suspect& suspect) { suspects_.push_back(suspect); }
   void note_role(std::uint32_t property, NodeId from, NodeId to, bool is_data);
   void note_loop(std::uint32_t property, NodeId node);
@@ -44,7 +44,7 @@ class Bounds {
   /// Looks at the last of them, and asserts what is certain.
   void check_last();
 
-  /// A bound that demands a choice, and what it depends on that this node has it.
+  /// A bound that demands a choice, and the dependencies of the node that has it.
   struct Demand {
     Suspect suspect;
     DependencySet dependency = no_dependency;
@@ -55,12 +55,12 @@ class Bounds {
   [[nodiscard]] std::optional<Decision> enforce(const Demand& demand);
 
   /// Of the demands. No suspect must be left.
-  struct State {
+  struct Sizes {
     std::size_t demands = 0;
     std::size_t next = 0;
   };
-  [[nodiscard]] State state() const { return {demands_.size(), next_demand_}; }
-  void restore(const State& state);
+  [[nodiscard]] Sizes sizes() const { return {demands_.size(), next_demand_}; }
+  void restore(const Sizes& sizes);
 
  private:
   void check_conditional(const Suspect& suspect);

@@ -1,4 +1,4 @@
-// What may be made true, alone or as one of several alternatives.
+// Choices: facts and equalities that may be made true, alone or as one of several alternatives.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_HPP
 
@@ -7,7 +7,7 @@
 
 #include "reasoning/dl/hypertableau/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
@@ -31,7 +31,7 @@ struct Choice {
   std::uint32_t bound = 0;
 };
 
-/// What the head atom of a clause says of the nodes of its variables.
+/// The choice that a clause's head atom stands for, with these nodes for its variables.
 [[nodiscard]] Choice choice_of(const Program& program, const clauses::Atom& atom, NodeId a, NodeId b);
 
 /// A bound that a node may exceed.

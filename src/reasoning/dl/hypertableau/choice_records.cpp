@@ -6,8 +6,8 @@
 namespace geminga::hypertableau {
 namespace {
 
-/// What a choice brings with it: a bound that holds brings nothing, new nodes bring much, and what is made equal is
-/// seldom meant to be.
+/// An estimate of the work that a choice causes: a bound causes none, new nodes cause much, and nodes that are made
+/// equal seldom lead to a model.
 int burden(ChoiceKind kind) {
   switch (kind) {
     case ChoiceKind::at_most:

@@ -1,4 +1,4 @@
-// What was tried, and what failed.
+// Records of the choices that were tried and of those that failed.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_RECORDS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_RECORDS_HPP
 
@@ -24,7 +24,7 @@ class ChoiceRecords {
   /// Whether a choice of this question failed.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
-  /// Puts first what is to be tried first.
+  /// Sorts the alternatives by the order in which they are tried.
   void order_by_promise(std::vector<Choice>& alternatives);
 
   void begin_question() { has_failed_ = false; }

@@ -16,7 +16,7 @@
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
@@ -32,8 +32,8 @@ class Derivation {
   void process_next() { process(processed_++); }
 
   /// How many facts have been processed.
-  [[nodiscard]] FactId state() const { return processed_; }
-  void restore(FactId state) { processed_ = state; }
+  [[nodiscard]] FactId sizes() const { return processed_; }
+  void restore(FactId processed) { processed_ = processed; }
 
  private:
   void process(FactId id);

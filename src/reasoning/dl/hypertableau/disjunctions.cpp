@@ -10,20 +10,20 @@ using clauses::number;
 
 namespace {
 
-/// As many open disjunctions are compared before one is taken: few as long as every guess was right, as in most models.
+/// The number of open disjunctions that are compared before one is taken. Few suffice as long as every guess was right.
 constexpr std::size_t few_compared = 16;
 constexpr std::size_t max_compared = 256;
 
 }  // namespace
 
-void Disjunctions::restore(const State& state) {
-  while (done_.size() > state.done) {
+void Disjunctions::restore(const Sizes& sizes) {
+  while (done_.size() > sizes.done) {
     disjunctions_[done_.back()].is_done = false;
     done_.pop_back();
   }
-  disjunctions_.resize(state.disjunctions);
-  next_ = state.next;
-  choices_.resize(state.choices);
+  disjunctions_.resize(sizes.disjunctions);
+  next_ = sizes.next;
+  choices_.resize(sizes.choices);
 }
 
 void Disjunctions::add(std::vector<Choice>& alternatives, DependencySet dependency) {
@@ -40,7 +40,7 @@ void Disjunctions::add(std::vector<Choice>& alternatives, DependencySet dependen
   }
 }
 
-Disjunctions::Next Disjunctions::find_next() {
+std::variant<Disjunctions::AllDecided, Disjunctions::Asserted, Decision> Disjunctions::find_next() {
   const std::size_t most = records_.has_failed() ? max_compared : few_compared;
   std::size_t compared = 0;
   for (std::size_t at = next_; at < disjunctions_.size() && compared < most; ++at) {
@@ -54,19 +54,20 @@ Disjunctions::Next Disjunctions::find_next() {
     }
     if (one_.alternatives.empty()) {
       facts_.clash(one_.dependency);
-      return Next::asserted;
+      return Asserted();
     }
     if (one_.alternatives.size() == 1) {
       facts_.apply(one_.alternatives.front(), one_.dependency);
-      return Next::asserted;
+      return Asserted();
     }
     one_.failures = records_.has_failed() ? records_.failures_of(one_.alternatives) : 0;
     if (compared++ == 0 || one_.is_before(best_)) std::swap(one_, best_);
   }
-  return compared == 0 ? Next::nothing : Next::choice;
+  if (compared == 0) return AllDecided();
+  return Decision{best_.alternatives, best_.dependency, {}};
 }
 
-// What holds goes on holding as long as this branch is.
+// A disjunction of which one alternative holds stays decided until this branch is taken back.
 void Disjunctions::note_done(std::size_t disjunction) {
   disjunctions_[disjunction].is_done = true;
   done_.push_back(static_cast<std::uint32_t>(disjunction));

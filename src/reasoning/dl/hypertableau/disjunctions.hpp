@@ -1,8 +1,9 @@
-// Alternatives of which one must hold, and which of them are decided next.
+// The disjunctions that are open, and the choice of the one that is decided next.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_DISJUNCTIONS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_DISJUNCTIONS_HPP
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
@@ -12,12 +13,13 @@
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
-/// Keeps the disjunctions that were derived, and finds the one to be decided next: one that has no way left is a clash,
-/// one that has one way left is no choice, and of the others that with the fewest ways.
+/// Keeps the disjunctions that were derived, and finds the one to be decided next. One without alternatives left is a
+/// clash, and one with a single alternative left is a fact. Of the others, the one with the fewest alternatives for
+/// each failure known of them is next.
 class Disjunctions {
  public:
   Disjunctions(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
@@ -34,21 +36,21 @@ class Disjunctions {
   /// One of them holds. Removes those that cannot. What leaves no choice is asserted at once.
   void add(std::vector<Choice>& alternatives, DependencySet dependency);
 
-  /// What find_next() came to: all is decided, something was asserted, or there is a choice.
-  enum class Next : std::uint8_t { nothing, asserted, choice };
-  [[nodiscard]] Next find_next();
-  /// After Next::choice.
-  [[nodiscard]] Decision next() const { return {best_.alternatives, best_.dependency, {}}; }
+  /// Nothing is open.
+  struct AllDecided {};
+  /// A fact or a clash was asserted, because a disjunction had one way left or none.
+  struct Asserted {};
+  [[nodiscard]] std::variant<AllDecided, Asserted, Decision> find_next();
 
   /// Sizes of the stacks.
-  struct State {
+  struct Sizes {
     std::size_t disjunctions = 0;
     std::size_t next = 0;
     std::size_t choices = 0;
     std::size_t done = 0;
   };
-  [[nodiscard]] State state() const { return {disjunctions_.size(), next_, choices_.size(), done_.size()}; }
-  void restore(const State& state);
+  [[nodiscard]] Sizes sizes() const { return {disjunctions_.size(), next_, choices_.size(), done_.size()}; }
+  void restore(const Sizes& sizes);
 
  private:
   /// A range of choices_.
@@ -58,7 +60,7 @@ class Disjunctions {
     DependencySet dependency = no_dependency;
     bool is_done = false;  ///< one holds, or what it is about is gone: as long as this branch is
   };
-  /// What is left of one as things stand.
+  /// The alternatives of a disjunction that are left.
   struct Open {
     bool is_done = false;  ///< one holds, or what it is about is gone
     std::vector<Choice> alternatives;

@@ -1,4 +1,4 @@
-// What a question costs.
+// The cost of a question, and its limits.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_EFFORT_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_EFFORT_HPP
 
@@ -15,7 +15,7 @@ namespace geminga::hypertableau {
 /// Counts the work for one question against its limits, and keeps why the question cannot be answered.
 class Effort {
  public:
-  Effort(const Limits& limits, const Graph& graph) : limits_(limits), budget_(limits.budget), graph_(graph) {}
+  Effort(const QuestionLimits& limits, const Graph& graph) : limits_(limits), budget_(limits.budget), graph_(graph) {}
 
   /// The work for another question begins: whether the ontology has a model, or one that is put onto such a model.
   void begin(bool is_about_world) {
@@ -28,7 +28,7 @@ class Effort {
 
   void count_step() { ++steps_; }
   void count_steps(std::size_t steps) { steps_ += steps; }
-  /// Counts what was looked at in vain: so many looks take the time that a fact takes.
+  /// Counts a look at a fact or node that gave nothing new. Several looks are one step.
   void count_look() {
     constexpr std::size_t looks_a_step = 16;
     if (++looked_ % looks_a_step == 0) ++steps_;
@@ -41,7 +41,7 @@ class Effort {
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
  private:
-  Limits limits_;
+  QuestionLimits limits_;
   base::BudgetUse budget_;
   const Graph& graph_;
   Mark base_;

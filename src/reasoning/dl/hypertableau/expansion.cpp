@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "reasoning/owl/source.hpp"
+
 namespace geminga::hypertableau {
 
 using clauses::number;
 
-void Expansion::restore(const State& state) {
-  while (done_.size() > state.done) {
+void Expansion::restore(const Sizes& sizes) {
+  while (done_.size() > sizes.done) {
     existentials_[done_.back()].is_done = false;
     done_.pop_back();
   }
-  existentials_.resize(state.existentials);
-  next_functional_ = state.next_functional;
+  existentials_.resize(sizes.existentials);
+  next_functional_ = sizes.next_functional;
 }
 
 void Expansion::note_done(std::uint32_t at) {

@@ -13,7 +13,7 @@
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
@@ -44,13 +44,13 @@ class Expansion {
   bool expand(std::size_t first, bool has_guesses);
 
   /// Sizes of the stacks.
-  struct State {
+  struct Sizes {
     std::size_t existentials = 0;
     std::uint32_t next_functional = 0;
     std::size_t done = 0;
   };
-  [[nodiscard]] State state() const { return {existentials_.size(), next_functional_, done_.size()}; }
-  void restore(const State& state);
+  [[nodiscard]] Sizes sizes() const { return {existentials_.size(), next_functional_, done_.size()}; }
+  void restore(const Sizes& sizes);
 
  private:
   struct Existential {

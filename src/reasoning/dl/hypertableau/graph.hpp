@@ -96,7 +96,7 @@ class Graph {
   /// `from` becomes another name of `to`; everything under it goes.
   void merge(NodeId from, NodeId to, DependencySet by);
   void prune(NodeId node);
-  /// What the node is now; unites the reasons into `dependency`. It may be pruned.
+  /// The node that stands for this one after merges. Unites the reasons into `dependency`. It may be pruned.
   [[nodiscard]] NodeId current(NodeId id, DependencySets& sets, DependencySet& dependency) const;
 
   [[nodiscard]] Mark mark() const { return {facts_.size(), nodes_.size(), trail_.size()}; }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "reasoning/owl/source.hpp"
+
 namespace geminga::hypertableau {
 
 using clauses::number;

@@ -2,6 +2,7 @@
 #include "reasoning/dl/hypertableau/search.hpp"
 
 #include <utility>
+#include <variant>
 
 #include "reasoning/dl/hypertableau/told_facts.hpp"
 #include "reasoning/dl/hypertableau/written_model.hpp"
@@ -12,12 +13,12 @@ using clauses::number;
 
 namespace {
 
-/// As many choices may be wrong before the search begins again with what it has learnt.
+/// The number of wrong choices after which the search begins again with the records that it has.
 constexpr std::size_t first_patience = 64;
 
 }  // namespace
 
-Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const Limits& limits)
+Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits)
     : set_(set),
       program_(set),
       effort_(limits, graph_),
@@ -63,7 +64,7 @@ void Search::ask() {
   }
 }
 
-/// Where going back has cut the question off.
+/// Asks the question again if going back has removed it from the graph.
 void Search::ask_again() {
   if (has_question_ && graph_.mark().facts <= question_mark_) ask();
 }
@@ -74,7 +75,7 @@ Model Search::model() {
 }
 
 void Search::keep() {
-  base_ = state();
+  base_ = sizes();
   base_branches_ = branches_.size();
   effort_.set_base(base_->mark);
 }
@@ -102,7 +103,7 @@ Outcome Search::run() {
     if (!saturate() || expansion_.expand_functional() || choose() || expand()) continue;
     keys_.check();
     if (facts_.has_clash() || facts_.has_merges()) continue;
-    // A model with values of which not all is known is none.
+    // If the values cannot be decided, this is no model.
     std::string unknown_value = facts_.check_values();
     if (facts_.has_clash()) continue;
     if (effort_.reason().empty()) effort_.set_reason(std::move(unknown_value));
@@ -110,7 +111,7 @@ Outcome Search::run() {
   }
 }
 
-/// Whether no clash came.
+/// Derives all that follows without a choice. False: there is a clash.
 bool Search::saturate() {
   while (!facts_.has_clash()) {
     if (facts_.has_merges()) {
@@ -129,18 +130,12 @@ bool Search::saturate() {
   return false;
 }
 
-/// Whether something was done: a branch, a fact without alternatives, or a clash.
+/// Makes a choice. False: nothing is left to choose.
 bool Search::choose() {
-  switch (disjunctions_.find_next()) {
-    case Disjunctions::Next::nothing:
-      return choose_for_bound();
-    case Disjunctions::Next::asserted:
-      return true;
-    case Disjunctions::Next::choice:
-      branch(disjunctions_.next());
-      return true;
-  }
-  return false;
+  auto next = disjunctions_.find_next();
+  if (std::holds_alternative<Disjunctions::AllDecided>(next)) return choose_for_bound();
+  if (auto* const decision = std::get_if<Decision>(&next)) branch(std::move(*decision));
+  return true;
 }
 
 bool Search::choose_for_bound() {
@@ -152,7 +147,7 @@ bool Search::choose_for_bound() {
 }
 
 bool Search::expand() {
-  // Without nominals nothing reaches into the models of earlier questions, where what is not done is blocked.
+  // Without nominals no fact reaches into the models of earlier questions. Their open at-leasts are blocked.
   const std::size_t first = base_ && !program_.has_nominals() ? base_->expansion.existentials : 0;
   return expansion_.expand(first, branches_.size() > base_branches_);
 }
@@ -168,7 +163,7 @@ void Search::branch(Decision decision) {
   const DependencySet dependency = decision.dependency;
   const Suspect suspect = decision.suspect;
   records_.note_try(first);
-  branches_.push_back({state(), std::move(decision)});
+  branches_.push_back({sizes(), std::move(decision)});
   facts_.apply(first, unite(dependency, sets_.single(number)));
   note(suspect);
 }
@@ -181,12 +176,12 @@ bool Search::go_back() {
   branches_.resize(number + 1);
   Branch& branch = branches_.back();
   const Decision& decision = branch.decision;
-  restore(branch.state);
+  restore(branch.sizes);
   branch.failed = unite(branch.failed, sets_.without_last(clash));
   facts_.forget_clash();
   if (number < base_branches_) forget_base();
   records_.note_failure(decision.alternatives[branch.next]);
-  // A guess that fails now and then among many that hold is no reason.
+  // A few wrong guesses among many that hold are no reason to begin again.
   if (++wrong_guesses_ > patience_ + branches_.size() - base_branches_ && number > base_branches_) {
     begin_again();
     return true;
@@ -207,30 +202,30 @@ bool Search::go_back() {
   return true;
 }
 
-/// What was guessed first was guessed without knowing what fails, and is wrong more often than what is guessed now: all
-/// guesses of this question are taken back. Each time the search goes on for longer, so that it ends.
+/// Takes back all guesses of this question. The first guesses were made without records and are wrong more often than
+/// later ones. The patience doubles each time, so that the search ends.
 void Search::begin_again() {
   patience_ *= 2;
   wrong_guesses_ = 0;
   const Branch first = std::move(branches_[base_branches_]);
   branches_.resize(base_branches_);
-  restore(first.state);
+  restore(first.sizes);
   note(first.decision.suspect);
   ask_again();
 }
 
-Search::State Search::state() const {
-  return {graph_.mark(),         facts_.state(),  derivation_.state(),
-          disjunctions_.state(), bounds_.state(), expansion_.state()};
+Search::Sizes Search::sizes() const {
+  return {graph_.mark(),         facts_.sizes(),  derivation_.sizes(),
+          disjunctions_.sizes(), bounds_.sizes(), expansion_.sizes()};
 }
 
-void Search::restore(const State& state) {
-  graph_.cut(state.mark);
-  facts_.restore(state.assertions);
-  derivation_.restore(state.processed);
-  disjunctions_.restore(state.disjunctions);
-  bounds_.restore(state.bounds);
-  expansion_.restore(state.expansion);
+void Search::restore(const Sizes& sizes) {
+  graph_.cut(sizes.mark);
+  facts_.restore(sizes.assertions);
+  derivation_.restore(sizes.processed);
+  disjunctions_.restore(sizes.disjunctions);
+  bounds_.restore(sizes.bounds);
+  expansion_.restore(sizes.expansion);
 }
 
 void Search::forget_base() {

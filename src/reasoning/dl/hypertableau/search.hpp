@@ -1,5 +1,5 @@
-// The search for a model: derive what must hold, choose where there is a choice, go back to the choice that is to
-// blame.
+// The search for a model: it derives what must hold, branches where there is a choice, and goes back to the choice that
+// a clash depends on.
 //
 // Everything that a branch adds lies above its mark on stacks, so that going back cuts and never copies.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_SEARCH_HPP
@@ -23,7 +23,7 @@
 #include "reasoning/dl/hypertableau/graph.hpp"
 #include "reasoning/dl/hypertableau/keys.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
 namespace geminga::hypertableau {
@@ -35,7 +35,7 @@ enum class Outcome : std::uint8_t { model, no_model, unknown };
 /// Each rule is a class, which owns what it keeps and knows only the classes that are declared before it here.
 class Search {
  public:
-  Search(const owl::Ontology& source, const clauses::ClauseSet& set, const Limits& limits);
+  Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits);
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
@@ -45,15 +45,15 @@ class Search {
   Outcome find_world();
   /// Looks for a model in which one thing is in all of these concepts, beside what the base holds.
   Outcome find_instance(std::vector<clauses::ConceptId> together);
-  /// What the model tells that the last question found. To be called before end_question().
+  /// The labels of the model that the last question found. To be called before end_question().
   [[nodiscard]] Model model();
   /// Why the last outcome is unknown, in a line for a user.
   [[nodiscard]] const std::string& reason() const { return effort_.reason(); }
 
-  /// Makes what there is the base onto which questions are put.
+  /// Makes the model that is in the graph the base of later questions.
   ///
-  /// Questions that come are put beside it, and its nodes block theirs. Where there are no nominals, nothing leads from
-  /// one model to another, so that nothing in a kept model changes.
+  /// Their nodes are added to it, and its nodes block theirs. Without nominals no fact leads from one model to another,
+  /// so that a kept model does not change.
   void keep();
   [[nodiscard]] bool has_base() const { return base_.has_value(); }
   [[nodiscard]] std::size_t base_node_count() const { return base_ ? base_->mark.nodes : 0; }
@@ -65,16 +65,16 @@ class Search {
 
  private:
   /// Sizes of all stacks.
-  struct State {
+  struct Sizes {
     Mark mark;
     std::size_t assertions = 0;
     FactId processed = 0;
-    Disjunctions::State disjunctions;
-    Bounds::State bounds;
-    Expansion::State expansion;
+    Disjunctions::Sizes disjunctions;
+    Bounds::Sizes bounds;
+    Expansion::Sizes expansion;
   };
   struct Branch {
-    State state;
+    Sizes sizes;
     Decision decision;
     std::size_t next = 0;                  ///< the alternative that is tried
     DependencySet failed = no_dependency;  ///< of the alternatives that failed, without this branch
@@ -93,8 +93,8 @@ class Search {
   void begin_again();
   void note(const Suspect& suspect);
   void forget_base();
-  [[nodiscard]] State state() const;
-  void restore(const State& state);
+  [[nodiscard]] Sizes sizes() const;
+  void restore(const Sizes& sizes);
   [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
 
   const clauses::ClauseSet& set_;
@@ -122,7 +122,7 @@ class Search {
   NodeId question_node_ = none;
   /// Where there are nominals, the model of the facts; otherwise the models of the questions that were answered with
   /// yes.
-  std::optional<State> base_;
+  std::optional<Sizes> base_;
   std::size_t base_branches_ = 0;
 };
 

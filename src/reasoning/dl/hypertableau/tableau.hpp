@@ -7,11 +7,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/budget.hpp"
 #include "reasoning/dl/clauses/clause.hpp"
+
+namespace geminga::owl {
+class Ontology;
+}
 
 namespace geminga::hypertableau {
 
@@ -24,19 +29,19 @@ struct Answer {
 };
 
 /// Work is counted, never timed, so that the same question has the same answer everywhere.
-struct Limits {
+struct QuestionLimits {
   std::size_t nodes = 100'000;
   /// Facts derived, alternatives and matches looked at, nodes looked at for blocking, over all branches.
   std::size_t steps = 20'000'000;
-  std::size_t world_steps = 0;    ///< so many more for whether the ontology has a model
+  std::size_t world_steps = 0;    ///< further steps for the question whether the ontology has a model
   std::size_t facts = 4'000'000;  ///< that are there at once, so that memory is bounded: about 50 octets each
-  /// What the steps of all questions are taken from, beside other work; nothing: only the limits above hold. Borrowed.
+  /// A budget that pays for the steps of all questions and for other work. Without it only the limits above hold.
+  /// Borrowed.
   base::Budget* budget = nullptr;
 };
 
-/// A model as far as it tells what is not entailed: what holds of each of its nodes that is not blocked. Nodes that it
-/// shares with the models of earlier questions, or with that of the facts, and that are as they were there, are left
-/// out.
+/// The labels of a model, which show what is not entailed. Blocked nodes are left out, and so are nodes of earlier
+/// models that have not changed.
 struct Model {
   /// Ascending concepts of each node; the first is the instance of the concept that was asked for.
   std::vector<std::vector<clauses::ConceptId>> labels;
@@ -44,26 +49,37 @@ struct Model {
   std::vector<clauses::ConceptId> certain;
 };
 
-class Questions;
+class Search;
 
 /// Asks about one ClauseSet, which must outlive it. Not thread-safe; many may share the set.
 class Tableau {
  public:
-  Tableau(const owl::Ontology& source, const clauses::ClauseSet& clauses, const Limits& limits = {});
+  Tableau(const owl::Ontology& source, const clauses::ClauseSet& clauses, const QuestionLimits& limits = {});
   Tableau(const Tableau&) = delete;
   Tableau& operator=(const Tableau&) = delete;
   ~Tableau();
 
   /// Whether the ontology has a model.
   [[nodiscard]] Answer is_consistent();
-  /// Whether some model has an instance of all of these at once (one concept: is it satisfiable; two, of which one is
-  /// a query for a complement: does a subsumption fail).
+  /// Whether some model has an instance of all these concepts at once. One concept asks whether it is satisfiable. Two,
+  /// one of them the query of a complement, ask whether a subsumption fails.
   [[nodiscard]] Answer is_satisfiable(std::vector<clauses::ConceptId> together);
-  /// The model that the last question with the answer yes has built.
-  [[nodiscard]] const Model& model() const;
+  /// The model of the last question whose answer was yes.
+  [[nodiscard]] const Model& model() const { return model_; }
 
  private:
-  std::unique_ptr<Questions> questions_;
+  /// The answer to is_consistent(), which is found once.
+  struct World {
+    Answer answer;
+    Model model;
+  };
+
+  const World& find_world();
+  void prepare_base();
+
+  std::unique_ptr<Search> search_;
+  std::optional<World> world_;
+  Model model_;
 };
 
 }  // namespace geminga::hypertableau

@@ -1,9 +1,9 @@
-// What a clause set tells of individuals.
+// The facts of a clause set, written into the model under construction.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_TOLD_FACTS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_TOLD_FACTS_HPP
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
-#include "reasoning/dl/hypertableau/program.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/value_ranges.hpp"
+#include "reasoning/dl/hypertableau/values/value_ranges.hpp"
 
 namespace geminga::hypertableau {
 
@@ -157,7 +157,7 @@ std::optional<DependencySet> ValueCheck::Problem::clash(const Graph& graph, Depe
   std::vector<bool> is_seen(variables.size(), false);
   for (std::uint32_t start = 0; start < variables.size(); ++start) {
     if (is_seen[start]) continue;
-    // What must differ from each other, from here on.
+    // The values that must differ from each other and are connected with `start`.
     std::vector<std::uint32_t> group = {start};
     is_seen[start] = true;
     for (std::size_t at = 0; at < group.size(); ++at) {

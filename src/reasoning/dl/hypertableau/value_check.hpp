@@ -10,6 +10,10 @@
 #include "reasoning/dl/clauses/clause.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
 
+namespace geminga::owl {
+class Ontology;
+}
+
 namespace geminga::hypertableau {
 
 /// As many attempts are made to give values that must differ to the nodes of one group; beyond, it is not known

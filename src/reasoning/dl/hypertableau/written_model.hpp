@@ -1,4 +1,4 @@
-// What a model tells.
+// The labels of the finished model, as an answer gives them.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_WRITTEN_MODEL_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_WRITTEN_MODEL_HPP
 

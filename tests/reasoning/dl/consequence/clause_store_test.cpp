@@ -1,4 +1,4 @@
-// What the store keeps, and what it sees to be redundant.
+// The clauses that the store keeps, and those that it finds redundant.
 #include "reasoning/dl/consequence/clause_store.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What follows from small ontologies: each rule of the calculus, and each trap that we know.
+// The closures of small ontologies: each rule of the calculus, and each known trap.
 #include "reasoning/dl/consequence/closure.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What is complete although the ontology has something that the calculus cannot use fully.
+// Classes that are complete although the closure has gaps.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -27,7 +27,7 @@ namespace geminga::consequence {
 [[nodiscard]] std::vector<std::string> closure_of(std::string_view axioms);
 [[nodiscard]] std::vector<std::string> gaps_of(std::string_view axioms);
 
-/// What a random ontology may use.
+/// The constructs that a random ontology may use.
 struct Vocabulary {
   bool facts = false;
   bool disjunctions = true;

@@ -67,7 +67,7 @@ TEST(Guesses, AreNotTurnedForAllByOneFailure) {
 }
 
 TEST(Guesses, AreSeenToFailByTheNeighbourThatIsThere) {
-  // Who is a man or a woman is so by a gender, of which there is one.
+  // Man and Woman are defined by a gender, and everything has one gender at most.
   std::string text =
       "FunctionalObjectProperty(g)\nDisjointClasses(Male Female)\nSubClassOf(Man ObjectSomeValuesFrom(g Male))\n"
       "SubClassOf(Woman ObjectSomeValuesFrom(g Female))\nSubClassOf(Spouse ObjectUnionOf(Man Woman))\n";

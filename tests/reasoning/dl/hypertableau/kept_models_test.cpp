@@ -16,10 +16,10 @@ constexpr const char* ontologies[] = {
     "SubClassOf(A ObjectSomeValuesFrom(r B))\nSubClassOf(B ObjectUnionOf(C D))\nSubClassOf(C ObjectSomeValuesFrom(r "
     "A))\n"
     "SubClassOf(D ObjectSomeValuesFrom(r D))\nSubClassOf(A ObjectAllValuesFrom(r ObjectComplementOf(C)))",
-    // What is below is seen from above: pairs block.
+    // An inverse passes facts from child to parent: pairs block.
     "SubClassOf(A ObjectSomeValuesFrom(r B))\nInverseObjectProperties(r s)\nSubClassOf(B ObjectAllValuesFrom(s C))\n"
     "SubClassOf(C ObjectUnionOf(D E))\nDisjointClasses(A D)\nSubClassOf(B ObjectSomeValuesFrom(r B))",
-    // Facts, and individuals in classes: the model of the facts is what questions are put onto.
+    // Facts, and individuals in classes: the model of the facts is the base of the questions.
     "SubClassOf(A ObjectHasValue(r i:a))\nClassAssertion(B i:a)\nSubClassOf(B ObjectUnionOf(C D))\n"
     "SubClassOf(ObjectSomeValuesFrom(r C) E)\nSubClassOf(A ObjectComplementOf(E))\nSubClassOf(F ObjectOneOf(i:a))",
     // Counting.

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "reasoning/dl/clauses/clausify.hpp"
-#include "reasoning/dl/hypertableau/value_ranges.hpp"
+#include "reasoning/dl/hypertableau/values/value_ranges.hpp"
 #include "support/written.hpp"
 
 namespace geminga::hypertableau {
@@ -317,7 +317,7 @@ const std::vector<Case> value_cases = {
 };
 
 /// The answer for class A with limits.
-std::string answer_with(const Limits& limits, std::string_view axioms) {
+std::string answer_with(const QuestionLimits& limits, std::string_view axioms) {
   const owl::Ontology source = owl::written(axioms);
   const auto set = clauses::clausify(source, std::nullopt, {});
   Tableau tableau(source, *set, limits);

@@ -1,0 +1,233 @@
+#include "reasoning/dl/consequence/rules/rule_builder.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reasoning/dl/consequence/rules/centred_rules.hpp"
+#include "reasoning/dl/consequence/rules/expansions.hpp"
+#include "reasoning/dl/consequence/rules/fact_rules.hpp"
+#include "reasoning/dl/consequence/rules/gaps.hpp"
+#include "reasoning/dl/consequence/rules/predicates.hpp"
+#include "reasoning/dl/consequence/rules/value_rules.hpp"
+
+namespace geminga::consequence {
+namespace {
+
+using clauses::AtomKind;
+using clauses::number;
+
+/// Adds the rules and expansions of clauses.
+class ClauseRules {
+ public:
+  ClauseRules(const clauses::ClauseSet& clauses, const Predicates& predicates, Expansions& expansions,
+              CentredRules& rules, std::vector<std::string>& gaps)
+      : clauses_(clauses), predicates_(predicates), expansions_(expansions), rules_(rules), gaps_(gaps) {}
+
+  /// Adds the expansions of the at-leasts, which are the first, and the rules of the at-mosts.
+  void make_expansions();
+  void add_clause(const clauses::Clause& clause);
+
+ private:
+  void add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler);
+  /// Appends what the atom is in this calculus. False: it is a role between two neighbours, which no rule can have.
+  /// Sets `is_redundant` if the atom is false in a body or true in a head.
+  [[nodiscard]] bool convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const;
+
+  const clauses::ClauseSet& clauses_;
+  const Predicates& predicates_;
+  Expansions& expansions_;
+  CentredRules& rules_;
+  std::vector<std::string>& gaps_;
+};
+
+void ClauseRules::make_expansions() {
+  const auto role_of = [](const clauses::Role& role) {
+    return RuleAtom{role.is_inverse ? LiteralKind::incoming : LiteralKind::outgoing, 1, 0, number(role.property)};
+  };
+  const auto data_role_of = [this](clauses::DataPropertyId property) {
+    return RuleAtom{LiteralKind::outgoing, 1, 0, predicates_.data_role(property)};
+  };
+  for (const clauses::AtLeast& at_least : clauses_.at_leasts) {
+    Atoms atoms{role_of(at_least.role)};
+    if (at_least.filler != clauses::thing) atoms.push_back(predicates_.concept_atom(at_least.filler, 1));
+    const std::uint32_t marker = expansions_.add(at_least.count, std::move(atoms));
+    if (at_least.filler == clauses::nothing) rules_.add({unary_atom(marker)}, {});
+  }
+  for (const clauses::DataAtLeast& at_least : clauses_.data_at_leasts) {
+    Atoms atoms{data_role_of(at_least.property)};
+    const std::uint32_t range = number(at_least.range);
+    if (range != 0) atoms.push_back(unary_atom(predicates_.range[range], 1));
+    static_cast<void>(expansions_.add(at_least.count, std::move(atoms)));
+  }
+  std::uint32_t marker = predicates_.first_at_most;
+  for (const clauses::AtMost& at_most : clauses_.at_mosts) {
+    add_at_most(marker++, at_most.count, role_of(at_most.role), predicates_.concept_atom(at_most.filler, 0).predicate);
+  }
+  for (const clauses::DataAtMost& at_most : clauses_.data_at_mosts) {
+    const std::uint32_t range = number(at_most.range);
+    if (range != 1)
+      add_at_most(marker, at_most.count, data_role_of(at_most.property),
+                  range == 0 ? predicates_.thing : predicates_.range[range]);
+    ++marker;
+  }
+}
+
+void ClauseRules::add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler) {
+  if (filler == predicates_.nothing) return;
+  if (count > max_at_most) {
+    gaps_.push_back("at most " + std::to_string(count) + " of a property");
+    return;
+  }
+  Atoms body{unary_atom(marker)};
+  Atoms head;
+  for (std::uint32_t i = 1; i <= count + 1; ++i) {
+    const auto variable = static_cast<std::uint8_t>(i);
+    role.first = variable;
+    body.push_back(role);
+    if (filler != predicates_.thing) body.push_back(unary_atom(filler, variable));
+    for (std::uint32_t j = 1; j < i; ++j) {
+      head.push_back({LiteralKind::equal, static_cast<std::uint8_t>(j), variable, 0});
+    }
+  }
+  rules_.add(std::move(body), std::move(head));
+}
+
+bool ClauseRules::convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const {
+  const auto expansion = [&](std::uint32_t index, bool is_trivial) {
+    if (is_trivial) is_redundant = true;
+    atoms.push_back(unary_atom(predicates_.first_marker + index, atom.first));
+  };
+  switch (atom.kind) {
+    case AtomKind::concept_of: {
+      const RuleAtom made = predicates_.concept_atom(clauses::ConceptId{atom.predicate}, atom.first);
+      if (made.predicate == (is_head ? predicates_.thing : predicates_.nothing)) is_redundant = true;
+      if (made.predicate != predicates_.thing && made.predicate != predicates_.nothing) atoms.push_back(made);
+      return true;
+    }
+    case AtomKind::role:
+    case AtomKind::data_role: {
+      const std::uint32_t role = atom.predicate + (atom.kind == AtomKind::data_role ? predicates_.first_data_role : 0);
+      if (atom.first == atom.second) {
+        atoms.push_back({LiteralKind::reflexive, atom.first, 0, role});
+      } else if (atom.first == clauses::centre) {
+        atoms.push_back({LiteralKind::outgoing, atom.second, 0, role});
+      } else {
+        atoms.push_back({LiteralKind::incoming, atom.first, 0, role});
+      }
+      return atom.first == clauses::centre || atom.second == clauses::centre || atom.first == atom.second;
+    }
+    case AtomKind::equal:
+    case AtomKind::data_equal:
+      if (atom.first == atom.second) is_redundant = true;
+      atoms.push_back({LiteralKind::equal, std::min(atom.first, atom.second), std::max(atom.first, atom.second), 0});
+      return true;
+    case AtomKind::at_least:
+      expansion(atom.predicate, clauses_.at_leasts[atom.predicate].count == 0);
+      return true;
+    case AtomKind::data_at_least:
+      expansion(static_cast<std::uint32_t>(clauses_.at_leasts.size()) + atom.predicate,
+                clauses_.data_at_leasts[atom.predicate].count == 0);
+      return true;
+    case AtomKind::data_range:
+      if (atom.predicate == (is_head ? 0U : 1U)) is_redundant = true;
+      if (atom.predicate > 1) {
+        atoms.push_back(unary_atom(predicates_.range[atom.predicate], atom.first));
+      }
+      return true;
+    case AtomKind::at_most:
+      atoms.push_back(unary_atom(predicates_.first_at_most + atom.predicate, atom.first));
+      return true;
+    case AtomKind::data_at_most:
+      atoms.push_back(
+          unary_atom(predicates_.first_at_most + static_cast<std::uint32_t>(clauses_.at_mosts.size()) + atom.predicate,
+                     atom.first));
+      return true;
+  }
+  return false;
+}
+
+void ClauseRules::add_clause(const clauses::Clause& clause) {
+  Atoms body;
+  Atoms head;
+  bool is_redundant = false;
+  bool is_understood = true;
+  for (const clauses::Atom& atom : clause.body) is_understood &= convert(atom, false, body, is_redundant);
+  for (const clauses::Atom& atom : clause.head) is_understood &= convert(atom, true, head, is_redundant);
+  if (is_redundant) return;
+  if (!is_understood) {
+    gaps_.emplace_back("a clause with a property between two neighbours");
+    return;
+  }
+  rules_.add(std::move(body), std::move(head));
+}
+
+/// Notes which predicates are open, and which parts of the ontology the calculus cannot use fully.
+void find_gaps(const clauses::ClauseSet& clauses, const UnsaidOfRanges& unsaid, bool with_facts,
+               std::uint32_t first_data_role, RuleSet& set) {
+  set.is_open.assign(set.predicate_count, false);
+  for (const std::uint32_t range : unsaid.unclear) set.is_open[range] = true;
+  for (const std::uint32_t nominal : set.nominal_of) set.is_open[nominal] = true;
+  // A nominal matters beyond its own facts if a rule may conclude it.
+  std::vector<bool> is_nominal(set.predicate_count, false);
+  for (const std::uint32_t nominal : set.nominal_of) is_nominal[nominal] = true;
+  const auto names_individual = [&](const clauses::Atom& atom) {
+    return atom.kind == clauses::AtomKind::concept_of && is_nominal[set.predicate_of[atom.predicate]];
+  };
+  const auto is_filler = [&](const auto& restriction) {
+    return is_nominal[set.predicate_of[number(restriction.filler)]];
+  };
+  if (std::ranges::any_of(
+          clauses.clauses,
+          [&](const clauses::Clause& clause) { return std::ranges::any_of(clause.head, names_individual); }) ||
+      std::ranges::any_of(clauses.at_leasts, is_filler) || std::ranges::any_of(clauses.at_mosts, is_filler)) {
+    set.gaps.emplace_back(nominal_gap);
+  }
+  if (with_facts && !clauses.keys.empty() && clauses.individuals.size() > 1) set.gaps.emplace_back(key_gap);
+  const bool has_links = with_facts && !clauses.role_facts.empty();
+  if (has_links && std::ranges::any_of(set.rules, [](const Rule& rule) { return rule.head.size() > 1; })) {
+    set.gaps.emplace_back(fact_gap);
+  }
+  // Values are counted as if there were always enough of them.
+  if (!unsaid.is_finite) return;
+  const bool counts = std::ranges::any_of(clauses.data_at_leasts, [](const auto& one) { return one.count > 1; });
+  const bool compares = std::ranges::any_of(set.rules, [&](const Rule& rule) {
+    std::vector<std::uint8_t> seen;
+    for (const RuleAtom& atom : rule.body) {
+      if (atom.kind != LiteralKind::outgoing || atom.predicate < first_data_role) continue;
+      if (atom.predicate >= first_data_role + clauses.data_properties.size()) continue;
+      if (std::ranges::find(seen, atom.first) != seen.end()) return true;
+      seen.push_back(atom.first);
+    }
+    return false;
+  });
+  if (counts || compares) set.gaps.emplace_back(value_gap);
+}
+
+}  // namespace
+
+RuleSet build_rules(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts) {
+  const GatheredFacts facts = with_facts ? gather_facts(clauses) : GatheredFacts();
+  const Predicates predicates = number_predicates(clauses, facts.expansions, facts.values.size());
+  Expansions expansions(predicates.first_marker, predicates.first_data_role);
+  CentredRules rules(predicates.count, predicates.role_count);
+  RuleSet set;
+  ClauseRules of_clauses(clauses, predicates, expansions, rules, set.gaps);
+  of_clauses.make_expansions();
+  for (const clauses::Clause& clause : clauses.clauses) of_clauses.add_clause(clause);
+  if (with_facts) add_fact_rules(clauses, facts, predicates, expansions, rules);
+  const UnsaidOfRanges unsaid = add_value_rules(source, clauses, facts.values, predicates, rules);
+  set.query_count = predicates.query_count;
+  set.predicate_of = predicates.predicate_of;
+  set.query_concepts = predicates.query_concepts;
+  set.nominal_of = predicates.nominal_of;
+  set.first_marker = predicates.first_marker;
+  rules.move_to(set);
+  expansions.move_to(set);
+  set.gaps.insert(set.gaps.end(), unsaid.gaps.begin(), unsaid.gaps.end());
+  find_gaps(clauses, unsaid, with_facts, predicates.first_data_role, set);
+  return set;
+}
+
+}  // namespace geminga::consequence

@@ -1,0 +1,155 @@
+// The clauses of a ClauseSet in the form in which they are matched: for each predicate, the plans that its facts
+// trigger.
+//
+// Number restrictions are taken out of the clauses: they are looked at when a node has too many neighbours, not matched
+// in all combinations of these. Legend as in clauses/clause.hpp.
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_PROGRAM_PROGRAM_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_PROGRAM_PROGRAM_HPP
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "reasoning/dl/clauses/clause.hpp"
+#include "reasoning/dl/hypertableau/program/denials.hpp"
+#include "reasoning/dl/hypertableau/program/domains.hpp"
+
+namespace geminga::hypertableau {
+
+inline constexpr std::uint32_t no_predicate = 0xffffffffU;
+
+/// At most `count` neighbours by a role (or values by a data property) that are in `filler`, or that are not in
+/// `unless`; without either, at all.
+struct Bound {
+  std::uint32_t count = 1;
+  bool is_data = false;
+  bool is_inverse = false;
+  std::uint32_t property = 0;
+  std::uint32_t filler = no_predicate;  ///< a concept
+  std::uint32_t unless = no_predicate;  ///< a concept or data range
+  friend auto operator<=>(const Bound&, const Bound&) = default;
+};
+
+/// guard -> alternatives or the bound; all of the centre. Looked at when the bound is exceeded.
+struct ConditionalBound {
+  std::vector<clauses::Atom> guard;
+  std::vector<clauses::Atom> alternatives;
+};
+
+enum class StepKind : std::uint8_t {
+  check_concept,
+  check_role,
+  each_out,
+  each_in,
+  check_data,
+  each_value,
+  each_subject
+};
+struct Step {
+  StepKind kind = StepKind::check_concept;
+  clauses::Variable first = 0;
+  clauses::Variable second = 0;
+  std::uint32_t predicate = 0;
+};
+
+/// One body atom as the trigger, the order in which the others are looked for, and the head.
+struct Plan {
+  clauses::Variable first = 0;
+  clauses::Variable second = 0;
+  std::uint32_t steps_begin = 0;
+  std::uint32_t steps_end = 0;
+  std::uint32_t head_begin = 0;
+  std::uint32_t head_end = 0;
+};
+
+class Program {
+ public:
+  explicit Program(const clauses::ClauseSet& set);
+
+  [[nodiscard]] std::span<const Plan> of_concept(std::uint32_t id) const { return by_concept_[id]; }
+  [[nodiscard]] std::span<const Plan> of_role(std::uint32_t id) const { return by_role_[id]; }
+  [[nodiscard]] std::span<const Plan> of_data_role(std::uint32_t id) const { return by_data_role_[id]; }
+  [[nodiscard]] std::span<const Step> steps(const Plan& plan) const {
+    return std::span(steps_).subspan(plan.steps_begin, plan.steps_end - plan.steps_begin);
+  }
+  [[nodiscard]] std::span<const clauses::Atom> head(const Plan& plan) const {
+    return std::span(heads_).subspan(plan.head_begin, plan.head_end - plan.head_begin);
+  }
+
+  [[nodiscard]] const Bound& bound(std::uint32_t id) const { return bounds_[id]; }
+  [[nodiscard]] bool is_global(std::uint32_t bound) const { return is_global_[bound]; }
+  [[nodiscard]] const std::vector<ConditionalBound>& conditional(std::uint32_t bound) const {
+    return conditional_[bound];
+  }
+  [[nodiscard]] std::span<const std::uint32_t> bounds_of_role(std::uint32_t id) const { return bounds_of_role_[id]; }
+  [[nodiscard]] std::span<const std::uint32_t> bounds_of_data_role(std::uint32_t id) const {
+    return bounds_of_data_role_[id];
+  }
+  [[nodiscard]] std::span<const std::uint32_t> bounds_of_filler(std::uint32_t id) const {
+    return bounds_of_filler_[id];
+  }
+  [[nodiscard]] std::span<const std::uint32_t> bounds_of_guard(std::uint32_t id) const { return bounds_of_guard_[id]; }
+  /// Concepts that exclude this one by clauses about one node, ascending; of those that stand in disjunctions.
+  [[nodiscard]] std::span<const std::uint32_t> disjoint_concepts(std::uint32_t id) const {
+    return disjoint_concepts_[id];
+  }
+  /// Data properties that share no value with this one.
+  [[nodiscard]] std::span<const std::uint32_t> disjoint_with(std::uint32_t id) const { return disjoint_with_[id]; }
+  /// Bounds whose guard has a loop of the role.
+  [[nodiscard]] std::span<const std::uint32_t> bounds_of_loop(std::uint32_t id) const { return bounds_of_loop_[id]; }
+  /// The bound of an at_most or data_at_most atom of the clauses.
+  [[nodiscard]] std::uint32_t bound_of_atom(const clauses::Atom& atom) const;
+
+  /// The concepts that follow from an at-least; see domains.hpp.
+  [[nodiscard]] const Domains& domains() const { return domains_; }
+  /// Fillers that a neighbour may have without being told; see denials.hpp.
+  [[nodiscard]] const Denials& denials() const { return denials_; }
+  /// Whether every node needs the fact that it is in owl:Thing.
+  [[nodiscard]] bool needs_thing() const { return needs_thing_; }
+  /// Whether anything looks at a node from its successor's side, so that blocking must compare pairs.
+  [[nodiscard]] bool has_inverses() const { return has_inverses_; }
+  [[nodiscard]] bool has_nominals() const { return has_nominals_; }
+
+ private:
+  void add_clause(const clauses::Clause& clause);
+  bool take_bound(const clauses::Clause& clause);
+  bool take_disjointness(const clauses::Clause& clause);
+  void add_plans(const clauses::Clause& clause);
+  void add_plan(const clauses::Clause& clause, std::size_t trigger, std::uint32_t head_begin, std::uint32_t head_end);
+  std::uint32_t index_of(const Bound& bound);
+  void find_disjoint_concepts();
+  void find_excluded(std::uint32_t id, const std::vector<std::vector<std::uint32_t>>& above,
+                     const std::vector<std::vector<std::uint32_t>>& excluded);
+  void note_inverses(const clauses::Clause& clause);
+  void note_inverses();
+
+  const clauses::ClauseSet& set_;
+  Domains domains_;
+  Denials denials_;
+  std::vector<Step> steps_;
+  std::vector<clauses::Atom> heads_;
+  std::vector<std::vector<Plan>> by_concept_;
+  std::vector<std::vector<Plan>> by_role_;
+  std::vector<std::vector<Plan>> by_data_role_;
+  std::vector<Bound> bounds_;
+  std::map<Bound, std::uint32_t> index_;
+  std::vector<bool> is_global_;
+  std::vector<std::vector<ConditionalBound>> conditional_;
+  std::vector<std::vector<std::uint32_t>> bounds_of_role_;
+  std::vector<std::vector<std::uint32_t>> bounds_of_data_role_;
+  std::vector<std::vector<std::uint32_t>> bounds_of_filler_;
+  std::vector<std::vector<std::uint32_t>> bounds_of_guard_;
+  std::vector<std::vector<std::uint32_t>> bounds_of_loop_;
+  std::vector<std::vector<std::uint32_t>> disjoint_concepts_;
+  std::vector<std::vector<std::uint32_t>> disjoint_with_;
+  std::vector<std::uint32_t> bound_of_at_most_;
+  std::vector<std::uint32_t> bound_of_data_at_most_;
+  bool needs_thing_ = false;
+  bool has_inverses_ = false;
+  bool has_nominals_ = false;
+};
+
+}  // namespace geminga::hypertableau
+
+#endif
