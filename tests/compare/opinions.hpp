@@ -1,4 +1,4 @@
-// What our engines say of one ontology, each asked by itself, so that they can be held against each other.
+// The answers of our engines about one ontology, each asked by itself, so that they can be compared.
 #ifndef GEMINGA_TESTS_COMPARE_OPINIONS_HPP
 #define GEMINGA_TESTS_COMPARE_OPINIONS_HPP
 

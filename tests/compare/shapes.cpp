@@ -48,7 +48,7 @@ void cover(Writer& writer, Covering covering, TermId whole, const std::vector<Te
   }
 }
 
-/// What is in `whole` puts each of `pigeons` pigeons into one of `holes` holes, no two into the same.
+/// Says that an instance of `whole` puts each of `pigeons` pigeons into one of `holes` holes, no two into the same.
 void put_pigeons(Writer& writer, const std::string& whole, std::size_t pigeons, std::size_t holes) {
   const auto place = [&](std::size_t pigeon, std::size_t hole) {
     return writer.named(whole + std::to_string(pigeon) + "in" + std::to_string(hole));

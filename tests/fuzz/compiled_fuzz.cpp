@@ -14,6 +14,8 @@
 #include "reasoning/compiled/container.hpp"
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/modules/module.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace {
 

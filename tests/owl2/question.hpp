@@ -24,7 +24,7 @@ struct Question {
 [[nodiscard]] std::vector<Question> write_questions(const std::vector<PublishedCase>& cases,
                                                     const std::filesystem::path& folder);
 
-/// What ctest reads: an add_test() for each question, which calls `runner ask NAME yes|no COMMAND FILE...`.
+/// The script for ctest: an add_test() for each question, which calls `runner ask NAME yes|no COMMAND FILE...`.
 [[nodiscard]] std::string ctest_script(const std::vector<Question>& questions, const std::string& runner);
 
 }  // namespace geminga::owl2

@@ -12,6 +12,7 @@
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
+#include "reasoning/owl/unit.hpp"
 
 namespace geminga::sim {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "env/cage/cage.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::ontology {
 namespace {

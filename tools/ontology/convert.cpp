@@ -11,6 +11,7 @@
 #include "ontology/format.hpp"
 #include "ontology/graph/asserted.hpp"
 #include "ontology/loading/classified_files.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::ontology {
 namespace {

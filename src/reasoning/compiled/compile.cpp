@@ -5,6 +5,8 @@
 
 #include "reasoning/compiled/compile_sections.hpp"
 #include "reasoning/compiled/container.hpp"
+#include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/owl/unit.hpp"
 
 namespace geminga::compiled {
 namespace {

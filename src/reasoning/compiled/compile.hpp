@@ -16,7 +16,7 @@ namespace geminga::compiled {
 /// How the line among the gaps begins that says which classes are undecided.
 inline constexpr std::string_view undecided_words = "undecided: ";
 
-/// What to write beside the source and its classification.
+/// Parts to write beside the source and its classification.
 struct CompileOptions {
   /// Why something may be missing although its axioms were used, one line each.
   std::span<const std::string> gaps;

@@ -7,6 +7,8 @@
 
 #include "base/rows.hpp"
 #include "reasoning/compiled/similar.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/source_paths.hpp"
 #include "reasoning/taxonomy/interval_index.hpp"
 

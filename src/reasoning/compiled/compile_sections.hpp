@@ -22,7 +22,7 @@ inline constexpr std::size_t max_list_items = std::size_t{1} << 26;
 /// No class, no term.
 inline constexpr std::uint32_t none = base::NumberTable::none;
 
-/// What all sections are written from.
+/// The input of all sections.
 struct CompilerInput {
   const owl::Ontology& source;
   const taxonomy::Classification& classification;

@@ -7,6 +7,7 @@
 
 #include "reasoning/modules/module_locality.hpp"
 #include "reasoning/owl/source.hpp"
+#include "reasoning/owl/unit.hpp"
 
 namespace geminga::compiled {
 namespace {

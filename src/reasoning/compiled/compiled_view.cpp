@@ -5,6 +5,8 @@
 
 #include "compiled_generated.h"
 #include "reasoning/compiled/compiled_checks.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::compiled {
 namespace {

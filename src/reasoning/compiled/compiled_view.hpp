@@ -14,10 +14,13 @@
 #include "reasoning/compiled/compiled_error.hpp"
 #include "reasoning/compiled/container.hpp"
 #include "reasoning/compiled/units_view.hpp"
-#include "reasoning/owl/left_out.hpp"
-#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/taxonomy/classified_view.hpp"
 #include "reasoning/taxonomy/conversion.hpp"
+
+namespace geminga::owl {
+struct LeftOut;
+struct LoadedFile;
+}  // namespace geminga::owl
 
 namespace geminga::compiled {
 
@@ -31,7 +34,7 @@ struct TaxonomySection {
   taxonomy::ClassifiedView view;
 };
 
-/// What people call classes. Labels ascend. Each label has its classes, and each class the label to show.
+/// The labels of classes, ascending. Each label has its classes, and each class the label to show.
 struct LabelsView {
   std::string_view text;
   taxonomy::ClassifiedView::Numbers end;
@@ -66,7 +69,7 @@ struct LabelsView {
 [[nodiscard]] std::span<const taxonomy::Conversion> conversions_of(const TaxonomySection& taxonomy);
 /// The units that are declared; none in a file that has no such arrays.
 [[nodiscard]] UnitsView units_of(const TaxonomySection& taxonomy);
-/// What was left out of them, by reason.
+/// The units that were left out, by reason.
 [[nodiscard]] std::vector<owl::LeftOut> units_left_out_of(const TaxonomySection& taxonomy);
 /// The number of different axioms, without declarations.
 [[nodiscard]] std::uint32_t counted_axioms(const TaxonomySection& taxonomy);

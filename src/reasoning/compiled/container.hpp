@@ -27,7 +27,7 @@ inline constexpr std::size_t container_header_bytes = 16 + section_count * 16;
 /// Sections are padded to a multiple of it, so that their numbers are aligned in a mapped file.
 inline constexpr std::size_t section_alignment = 8;
 
-/// What error messages call the section.
+/// The name of the section in error messages.
 [[nodiscard]] std::string_view to_string(Section section);
 
 /// Puts the header in front of the sections, which keep their order.

@@ -1,4 +1,4 @@
-// What the first octets of a compiled ontology tell before the rest is read.
+// The header of a compiled ontology, which is read before the rest.
 #ifndef GEMINGA_REASONING_COMPILED_CONTAINER_HEADER_HPP
 #define GEMINGA_REASONING_COMPILED_CONTAINER_HEADER_HPP
 

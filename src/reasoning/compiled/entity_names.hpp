@@ -39,7 +39,7 @@ class EntityNames final : public owl::Names {
   std::vector<std::tuple<owl::TermKind, std::string_view, std::string_view>> local_names_;  ///< kind, local name, IRI
 };
 
-/// What follows the last `#` or `/` of an IRI.
+/// The part of an IRI behind the last `#` or `/`.
 [[nodiscard]] std::string_view end_of_iri(std::string_view iri);
 
 }  // namespace geminga::compiled

@@ -13,6 +13,9 @@
 #include "reasoning/compiled/mapped_file.hpp"
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/modules/module.hpp"
+#include "reasoning/owl/fingerprint.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/owl/source_paths.hpp"
 

@@ -15,13 +15,15 @@
 
 #include "reasoning/compiled/compiled_error.hpp"
 #include "reasoning/compiled/units_view.hpp"
-#include "reasoning/owl/left_out.hpp"
-#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/taxonomy/conversion.hpp"
 #include "reasoning/taxonomy/interval.hpp"
 #include "reasoning/taxonomy/reach.hpp"
 
+namespace geminga::owl {
+struct LeftOut;
+struct LoadedFile;
+}  // namespace geminga::owl
 namespace geminga::taxonomy {
 struct ClassifiedView;
 }

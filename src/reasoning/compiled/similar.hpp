@@ -28,7 +28,7 @@ inline constexpr std::size_t max_compared_classes = 4096;
 /// The pairs of neighbouring letters of a word, each as one of 64 bits. The case of ASCII letters does not count. One
 /// wrong, missing, added or swapped letter changes at most six bits.
 [[nodiscard]] std::uint64_t signature_of(std::string_view word);
-/// What follows the last `:`, `/` or `#` of a name or IRI.
+/// The part of a name or IRI behind the last `:`, `/` or `#`.
 [[nodiscard]] std::string_view local_name(std::string_view name);
 
 /// Short names of classes that differ from `name` in a few letters, or whose local name or label does: nearest first,

@@ -8,8 +8,6 @@
 #include <span>
 #include <string_view>
 
-#include "reasoning/owl/unit.hpp"
-
 namespace geminga::compiled {
 
 /// Arrays by unit, then by name. Names ascend by octets. All empty where there are no units.

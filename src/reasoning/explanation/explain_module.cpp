@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "reasoning/modules/module.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/print.hpp"
 
 namespace geminga::explanation {

@@ -6,6 +6,7 @@
 
 #include "reasoning/explanation/proof_lemmas.hpp"
 #include "reasoning/modules/module.hpp"
+#include "reasoning/owl/left_out.hpp"
 
 namespace geminga::explanation {
 namespace {

@@ -16,9 +16,9 @@ namespace geminga::owl {
 
 /// One annotation. Its value is an IRI, a literal or an anonymous individual.
 struct Annotation {
-  /// What it is about.
+  /// The kind of its subject.
   enum class Of : std::uint8_t {
-    name,        ///< an entity or an anonymous individual: what says it is an axiom
+    name,        ///< an entity or an anonymous individual
     ontology,    ///< the one in the file `number`
     axiom,       ///< axiom `number` of the source
     ill_typed,   ///< ill-typed axiom `number` of the source
@@ -47,7 +47,7 @@ struct Annotation {
 /// SubAnnotationPropertyOf.
 [[nodiscard]] std::string property_of_annotation_axiom(std::string_view word);
 
-/// Collects annotations in the order in which a reader meets them. They stand before what they are about, and may be
+/// Collects annotations in the order in which a reader meets them. They stand before their subjects, and may be
 /// annotated themselves.
 class AnnotationStack {
  public:
@@ -55,7 +55,7 @@ class AnnotationStack {
   explicit AnnotationStack(std::vector<Annotation>* kept) : kept_(kept) {}
   [[nodiscard]] bool is_wanted() const { return kept_ != nullptr; }
 
-  /// What is added from here on until attach() or drop() is about one axiom, or about nothing.
+  /// Begins the annotations of one axiom, which end with attach() or drop().
   void begin();
   /// Adds an annotation that stands `level` deep: 1 is that of an axiom, 2 an annotation of such an annotation.
   /// Annotations of the level below that were added just before it are its own. An axiom that is itself an annotation

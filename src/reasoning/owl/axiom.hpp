@@ -36,7 +36,7 @@ enum class TermId : std::uint32_t {};
 /// A loaded file of one Ontology.
 enum class FileId : std::uint32_t {};
 
-/// What a term is. Comments give the arguments. The numbers are part of the compiled form: only ever appended.
+/// The kind of a term. Comments give the arguments. The numbers are part of the compiled form: only ever appended.
 enum class TermKind : std::uint8_t {
   // Entities: a name, no arguments. The same IRI may be used in several kinds (punning); they are different terms.
   named_class = 0,  ///< owl:Thing and owl:Nothing are named classes, too
@@ -80,7 +80,7 @@ enum class TermKind : std::uint8_t {
 };
 inline constexpr std::uint8_t term_kind_count = 34;
 
-/// What an axiom says. Comments give the arguments. The numbers are part of the compiled form: only ever appended.
+/// The kind of an axiom. Comments give the arguments. The numbers are part of the compiled form: only ever appended.
 enum class AxiomKind : std::uint8_t {
   declaration = 0,                   ///< an entity
   sub_class_of = 1,                  ///< sub, super

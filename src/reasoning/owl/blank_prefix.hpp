@@ -1,4 +1,4 @@
-// The names of blank nodes, which mean something in their own file only.
+// The names of blank nodes, which are valid in their own file only.
 #ifndef GEMINGA_REASONING_OWL_BLANK_PREFIX_HPP
 #define GEMINGA_REASONING_OWL_BLANK_PREFIX_HPP
 
@@ -7,8 +7,8 @@
 
 namespace geminga::owl {
 
-/// What the names of a file's blank nodes begin with. It is made of the file's content, so that it is the same on every
-/// host and no other file has it.
+/// The prefix of the names of a file's blank nodes. It is made of the file's content, so that it is the same on every
+/// host and differs from that of other files.
 [[nodiscard]] std::string blank_prefix_of(std::string_view octets);
 
 }  // namespace geminga::owl

@@ -9,6 +9,7 @@
 
 #include "base/hash.hpp"
 #include "base/sorted.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/unit.hpp"
 
 namespace geminga::owl {

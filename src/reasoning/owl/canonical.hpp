@@ -53,8 +53,8 @@ struct CanonicalOrder {
 
 [[nodiscard]] CanonicalOrder canonical_order(const Ontology& source, const ContentHashes& hashes);
 
-/// What identifies an ontology between hosts: equal for the same axioms and classes, whatever their order, files or
-/// syntax.
+/// The number that identifies an ontology between hosts. It is equal for the same axioms and classes, whatever their
+/// order, files or syntax.
 [[nodiscard]] std::uint64_t digest(const Ontology& source);
 
 }  // namespace geminga::owl

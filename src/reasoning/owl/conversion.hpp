@@ -14,14 +14,14 @@ inline constexpr std::string_view converts_to = "https://geminga.example/core#co
 /// Annotates that annotation with what it costs.
 inline constexpr std::string_view conversion_cost = "https://geminga.example/core#conversionCost";
 
-/// What is left out, as users are told.
+/// The constructs under which conversions are left out, as users are told.
 inline constexpr std::string_view conversion_to_literal = "geminga:convertsTo with a literal: name a class";
 inline constexpr std::string_view conversion_without_name = "geminga:convertsTo from or to what has no name";
 inline constexpr std::string_view cost_of_nothing = "geminga:conversionCost of no geminga:convertsTo that is stated";
 
 /// The most conversions of one ontology.
 inline constexpr std::size_t max_conversions = 1024;
-/// What a conversion costs at most, and where nothing is said.
+/// The highest cost of a conversion, and the cost if none is stated.
 inline constexpr std::uint32_t max_conversion_cost = 1'000'000;
 inline constexpr std::uint32_t usual_conversion_cost = 1;
 

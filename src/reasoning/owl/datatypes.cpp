@@ -359,7 +359,7 @@ bool DataValue::is_in(owl::Datatype type) const {
     return canonical.find('.') == std::string::npos && is_at_least(canonical, row.low) &&
            is_at_most(canonical, row.high);
   }
-  // What remains is a time, which has a zone or none.
+  // A time remains, with or without a zone.
   return canonical.ends_with('Z') || canonical.rfind(':') > canonical.find('T') + 6;
 }
 

@@ -1,4 +1,4 @@
-// What a reader of OWL's own syntaxes returns beside the axioms that it adds to the source, and how it refuses a file.
+// The result of a reader of OWL's own syntaxes beside the axioms that it adds to the source, and its errors.
 #ifndef GEMINGA_REASONING_OWL_DOCUMENT_HPP
 #define GEMINGA_REASONING_OWL_DOCUMENT_HPP
 
@@ -21,7 +21,7 @@ struct DeclaredPrefix {
   std::string iri;
 };
 
-/// What a file says beside its axioms. Imports and prefixes stand in the order of the file, each once.
+/// The parts of a file beside its axioms. Imports and prefixes stand in the order of the file, each once.
 struct Document {
   std::string ontology_iri;  ///< empty: the ontology has no name
   std::string version_iri;

@@ -1,4 +1,4 @@
-// What was left out of an ontology, and where it stands.
+// Axioms that were left out of an ontology, and their places.
 #ifndef GEMINGA_REASONING_OWL_LEFT_OUT_HPP
 #define GEMINGA_REASONING_OWL_LEFT_OUT_HPP
 

@@ -1,4 +1,4 @@
-// What the names in a class expression mean: all that a reader of expressions must know of an ontology.
+// The meanings of the names in a class expression: all that a reader of expressions must know of an ontology.
 #ifndef GEMINGA_REASONING_OWL_NAMES_HPP
 #define GEMINGA_REASONING_OWL_NAMES_HPP
 

@@ -10,6 +10,8 @@
 #include "base/hash.hpp"
 #include "base/text.hpp"
 #include "reasoning/owl/datatypes.hpp"
+#include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/owl/unit.hpp"
 
 namespace geminga::owl {
 namespace {
@@ -44,6 +46,14 @@ Ontology::Ontology(const SourceLimits& limits) : limits_(limits) {
   }
   problem_.reset();
 }
+
+Ontology::Ontology(const Ontology&) = default;
+Ontology::Ontology(Ontology&&) noexcept = default;
+Ontology& Ontology::operator=(const Ontology&) = default;
+Ontology& Ontology::operator=(Ontology&&) noexcept = default;
+Ontology::~Ontology() = default;
+
+std::span<const LoadedFile> Ontology::files() const { return files_; }
 
 void Ontology::fail(std::string text) {
   if (!problem_) problem_ = std::move(text);

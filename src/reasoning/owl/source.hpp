@@ -15,10 +15,12 @@
 #include "base/interner.hpp"
 #include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/conversion.hpp"
-#include "reasoning/owl/loaded_file.hpp"
-#include "reasoning/owl/unit.hpp"
 
 namespace geminga::owl {
+
+struct Fingerprint;
+struct LoadedFile;
+enum class UnitWord : std::uint8_t;
 
 /// The most that one ontology may hold. Beyond any of them problem() says so, and what is added is ignored.
 struct SourceLimits {
@@ -38,7 +40,7 @@ struct SourceLimits {
 inline constexpr TermId thing_term{0};
 inline constexpr TermId nothing_term{1};
 
-/// What an axiom with a literal that is not of its datatype is left out as.
+/// The construct under which an axiom with an ill-typed literal is left out.
 inline constexpr std::string_view ill_typed_literal = "a literal that is not of its datatype";
 
 /// An ontology as it was read, in no particular order. Only appended to; ids stay valid. Not thread-safe.
@@ -58,7 +60,7 @@ class Ontology {
   };
   struct UnitStatement {
     NameId subject{};
-    UnitWord word = UnitWord::none;
+    UnitWord word{};
     NameId value{};
     FileId file{};
     std::uint32_t line = 0;
@@ -75,6 +77,11 @@ class Ontology {
   };
 
   explicit Ontology(const SourceLimits& limits = {});
+  Ontology(const Ontology&);
+  Ontology(Ontology&&) noexcept;
+  Ontology& operator=(const Ontology&);
+  Ontology& operator=(Ontology&&) noexcept;
+  ~Ontology();
 
   /// Files are numbered in the order in which they are added. `ontology_iri` may be set later.
   FileId add_file(std::string_view path, std::string_view ontology_iri = {});
@@ -121,8 +128,8 @@ class Ontology {
   /// max_conversion_cost is left out with its conversion, and named with its line; 0: that of the conversion.
   void add_conversion(std::string_view from_iri, std::string_view to_iri, std::string_view cost, FileId file,
                       std::uint32_t line, std::uint32_t cost_line = 0);
-  /// What the annotations and, in RDF, the triples about a named thing say in a word of unit_word(), or that it is of a
-  /// class of units; `value` is an IRI or a lexical form. What follows from all of them is for units_of() to say.
+  /// Adds an annotation or, in RDF, a triple about a named thing: in a word of unit_word(), or that it is of a class of
+  /// units. `value` is an IRI or a lexical form. units_of() reads the units from all of them.
   void add_unit_statement(std::string_view subject_iri, UnitWord word, std::string_view value, FileId file,
                           std::uint32_t line);
   void add_prefix(std::string_view prefix, std::string_view iri);
@@ -157,7 +164,7 @@ class Ontology {
   /// In the order of reading, no more than a few beyond max_unit_statements.
   [[nodiscard]] std::span<const UnitStatement> unit_statements() const { return unit_statements_; }
   [[nodiscard]] std::span<const Prefix> prefixes() const { return prefixes_; }
-  [[nodiscard]] std::span<const LoadedFile> files() const { return files_; }
+  [[nodiscard]] std::span<const LoadedFile> files() const;
   [[nodiscard]] std::span<const Omission> omissions() const { return omissions_; }
 
  private:

@@ -12,7 +12,7 @@
 namespace geminga::owl {
 namespace {
 
-/// What is left out, by reason.
+/// Units that are left out, by reason.
 class Reasons {
  public:
   void add(std::string_view reason, const UnitSubject& subject, std::string_view what = {}) {

@@ -3,7 +3,6 @@
 #ifndef GEMINGA_REASONING_OWL_UNIT_HPP
 #define GEMINGA_REASONING_OWL_UNIT_HPP
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/unit_dimension.hpp"
 
 namespace geminga::owl {
 
@@ -28,12 +28,7 @@ inline constexpr std::size_t max_unit_symbol_octets = 32;
 /// Of the base units, in magnitude.
 inline constexpr int max_unit_exponent = 16;
 
-/// The exponents of metre, kilogram, second, ampere, kelvin, candela, radian, bit, one as a share of a whole, decibel
-/// and mole.
-inline constexpr std::size_t unit_base_count = 11;
-using UnitDimension = std::array<std::int8_t, unit_base_count>;
-
-/// What is said of a unit, of a prefix, or of what a unit is made of.
+/// A word in which QUDT or OM describes a unit, a prefix, or a part of a unit.
 enum class UnitWord : std::uint8_t {
   none,
   too_long,  ///< something that is longer than max_unit_text_octets
@@ -63,7 +58,7 @@ inline constexpr std::string_view qudt_unit_namespace = "http://qudt.org/vocab/u
 inline constexpr std::string_view om_namespace = "http://www.ontology-of-units-of-measure.org/resource/om-2/";
 inline constexpr std::string_view rdf_type = "http://www.w3.org/1999/02/22-rdf-syntax-ns#type";
 
-/// What a property says of units; none for other properties. For rdf:type see is_unit_class().
+/// The word that a property stands for; none if it does not describe units. For rdf:type see is_unit_class().
 [[nodiscard]] UnitWord unit_word(std::string_view property_iri);
 /// Whether instances of this class of QUDT or OM are units.
 [[nodiscard]] bool is_unit_class(std::string_view iri);
@@ -74,8 +69,8 @@ struct DeclaredUnit {
   double factor = 1;
   double offset = 0;
   UnitDimension dimension{};
-  /// The unit, by its place, with whose multiples alone it can be compared, if its kind is not known; then the
-  /// dimension is empty.
+  /// For a unit of unknown kind: the position of the unit of which it is a multiple. It can be compared with multiples
+  /// of that unit only, and its dimension is empty.
   std::optional<std::uint32_t> alone;
   std::string symbol;  ///< that it is usually written by; empty: none that can be
 };

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/sorted.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::owl {
 namespace {
@@ -18,7 +19,7 @@ struct Statement {
   friend auto operator<=>(const Statement&, const Statement&) = default;
 };
 
-/// What axioms say: syntaxes but RDF have the facts of individuals there.
+/// Adds the statements that are axioms. All syntaxes but RDF have facts of individuals there.
 void add_axioms(const Ontology& source, std::vector<Statement>& statements) {
   for (std::size_t number = 0; number < source.axiom_count(); ++number) {
     const Axiom axiom = source.axiom(number);

@@ -1,4 +1,4 @@
-// What an ontology says of its units, subject by subject, and what one of them measures.
+// The facts of an ontology about units, by subject, and the measure of a unit that follows from them.
 #ifndef GEMINGA_REASONING_OWL_UNIT_FACTS_HPP
 #define GEMINGA_REASONING_OWL_UNIT_FACTS_HPP
 
@@ -40,18 +40,20 @@ struct UnitSubject {
   [[nodiscard]] bool has(UnitWord word) const { return !all(word).empty(); }
 };
 
-/// What a unit measures, or why that cannot be said.
+/// The measure of a unit.
 struct UnitMeasure {
   double factor = 1;
   double offset = 0;
   UnitDimension dimension{};
   std::string_view alone;  ///< the IRI of the unit of its own kind; empty: the dimension says the kind
 };
+/// The measure of a unit, or the reason why it is unknown.
 using UnitReading = std::expected<UnitMeasure, std::string_view>;
 
 /// A number as xsd:decimal and xsd:double write it, finite; nothing where it is none.
 [[nodiscard]] std::optional<double> unit_number(std::string_view lexical);
-/// What the facts of one word say as a number: nothing where there are none, an error where they differ or are none.
+/// The number that the facts of one word give. Nothing if there are no facts; an error if they differ or are no
+/// numbers.
 [[nodiscard]] std::expected<std::optional<double>, std::string_view> unit_number(const UnitSubject& subject,
                                                                                  UnitWord word);
 /// Refuses a factor that is not positive, or too large or small, and an offset that is not finite.
@@ -65,7 +67,8 @@ using UnitReading = std::expected<UnitMeasure, std::string_view>;
 [[nodiscard]] UnitReading qudt_measure(const UnitSubject& subject);
 /// Whether it is a unit of OM.
 [[nodiscard]] bool is_om_unit(const UnitSubject& subject);
-/// What the units of OM among them measure; `readings` has what is known of the others, and one of each subject.
+/// Measures the units of OM among the subjects. `readings` has one entry for each subject; those of other units are
+/// known already.
 void measure_om_units(std::span<const UnitSubject> subjects, std::span<std::optional<UnitReading>> readings);
 
 }  // namespace geminga::owl

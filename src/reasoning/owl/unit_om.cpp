@@ -14,7 +14,7 @@ struct KnownUnit {
   UnitMeasure measure;
 };
 
-/// What all others are made of. These are known without being declared, and nothing that is said of them counts: OM
+/// The units of which all others are made. They need no declaration, and statements about them are ignored, because OM
 /// defines kilogram and gram by each other.
 constexpr KnownUnit om_bases[] = {
     {"metre", {1, 0, {1}, {}}},

@@ -22,7 +22,7 @@ constexpr std::size_t place_of_share = 8;
 constexpr std::pair<char, std::size_t> vector_letters[] = {{'A', 10}, {'E', 3}, {'L', 0}, {'I', 5},
                                                            {'M', 1},  {'H', 4}, {'T', 2}};
 
-/// What kinds of quantity say beside the vector.
+/// The part of a dimension that a kind of quantity gives and the vector does not.
 enum class Said : std::uint8_t { nothing, angle, information, share, number, odd };
 
 constexpr std::pair<std::string_view, Said> qudt_kinds[] = {
@@ -113,7 +113,7 @@ bool is_count(std::string_view kind) {
          (kind.ends_with("/Count") || kind.ends_with("/Population") || kind.ends_with("Number"));
 }
 
-/// What its kinds say together; odd where they do not agree.
+/// The part that all kinds of a unit give; odd if they do not agree.
 Said said_of(const UnitSubject& subject) {
   Said said = Said::nothing;
   for (const UnitFact& fact : subject.all(UnitWord::qudt_kind)) {

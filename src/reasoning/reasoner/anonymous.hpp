@@ -12,7 +12,7 @@
 
 namespace geminga::reasoner {
 
-/// What facts about anonymous individuals say together.
+/// Facts about anonymous individuals, rolled up into one class expression.
 struct RolledUp {
   /// A named individual that must be in the expression. None: the expression must have some instance.
   std::optional<owl::TermId> individual;

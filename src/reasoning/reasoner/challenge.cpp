@@ -15,8 +15,6 @@ using owl::TermKind;
 namespace {
 
 constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
-constexpr std::string_view top_object_property = "http://www.w3.org/2002/07/owl#topObjectProperty";
-constexpr std::string_view bottom_object_property = "http://www.w3.org/2002/07/owl#bottomObjectProperty";
 
 }  // namespace
 
@@ -112,11 +110,11 @@ void Challenger::refute_class_axiom(Refutation& into, AxiomKind kind, const Term
 
 /// r1 o ... o rn < s: for any N, what is in (r1 some ... (rn some N)) is in (s some N).
 void Challenger::include(Refutation& into, const Terms& chain, TermId super) {
-  if (is_named(super, top_object_property)) return;
+  if (is_named(super, owl::owl_top_object_property)) return;
   TermId reached = excerpt_.fresh(TermKind::named_class);
   const TermId target = reached;
   for (auto step = chain.rbegin(); step != chain.rend(); ++step) {
-    if (is_named(*step, bottom_object_property)) return;
+    if (is_named(*step, owl::owl_bottom_object_property)) return;
     reached = some(*step, reached);
   }
   into.all.push_back(challenge({reached}, {some(super, target)}));

@@ -1,4 +1,4 @@
-// What would refute an axiom: situations of which none is possible exactly if the axiom follows.
+// Challenges of an axiom: situations of which none is possible exactly if the axiom follows.
 //
 // Every kind of axiom becomes the question whether something can exist. `C SubClassOf D` follows if nothing can be in C
 // and not in D. Classes and properties that no other axiom mentions stand for any class or property: `r SubPropertyOf

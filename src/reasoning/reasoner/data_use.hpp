@@ -1,4 +1,4 @@
-// What the values of data properties are compared with: ranges, literals and cardinalities of the same properties.
+// The ranges, literals and cardinalities that the values of each data property are compared with.
 #ifndef GEMINGA_REASONING_REASONER_DATA_USE_HPP
 #define GEMINGA_REASONING_REASONER_DATA_USE_HPP
 

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "reasoning/owl/loaded_file.hpp"
+
 namespace geminga::reasoner {
 namespace {
 

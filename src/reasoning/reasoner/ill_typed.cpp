@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/text.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/reasoner/repairs.hpp"
 
 namespace geminga::reasoner {

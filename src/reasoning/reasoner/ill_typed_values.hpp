@@ -12,7 +12,7 @@
 
 namespace geminga::reasoner {
 
-/// What distinguishes values from each other.
+/// Ranges, literals and counts that distinguish values from each other.
 struct Distinctions {
   std::set<owl::TermId> datatypes;
   std::set<owl::TermId> literals;

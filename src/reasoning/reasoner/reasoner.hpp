@@ -31,15 +31,14 @@ struct Options {
   /// How many conclusions by cases are derived for one class before models are built. Deriving is faster if there are
   /// few, as in SOMA. With more, a model takes few steps, and deriving takes every combination.
   std::uint32_t alternatives = 200;
-  /// What all engines together may spend. Without it each engine has its own limits only. Borrowed. When it is spent,
-  /// what is certain by then is the result.
+  /// A budget for all engines together. When it is spent, the result is what is certain by then. Without it each engine
+  /// has its own limits only. Borrowed.
   base::Budget* budget = nullptr;
   /// Called from time to time on the caller's thread, with what is being done and how far it is, in [0, 1].
   std::function<void(std::string_view phase, double done)> progress{};
 };
 
-/// What the searches of a classification leave open. What may be missing because of axioms that were not used is not
-/// part of it.
+/// Questions that the searches of a classification leave open. Consequences of unused axioms are not among them.
 struct Undecided {
   /// Classes that may have further subsumers or be unsatisfiable, ascending.
   std::vector<taxonomy::ClassNumber> classes;

@@ -1,6 +1,8 @@
 // The place of an axiom, and why it is not used.
 #include "reasoning/reasoner/unused.hpp"
 
+#include "reasoning/owl/loaded_file.hpp"
+
 namespace geminga::reasoner {
 
 std::string describe_unused(const owl::Ontology& source, std::uint32_t axiom, std::string_view construct) {

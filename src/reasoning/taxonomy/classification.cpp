@@ -5,6 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
+
 namespace geminga::taxonomy {
 
 std::vector<owl::LeftOut> left_out(const owl::Ontology& source, const Classification& classification) {

@@ -8,10 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "reasoning/owl/left_out.hpp"
 #include "reasoning/owl/source.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/taxonomy/property_taxonomy.hpp"
+
+namespace geminga::owl {
+struct LeftOut;
+}
 
 namespace geminga::taxonomy {
 

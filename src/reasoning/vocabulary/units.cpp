@@ -4,6 +4,7 @@
 
 #include "base/edit_distance.hpp"
 #include "reasoning/compiled/ontology.hpp"
+#include "reasoning/owl/unit.hpp"
 
 namespace geminga::vocabulary {
 

@@ -6,6 +6,8 @@
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/compiled/similar.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/manchester/parse.hpp"
 #include "reasoning/taxonomy/classified_view.hpp"
 #include "reasoning/vocabulary/conversions.hpp"

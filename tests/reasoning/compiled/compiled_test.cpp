@@ -15,6 +15,9 @@
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/container.hpp"
 #include "reasoning/modules/module.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/owl/unit.hpp"
 #include "support/written.hpp"
 
 namespace geminga::compiled {
@@ -43,7 +46,7 @@ std::vector<std::byte> small() {
   return compile(source, owl::classified(source));
 }
 
-/// What is said of a file that is refused, or of a section of it when that is asked for.
+/// The error of a file that is refused, or of a section when it is first asked for.
 std::string refusal(std::vector<std::byte> bytes) {
   const auto ontology = Ontology::from_bytes(std::move(bytes));
   if (!ontology) return ontology.error().text;

@@ -13,6 +13,8 @@
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/container.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/unit.hpp"
 #include "support/written.hpp"
 
 namespace geminga::compiled {

@@ -1,4 +1,4 @@
-// What happens to a file that is in use is nothing to its reader.
+// A reader of a mapped file is not affected by changes of the file.
 #include "reasoning/compiled/mapped_file.hpp"
 
 #include <gmock/gmock.h>

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "entailed.hpp"
+#include "reasoning/owl/left_out.hpp"
 #include "support/written.hpp"
 
 namespace geminga::el {

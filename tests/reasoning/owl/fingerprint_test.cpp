@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/source_paths.hpp"
 #include "support/written.hpp"
 

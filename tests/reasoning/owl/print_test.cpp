@@ -1,4 +1,4 @@
-// What terms look like to a reader, however large they are.
+// The printed form of terms, small and large.
 #include "reasoning/owl/print.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a source takes, what it leaves out as malformed, and its limits.
+// The axioms that a source takes, those that it leaves out as malformed, and its limits.
 #include "reasoning/owl/source.hpp"
 
 #include <gmock/gmock.h>

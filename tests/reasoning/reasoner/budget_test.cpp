@@ -1,4 +1,4 @@
-// What is left where a budget ends: everything that is certain, and who is held up by whom.
+// The result when a budget is spent: everything that is certain, and the class that was being worked on.
 #include "base/budget.hpp"
 
 #include <gmock/gmock.h>

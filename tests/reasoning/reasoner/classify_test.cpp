@@ -120,7 +120,7 @@ TEST(Classification, TellsWhatItIsDoing) {
   EXPECT_THAT(phases, Contains("deriving consequences"));
 }
 
-/// What models add to the taxonomy that EL alone has.
+/// The completion of the taxonomy that EL derives.
 Completion completed(const owl::Ontology& source, const CompletionLimits& limits = {}) {
   const taxonomy::Classification known = owl::classified(source);
   const auto clauses = clauses::clausify(source, std::nullopt, {});

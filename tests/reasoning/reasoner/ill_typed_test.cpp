@@ -1,4 +1,4 @@
-// What hangs on an ill-typed literal is undecided, and nothing else; a no is right whatever value was meant.
+// Only questions that depend on an ill-typed literal are undecided. A no is right whatever value was meant.
 #include "reasoning/reasoner/ill_typed.hpp"
 
 #include <gmock/gmock.h>

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "ontology/command/words.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::ontology {
 namespace {

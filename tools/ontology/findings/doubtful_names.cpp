@@ -12,6 +12,7 @@
 
 #include "base/edit_distance.hpp"
 #include "ontology/loading/classified_files.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/rdf/reserved_words.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 

@@ -13,6 +13,8 @@
 #include "ontology/findings/doubtful_names.hpp"
 #include "ontology/loading/classified_files.hpp"
 #include "reasoning/explanation/explain.hpp"
+#include "reasoning/owl/left_out.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::ontology {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/graph/axiom_triples.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ontology/loading/hierarchy.hpp"
+#include "reasoning/owl/left_out.hpp"
 #include "reasoning/syntax/graph/axiom_triples.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "ontology/command/words.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/folders.hpp"
 
 namespace geminga::ontology {

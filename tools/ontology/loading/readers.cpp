@@ -1,5 +1,6 @@
 #include "ontology/loading/readers.hpp"
 
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/frames/read.hpp"
 #include "reasoning/syntax/functional/read.hpp"
 #include "reasoning/syntax/owlxml/read.hpp"

@@ -6,7 +6,7 @@ namespace geminga::clauses {
 bool Allowed::is_simple(owl::TermId property) { return roles_.is_simple(vocabulary_.role(property)); }
 
 bool Allowed::is_top_data(owl::TermId property) const {
-  return vocabulary_.source().name_of(property) == top_data_property;
+  return vocabulary_.source().name_of(property) == owl::owl_top_data_property;
 }
 
 std::string_view Allowed::problem(Literal literal) {

@@ -13,11 +13,6 @@
 
 namespace geminga::clauses {
 
-inline constexpr std::string_view top_object_property = "http://www.w3.org/2002/07/owl#topObjectProperty";
-inline constexpr std::string_view bottom_object_property = "http://www.w3.org/2002/07/owl#bottomObjectProperty";
-inline constexpr std::string_view top_data_property = "http://www.w3.org/2002/07/owl#topDataProperty";
-inline constexpr std::string_view bottom_data_property = "http://www.w3.org/2002/07/owl#bottomDataProperty";
-
 /// Looks through expressions with their signs (OWL 2 structural specification, section 11.2). A minimum cardinality of
 /// a property that is not simple is allowed if its complement does not occur: it is exact, because edges are paths.
 class Allowed {

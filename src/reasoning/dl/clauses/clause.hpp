@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/role.hpp"
-#include "reasoning/owl/source.hpp"
 
 namespace geminga::clauses {
 

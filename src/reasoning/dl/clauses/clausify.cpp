@@ -73,9 +73,9 @@ void Clausifier::find_property(TermId term) {
   const std::string_view name = source_.name_of(term);
   if (source_.kind(term) == TermKind::object_property) {
     const Role role = vocabulary_.role(term);
-    if (name == top_object_property) top_role_ = role;
-    if (name == bottom_object_property) bottom_role_ = role;
-  } else if (source_.kind(term) == TermKind::data_property && name == bottom_data_property) {
+    if (name == owl::owl_top_object_property) top_role_ = role;
+    if (name == owl::owl_bottom_object_property) bottom_role_ = role;
+  } else if (source_.kind(term) == TermKind::data_property && name == owl::owl_bottom_data_property) {
     bottom_data_ = vocabulary_.data_property(term);
   }
 }
@@ -88,7 +88,7 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
     std::span<const TermId> arguments(axiom.arguments);
     // R SubPropertyOf owl:topObjectProperty says nothing.
     const bool has_super = axiom.kind == AxiomKind::sub_object_property_of;
-    if (has_super && source_.name_of(arguments[1]) == top_object_property) arguments = arguments.first(1);
+    if (has_super && source_.name_of(arguments[1]) == owl::owl_top_object_property) arguments = arguments.first(1);
     find_properties(arguments);
   }
   find_properties(queries);

@@ -10,6 +10,10 @@
 
 #include "reasoning/dl/clauses/clause.hpp"
 
+namespace geminga::owl {
+class Ontology;
+}
+
 namespace geminga::clauses {
 
 struct ClausifyLimits {

@@ -19,7 +19,7 @@ void Clausifier::collect_roles(const Ordered& axiom, std::vector<owl::RoleInclus
   const auto role = [&](std::size_t at) { return vocabulary_.role(arguments[at]); };
   switch (axiom.kind) {
     case AxiomKind::sub_object_property_of: {
-      if (source_.name_of(arguments[1]) == top_object_property) return;
+      if (source_.name_of(arguments[1]) == owl::owl_top_object_property) return;
       if (source_.kind(arguments[0]) != TermKind::object_property_chain) {
         inclusions.push_back({role(0), role(1)});
         return;

@@ -48,7 +48,7 @@ enum class ShapeKind : std::uint8_t {
   data_at_most,
 };
 
-/// What a literal says, with its sign pushed one level down.
+/// The shape of a literal whose sign is pushed one level down.
 struct Shape {
   ShapeKind kind = ShapeKind::truth;
   owl::TermId term{};

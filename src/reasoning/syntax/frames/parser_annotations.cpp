@@ -1,6 +1,7 @@
 // Annotations: checked in full, used for labels, and otherwise counted.
 #include <utility>
 
+#include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/frames/parser.hpp"
 
 namespace geminga::frames {

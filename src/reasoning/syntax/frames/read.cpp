@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/frames/parser.hpp"
 
 namespace geminga::frames {

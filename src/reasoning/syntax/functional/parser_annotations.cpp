@@ -1,6 +1,7 @@
 // Annotations: read to the letter, used for labels, and otherwise counted.
 #include <utility>
 
+#include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/functional/parser.hpp"
 
 namespace geminga::functional {

@@ -1,6 +1,7 @@
 // Annotations (mapping to RDF, section 2.3). They are triples of the axiom's own node, if it has one. For an axiom that
 // is one triple they are those of an owl:Axiom, and for an annotation those of an owl:Annotation, with the triple's
 // subject, predicate and object.
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/graph/axiom_triples.hpp"
 
 namespace geminga::graph {

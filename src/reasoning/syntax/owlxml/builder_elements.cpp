@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <span>
 
+#include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/owlxml/builder.hpp"
 
 namespace geminga::owlxml {

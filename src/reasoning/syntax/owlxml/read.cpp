@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/owlxml/builder.hpp"
 
 namespace geminga::owlxml {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/owl/fingerprint.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/rdf/triples/base_iri.hpp"

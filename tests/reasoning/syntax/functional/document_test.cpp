@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/functional/reading.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 

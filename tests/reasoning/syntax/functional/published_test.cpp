@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/functional/reading.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "reasoning/syntax/rdf/load.hpp"

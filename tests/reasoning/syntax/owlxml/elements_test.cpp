@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/owlxml/reading.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/random.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 #include "reasoning/syntax/rdf/scratch.hpp"

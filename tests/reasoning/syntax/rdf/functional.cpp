@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::rdf {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "reasoning/syntax/rdf/reading.hpp"
 #include "reasoning/syntax/rdf/scratch.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/rdf/mapping/axiom_mapper.hpp"
 
 namespace geminga::rdf {
