@@ -13,7 +13,7 @@ namespace geminga::compare {
 /// Closures have whole IRIs, as cases::closure_of() gives them.
 struct Opinion {
   cases::Closure closure;
-  bool is_complete = true;           ///< what is not in it does not follow, says the engine
+  bool is_complete = true;           ///< the engine says that nothing else follows
   std::vector<std::string> unknown;  ///< pairs that it could not decide
 };
 

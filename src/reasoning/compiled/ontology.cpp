@@ -24,7 +24,7 @@ namespace geminga::compiled {
 struct Ontology::Mapped {
   MappedFile mapping;  ///< one of these two owns the bytes
   std::vector<std::byte> bytes;
-  std::string folder;  ///< what paths of files are relative to
+  std::string folder;  ///< that paths of files are relative to
   Container file;
   TaxonomySection taxonomy;
   std::vector<std::pair<std::string_view, std::string_view>> prefixes;  ///< sorted

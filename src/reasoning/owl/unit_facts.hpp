@@ -30,7 +30,7 @@ struct UnitPlace {
   friend auto operator<=>(const UnitPlace&, const UnitPlace&) = default;
 };
 
-/// One unit, prefix, or whatever else these words are said of. Borrows from its ontology.
+/// A thing that is described in these words: a unit, a prefix, or a part of a unit. Borrows from its ontology.
 struct UnitSubject {
   std::string_view iri;
   std::vector<UnitFact> facts;  ///< ascending, each once

@@ -34,7 +34,7 @@ constexpr KnownUnit om_bases[] = {
     {"degreeFahrenheit", {5.0 / 9, 459.67 * 5 / 9, {0, 0, 0, 0, 1}, {}}},
 };
 
-/// Coherent units of the SI with names of their own: what they are where no definition is given.
+/// Coherent units of the SI with names of their own, for ontologies that do not define them.
 constexpr KnownUnit om_named[] = {
     {"hertz", {1, 0, {0, 0, -1}, {}}},
     {"newton", {1, 0, {1, 1, -2}, {}}},

@@ -72,7 +72,7 @@ class Entailment {
     if (rank(part) > rank(all)) all = part;
   }
 
-  /// Everything follows from a contradiction, also what cannot be reduced.
+  /// Everything follows from a contradiction, also conclusions that cannot be refuted.
   void follow_from_contradiction() {
     const auto is_unknown = [](const Answer& answer) { return answer.verdict == Verdict::unknown; };
     if (std::ranges::none_of(answers_, is_unknown)) return;
@@ -80,7 +80,7 @@ class Entailment {
     for (Answer& answer : answers_) answer = {Verdict::yes, {}};
   }
 
-  /// Declarations say nothing, and what the premise says in the same words follows.
+  /// Declarations follow, and so do axioms that the premise has in the same words.
   void answer_told() {
     is_answered_.assign(conclusion_.size(), false);
     std::map<Content, std::vector<std::size_t>> wanted;

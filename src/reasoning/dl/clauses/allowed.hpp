@@ -1,4 +1,4 @@
-// Finds what OWL 2 DL forbids in an axiom, or what is beyond a limit, so that the axiom has no clauses.
+// Finds constructs in an axiom that OWL 2 DL forbids or that are beyond a limit. Such an axiom has no clauses.
 #ifndef GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_ALLOWED_HPP
 

@@ -15,8 +15,8 @@ using owl::TermKind;
 
 namespace {
 
-/// The limit of clauses grows with what is written. So one axiom in a small file, whose members are pairwise disjoint,
-/// takes the memory of a small file.
+/// The limit of clauses grows with the number of arguments that are written. So one axiom in a small file, whose
+/// members are pairwise disjoint, takes the memory of a small file.
 constexpr std::size_t always_clauses = 1'000'000;
 constexpr std::size_t clauses_per_axiom = 100;
 
@@ -98,7 +98,7 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
     if (problem_) return;
     const std::string_view reason = problem_of(axiom);
     if (!reason.empty()) set_.unused.push_back({axiom.axiom, reason});
-    // Some of the inclusions that these axioms consist of may be used all the same.
+    // Other inclusions of the same axiom may still be used.
     const bool has_parts = axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union ||
                            axiom.kind == AxiomKind::disjoint_classes;
     if (reason.empty() || has_parts) add(axiom);

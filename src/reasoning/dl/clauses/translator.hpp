@@ -25,7 +25,7 @@ struct Placed {
   Variable at = centre;
 };
 
-/// A clause that is being written: what it has so far, and the literals that wait.
+/// A clause that is being written, and the literals that wait to be placed.
 struct Draft {
   Clause clause;
   std::vector<Placed> waiting;

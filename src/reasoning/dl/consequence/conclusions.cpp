@@ -38,8 +38,8 @@ void Conclusions::conclude(ClauseStore& store, Premise premise, Literal instead)
   finish(store, std::span(&instead, 1));
 }
 
-// A context with many alternatives would derive every combination of them. It goes on without them. What it derives
-// from the rest is sound, and what may be missing is the gap.
+// A context with many alternatives would derive every combination of them. It goes on without them. All that
+// it derives from the rest is sound; the gap says that something may be missing.
 bool Conclusions::may_have_alternatives(ClauseStore& store) {
   if (store.is_cut()) return false;
   if (store.count_alternative(shared_.max_alternatives())) return true;

@@ -1,4 +1,4 @@
-// One context: what is known about all things of which its core holds, with its successors and predecessors.
+// One context: the clauses about all things of which its core holds, with its successors and predecessors.
 //
 // One thread at a time works on a context. Others only put messages into its mailbox.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_CONTEXT_HPP
@@ -35,7 +35,7 @@ struct Edge {
   Pooled<Literal> hypotheses;  ///< ascending
 };
 
-/// The contexts that have things in this one, and what all of them are told.
+/// The contexts that have things in this one, and the clauses that all of them are told.
 struct Predecessors {
   Pooled<Edge> edges;
   Pooled<ClauseNumber> clauses_for_all;  ///< clauses with an empty body
@@ -48,7 +48,7 @@ struct WaitingClause {
   Pooled<Literal> head;
 };
 
-/// The nominals that x is, and what is passed between their contexts (nominal_rules.hpp).
+/// The nominals that x is, and the facts that are passed between their contexts (nominal_rules.hpp).
 struct NominalLinks {
   Pooled<std::uint32_t> nominals;  ///< that x is
   Pooled<Literal> facts;           ///< that were told

@@ -31,10 +31,10 @@ class Hyperresolution {
 
   /// Fires a rule with an empty body.
   void fire(const Rule& rule, MatchedContext context);
-  /// Concludes whatever follows by the rule if the premise matches the atom of its body in which the variable is
-  /// `neighbour`.
+  /// Concludes all that follows by the rule from the premise and other clauses, if the premise matches this atom of its
+  /// body with `neighbour` for the variable.
   void apply(Premise premise, const Occurrence& occurrence, Term neighbour, MatchedContext context);
-  /// Concludes what the premise's "at least" creates:
+  /// Concludes the successors of the premise's "at least":
   ///
   ///  G -> D v [(>= n R.B)(x)]
   ///  ----------------------------------------------------------------------

@@ -25,8 +25,8 @@ class PredecessorRule {
  public:
   PredecessorRule(Conclusions& conclusions, Outbox& outbox) : conclusions_(conclusions), outbox_(outbox) {}
 
-  /// Notes that the things f(x) of `from` are in the context and that the hypotheses may hold of them. Assumes those
-  /// that are new, L -> L, and sends what is known already.
+  /// Notes that the things f(x) of `from` are in the context and that the hypotheses may hold of them. Assumes the
+  /// new ones, L -> L, and sends the clauses that are known already.
   void add_edge(Context& context, Context& from, Term f, std::span<const Literal> hypotheses);
   /// Notes that the things f(x) of `from` are no more in the context.
   static void remove_edge(Predecessors& predecessors, const Context& from, Term f);
@@ -48,7 +48,7 @@ class SuccessorClauses {
  public:
   SuccessorClauses(Effort& effort, Conclusions& conclusions) : effort_(effort), conclusions_(conclusions) {}
 
-  /// Resolves a clause of the successor f(x), and keeps it for what is derived later.
+  /// Resolves a clause of the successor f(x), and keeps it for later premises.
   void add(Context& context, Term f, std::span<const Literal> body, std::span<const Literal> head);
   /// Resolves the clause of this number in `waiting` with a new premise. Of the store it reads the clauses.
   void resolve(std::uint32_t number, Premise premise, const Pooled<WaitingClause>& waiting, ClauseStore& store);

@@ -1,4 +1,4 @@
-// The contexts that no gap matters to, so that everything about them is known if the ontology is consistent.
+// Settled contexts: no gap matters to them, so that all their subsumers are known if the ontology is consistent.
 //
 // Let O be consistent, with a model I. A predicate is open if it is a nominal or a range of values that is not
 // understood; see RuleSet::is_open. Take a context that leads only to contexts whose clauses have no open predicate in

@@ -1,4 +1,4 @@
-// The context of each successor, and what that context is told.
+// The context of each successor, and the hypotheses that it is told.
 //
 //  G -> D v [A] in u; f(x) is in A
 //  --------------------------------------------------------------- Succ [K1: the L of Su with true -> L f in u]

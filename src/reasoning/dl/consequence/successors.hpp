@@ -1,4 +1,4 @@
-// The successors of one context: what is known of each, and the context in which its things are.
+// The successors of one context: the literals about each, and the context in which its things are.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_SUCCESSORS_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_SUCCESSORS_HPP
 

@@ -1,7 +1,7 @@
 // Facts, and merging: two nodes are one.
 //
-//   ~-rule:  x = y: all that holds of the one holds of the other; what was under it in the tree goes, as its at-least
-//            restrictions make it anew.
+//   ~-rule:  x = y: the facts of one node are copied to the other. The subtree of the node that goes is pruned, because
+//            its at-least restrictions make it again.
 //   clash:   x = y and x != y
 #include "reasoning/dl/hypertableau/assertions.hpp"
 
@@ -160,12 +160,12 @@ void Assertions::apply(Choice choice, DependencySet dependency) {
 }
 
 void Assertions::merge_all() {
-  // In the order in which they came; new ones come behind.
+  // In the order in which they were added. Merging may add more.
   for (std::size_t at = 0; at < merges_.size() && !has_clash_; ++at) merge(Merge(merges_[at]));
   merges_.clear();
 }
 
-// Whether `node` stays and `other` goes. Roots stay, and what is higher in the tree; then what was there first.
+// Whether `node` stays and `other` goes. Roots stay, then nodes that are higher in the tree, then older nodes.
 bool Assertions::is_kept(NodeId node, NodeId other) const {
   const auto rank = [this](NodeId id) {
     const Node& one = graph_.node(id);

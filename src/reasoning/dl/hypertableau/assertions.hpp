@@ -30,12 +30,12 @@ class Assertions {
   NodeId add_value(NodeId parent) { return graph_.add_node(NodeKind::value, parent); }
   /// The node of the next individual of the set.
   void add_individual() { individuals_.push_back(add_node(NodeKind::root, none, no_dependency)); }
-  /// By individual, as they were added: other nodes may stand for them since (Graph::current()).
+  /// The node of each individual, as it was added. After merges Graph::current() gives the node that stands for it.
   [[nodiscard]] std::span<const NodeId> individuals() const { return individuals_; }
   /// The node of the value of a literal.
   NodeId constant(owl::TermId literal);
 
-  // Facts. What is there keeps its first dependency set.
+  // Facts. A fact that is added again keeps its first dependency set.
   void add_fact(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b, DependencySet dependency);
   void add_unequal(NodeId a, NodeId b, DependencySet dependency);
   /// Makes a choice true.
@@ -53,7 +53,7 @@ class Assertions {
   // Merges.
   void add_merge(NodeId a, NodeId b, DependencySet dependency) { merges_.push_back({a, b, dependency}); }
   [[nodiscard]] bool has_merges() const { return !merges_.empty(); }
-  /// Merges what waits, and what comes to it, until there is a clash.
+  /// Merges all that wait, and those that merging adds, until there is a clash.
   void merge_all();
   /// The individual of this number of those that the bound allows the node (NI-rule, bounds.hpp).
   NodeId introduced(NodeId node, std::uint32_t bound, std::uint32_t number);
@@ -61,7 +61,7 @@ class Assertions {
   // Values.
   /// Whether facts of values came since the last call.
   [[nodiscard]] bool take_values_changed() { return std::exchange(have_values_changed_, false); }
-  /// A clash where the values cannot all exist. Returns why this could not be found out, or nothing.
+  /// Clashes if the values cannot all exist. Returns why this is unknown, or nothing.
   std::string check_values();
 
   /// The number of introduced individuals; to be restored together with the graph.
@@ -100,7 +100,7 @@ class Assertions {
   std::vector<Merge> merges_;
   std::vector<Introduced> introduced_;
   std::vector<NodeId> individuals_;
-  /// Of literals; an entry counts where the node is still there.
+  /// By literal. An entry is valid if the node still exists.
   std::unordered_map<owl::TermId, NodeId> constants_;
 };
 

@@ -1,4 +1,4 @@
-// The nodes that may block others, found by a hash of what blocking compares.
+// The nodes that may block others, found by a hash of their labels.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_BLOCKERS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_BLOCKERS_HPP
 
@@ -9,8 +9,8 @@
 
 namespace geminga::hypertableau {
 
-/// A stack of nodes in ascending order: what changed is cut off and put back, so that the older nodes, which are most,
-/// are not looked at again.
+/// A stack of nodes in ascending order. From the first changed node on it is cut and filled again, so that the older
+/// nodes, which are most, are not looked at again.
 class Blockers {
  public:
   /// Adds a node that is greater than all others.

@@ -18,7 +18,7 @@ std::size_t Blocking::update() {
   if (changed == none) return 0;
   blockers_.cut(changed);
   blocked_by_.resize(graph_.node_count());
-  // Looks at nodes are steps, or questions with many nodes would cost nothing and never end.
+  // Looks at nodes count as steps. Otherwise questions with many nodes would cost nothing and never end.
   const std::size_t looked = graph_.node_count() - std::min<std::size_t>(changed, graph_.node_count());
   effort_.count_steps(looked / nodes_a_step);
   for (NodeId node = changed; node < graph_.node_count(); ++node) {
@@ -43,8 +43,8 @@ std::size_t Blocking::update() {
   return looked;
 }
 
-// Whether nothing that was compared when it was blocked has changed. Where individuals change, most of what is under
-// them has not.
+// Whether the nodes that were compared when it was blocked are unchanged. When an individual changes, most nodes below
+// it do not.
 bool Blocking::is_still_blocked(NodeId node) const {
   const NodeId blocker = blocked_by_[node].blocker;
   return blocker < node && graph_.is_active(blocker) && !graph_.node(blocker).is_blocked &&
@@ -60,7 +60,7 @@ Blocking::BlockedBy Blocking::compared(NodeId node, NodeId blocker) const {
           {first.version, second.version, graph_.node(first.parent).version, graph_.node(second.parent).version}};
 }
 
-// Without nominals and inverses a root is like any other node in what is below it.
+// Without nominals and inverses, the nodes below a root depend on its label only.
 bool Blocking::may_block_as_root(const Node& node) const {
   return node.kind == NodeKind::root && !program_.has_inverses() && !program_.has_nominals();
 }

@@ -1,8 +1,8 @@
 // Number restrictions: when there are too many neighbours, and the NI rule.
 //
 //   <=-rule:  <= n R.B(x), R(x,y1), B(y1), ..., R(x,yn+1), B(yn+1): two of the y are equal.
-//   NI-rule:  <= n R.B(x), R(x,y), B(y), x a root, y in the tree of something else: y is one of n roots of x, R and B,
-//             or else trees that are repeated without end would give x more neighbours than it may have.
+//   NI-rule:  <= n R.B(x), R(x,y), B(y), x a root, y in the tree of another node: y is one of n roots of x, R and B.
+//             Otherwise blocked trees, unfolded without end, would give x more neighbours than it may have.
 // After Motik, Shearer, Horrocks 2009, sections 3.2.3 and 4.2.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_BOUNDS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_BOUNDS_HPP
@@ -22,7 +22,7 @@
 
 namespace geminga::hypertableau {
 
-/// Looks at bounds that may be exceeded, and keeps those that only a choice can enforce.
+/// Checks bounds that may be exceeded, and keeps those that only a choice can enforce.
 class Bounds {
  public:
   Bounds(const Program& program, const Graph& graph, DependencySets& sets, Assertions& facts, Neighbours& neighbours,
@@ -41,7 +41,7 @@ class Bounds {
   void note_concept(std::uint32_t id, NodeId node);
 
   [[nodiscard]] bool has_suspects() const { return !suspects_.empty(); }
-  /// Looks at the last of them, and asserts what is certain.
+  /// Looks at the last suspect, and asserts what follows without a choice.
   void check_last();
 
   /// A bound that demands a choice, and the dependencies of the node that has it.
@@ -51,7 +51,7 @@ class Bounds {
   };
   /// The next one whose node is still there.
   [[nodiscard]] std::optional<Demand> next_demand();
-  /// The choice that the bound demands. What leaves no choice is asserted at once.
+  /// The choice that the bound demands. A single alternative is asserted at once.
   [[nodiscard]] std::optional<Decision> enforce(const Demand& demand);
 
   /// Of the demands. No suspect must be left.

@@ -44,7 +44,7 @@ struct Suspect {
 struct Decision {
   std::vector<Choice> alternatives;
   DependencySet dependency = no_dependency;
-  Suspect suspect;  ///< to be looked at again whatever is chosen
+  Suspect suspect;  ///< to be checked again after each alternative
 };
 
 }  // namespace geminga::hypertableau

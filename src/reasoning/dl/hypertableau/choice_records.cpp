@@ -35,8 +35,8 @@ std::uint64_t ChoiceRecords::failures_of(std::span<const Choice> alternatives) {
   return failures;
 }
 
-// By the share of the tries that failed as Laplace estimates it, so that one failure among many successes does not turn
-// the choice for all nodes; then by what they bring.
+// By the share of tries that failed, as Laplace estimates it, so that one failure among many successes does not change
+// the choice for all nodes; then by the burden.
 void ChoiceRecords::order_by_promise(std::vector<Choice>& alternatives) {
   std::ranges::stable_sort(alternatives, [this](const Choice& one, const Choice& other) {
     const Record first = of(one);

@@ -20,8 +20,8 @@
 
 namespace geminga::hypertableau {
 
-/// Looks at facts in the order in which they came, and matches the clauses with each. A clause is matched when the last
-/// of its body atoms is, so each match is found once.
+/// Processes facts in the order in which they were added, and matches the clauses with each. A match is found once,
+/// with the last of its facts.
 class Derivation {
  public:
   Derivation(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,

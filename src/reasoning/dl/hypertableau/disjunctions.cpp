@@ -1,4 +1,4 @@
-// Which ways of a disjunction are left.
+// The alternatives of a disjunction that are left.
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 
 #include <algorithm>
@@ -73,9 +73,9 @@ void Disjunctions::note_done(std::size_t disjunction) {
   done_.push_back(static_cast<std::uint32_t>(disjunction));
 }
 
-// The fewest ways for each failure that is known of them: one that fails in all of many ways says what is wrong sooner
-// than many that have two (dom/wdeg: Boussemart, Hemery, Lecoutre, Sais: Boosting systematic search by weighting
-// constraints, 2004).
+// The fewest alternatives for each failure known of them. A disjunction whose many alternatives all fail leads to the
+// cause sooner than many disjunctions of two (dom/wdeg: Boussemart, Hemery, Lecoutre, Sais: Boosting systematic search
+// by weighting constraints, 2004).
 bool Disjunctions::Open::is_before(const Open& other) const {
   return alternatives.size() * (1 + other.failures) < other.alternatives.size() * (1 + failures);
 }
@@ -116,7 +116,7 @@ bool Disjunctions::is_excluded(const Choice& choice, DependencySet& dependency) 
   return !is_data && is_excluded_by_neighbour(choice, dependency);
 }
 
-// Where a property has at most one value, the neighbour that is there would have to be in the filler.
+// If the property has at most one value, the neighbour in the graph would have to be in the filler.
 bool Disjunctions::is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency) {
   const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
   const auto neighbour = neighbours_.only(at_least.role, choice.a);
@@ -126,7 +126,7 @@ bool Disjunctions::is_excluded_by_neighbour(const Choice& choice, DependencySet&
   return true;
 }
 
-// Derives what a choice says where it follows from what is there: an at-least that a neighbour satisfies.
+// Derives a choice that follows from the facts: an at-least that a neighbour satisfies.
 bool Disjunctions::derive(const Choice& choice) {
   if (choice.kind != ChoiceKind::at_least || set_.at_leasts[choice.predicate].count > 1) return false;
   const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
@@ -150,7 +150,7 @@ bool Disjunctions::derive(const Choice& choice) {
   return false;
 }
 
-// Whether a bound that the concept brings is exceeded already.
+// Whether a bound that the concept implies is exceeded.
 bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency) {
   const auto is_brought = [id](const ConditionalBound& rule) {
     return rule.alternatives.empty() && rule.guard.size() == 1 &&

@@ -33,7 +33,7 @@ class Disjunctions {
         neighbours_(neighbours),
         records_(records) {}
 
-  /// One of them holds. Removes those that cannot. What leaves no choice is asserted at once.
+  /// Adds a disjunction, and removes alternatives that cannot hold. A single one left is asserted at once.
   void add(std::vector<Choice>& alternatives, DependencySet dependency);
 
   /// Nothing is open.
@@ -58,13 +58,13 @@ class Disjunctions {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     DependencySet dependency = no_dependency;
-    bool is_done = false;  ///< one holds, or what it is about is gone: as long as this branch is
+    bool is_done = false;  ///< in this branch an alternative holds, or its node is gone
   };
   /// The alternatives of a disjunction that are left.
   struct Open {
-    bool is_done = false;  ///< one holds, or what it is about is gone
+    bool is_done = false;  ///< an alternative holds, or its node is gone
     std::vector<Choice> alternatives;
-    DependencySet dependency = no_dependency;  ///< of the disjunction and of what excludes the others
+    DependencySet dependency = no_dependency;  ///< of the disjunction and of the facts that exclude the others
     std::uint64_t failures = 0;                ///< of its alternatives, as far as they are known
     [[nodiscard]] bool is_before(const Open& other) const;
   };
@@ -72,7 +72,7 @@ class Disjunctions {
   void open(const Disjunction& disjunction, Open& result);
   void note_done(std::size_t disjunction);
   bool derive(const Choice& choice);
-  // Whether what holds excludes the choice, or the concept of the node; unites the reasons into `dependency`.
+  // Whether the facts exclude the choice, or the concept of the node. Unite the reasons into `dependency`.
   bool is_excluded(const Choice& choice, DependencySet& dependency);
   bool is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency);
   bool is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency);

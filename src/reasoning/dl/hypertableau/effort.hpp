@@ -17,13 +17,13 @@ class Effort {
  public:
   Effort(const QuestionLimits& limits, const Graph& graph) : limits_(limits), budget_(limits.budget), graph_(graph) {}
 
-  /// The work for another question begins: whether the ontology has a model, or one that is put onto such a model.
+  /// Begins another question. `is_about_world`: whether the ontology has a model.
   void begin(bool is_about_world) {
     most_steps_ = limits_.steps + (is_about_world ? limits_.world_steps : 0);
     steps_ = told_ = 0;
     reason_.clear();
   }
-  /// Nodes and facts below this mark are of models that are kept, and count no more.
+  /// Nodes and facts below this mark belong to kept models and are not counted.
   void set_base(const Mark& base) { base_ = base; }
 
   void count_step() { ++steps_; }
@@ -47,7 +47,7 @@ class Effort {
   Mark base_;
   std::size_t most_steps_ = 0;
   std::size_t steps_ = 0;
-  std::size_t looked_ = 0;  ///< what is less than a step
+  std::size_t looked_ = 0;  ///< looks that are no full step
   std::size_t told_ = 0;    ///< steps that the budget knows of
   std::string reason_;
 };

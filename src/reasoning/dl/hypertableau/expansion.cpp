@@ -34,7 +34,7 @@ void Expansion::add(const Fact& fact, FactId id) {
 }
 
 bool Expansion::expand(std::size_t first, bool has_guesses) {
-  // As many are expanded at a time as pay for the look at what is blocked.
+  // The look for blocked nodes is paid for by expanding several at-leasts at a time.
   constexpr std::size_t looked_an_expansion = 64;
   const std::size_t most = 1 + blocking_.update() / looked_an_expansion;
   std::size_t expanded = 0;
@@ -50,7 +50,7 @@ bool Expansion::expand(std::size_t first, bool has_guesses) {
   return expanded > 0;
 }
 
-// Each existential is looked at once; what is blocked waits for its turn among all.
+// Each at-least is looked at once. Those of blocked nodes are left to expand().
 bool Expansion::expand_functional() {
   if (next_functional_ == existentials_.size()) return false;
   bool has_expanded = false;
@@ -88,7 +88,7 @@ bool Expansion::has_witness(Existential& existential) {
   const Denials& denials = program_.denials();
   if (at_least.count != 1 || !denials.is_denial(number(at_least.filler))) return false;
   effort_.count_look();
-  // A number may be that of another node since a branch was taken back: the edge is looked up again.
+  // After a branch was taken back, the number may be that of another node, so the edge is looked up again.
   const NodeId known = existential.witness;
   const bool is_known =
       known < graph_.node_count() && graph_.is_active(known) && graph_.node(known).version == existential.version &&
@@ -167,7 +167,7 @@ void Expansion::expand_object(const Fact& fact) {
   }
 }
 
-// Where a property has at most one value, what must have the filler is the neighbour that is there.
+// If the property has at most one value, the neighbour in the graph must have the filler.
 bool Expansion::give_to_neighbour(const Fact& fact) {
   const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
   const auto neighbour = neighbours_.only(at_least.role, fact.a);

@@ -32,15 +32,15 @@ class Expansion {
         neighbours_(neighbours),
         blocking_(blocking) {}
 
-  /// Adds an at-least that was asserted. What can be had without a new node is had at once: a clash that comes of it
-  /// comes before more is guessed.
+  /// Adds an at-least that was asserted. If no new node is needed, satisfies it at once, so that a clash is found
+  /// before more is guessed.
   void add(const Fact& fact, FactId id);
 
-  /// Makes a neighbour of which there may be one at most: what is known of it decides alternatives, which are chosen
-  /// after. Whether a node was added, or a fact.
+  /// Makes the neighbour of a node that may have one at most, before anything is chosen, because its facts decide
+  /// alternatives. Whether a node or a fact was added.
   bool expand_functional();
-  /// Expands what is not blocked, from the at-least of this number on. Whether a node was added, or a fact. What
-  /// follows from a guess is looked at before more is built on it.
+  /// Expands the at-leasts of nodes that are not blocked, from the one with this number on. Whether a node or a fact
+  /// was added. With guesses it expands few at a time, so that their consequences are derived first.
   bool expand(std::size_t first, bool has_guesses);
 
   /// Sizes of the stacks.
@@ -56,7 +56,7 @@ class Expansion {
   struct Existential {
     FactId fact = 0;
     bool is_done = false;
-    /// The neighbour that was found to satisfy it as things stood, and the version of that node.
+    /// The neighbour that satisfied it when it was last looked at, and the version of that node.
     NodeId witness = none;
     std::uint64_t version = 0;
   };
@@ -67,8 +67,8 @@ class Expansion {
   void expand_object(const Fact& fact);
   void expand_data(const Fact& fact);
   [[nodiscard]] bool is_satisfied(const Fact& fact);
-  /// Whether a neighbour is in nothing that the filler denies (denials.hpp). It is to be asked again when that
-  /// neighbour has changed.
+  /// Whether some neighbour is in no concept that the filler excludes (program/denials.hpp). The answer holds until
+  /// that neighbour changes.
   bool has_witness(Existential& existential);
   bool give_to_neighbour(const Fact& fact);
 

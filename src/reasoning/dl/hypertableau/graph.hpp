@@ -1,4 +1,4 @@
-// The model under construction: nodes and facts on one stack, so that going back is cutting it off.
+// The model under construction: nodes and facts on stacks, so that going back cuts them.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_HPP
 
@@ -48,7 +48,7 @@ enum class NodeState : std::uint8_t { active, merged, pruned };
 struct Node {
   NodeKind kind = NodeKind::tree;
   NodeState state = NodeState::active;
-  bool is_blocked = false;  ///< as of the last look, itself or an ancestor
+  bool is_blocked = false;  ///< it or an ancestor, when Blocking last looked
   std::uint32_t depth = 0;
   NodeId parent = none;
   NodeId merged_into = none;
@@ -63,7 +63,7 @@ struct Node {
   FactId others = none;
   std::uint32_t label_count = 0;
   std::uint32_t edge_count = 0;  ///< between it and its parent
-  /// Another number whenever the label or the edge to the parent has changed.
+  /// Changes whenever the label or the edge to the parent changes.
   std::uint64_t version = 0;
   std::uint64_t label_hash = 0;  ///< of a set: order does not matter
   std::uint64_t edge_hash = 0;
@@ -93,7 +93,7 @@ class Graph {
   /// Adds a fact that find() did not find.
   FactId add(const Fact& fact);
 
-  /// `from` becomes another name of `to`; everything under it goes.
+  /// Makes `to` stand for `from`, and prunes the tree below `from`.
   void merge(NodeId from, NodeId to, DependencySet by);
   void prune(NodeId node);
   /// The node that stands for this one after merges. Unites the reasons into `dependency`. It may be pruned.
@@ -107,7 +107,7 @@ class Graph {
   /// Whether they are in the same concepts and number restrictions.
   [[nodiscard]] bool has_label_of(NodeId node, NodeId other) const;
 
-  /// The fact after this one in the list of the node that has both kinds of ends in it.
+  /// The next fact in the list `others` of the node, which may be either end of a fact.
   [[nodiscard]] FactId next_other(FactId id, NodeId node) const {
     return facts_[id].a == node ? facts_[id].next_a : facts_[id].next_b;
   }
@@ -124,7 +124,7 @@ class Graph {
 
   std::vector<Node> nodes_;
   std::vector<Fact> facts_;
-  /// Open addressing. The last that came is the first to go, so an emptied slot is in nobody's way.
+  /// Open addressing. Facts are removed in the reverse order, so an emptied slot breaks no chain of slots.
   std::vector<FactId> slots_;
   std::vector<NodeId> trail_;  ///< nodes that were merged or pruned
   NodeId changed_ = 0;

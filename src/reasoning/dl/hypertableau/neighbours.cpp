@@ -15,7 +15,7 @@ bool Neighbours::is_bound(const Suspect& suspect, DependencySet& dependency) con
   return fact != none;
 }
 
-// Whether a neighbour is counted, and because of what.
+// Whether the bound counts the neighbour. Unites the reasons into `dependency`.
 bool Neighbours::counts(const Bound& bound, NodeId node, DependencySet& dependency) {
   if (bound.filler != no_predicate) {
     const FactId filler = graph_.find(FactKind::concept_of, bound.filler, node);

@@ -1,4 +1,4 @@
-// Which neighbours of a node a bound counts.
+// The neighbours of a node that a bound counts.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_NEIGHBOURS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_NEIGHBOURS_HPP
 
@@ -20,7 +20,7 @@ struct Neighbour {
   DependencySet dependency = no_dependency;  ///< why it is one
 };
 
-/// Answers what bounds say of the neighbours that are there. It changes nothing.
+/// Compares bounds with the neighbours in the graph. It changes nothing.
 class Neighbours {
  public:
   Neighbours(const Program& program, const Graph& graph, DependencySets& sets, Effort& effort, Assertions& facts)
@@ -30,13 +30,13 @@ class Neighbours {
   [[nodiscard]] bool is_bound(const Suspect& suspect, DependencySet& dependency) const;
   /// The neighbours that the bound counts, ascending.
   [[nodiscard]] std::vector<Neighbour> counted(const Suspect& suspect);
-  /// Whether more of them than the bound allows are known to differ from each other; if so, unites the reasons into
-  /// `dependency`. Each that differs from all that were taken is taken; other sets are not looked at.
+  /// Whether more of them than the bound allows are known to differ from each other. If so, unites the reasons into
+  /// `dependency`. One set is tried: each neighbour that differs from all taken ones is taken.
   [[nodiscard]] bool exceeds(const Bound& bound, std::span<const Neighbour> neighbours, DependencySet& dependency);
 
-  /// Whether the node may have one neighbour by the role at most.
+  /// Whether the node may have at most one neighbour by the role.
   [[nodiscard]] bool is_functional(clauses::Role role, NodeId node) const;
-  /// The neighbour that is there where there may be at most one.
+  /// The neighbour in the graph, if the node may have one by the role at most.
   [[nodiscard]] std::optional<Neighbour> only(clauses::Role role, NodeId node);
 
  private:

@@ -192,7 +192,7 @@ bool Search::go_back() {
   if (branch.next + 1 < decision.alternatives.size()) {
     facts_.apply(choice, unite(decision.dependency, sets_.single(number)));
   } else {
-    // The last one does not depend on the choice, but on what made the others fail.
+    // The last alternative does not depend on this choice. It depends on the reasons why the others failed.
     const DependencySet dependency = unite(decision.dependency, branch.failed);
     branches_.pop_back();
     facts_.apply(choice, dependency);

@@ -32,7 +32,7 @@ enum class Outcome : std::uint8_t { model, no_model, unknown };
 
 /// Runs the rules in their order over one graph, branches where nothing is certain, and goes back.
 ///
-/// Each rule is a class, which owns what it keeps and knows only the classes that are declared before it here.
+/// Each rule is a class. It owns its state and knows only the classes that are declared before it here.
 class Search {
  public:
   Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits);
@@ -43,7 +43,7 @@ class Search {
   void reset();
   /// Requires reset(). Looks for a model of the facts of the set.
   Outcome find_world();
-  /// Looks for a model in which one thing is in all of these concepts, beside what the base holds.
+  /// Looks for a model in which one thing is in all of these concepts, together with the base.
   Outcome find_instance(std::vector<clauses::ConceptId> together);
   /// The labels of the model that the last question found. To be called before end_question().
   [[nodiscard]] Model model();
@@ -114,14 +114,13 @@ class Search {
 
   std::vector<Branch> branches_;
   std::size_t wrong_guesses_ = 0;  ///< since the search began, or began again
-  std::size_t patience_ = 0;       ///< so many more of them than guesses that stand, and it begins again
+  std::size_t patience_ = 0;       ///< wrong guesses beyond those that stand, after which the search begins again
 
   std::vector<clauses::ConceptId> question_;
   bool has_question_ = false;
   std::size_t question_mark_ = 0;  ///< facts that are older than it
   NodeId question_node_ = none;
-  /// Where there are nominals, the model of the facts; otherwise the models of the questions that were answered with
-  /// yes.
+  /// With nominals the model of the facts; otherwise the models of the questions whose answer was yes.
   std::optional<Sizes> base_;
   std::size_t base_branches_ = 0;
 };

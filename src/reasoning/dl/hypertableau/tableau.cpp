@@ -1,4 +1,4 @@
-// How questions are put to the search, and what is kept from one to the next.
+// Questions to the search, and the results that are kept for later ones.
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
 #include <utility>

@@ -7,8 +7,8 @@
 
 namespace geminga::hypertableau {
 
-/// Makes a node for each individual of the set, and asserts what is told of them. Where there is no individual, there
-/// is one node, as there is at least one thing.
+/// Makes a node for each individual of the set, and asserts its facts. Without individuals it makes one node, because
+/// there is at least one thing.
 void assert_told_facts(const clauses::ClauseSet& set, const Program& program, Assertions& facts);
 
 }  // namespace geminga::hypertableau

@@ -1,8 +1,8 @@
 // A small constraint problem: every value in its ranges, some pairs different.
 //
-// A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside; what
-// remains is small, and is tried out. Where not all is known of a range, a clash must come from what it has at most,
-// and a model from what it has at least.
+// A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside. The
+// remaining nodes are few, and assignments are tried. If a range is not fully known, a clash must follow from its upper
+// bound, and a model from its lower bound.
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
 #include <algorithm>

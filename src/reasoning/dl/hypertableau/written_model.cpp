@@ -18,8 +18,7 @@ std::vector<clauses::ConceptId> label_of(const Graph& graph, std::size_t concept
   return label;
 }
 
-/// Concepts of the node that depend on no choice. What came to it by a merge that was not certain has that merge among
-/// its dependencies.
+/// Concepts of the node that depend on no choice. A concept that came by an uncertain merge depends on that merge.
 std::vector<clauses::ConceptId> certain_label_of(const Graph& graph, DependencySets& sets, std::size_t concept_count,
                                                  NodeId node, DependencySet merged_by) {
   std::vector<clauses::ConceptId> label;

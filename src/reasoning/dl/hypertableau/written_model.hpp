@@ -12,8 +12,8 @@ namespace geminga::hypertableau {
 
 /// The labels of the model that is in the graph, of concepts below `concept_count`.
 ///
-/// `asked` is the instance that was asked for, as it was made, or none. What is older than `before` was written with an
-/// earlier model, and is left out where it is as it was.
+/// `asked` is the node that was made for the question, or none. Nodes older than `before` belong to earlier models, and
+/// are left out unless they have changed.
 [[nodiscard]] Model write_model(const Graph& graph, DependencySets& sets, std::size_t concept_count, NodeId asked,
                                 const Mark& before);
 

@@ -25,12 +25,12 @@ class CentredRules {
   CentredRules(std::uint32_t predicate_count, std::uint32_t role_count)
       : predicate_count_(predicate_count), role_count_(role_count) {}
 
-  /// Adds a rule whose body may speak of neighbours' concepts. A rule about what is no neighbour is left out, and is a
-  /// gap.
+  /// Adds a rule whose body may speak of neighbours' concepts. A rule with a variable that is no neighbour is
+  /// left out, and is a gap.
   void add(Atoms body, Atoms head);
   [[nodiscard]] std::uint32_t new_predicate() { return predicate_count_++; }
 
-  /// Moves what was collected into the set.
+  /// Moves rules, counts and gaps into the set.
   void move_to(RuleSet& set);
 
  private:

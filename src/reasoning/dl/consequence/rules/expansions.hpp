@@ -32,7 +32,7 @@ class Expansions {
     return first_marker_ + static_cast<std::uint32_t>(expansions_.size() - 1);
   }
 
-  /// Moves what was collected into the set.
+  /// Moves expansions and gaps into the set.
   void move_to(RuleSet& set) {
     set.expansions = std::move(expansions_);
     set.gaps.insert(set.gaps.end(), gaps_.begin(), gaps_.end());

@@ -14,7 +14,7 @@
 
 namespace geminga::consequence {
 
-/// Facts by what they are about.
+/// Facts by their individuals and values.
 struct GatheredFacts {
   /// The roles between two individuals. Variable 1 is a neighbour of the first.
   std::map<std::pair<std::uint32_t, std::uint32_t>, Atoms> links;

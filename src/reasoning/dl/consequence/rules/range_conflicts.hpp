@@ -2,7 +2,7 @@
 //
 // Ranges occur in heads only, so it is enough to know which sets of ranges are empty. Unions, intersections, lists of
 // values and their complements are split into datatypes, single values and complements of either. Among these, the
-// empty sets of one or two ranges are found. What else may be empty is a gap.
+// empty sets of one or two ranges are found. Other sets that may be empty are a gap.
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_RULES_RANGE_CONFLICTS_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_RULES_RANGE_CONFLICTS_HPP
 

@@ -31,7 +31,7 @@ class ClauseRules {
 
  private:
   void add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler);
-  /// Appends what the atom is in this calculus. False: it is a role between two neighbours, which no rule can have.
+  /// Appends the atom in the form of this calculus. False: it is a role between two neighbours, which no rule can have.
   /// Sets `is_redundant` if the atom is false in a body or true in a head.
   [[nodiscard]] bool convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const;
 

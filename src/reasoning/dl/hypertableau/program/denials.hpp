@@ -1,6 +1,6 @@
 // Denials: names of complements of classes and of unions of complements.
 //
-// Where the clauses speak of a name Q of the translation in bodies  Q(x), C(x) -> false  alone, a model stays one when
+// If a name Q of the translation occurs only in clauses  Q(x), C(x) -> false,  a model stays a model when
 // everything that is in no such C is put into Q. So an at-least with the filler Q is satisfied by a neighbour that is
 // in no such C, even if Q is not derived of it. It needs no neighbour of its own.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_PROGRAM_DENIALS_HPP

@@ -174,7 +174,7 @@ std::optional<Value> value_of(const owl::Ontology& source, owl::TermId literal) 
       return time_value(canonical);
     case DataFamily::xml:
       // The lexical forms are canonical XML (RDF Concepts 2004, section 5.1), and then different ones are different
-      // values. What does not look canonical is not known.
+      // values. A value that does not look canonical is unknown.
       for (const std::string_view other : {"/>", "<!", "'", "\r"}) {
         if (canonical.find(other) != std::string::npos) return std::nullopt;
       }

@@ -13,7 +13,7 @@
 
 namespace geminga::hypertableau {
 
-/// Larger enumerations, and restrictions by more facets, may have any of the values that they could have.
+/// Larger enumerations, and restrictions by more facets, are not worked out.
 inline constexpr std::size_t max_enumerated_values = 20'000;
 inline constexpr std::size_t max_facets = 1000;
 
@@ -25,8 +25,8 @@ struct KnownSet {
   std::string reason;
 };
 
-/// The sets of the data ranges of one source. Facets that are not worked out (patterns, language ranges) and datatypes
-/// that are not in the OWL 2 datatype map leave a set between nothing and what it is taken from.
+/// The sets of the data ranges of one source. A facet that is not worked out (a pattern, a language range) leaves the
+/// set between nothing and the set that it restricts; so does a datatype that is not in the OWL 2 datatype map.
 class ValueRanges {
  public:
   ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set);
