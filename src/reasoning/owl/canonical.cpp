@@ -94,8 +94,8 @@ ContentHashes::ContentHashes(const Ontology& source, BlankNodes blank_nodes) : s
     const auto [high, low] = base::hash128(name);
     words = {static_cast<std::uint64_t>(term.kind), term.number, high, low};
     for (const TermId argument : sorted(term.arguments, set_begin(term.kind, term.arguments.size()))) {
-      words.push_back(of(argument).first);
-      words.push_back(of(argument).second);
+      words.push_back(hash_of(argument).first);
+      words.push_back(hash_of(argument).second);
     }
     terms_.push_back(hash_words(words));
   }
@@ -107,18 +107,18 @@ std::vector<TermId> ContentHashes::sorted(std::span<const TermId> arguments, std
   const auto key = [&](TermId id) {
     const Term term = source_.term(id);
     const bool is_name = term.arguments.empty();
-    return std::tuple(!is_name, is_name ? source_.name(term.name) : std::string_view(), of(id));
+    return std::tuple(!is_name, is_name ? source_.name(term.name) : std::string_view(), hash_of(id));
   };
   std::sort(result.begin() + static_cast<std::ptrdiff_t>(set_from), result.end(),
             [&](TermId a, TermId b) { return a != b && key(a) < key(b); });
   return result;
 }
 
-ContentHashes::Hash ContentHashes::of(const Axiom& axiom) const {
+ContentHashes::Hash ContentHashes::hash_of(const Axiom& axiom) const {
   std::vector<std::uint64_t> words = {static_cast<std::uint64_t>(axiom.kind)};
   for (const TermId argument : sorted(axiom.arguments, set_begin(axiom.kind, axiom.arguments.size()))) {
-    words.push_back(of(argument).first);
-    words.push_back(of(argument).second);
+    words.push_back(hash_of(argument).first);
+    words.push_back(hash_of(argument).second);
   }
   return hash_words(words);
 }
@@ -151,7 +151,7 @@ void order_axioms(const Ontology& source, const ContentHashes& hashes, const std
   for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
     const Axiom axiom = source.axiom(number);
     entries.push_back(
-        {axiom.kind, hashes.of(axiom), number_of_file[static_cast<std::size_t>(axiom.file)], axiom.line, number});
+        {axiom.kind, hashes.hash_of(axiom), number_of_file[static_cast<std::size_t>(axiom.file)], axiom.line, number});
   }
   std::ranges::sort(entries, {}, [](const Entry& e) { return std::tuple(e.kind, e.hash, e.file, e.line); });
   order.number_of_axiom.resize(source.axiom_count());
@@ -185,13 +185,13 @@ CanonicalOrder canonical_order(const Ontology& source, const ContentHashes& hash
     order.terms.push_back(TermId{id});
   }
   std::ranges::sort(order.terms, [&](TermId a, TermId b) {
-    return std::pair(source.depth(a), hashes.of(a)) < std::pair(source.depth(b), hashes.of(b));
+    return std::pair(source.depth(a), hashes.hash_of(a)) < std::pair(source.depth(b), hashes.hash_of(b));
   });
   // Terms that differ only in the order of a set are one.
   order.number_of_term.assign(source.term_count(), base::NumberTable::none);
   std::vector<TermId> distinct;
   for (const TermId term : order.terms) {
-    if (distinct.empty() || hashes.of(distinct.back()) != hashes.of(term)) distinct.push_back(term);
+    if (distinct.empty() || hashes.hash_of(distinct.back()) != hashes.hash_of(term)) distinct.push_back(term);
     order.number_of_term[static_cast<std::size_t>(term)] = static_cast<std::uint32_t>(distinct.size() - 1);
   }
   order.terms = std::move(distinct);
@@ -206,13 +206,13 @@ std::uint64_t digest(const Ontology& source) {
     const Axiom axiom = source.axiom(number);
     for (const TermId argument : axiom.arguments) is_used[static_cast<std::size_t>(argument)] = true;
     // A declaration does not change what follows from the axioms. That the entity is there does.
-    if (axiom.kind != AxiomKind::declaration) contents.push_back(hashes.of(axiom));
+    if (axiom.kind != AxiomKind::declaration) contents.push_back(hashes.hash_of(axiom));
   }
   for (std::uint32_t id = static_cast<std::uint32_t>(source.term_count()); id-- > 0;) {
     if (!is_used[id]) continue;
     const Term term = source.term(TermId{id});
     for (const TermId argument : term.arguments) is_used[static_cast<std::size_t>(argument)] = true;
-    if (term.kind == TermKind::named_class) contents.push_back(hashes.of(TermId{id}));
+    if (term.kind == TermKind::named_class) contents.push_back(hashes.hash_of(TermId{id}));
   }
   base::sort_unique(contents);
   std::vector<std::uint64_t> words;

@@ -21,8 +21,8 @@ class ContentHashes {
   explicit ContentHashes(const Ontology& source, BlankNodes blank_nodes = BlankNodes::by_label);
 
   using Hash = std::pair<std::uint64_t, std::uint64_t>;
-  [[nodiscard]] Hash of(TermId term) const { return terms_[static_cast<std::size_t>(term)]; }
-  [[nodiscard]] Hash of(const Axiom& axiom) const;
+  [[nodiscard]] Hash hash_of(TermId term) const { return terms_[static_cast<std::size_t>(term)]; }
+  [[nodiscard]] Hash hash_of(const Axiom& axiom) const;
   /// The arguments with the members of sets sorted: names first, by name, then expressions.
   [[nodiscard]] std::vector<TermId> sorted(std::span<const TermId> arguments, std::size_t set_from) const;
 

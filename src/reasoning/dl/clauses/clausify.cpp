@@ -37,7 +37,7 @@ void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
   std::vector<Entry> entries;
   const auto add = [&](std::uint32_t number) {
     const owl::Axiom axiom = source_.axiom(number);
-    entries.push_back({axiom.kind, hashes_.of(axiom), number});
+    entries.push_back({axiom.kind, hashes_.hash_of(axiom), number});
   };
   if (axioms) {
     std::ranges::for_each(*axioms, add);

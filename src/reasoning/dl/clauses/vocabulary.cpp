@@ -63,7 +63,7 @@ DataPropertyId Vocabulary::data_property(owl::TermId term) {
 
 DataRangeId Vocabulary::data_range(const DataRange& range) {
   if (range.term == no_term) return DataRangeId{range.is_complement ? 1U : 0U};
-  const auto [found, is_new] = data_ranges_.try_emplace({hashes_.of(range.term), range.is_complement});
+  const auto [found, is_new] = data_ranges_.try_emplace({hashes_.hash_of(range.term), range.is_complement});
   if (is_new) found->second = append<DataRangeId>(set_.data_ranges, DataRange{range});
   return found->second;
 }

@@ -31,7 +31,7 @@ int burden(ChoiceKind kind) {
 
 std::uint64_t ChoiceRecords::failures_of(std::span<const Choice> alternatives) {
   std::uint64_t failures = 0;
-  for (const Choice& choice : alternatives) failures += of(choice).failures;
+  for (const Choice& choice : alternatives) failures += record_of(choice).failures;
   return failures;
 }
 
@@ -39,8 +39,8 @@ std::uint64_t ChoiceRecords::failures_of(std::span<const Choice> alternatives) {
 // the choice for all nodes; then by the burden.
 void ChoiceRecords::order_by_promise(std::vector<Choice>& alternatives) {
   std::ranges::stable_sort(alternatives, [this](const Choice& one, const Choice& other) {
-    const Record first = of(one);
-    const Record second = of(other);
+    const Record first = record_of(one);
+    const Record second = record_of(other);
     const std::uint64_t risk = (first.failures + 1) * (second.tries + 2);
     const std::uint64_t other_risk = (second.failures + 1) * (first.tries + 2);
     return risk != other_risk ? risk < other_risk : burden(one.kind) < burden(other.kind);

@@ -15,9 +15,9 @@ namespace geminga::hypertableau {
 /// clash.
 class ChoiceRecords {
  public:
-  void note_try(const Choice& choice) { ++of(choice).tries; }
+  void note_try(const Choice& choice) { ++record_of(choice).tries; }
   void note_failure(const Choice& choice) {
-    ++of(choice).failures;
+    ++record_of(choice).failures;
     has_failed_ = true;
   }
   [[nodiscard]] std::uint64_t failures_of(std::span<const Choice> alternatives);
@@ -35,7 +35,7 @@ class ChoiceRecords {
     std::uint64_t tries = 0;
     std::uint64_t failures = 0;
   };
-  Record& of(const Choice& choice) {
+  Record& record_of(const Choice& choice) {
     return records_[(std::uint64_t{choice.predicate} << 8) | static_cast<std::uint64_t>(choice.kind)];
   }
 

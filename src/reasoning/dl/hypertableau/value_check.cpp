@@ -75,7 +75,7 @@ bool ValueCheck::are_different(owl::TermId first, owl::TermId second) {
 std::optional<bool> ValueCheck::Problem::is_in(owl::TermId literal, std::uint32_t range) {
   const auto& value = ranges_.value(literal);
   if (!value) return std::nullopt;
-  const KnownSet& set = ranges_.of(DataRangeId{range});
+  const KnownSet& set = ranges_.known_set(DataRangeId{range});
   if (set.least.contains(*value)) return true;
   if (!set.most.contains(*value)) return false;
   return std::nullopt;
@@ -102,7 +102,7 @@ std::uint32_t ValueCheck::Problem::known_set(const std::vector<std::uint32_t>& r
     }
   }
   for (const std::uint32_t range : ranges) {
-    const KnownSet& one = ranges_.of(DataRangeId{range});
+    const KnownSet& one = ranges_.known_set(DataRangeId{range});
     set.least = set.least.intersection(one.least);
     set.most = set.most.intersection(one.most);
     if (set.reason.empty()) set.reason = one.reason;

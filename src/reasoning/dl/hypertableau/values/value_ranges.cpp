@@ -94,7 +94,7 @@ const std::optional<Value>& ValueRanges::value(TermId term) {
   return found->second;
 }
 
-const KnownSet& ValueRanges::of(clauses::DataRangeId range) {
+const KnownSet& ValueRanges::known_set(clauses::DataRangeId range) {
   const auto [found, is_new] = known_.try_emplace(clauses::number(range));
   if (!is_new) return found->second;
   const clauses::DataRange& one = set_.data_ranges[clauses::number(range)];
@@ -177,7 +177,7 @@ KnownSet ValueRanges::enumeration(const owl::Term& term) {
     if (const auto& one = value(literal)) values.push_back(*one);
   }
   const bool is_known = values.size() == term.arguments.size();
-  ValueSet listed = ValueSet::of(values);
+  ValueSet listed = ValueSet::enumerated(values);
   if (is_known) return exactly(std::move(listed));
   return {std::move(listed), ValueSet::everything(), "literals of datatypes that are not known"};
 }

@@ -31,7 +31,7 @@ class ValueRanges {
  public:
   ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set);
 
-  [[nodiscard]] const KnownSet& of(clauses::DataRangeId range);
+  [[nodiscard]] const KnownSet& known_set(clauses::DataRangeId range);
   /// Whether it is a datatype that is neither of OWL 2 nor defined. It is taken to have values.
   [[nodiscard]] bool is_unknown_datatype(clauses::DataRangeId range) const;
   /// Of a literal; its value is kept.

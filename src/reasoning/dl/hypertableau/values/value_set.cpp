@@ -158,7 +158,7 @@ ValueSet ValueSet::one(const Value& value) {
   return result;
 }
 
-ValueSet ValueSet::of(const std::vector<Value>& values) {
+ValueSet ValueSet::enumerated(const std::vector<Value>& values) {
   ValueSet result;
   result.exceptions_.insert(values.begin(), values.end());
   return result;

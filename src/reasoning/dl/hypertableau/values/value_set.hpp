@@ -49,7 +49,7 @@ class ValueSet {
   [[nodiscard]] static ValueSet nothing() { return {}; }
   [[nodiscard]] static ValueSet everything();
   [[nodiscard]] static ValueSet one(const Value& value);
-  [[nodiscard]] static ValueSet of(const std::vector<Value>& values);
+  [[nodiscard]] static ValueSet enumerated(const std::vector<Value>& values);
   /// Everything of a layer whose position is in the intervals.
   [[nodiscard]] static ValueSet layer(owl::DataFamily family, std::uint8_t layer, const Intervals& intervals);
 
