@@ -3,6 +3,7 @@
 #ifndef GEMINGA_REASONING_OWL_UNIT_HPP
 #define GEMINGA_REASONING_OWL_UNIT_HPP
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,7 +12,6 @@
 #include <vector>
 
 #include "reasoning/owl/left_out.hpp"
-#include "reasoning/owl/unit_dimension.hpp"
 
 namespace geminga::owl {
 
@@ -27,6 +27,11 @@ inline constexpr std::size_t max_unit_text_octets = 512;
 inline constexpr std::size_t max_unit_symbol_octets = 32;
 /// Of the base units, in magnitude.
 inline constexpr int max_unit_exponent = 16;
+
+/// The exponents of metre, kilogram, second, ampere, kelvin, candela, radian, bit, one as a share of a whole, decibel
+/// and mole.
+inline constexpr std::size_t unit_base_count = 11;
+using UnitDimension = std::array<std::int8_t, unit_base_count>;
 
 /// A word in which QUDT or OM describes a unit, a prefix, or a part of a unit.
 enum class UnitWord : std::uint8_t {
