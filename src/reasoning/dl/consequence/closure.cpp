@@ -64,6 +64,8 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
   }
   if (effort.has_cut_context() && !effort.is_contradictory()) closure.gaps.emplace_back(alternative_gap);
   base::sort_unique(closure.gaps);
+  closure.contexts = saturation.contexts().size();
+  closure.derived = effort.clause_count();
   closure.is_consistent = !effort.is_contradictory();
   const Settled settled(saturation, closure.gaps);
   for (const ConceptId asked : wanted) {

@@ -52,10 +52,12 @@ struct Closure {
   /// For each concept that was asked for, whether it is settled without alternatives: if the ontology is consistent, it
   /// has a model with an instance that is in exactly the named classes among its subsumers.
   std::vector<bool> is_plain;
+  std::size_t contexts = 0;
+  std::size_t derived = 0;  ///< clauses
 };
 
-/// The result depends neither on the order of clauses nor on the number of threads, unless the closure was cut off.
-/// Builds only the contexts that the concepts asked for lead to and, with `facts`, the individuals.
+/// The result depends neither on the order of clauses nor on the number of threads, except for the counts and for a
+/// closure that was cut off. Builds only what the concepts asked for lead to and, with `facts`, the individuals.
 [[nodiscard]] Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                std::span<const clauses::ConceptId> wanted, const Options& options = {});
 

@@ -67,6 +67,7 @@ class SharedEffort {
   /// Whether too many messages waited at once.
   [[nodiscard]] bool is_flooded() const { return is_flooded_.load(std::memory_order_relaxed); }
   [[nodiscard]] bool has_cut_context() const { return cut_contexts_.load(std::memory_order_relaxed) > 0; }
+  [[nodiscard]] std::size_t clause_count() const { return clauses_.load(std::memory_order_relaxed); }
   /// The messages that may wait at once.
   [[nodiscard]] std::size_t max_messages() const { return always_waiting + limits_.clauses; }
 
