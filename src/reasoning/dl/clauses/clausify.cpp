@@ -5,30 +5,57 @@
 #include <tuple>
 
 #include "base/sorted.hpp"
-#include "reasoning/dl/clauses/clausifier.hpp"
+#include "reasoning/dl/clauses/class_clauses.hpp"
+#include "reasoning/dl/clauses/fact_clauses.hpp"
+#include "reasoning/dl/clauses/property_clauses.hpp"
 
 namespace geminga::clauses {
+namespace {
 
 using owl::AxiomKind;
 using owl::TermId;
 using owl::TermKind;
 
-namespace {
-
-/// The limit of clauses grows with the number of arguments that are written. So one axiom in a small file, whose
-/// members are pairwise disjoint, takes the memory of a small file.
+/// The limit of clauses grows with the number of axioms. So one axiom in a small file, whose members are pairwise
+/// disjoint, takes the memory of a small file.
 constexpr std::size_t always_clauses = 1'000'000;
 constexpr std::size_t clauses_per_axiom = 100;
 
-}  // namespace
+/// The translation of one ontology. The clauses depend on the contents of the axioms only: axioms are taken in the
+/// order of their hashes.
+class Clausifier {
+ public:
+  Clausifier(const owl::Ontology& source, const ClausifyLimits& limits)
+      : source_(source), limits_(limits), hashes_(source), vocabulary_(source, hashes_, set_) {
+    limits_.clauses = std::min(limits_.clauses, always_clauses + clauses_per_axiom * source.axiom_count());
+    is_seen_.assign(source.term_count(), false);
+  }
 
-Clausifier::Clausifier(const owl::Ontology& source, const ClausifyLimits& limits)
-    : source_(source), limits_(limits), hashes_(source), vocabulary_(source, hashes_, set_) {
-  limits_.clauses = std::min(limits_.clauses, always_clauses + clauses_per_axiom * source.axiom_count());
-  is_seen_.assign(source.term_count(), false);
-}
+  [[nodiscard]] std::expected<ClauseSet, ClausifyError> run(std::optional<std::span<const std::uint32_t>> axioms,
+                                                            std::span<const TermId> queries,
+                                                            std::span<const TermId> complements);
 
-void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
+ private:
+  [[nodiscard]] std::vector<OrderedAxiom> ordered(std::optional<std::span<const std::uint32_t>> axioms) const;
+  /// Gives numbers to the properties in these terms, and finds the top and bottom properties.
+  void find_properties(std::span<const TermId> terms);
+  void find_property(TermId term);
+  [[nodiscard]] std::unexpected<ClausifyError> too_many_clauses() const {
+    return std::unexpected(ClausifyError{"the axioms need more than " + std::to_string(limits_.clauses) + " clauses"});
+  }
+
+  const owl::Ontology& source_;
+  ClausifyLimits limits_;
+  owl::ContentHashes hashes_;
+  ClauseSet set_;
+  Vocabulary vocabulary_;
+  std::vector<bool> is_seen_;  ///< by term, in find_properties()
+  std::optional<Role> top_role_;
+  std::optional<Role> bottom_role_;
+  std::optional<DataPropertyId> bottom_data_;
+};
+
+std::vector<OrderedAxiom> Clausifier::ordered(std::optional<std::span<const std::uint32_t>> axioms) const {
   struct Entry {
     AxiomKind kind;
     owl::ContentHashes::Hash hash;
@@ -48,11 +75,13 @@ void Clausifier::order(std::optional<std::span<const std::uint32_t>> axioms) {
   std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
     return std::tie(a.kind, a.hash, a.axiom) < std::tie(b.kind, b.hash, b.axiom);
   });
+  std::vector<OrderedAxiom> result;
   for (const Entry& entry : entries) {
     const auto arguments = source_.axiom(entry.axiom).arguments;
-    axioms_.push_back(
+    result.push_back(
         {entry.axiom, entry.kind, hashes_.sorted(arguments, owl::set_begin(entry.kind, arguments.size()))});
   }
+  return result;
 }
 
 void Clausifier::find_properties(std::span<const TermId> terms) {
@@ -80,10 +109,23 @@ void Clausifier::find_property(TermId term) {
   }
 }
 
-void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::span<const TermId> queries,
-                     std::span<const TermId> complements) {
-  order(axioms);
-  for (const Ordered& axiom : axioms_) {
+/// Why the axiom has no clauses, or not all. Empty if it has.
+std::string_view problem_of(const OrderedAxiom& axiom, const owl::Ontology& source, Allowed& allowed,
+                            ClassClauses& of_classes, PropertyClauses& of_properties) {
+  if (axiom.kind == AxiomKind::declaration) return {};
+  const bool is_trivial = axiom.kind == AxiomKind::sub_data_property_of;  // owl:topDataProperty may be the super
+  for (const TermId argument : std::span(axiom.arguments).first(is_trivial ? 1 : axiom.arguments.size())) {
+    if (source.kind(argument) == TermKind::data_property && allowed.is_top_data(argument)) return "owl:topDataProperty";
+  }
+  const std::string_view found = of_classes.problem(axiom);
+  return found.empty() ? of_properties.problem(axiom) : found;
+}
+
+std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms,
+                                                        std::span<const TermId> queries,
+                                                        std::span<const TermId> complements) {
+  const std::vector<OrderedAxiom> all = ordered(axioms);
+  for (const OrderedAxiom& axiom : all) {
     if (axiom.kind == AxiomKind::declaration) continue;
     std::span<const TermId> arguments(axiom.arguments);
     // R SubPropertyOf owl:topObjectProperty says nothing.
@@ -93,46 +135,73 @@ void Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms, std::
   }
   find_properties(queries);
   find_properties(complements);
-  build_roles();
-  for (const Ordered& axiom : axioms_) {
-    if (problem_) return;
-    const std::string_view reason = problem_of(axiom);
+
+  std::vector<owl::RoleInclusion> inclusions;
+  std::vector<owl::RoleChain> chains;
+  for (const OrderedAxiom& axiom : all) collect_roles(axiom, vocabulary_, inclusions, chains);
+  if (top_role_) {
+    // Everything is connected with one individual, and thus with everything else.
+    inclusions.push_back({inverse(*top_role_), *top_role_});
+    chains.push_back({{*top_role_, *top_role_}, *top_role_, 0});
+  }
+  const owl::RoleBox roles(set_.properties.size(), inclusions, chains, limits_.automaton_states);
+  Translator translator(vocabulary_, roles, set_, limits_.clauses);
+  Allowed allowed(vocabulary_, roles, limits_.cardinality);
+  PropertyClauses of_properties(vocabulary_, allowed, translator);
+  ClassClauses of_classes(vocabulary_, allowed, translator, set_);
+  FactClauses of_facts(vocabulary_, translator, set_, limits_.clauses);
+  for (const std::uint32_t axiom : roles.left_out()) set_.unused.push_back({axiom, "an irregular property chain"});
+  of_properties.add_hierarchy(inclusions, roles, set_.properties.size());
+  if (top_role_) {
+    const AtLeast connection{1, roles.canonical(*top_role_), vocabulary_.nominal(vocabulary_.fresh_individual())};
+    translator.add_clause({{}, {{AtomKind::at_least, centre, centre, vocabulary_.index(connection)}}});
+  }
+  if (bottom_role_) translator.add_every(*bottom_role_, bottom, bottom);
+  if (bottom_data_) translator.add_clause({{{AtomKind::data_role, centre, 1, number(*bottom_data_)}}, {}});
+
+  for (const OrderedAxiom& axiom : all) {
+    const std::string_view reason = problem_of(axiom, source_, allowed, of_classes, of_properties);
     if (!reason.empty()) set_.unused.push_back({axiom.axiom, reason});
     // Other inclusions of the same axiom may still be used.
     const bool has_parts = axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union ||
                            axiom.kind == AxiomKind::disjoint_classes;
-    if (reason.empty() || has_parts) add(axiom);
-    if (translator_->is_full() || set_.equalities.size() > limits_.clauses) {
-      problem_ = "the axioms need more than " + std::to_string(limits_.clauses) + " clauses";
+    if (!reason.empty() && !has_parts) continue;
+    if (axiom.kind == AxiomKind::declaration) {
+      const TermKind kind = source_.kind(axiom.arguments[0]);
+      if (kind == TermKind::named_class) vocabulary_.concept_of(axiom.arguments[0]);
+      if (kind == TermKind::individual) vocabulary_.individual(axiom.arguments[0]);
+    } else if (axiom.kind == AxiomKind::datatype_definition) {
+      set_.datatype_definitions.push_back({axiom.arguments[0], axiom.arguments[1]});
+    } else {
+      of_classes.add(axiom);
+      of_properties.add(axiom);
+      of_facts.add(axiom);
+    }
+    if (translator.is_full() || set_.equalities.size() > limits_.clauses) return too_many_clauses();
+  }
+  for (const bool is_complement : {false, true}) {
+    for (const TermId expression : is_complement ? complements : queries) {
+      const Literal literal{expression, is_complement, Part::whole};
+      if (const std::string_view reason = allowed.problem(literal); !reason.empty()) {
+        return std::unexpected(ClausifyError{"the expression that is asked for has " + std::string(reason)});
+      }
+      (is_complement ? set_.complements : set_.queries).push_back(translator.below(literal));
     }
   }
-  ask(queries, false, set_.queries);
-  ask(complements, true, set_.complements);
-  translator_->define_names();
-  if (translator_->is_full()) problem_ = "the axioms need more than " + std::to_string(limits_.clauses) + " clauses";
+  translator.define_names();
+  if (translator.is_full()) return too_many_clauses();
   base::sort_unique(set_.clauses);
   std::ranges::sort(set_.unused, {}, &Unused::axiom);
+  return std::move(set_);
 }
 
-void Clausifier::ask(std::span<const TermId> expressions, bool is_complement, std::vector<ConceptId>& answers) {
-  for (const TermId expression : expressions) {
-    const Literal literal{expression, is_complement, Part::whole};
-    if (const std::string_view reason = allowed_->problem(literal); !reason.empty()) {
-      problem_ = "the expression that is asked for has " + std::string(reason);
-    }
-    if (problem_) return;
-    answers.push_back(translator_->below(literal));
-  }
-}
+}  // namespace
 
 std::expected<ClauseSet, ClausifyError> clausify(const owl::Ontology& source,
                                                  std::optional<std::span<const std::uint32_t>> axioms,
                                                  std::span<const TermId> queries, std::span<const TermId> complements,
                                                  const ClausifyLimits& limits) {
-  Clausifier clausifier(source, limits);
-  clausifier.run(axioms, queries, complements);
-  if (clausifier.problem()) return std::unexpected(ClausifyError{*clausifier.problem()});
-  return clausifier.take();
+  return Clausifier(source, limits).run(axioms, queries, complements);
 }
 
 }  // namespace geminga::clauses

@@ -10,7 +10,7 @@ Translator::Key Translator::key_of(Literal literal) const {
   while (source_.kind(literal.term) == owl::TermKind::object_complement_of) {
     literal = {source_.term(literal.term).arguments[0], !literal.is_negated, Part::whole};
   }
-  return {vocabulary_.hashes().of(literal.term), literal.is_negated, literal.part};
+  return {vocabulary_.hashes().hash_of(literal.term), literal.is_negated, literal.part};
 }
 
 bool Translator::is_positive(Literal literal) {

@@ -13,14 +13,15 @@ namespace {
 
 /// Stores take their memory from the arena of the thread.
 class StoreOfClauses : public testing::Test {
+ protected:
+  static constexpr Literal a = unary(1, x_term);
+  static constexpr Literal b = unary(2, x_term);
+  static constexpr Literal c = unary(3, x_term);
+
  private:
   base::Arena arena_;
   ArenaUse use_{arena_};
 };
-
-const Literal a = unary(1, x_term);
-const Literal b = unary(2, x_term);
-const Literal c = unary(3, x_term);
 
 TEST_F(StoreOfClauses, KeepsAUnitOnceAndDropsWhatItMakesRedundant) {
   ClauseStore store;

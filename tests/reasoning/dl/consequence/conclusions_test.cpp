@@ -9,11 +9,6 @@
 namespace geminga::consequence {
 namespace {
 
-const Literal a = unary(1, x_term);
-const Literal b = unary(2, x_term);
-const Literal c = unary(3, x_term);
-const Literal d = unary(4, x_term);
-
 class ConclusionsOfAStep : public testing::Test {
  protected:
   using Clause = std::pair<std::vector<Literal>, std::vector<Literal>>;
@@ -32,6 +27,10 @@ class ConclusionsOfAStep : public testing::Test {
   ArenaUse use_{arena_};
 
  protected:
+  static constexpr Literal a = unary(1, x_term);
+  static constexpr Literal b = unary(2, x_term);
+  static constexpr Literal c = unary(3, x_term);
+  static constexpr Literal d = unary(4, x_term);
   SharedEffort shared_{{.clauses = 1000, .alternatives = 2}};
   Effort effort_{shared_};
   Conclusions conclusions_{effort_, shared_};

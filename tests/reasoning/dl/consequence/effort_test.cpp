@@ -13,7 +13,6 @@ TEST(SharedEffort, StopsAllThreadsOneClauseBeyondTheLimit) {
   EXPECT_FALSE(shared.is_cut_off());
   EXPECT_FALSE(shared.count_clauses(1));
   EXPECT_TRUE(shared.is_cut_off());
-  EXPECT_EQ(shared.clause_count(), 11U);
 }
 
 TEST(SharedEffort, CountsAHundredAttemptsAsAClause) {
@@ -52,14 +51,14 @@ TEST(SharedEffort, AllowsFewerAlternativesOnceManyContextsHadTooMany) {
 }
 
 TEST(Effort, ReportsClausesOfAThreadWithTheirLiterals) {
-  SharedEffort shared({.clauses = 1000, .alternatives = 0});
+  SharedEffort shared({.clauses = 5, .alternatives = 0});
   Effort effort(shared);
   effort.count_unit();
   effort.count_clause(7);   // one
   effort.count_clause(16);  // three
-  EXPECT_EQ(shared.clause_count(), 0U);
+  EXPECT_TRUE(shared.count_clauses(0));
   EXPECT_TRUE(effort.report());
-  EXPECT_EQ(shared.clause_count(), 5U);
+  EXPECT_FALSE(shared.count_clauses(1));
 }
 
 TEST(Effort, StopsItsRuleWhenTheAttemptsOfAllAreTooMany) {

@@ -1,0 +1,69 @@
+#include "reasoning/dl/clauses/fact_clauses.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace geminga::clauses {
+
+using owl::AxiomKind;
+using owl::TermId;
+
+void FactClauses::assert_fact(Literal literal, IndividualId individual) {
+  const Shape shape = shape_of(vocabulary_.source(), literal);
+  if (shape.kind == ShapeKind::all_of) {
+    for (const Literal operand : shape.operands) assert_fact(operand, individual);
+    return;
+  }
+  const ConceptId id = translator_.below(literal);
+  if (id != thing) set_.concept_facts.push_back({id, individual});
+}
+
+void FactClauses::add(const OrderedAxiom& axiom) {
+  const auto& arguments = axiom.arguments;
+  switch (axiom.kind) {
+    case AxiomKind::class_assertion:
+      assert_fact(positive(arguments[0]), vocabulary_.individual(arguments[1]));
+      return;
+    case AxiomKind::object_property_assertion: {
+      const Role role = translator_.role(arguments[0]);
+      RoleFact fact{role.property, vocabulary_.individual(arguments[1]), vocabulary_.individual(arguments[2])};
+      if (role.is_inverse) std::swap(fact.first, fact.second);
+      set_.role_facts.push_back(fact);
+      return;
+    }
+    case AxiomKind::negative_object_property_assertion:  // a is not in  some R.{b}
+      translator_.add_every(vocabulary_.role(arguments[0]), negative(arguments[2]), negative(arguments[1]));
+      return;
+    case AxiomKind::data_property_assertion:
+      set_.data_facts.push_back(
+          {vocabulary_.data_property(arguments[0]), vocabulary_.individual(arguments[1]), arguments[2]});
+      return;
+    case AxiomKind::negative_data_property_assertion: {  // {a}(x), U(x,v) -> (not {value})(v)
+      const DataRangeId others = vocabulary_.data_range({arguments[2], true});
+      const std::uint32_t nominal = number(vocabulary_.concept_of(arguments[1]));
+      translator_.add_clause({{{AtomKind::concept_of, centre, centre, nominal},
+                               {AtomKind::data_role, centre, 1, number(vocabulary_.data_property(arguments[0]))}},
+                              {{AtomKind::data_range, 1, centre, number(others)}}});
+      return;
+    }
+    case AxiomKind::same_individual:
+      for (const TermId other : std::span(arguments).subspan(1)) {
+        set_.equalities.push_back({vocabulary_.individual(arguments[0]), vocabulary_.individual(other), false});
+      }
+      return;
+    case AxiomKind::different_individuals:
+      for (std::size_t first = 0; first < arguments.size(); ++first) {
+        for (std::size_t second = first + 1; second < arguments.size(); ++second) {
+          if (set_.equalities.size() > max_equalities_) return;
+          set_.equalities.push_back(
+              {vocabulary_.individual(arguments[first]), vocabulary_.individual(arguments[second]), true});
+        }
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+}  // namespace geminga::clauses
