@@ -1,4 +1,4 @@
-// The parts without sockets: hostile lines and frames, limits at their edges, queue, back-off, conversions, what is believed.
+// The parts without sockets: hostile lines and frames, limits at their edges, inbox, back-off, conversions, sequences.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
