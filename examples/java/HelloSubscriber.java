@@ -5,7 +5,7 @@ import geminga.Options;
 import geminga.Request;
 import geminga.Subscriber;
 
-/** Prints where the ball is, whoever in the team knows it: needs a gemingad with the soccer ontology, and no thread but this one. */
+/** Prints where the ball is, whoever in the team knows it: needs a gemingad with the soccer ontology. It has one thread. */
 public final class HelloSubscriber {
     public static void main(String[] arguments) throws Exception {
         long count = arguments.length > 0 ? Long.parseLong(arguments[0]) : Long.MAX_VALUE;

@@ -11,7 +11,7 @@
 #include "geminga/node.hpp"
 #include "load_table.hpp"
 
-/// A service and when it is sent next.
+/// A service, and the time of its next message.
 struct Sender {
   geminga::Publisher publisher;
   Clock::duration period;

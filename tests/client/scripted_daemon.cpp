@@ -81,6 +81,13 @@ ScriptedDaemon::~ScriptedDaemon() {
   ::close(listener_);
 }
 
+std::string field(const std::string& line, const std::string& key) {
+  const auto begin = line.find(' ' + key + '=');
+  if (begin == std::string::npos) return "";
+  const auto value = begin + key.size() + 2;
+  return line.substr(value, line.find(' ', value) - value);
+}
+
 std::uint16_t free_port() {
   std::uint16_t port = 0;
   ::close(listen_on_loopback(port));

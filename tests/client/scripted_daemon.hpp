@@ -57,6 +57,9 @@ class ScriptedDaemon {
   std::thread thread_;
 };
 
+/// The value of `key=` in a line; empty if there is none.
+[[nodiscard]] std::string field(const std::string& line, const std::string& key);
+
 /// A port of this host on which nobody listens.
 [[nodiscard]] std::uint16_t free_port();
 

@@ -13,7 +13,7 @@ const node = await connect({ name: 'sender' });
 const publisher = await node.publish({ mode, text, protocol });
 while (!publisher.hasConsumer) await turn();
 
-/** A socket of Node and its send. */
+/** A plain socket of Node.js and its send function. */
 async function plainSocket() {
   if (protocol === 'udp') {
     const socket = createSocket('udp4');

@@ -40,14 +40,14 @@ def timed_to(count: int, sendto: Callable[..., object], payload: bytes) -> int:
 
 
 class Orders:
-    """Does what the driver says."""
+    """Carries out the commands of the driver."""
 
     def __init__(self, send: Callable[[bytes], object]) -> None:
         self._library = send
         self._sock, self._plain = plain_socket()
 
     def follow(self, line: str) -> bool:
-        """False where that was the end."""
+        """False if the driver has closed its end."""
         words = line.split()
         if not words or words[0] == "quit":
             return False

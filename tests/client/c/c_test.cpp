@@ -18,14 +18,7 @@ using testing::StartsWith;
 
 constexpr int patience_ms = 30'000;
 
-std::string field(const std::string& line, const std::string& key) {
-  const auto begin = line.find(' ' + key + '=');
-  if (begin == std::string::npos) return "";
-  const auto value = begin + key.size() + 2;
-  return line.substr(value, line.find(' ', value) - value);
-}
-
-void introduce(Conversation& talk) {
+void introduce_with_conversion(Conversation& talk) {
   talk.welcome();
   const std::string pub = talk.hear();
   EXPECT_THAT(pub, StartsWith("1 pub create mode=oto concept=s:Ball port="));
@@ -85,7 +78,7 @@ class CTest : public testing::Test {
 };
 
 TEST_F(CTest, SendsConvertsAndReceives) {
-  open(introduce);
+  open(introduce_with_conversion);
   Seen seen;
   geminga_on_event(node_, see_event, &seen);
   auto* publisher = geminga_publish(node_, "mode=oto concept=s:Ball protocol=tcp rate=30", &error_);

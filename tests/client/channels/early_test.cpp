@@ -68,7 +68,7 @@ TEST(EarlyFrames, AreTheLastOnesWhereTheyAreLarge) {
   EXPECT_EQ(sequences(early.take({}, one_life, start)), (std::vector<std::uint64_t>{2, 3}));
 }
 
-/// Keeps what a subscriber tells, and has its reactor.
+/// Keeps what a subscriber reports, and holds its reactor.
 class Host final : public ChannelHost {
  public:
   Reactor& reactor() override { return reactor_; }

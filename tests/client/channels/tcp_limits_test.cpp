@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A publisher of a stream, to whom everybody is welcome, without a daemon.
+/// A publisher of a stream that lets everybody listen, without a daemon.
 class TcpLimits : public testing::Test {
  protected:
   TcpLimits() : engine_({{Endpoint{"127.0.0.1", free_port()}}, "", 5s}) {

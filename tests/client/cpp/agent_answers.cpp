@@ -19,7 +19,7 @@ int digit(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/// A key may stand once in a statement; who reads a request says so, and here is none.
+/// A key may stand once in a statement. The reader of a request checks that; an answer of the agent is not checked.
 bool has_doubled_key(const gcnp::Statement& statement) {
   std::set<std::string_view> keys;
   return !std::ranges::all_of(statement.parameters, [&](const auto& one) { return keys.insert(one.key).second; });

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Far beyond what anything here takes.
+/// Far longer than anything here takes.
 constexpr auto patience = 30s;
 
 Node node_at(const ScriptedDaemon& daemon) {
@@ -40,14 +40,6 @@ NamedSubscription wish(ChannelMode mode) {
   subscription.identity = TextIdentity{"ball"};
   subscription.mode = mode;
   return subscription;
-}
-
-/// The value of `key=` in a line.
-std::string field(const std::string& line, const std::string& key) {
-  const auto begin = line.find(' ' + key + '=');
-  if (begin == std::string::npos) return "";
-  const auto value = begin + key.size() + 2;
-  return line.substr(value, line.find(' ', value) - value);
 }
 
 /// Answers a node that offers (1) and asks (2) for the same service: each is told of the other.
@@ -173,11 +165,11 @@ TEST(Node, RefusesMessagesOverTheLimitOfTheirProtocol) {
     auto publisher = node.publish(offer(ChannelMode::one_to_one, protocol));
     auto subscriber = node.subscribe(wish(ChannelMode::one_to_one));
     ASSERT_TRUE(next<ConsumerChange>(node));
-    const auto refused = publisher->send(std::string(limit + 1, 'x'));
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().kind, SendError::Kind::too_large);
+    const auto sent = publisher->send(std::string(limit + 1, 'x'));
+    ASSERT_FALSE(sent);
+    EXPECT_EQ(sent.error().kind, SendError::Kind::too_large);
     if (limit == 65'000) {
-      EXPECT_THAT(refused.error().text, HasSubstr("protocol=tcp"));
+      EXPECT_THAT(sent.error().text, HasSubstr("protocol=tcp"));
     }
     for (const std::size_t size : {limit - 1, limit}) {
       EXPECT_TRUE(publisher->send(std::string(size, 'x')));

@@ -256,7 +256,7 @@ public final class Agent {
         }
     }
 
-    /** Takes one message after the other, unless it is deaf. */
+    /** Takes one message after the other, unless the subscriber is deaf. */
     private static final class Taker implements Flow.Subscriber<Message> {
         private final Subscriber subscriber;
         private final Speaker speaker;

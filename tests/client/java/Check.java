@@ -8,7 +8,7 @@ import java.util.Random;
 
 /** Assertions of the tests, and the vectors that all languages share. */
 final class Check {
-    /** Something that may fail. */
+    /** An action that may throw. */
     interface Action {
         void run() throws Exception;
     }
@@ -33,7 +33,7 @@ final class Check {
         throw new AssertionError("no " + kind.getSimpleName());
     }
 
-    /** Chance that can be had again with GEMINGA_SEED. */
+    /** Random numbers; GEMINGA_SEED gives the same ones again. */
     static Random chance() {
         String given = System.getenv("GEMINGA_SEED");
         long seed = given == null ? System.nanoTime() : Long.parseLong(given);

@@ -17,7 +17,7 @@ import java.util.Random;
 final class CounterpartsTest {
     private static final long SECOND = 1_000_000_000L;
 
-    /** Writes down what it is told. */
+    /** Writes down every call. */
     private static final class Witness implements Counterparts.Watcher<String> {
         private final List<String> told = new ArrayList<>();
 

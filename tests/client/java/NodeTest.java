@@ -18,7 +18,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
-/** A node and its daemon: what is stated, what is refused, and what becomes of it when the daemon goes and comes back. */
+/** A node and its daemon: what is stated, what is refused, and what happens to it when the daemon goes and comes back. */
 final class NodeTest {
     private static final Duration LONG = Duration.ofSeconds(30);
     private static final Offer OFFER = Offer.of(Mode.ONE_TO_ONE, Identity.text("x"));

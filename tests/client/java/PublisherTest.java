@@ -31,7 +31,7 @@ final class PublisherTest {
     private static final String LIFE = "000000000000000a";
     private static final String WORD = "5e6f7a8b/3/1";
 
-    /** A publisher, its daemon, and what it is told. */
+    /** A publisher, its daemon, and its events. */
     private static final class Bench implements AutoCloseable {
         final ScriptedDaemon daemon = new ScriptedDaemon();
         final LinkedBlockingQueue<Event> told = new LinkedBlockingQueue<>();

@@ -36,7 +36,7 @@ final class SubscriberTest {
     private static final String LIFE = "000000000000000a";
     private static final String WORD = "5e6f7a8b/2/1";
 
-    /** A subscriber, its daemon, a provider over TCP, and what the subscriber is told. */
+    /** A subscriber, its daemon, a provider over TCP, and the events of the subscriber. */
     private static final class Bench implements AutoCloseable {
         final ScriptedDaemon daemon = new ScriptedDaemon();
         final LinkedBlockingQueue<Event> told = new LinkedBlockingQueue<>();
@@ -129,7 +129,7 @@ final class SubscriberTest {
     }
 
     static void whatAProviderSendsBeforeTheDaemonTellsOfItIsDelivered() throws Exception {
-        // A machine that is so busy that the second passes says nothing: then once more.
+        // If the machine was so busy that more than a second passed, the result means nothing: try again.
         for (boolean isInTime = false; !isInTime;) {
             try (Bench bench = new Bench(request()); DatagramSocket provider = new DatagramSocket()) {
                 int port = bench.subscriber.request().port();
@@ -140,7 +140,7 @@ final class SubscriberTest {
                 if (!isInTime) continue;
                 for (int i = 1; i <= 2; ++i) Check.equal(i + " 0 m" + i, text(bench.subscriber));
                 Check.equal(1L, bench.subscriber.dropped());
-                // It is started again at its port: another life.
+                // The provider is started again at the same port: another life.
                 isInTime = tellsLate(bench, provider, 11, () -> {
                     send(provider, port, message(11, 1, "again"));
                     send(provider, port, Frame.end(11, 3).write());
@@ -345,7 +345,7 @@ final class SubscriberTest {
         }
     }
 
-    /** Writes down what it is given. */
+    /** Writes down every call. */
     private static final class Taker implements Flow.Subscriber<Message> {
         final LinkedBlockingQueue<String> told = new LinkedBlockingQueue<>();
         volatile Flow.Subscription subscription;

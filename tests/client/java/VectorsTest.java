@@ -133,7 +133,7 @@ final class VectorsTest {
         List<String> lines = Check.block("refused");
         for (int i = 0; i < lines.size(); i += 2) {
             String line = lines.get(i);
-            // A library opens the port itself; numbers of requests are its own.
+            // The library opens the port itself and numbers its requests itself.
             boolean isOurs = line.matches("[1-9][0-9]* (pub|sub) create .*") && !line.matches(".*create mode=oto id=7 port=0");
             boolean isOfAnAddress = line.contains("address=0.0.0.0");
             if (isOurs && !isOfAnAddress) Check.fails(IllegalArgumentException.class, () -> stated(line));

@@ -49,7 +49,7 @@ async function read(label, service) {
   }
 }
 
-/** Says what happens to a service; before its ok it is kept. Gives what says that it is there. */
+/** Reports what happens to a service, but only after its ok. Returns the function that says this ok. */
 function watch(label, service, event) {
   let early = [];
   const tell = (...words) => (early ? early.push(words) : say(...words));

@@ -1,4 +1,4 @@
-// A node on real sockets of the loopback interface, with a daemon that says what the test wants and a clock that stands still.
+// A node on real sockets of the loopback interface, with a daemon that says what the test tells it to, and a clock that stands still.
 import { createSocket } from 'node:dgram';
 import { once } from 'node:events';
 import { connect as dial } from 'node:net';
@@ -12,7 +12,7 @@ export const life = '00000000000000aa';
 export const ours = 0xaan;
 export const message = (sequence, text = 'x') => encodeFrame(kinds.message, ours, BigInt(sequence), Buffer.from(text));
 
-/** A node with its daemon and clock; all is closed behind the test. */
+/** A node with its daemon and clock; all is closed after the test. */
 export async function lab(t) {
   const daemon = await new ScriptedDaemon().listen();
   const clock = new ManualClock();

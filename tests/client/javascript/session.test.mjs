@@ -169,7 +169,7 @@ test('lines that mean nothing are counted and cost nothing else', async () => {
   assert.equal(heard.length, 1);
 });
 
-/** A book whose happenings are kept as words. `tcp` names the keys of peers whose connections live. */
+/** Counterparts, and in words what happened to them. `tcp` holds the keys of the peers that have a live connection. */
 function book({ limit = 0 } = {}) {
   const clock = new ManualClock();
   const told = [];

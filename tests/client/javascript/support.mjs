@@ -46,8 +46,8 @@ export class ManualClock {
 }
 
 /**
- * A daemon of a test: listens on a free port, answers hello and ping, keeps the other lines in `lines`, and says what it is
- * told. `answers` maps the beginning of a line to what is said to it, a function of the line's words.
+ * A scripted daemon: it listens on a free port, answers hello and ping, keeps the other lines in `lines`, and says what the
+ * test tells it to. `answers` maps the beginning of a line to its answer, a function of the words of the line.
  */
 export class ScriptedDaemon {
   lines = [];
@@ -75,7 +75,7 @@ export class ScriptedDaemon {
     for (const socket of this.#sockets) socket.write(octets);
   }
 
-  /** The first line, of those that were said already or come, that matches; it is taken out. */
+  /** The first line that matches, of those that have come or will come; it is taken out. */
   async line(pattern) {
     const at = this.lines.findIndex((line) => pattern.test(line));
     if (at >= 0) return this.lines.splice(at, 1)[0];

@@ -66,7 +66,7 @@ test('a TCP consumer is one when both its hello and its sub add are there, which
   assert.equal((await come).change, 'added');
   publisher.send(Buffer.from('one'));
   await until(() => early.frames.length === 1);
-  // A second connection with the same life takes the place of the first, which nobody is told.
+  // A second connection with the same life takes the place of the first; nobody is told.
   const second = await consumerSocket(t, publisher.port, ours);
   await once(early, 'close');
   publisher.send(Buffer.from('two'));
@@ -78,7 +78,7 @@ test('a TCP consumer is one when both its hello and its sub add are there, which
   const again = event(publisher, 'consumer');
   const third = await consumerSocket(t, publisher.port, ours);
   assert.equal((await again).change, 'added');
-  // One that no sub add comes for is closed behind 5 s.
+  // A connection without a sub add is closed after 5 s.
   const stranger = await consumerSocket(t, publisher.port, 0xbbn);
   const silent = await consumerSocket(t, publisher.port);
   await until(() => clock.running >= 2);

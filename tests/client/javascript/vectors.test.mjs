@@ -3,13 +3,13 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { eventStatement, readEvent } from '../../../src/client/javascript/lib/protocol/event.js';
+import { isEvent, readEvent } from '../../../src/client/javascript/lib/protocol/event.js';
 import { reservedKeys } from '../../../src/client/javascript/lib/protocol/attribute.js';
 import { encodeFrame, frameOfDatagram, kinds, MessageWriter } from '../../../src/client/javascript/lib/protocol/frame.js';
 import { lifeText } from '../../../src/client/javascript/lib/protocol/life.js';
 import { Inbox } from '../../../src/client/javascript/lib/protocol/inbox.js';
 import { identity } from '../../../src/client/javascript/lib/protocol/identity.js';
-import { parseRequest } from '../../../src/client/javascript/lib/protocol/request.js';
+import { canonicalRequest } from '../../../src/client/javascript/lib/protocol/request.js';
 import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/protocol/statement.js';
 import { xxh32 } from '../../../src/client/javascript/lib/protocol/xxh32.js';
 import { root } from './support.mjs';
@@ -91,21 +91,34 @@ test('a full inbox loses what the table says', () => {
   }
 });
 
+/** Whether a line states or changes a publication or subscription, which are all requests that the library makes. */
+const isStated = (line) => /^[0-9]+ (pub|sub) (create|modify)\b/.test(line);
+
 test('requests are read and written as in GCNP.md', () => {
-  for (const [line, written] of pairs('requests')) assert.equal(formatStatement(parseRequest(line)), written, line);
+  const requests = pairs('requests').filter(([line]) => isStated(line));
+  assert.ok(requests.length > 10);
+  for (const [line, written] of requests) assert.equal(formatStatement(canonicalRequest(parseStatement(line))), written, line);
 });
 
 test('what GCNP.md refuses is refused, with its id and code', () => {
   for (const [line, answer] of pairs('refused')) {
-    assert.throws(() => parseRequest(line), (error) => `${error.id} ${error.status}` === answer, line);
+    if (/^[0-9]+ (query|sys)\b/.test(line)) continue; // the library makes no queries
+    assert.throws(() => canonicalRequest(parseStatement(line)), (error) => `${error.id} ${error.status}` === answer, line);
   }
 });
 
 test('lines of the daemon are read and written as in GCNP.md', () => {
   for (const [line] of pairs('events')) {
     const statement = parseStatement(line);
-    const again = statement.code === undefined ? eventStatement(readEvent(statement)) : statement;
-    assert.equal(formatStatement(again), line);
+    assert.equal(formatStatement(statement), line);
+    if (statement.code !== undefined) continue;
+    assert.ok(isEvent(statement), line);
+    const values = new Map(statement.parameters);
+    const event = readEvent(statement);
+    assert.equal(event.service, values.get('service') ?? values.get('subscription'), line);
+    for (const [name, value] of Object.entries(event.attributes ?? {})) {
+      assert.equal(values.get(`attr.${name}`) ?? values.get(name), value, line);
+    }
   }
 });
 

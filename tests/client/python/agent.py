@@ -25,7 +25,7 @@ def say(*words: object) -> None:
 
 
 def arguments(text: str) -> dict[str, Any]:
-    """The arguments of publish(), subscribe() or modify() that these parameters of GCNP are."""
+    """These parameters of GCNP as arguments of publish(), subscribe() or modify()."""
     keys: dict[str, Any] = {"attributes": {}}
     for key, value in read_parameters(text).items():
         if key in RESERVED:
@@ -65,7 +65,7 @@ class Agent:
             self.about(what.source, "problem", what.text)
 
     def about(self, channel: object, word: str, *rest: object) -> None:
-        """Says what happens to a channel, behind its ok."""
+        """Reports what happens to a channel, after its ok."""
         label = self.labels.get(channel)
         if label is not None or channel is None:
             say(word, label or "-", *rest)
@@ -104,7 +104,7 @@ class Agent:
             await asyncio.sleep(0)
 
     async def told(self, line: str) -> bool:
-        """Does what is told; False at the end."""
+        """Carries out a command; False at the end."""
         word, _, rest = line.partition(" ")
         label, _, rest = rest.partition(" ")
         try:

@@ -41,7 +41,7 @@ class Blocking(unittest.TestCase):
         self.name = f"{self.id()}"
 
     def served(self, nodes: list[geminga.blocking.Node], is_so: object) -> None:
-        """Lets these go on, one after the other, until this is so."""
+        """Lets the programs run, one after the other, until the condition holds."""
         end = time.monotonic() + PATIENCE_SECONDS
         while not is_so():  # type: ignore[operator]
             self.assertLess(time.monotonic(), end)

@@ -20,7 +20,7 @@ class Met:
         return await self.daemon.request("pub"), await self.daemon.request("sub")
 
     async def say(self, line: str) -> None:
-        """The daemon says this about the subscription."""
+        """The daemon sends this event of the subscription."""
         peer, sub = await self.daemon.request("sub")
         peer.say(f"{sub.id} {line}")
 

@@ -62,20 +62,20 @@ class Keeping(unittest.TestCase):
 
 
 class Provider:
-    """A socket that speaks before the daemon does, and its subscriber."""
+    """A socket that sends before the daemon has told of it, and a subscriber."""
 
     def __init__(self, sub: geminga.Subscriber, to: tuple, sock: socket.socket, told: Told) -> None:  # type: ignore[type-arg]
         self.sub, self.to, self.sock, self.told = sub, to, sock, told
 
     async def send(self, *frames: bytes) -> None:
-        """Sends these, and waits until all of them have come."""
+        """Sends these frames, and waits until all of them have arrived."""
         before = self.sub.dropped
         for octets in frames:
             self.sock.sendto(octets, ("127.0.0.1", self.sub._udp.port))  # type: ignore[union-attr]
         await until(lambda: self.sub.dropped == before + len(frames))
 
     async def add(self, life: int, word: str = "1a2b3c4d/9/1") -> None:
-        """The daemon tells of it."""
+        """The daemon tells of the socket as a provider."""
         peer, line = self.to
         port, said = self.sock.getsockname()[1], len(self.told.all)
         peer.say(f"{line.id} pub add service={word} mode=oto address=127.0.0.1 port={port} protocol=udp channel={life:016x}")

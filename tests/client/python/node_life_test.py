@@ -1,4 +1,4 @@
-"""A node and its daemon: coming, going, coming back; in virtual time."""
+"""A node and a daemon that comes, goes and comes back; in virtual time."""
 
 from __future__ import annotations
 

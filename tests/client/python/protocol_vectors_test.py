@@ -40,7 +40,7 @@ class Vectors(unittest.TestCase):
                     self.assertEqual(identity(**said), int(number))
 
     def test_the_hash_is_that_of_the_xxhash_project(self) -> None:
-        # From the specification's own table, for the seed 0.
+        # From the table of the specification, for the seed 0.
         for text, value in {"": 0x02CC5D05, "a": 0x550D7456, "abc": 0x32D153FF}.items():
             self.assertEqual(xxh32(text.encode()), value)
         self.assertEqual(xxh32(b"Nobody inspects the spammish repetition"), 0xE2293B2F)

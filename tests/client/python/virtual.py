@@ -1,4 +1,4 @@
-"""Tests of sockets without waiting: an event loop whose clock goes on when nothing else does, and a daemon that obeys."""
+"""Tests of sockets without waiting: an event loop whose clock advances when nothing is left to do, and a scripted daemon."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _HANGS_SECONDS = 20.0
 
 
 class _Selector(selectors.EpollSelector):
-    """Where no socket becomes ready, the wait is for a timer, and the clock goes on to it."""
+    """If no socket is ready, the loop waits for a timer, and the clock advances to it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -48,7 +48,7 @@ class _Selector(selectors.EpollSelector):
 
 
 class VirtualLoop(asyncio.SelectorEventLoop):
-    """Its clock begins at 0 and stands still while there is something to do."""
+    """An event loop whose clock begins at 0 and stands still while there is something to do."""
 
     def __init__(self) -> None:
         self.passed = 0.0
@@ -61,7 +61,7 @@ class VirtualLoop(asyncio.SelectorEventLoop):
 
 
 class VirtualTestCase(unittest.TestCase):
-    """`self.run_async(coroutine)` runs it in virtual time; what fails in a callback fails the test."""
+    """`self.run_async(coroutine)` runs it in virtual time; an exception in a callback fails the test."""
 
     def run_async(self, work: Coroutine[Any, Any, None]) -> None:
         broken: list[dict[str, Any]] = []
@@ -80,7 +80,7 @@ class VirtualTestCase(unittest.TestCase):
 
 
 async def until(holds: Callable[[], object], seconds: float = 60.0) -> None:
-    """Lets the others go on until this holds."""
+    """Lets the other tasks run until the condition holds."""
     loop = asyncio.get_running_loop()
     end, step = loop.time() + seconds, 0.001
     while not holds():
@@ -155,7 +155,7 @@ class Daemon:
         writer.close()
 
     async def request(self, command: str, number: int = 0) -> tuple[Peer, Statement]:
-        """The request of this kind that has been made, of whichever peer, counted from 0."""
+        """The request of this kind that was made, of any peer, counted from 0."""
 
         def made() -> list[tuple[Peer, Statement]]:
             return [(peer, line) for peer in self.peers for line in peer.of(command, "create")]
@@ -185,7 +185,7 @@ def add_consumer(to: tuple[Peer, Statement], of: Statement, word: str = "1a2b3c4
 
 
 class Told:
-    """The events that an application was told."""
+    """The events that an application received."""
 
     def __init__(self) -> None:
         self.all: list[geminga.Happening] = []

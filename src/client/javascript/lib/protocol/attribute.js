@@ -50,11 +50,6 @@ export function statedKey(name) {
   }
 }
 
-/** The key by which the daemon shows an attribute. */
-export function shownKey(name) {
-  return reserved.has(name) || keysOfLines.has(name) || name.startsWith('attr.') ? `attr.${name}` : name;
-}
-
 /** The attribute that a key of the daemon's line shows; undefined if it is a key of GCNP. */
 export function shownAttribute(key) {
   if (key.startsWith('attr.')) return key.slice(5);

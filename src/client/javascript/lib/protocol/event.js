@@ -1,5 +1,5 @@
-// Events of the daemon about the other side of a publication or subscription, read from their lines and written again.
-import { inOrder, shownAttribute, shownKey } from './attribute.js';
+// Events of the daemon about the other side of a publication or subscription, read from their lines.
+import { shownAttribute } from './attribute.js';
 import { StatementError } from './errors.js';
 import { modes, readNumber } from './key.js';
 
@@ -8,7 +8,7 @@ const ofChain = ['cost', 'via'];
 const degrees = ['exact', 'equivalent', 'narrower', 'converted', 'broader', 'overlapping'];
 const changes = ['add', 'modify', 'del'];
 
-/** By command: the key that names the other side, its peer, and the keys in the order in which they are written. */
+/** By command: the keys of the other side and of its peer, all keys, and the required ones. */
 const shapes = Object.freeze({
   pub: {
     service: 'service',
@@ -88,26 +88,4 @@ export function readEvent({ id, command, subcommand, parameters }) {
     via: values.get('via') || undefined,
     attributes,
   };
-}
-
-/** The statement of an event, as the daemon writes it. */
-export function eventStatement(event) {
-  const { id, command, change } = event;
-  const shape = shapes[command];
-  const statement = { id, command, subcommand: change, parameters: [] };
-  if (change === 'del') {
-    statement.parameters.push([shape.service, event.service], ['reason', event.reason]);
-    return statement;
-  }
-  const values = { ...event, ...event.identity, participant_name: event.participantName };
-  values[shape.service] = event.service;
-  values[shape.peer] = event.peer;
-  values.id = event.identity.id;
-  for (const key of shape.keys) {
-    if (values[key] !== undefined) statement.parameters.push([key, String(values[key])]);
-  }
-  for (const [name, value] of inOrder(event.attributes)) {
-    statement.parameters.push([event.convert && ofChain.includes(name) ? `attr.${name}` : shownKey(name), value]);
-  }
-  return statement;
 }

@@ -5,7 +5,7 @@ import { StatementError } from './errors.js';
 import * as limits from './limits.js';
 
 export const modes = Object.freeze(['oto', 'otm/stream', 'otm/pubsub']);
-export const degrees = Object.freeze(['exact', 'equivalent', 'narrower', 'broader', 'overlapping']);
+const degrees = Object.freeze(['exact', 'equivalent', 'narrower', 'broader', 'overlapping']);
 const anyCost = 0xffffffff;
 
 const fail = (key, value, expected) => {
@@ -83,19 +83,8 @@ function protocols(value, key) {
   return value;
 }
 
-function serviceKey(value, key) {
-  const [participant, peer, own, ...more] = value.split('/');
-  const isOne = /^[0-9a-f]{8}$/.test(participant) && readNumber(peer ?? '') !== undefined;
-  return isOne && readNumber(own ?? '') !== undefined && more.length === 0
-    ? value
-    : fail(key, value, 'PARTICIPANT/PEER/NUMBER');
-}
-
-const flag = (value, key) => (value === '1' || value === '0' ? value : fail(key, value, '0 or 1'));
-
 /** The readers of values, by key. `protocol` of a `pub` is one word: `protocol:pub`. */
 export const readers = Object.freeze({
-  name: text(limits.maxLine),
   mode: oneOf(modes),
   id,
   text: name(limits.maxText, 'a text that is not empty'),
@@ -109,7 +98,6 @@ export const readers = Object.freeze({
   scope: text(limits.maxScope),
   for: text(limits.maxCondition),
   match: oneOf(degrees),
-  degree: oneOf(degrees),
   provider: providers,
   favour: providers,
   where: text(limits.maxCondition),
@@ -117,13 +105,4 @@ export const readers = Object.freeze({
   rank: text(limits.maxRank),
   convert: conversion,
   limit: number,
-  room: number,
-  filter: text(limits.maxFilter),
-  sub: text(limits.maxConcept),
-  super: text(limits.maxConcept),
-  unused: flag,
-  unmatched: flag,
-  subscription: serviceKey,
-  service: serviceKey,
 });
-export const flags = new Set(['unused', 'unmatched']);

@@ -107,11 +107,6 @@ class TcpConnection:
             self._is_paused = False
             self._loop.add_reader(self._sock, self._read)
 
-    @property
-    def is_paused(self) -> bool:
-        """Whether reading has stopped."""
-        return self._is_paused
-
     def close(self) -> None:
         """Closes at once. No function is called after that."""
         if not self.is_open:
