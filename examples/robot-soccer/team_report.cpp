@@ -28,7 +28,7 @@ struct Outcome {
   int asked = 0;
   int met = 0;
   int exactly = 0;
-  std::set<std::string> given;  ///< what came instead of exactly what was asked for
+  std::set<std::string> given;  ///< the concepts that came in place of the one that was asked for
 };
 
 Answer ask(Client& client, std::string_view kind, const std::vector<std::pair<std::string, std::string>>& parameters) {

@@ -52,7 +52,7 @@ struct ConsumerEvent {
   ServiceKey subscription;       ///< the same in every event about it; names the consumer, too
   std::string peer_name;         ///< the consumer's name; empty: none
   std::string participant_name;  ///< of the consumer's daemon
-  NamedSubscription subscribed;  ///< what was asked for: identity, mode, address, port, priority, attributes
+  NamedSubscription subscribed;  ///< the request: identity, mode, address, port, priority, attributes
   Degree degree = Degree::exact;
   std::uint32_t distance = 0;
   std::string reason;

@@ -26,7 +26,7 @@ class DaemonLink {
     std::function<void(const gcnp::Statement& hello)> up;  ///< the daemon answered the hello
     std::function<void(const std::string& reason)> down;   ///< the daemon is gone
     std::function<void(gcnp::Reply)> reply;                ///< any other reply
-    std::function<void(const std::string& text)> refused;  ///< what listens there does not accept us
+    std::function<void(const std::string& text)> refused;  ///< the program that listens there does not accept us
   };
   struct Options {
     std::vector<Endpoint> endpoints;

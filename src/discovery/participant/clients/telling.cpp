@@ -180,7 +180,7 @@ void Telling::deliver_events() {
 }
 
 void Telling::tell_gone(Session& session, std::uint32_t number, matching::Reason reason) {
-  deliver_events();  // What is on its way may tell a part of it.
+  deliver_events();  // Events on their way may tell a part of it.
   const auto told = session.told.find(number);
   if (told == session.told.end()) return;
   if (must_wait(session, number)) return;

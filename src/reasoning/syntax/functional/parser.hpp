@@ -101,7 +101,7 @@ class Parser {
   Document document_;
 
   document::Head head_;
-  std::string last_prefix_;                       ///< whose IRI is last_prefix_iri_
+  std::string last_prefix_;                       ///< its IRI is last_prefix_iri_
   const std::string* last_prefix_iri_ = nullptr;  ///< in head_
   document::NameAnnotations names_;
   std::string blank_prefix_;  ///< the same for the same file on every host: made of its content

@@ -66,7 +66,7 @@ struct Loaded {
 struct TextFile {
   syntax::FileBytes bytes;
   syntax::Syntax syntax = syntax::Syntax::turtle;
-  std::string base_iri;  ///< what its relative IRIs are relative to
+  std::string base_iri;  ///< the base of its relative IRIs
 };
 
 /// Reads the text of a file, for users of its triples who do not need its axioms.

@@ -1,7 +1,7 @@
 // Which messages of a life are new: each is delivered once and in order, and what is missing between two is counted.
 import { maxRemembered } from './limits.js';
 
-/** What a subscriber delivered last of each life. Remembers `maxRemembered` lives, those that were heard last. */
+/** The last sequence that a subscriber delivered of each life, for the `maxRemembered` lives that were heard last. */
 export class Sequence {
   #lives = new Map();
 
