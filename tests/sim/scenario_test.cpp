@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "discovery/membership/schedule/deadline.hpp"
 #include "discovery/membership/claim/identifier_claim.hpp"
+#include "discovery/membership/schedule/deadline.hpp"
 #include "sim/robots.hpp"
 
 namespace geminga::sim {

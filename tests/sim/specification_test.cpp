@@ -1,6 +1,5 @@
 // The whole specification of the paper's team on ten hosts: who is told of whom is what it means, no pair more and no
 // pair less. GEMINGA_SEED chooses another seed.
-#include "reasoning/compiled/ontology.hpp"
 #include "sim/specification.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "reasoning/compiled/compile.hpp"
+#include "reasoning/compiled/ontology.hpp"
 #include "reasoning/el/classify.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 #include "sim/client.hpp"

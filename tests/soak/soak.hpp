@@ -54,8 +54,8 @@ class Soak {
   void expect_no_growth();
   [[nodiscard]] Figures figures();
   void report();
-  /// Lets a random time of at most `longest` pass, so that robots end at any moment. The soak is a load, not a test with
-  /// an expected time.
+  /// Lets a random time of at most `longest` pass, so that robots end at any moment. The soak is a load, not a test
+  /// with an expected time.
   void rest(std::chrono::milliseconds longest);
 
   Plan plan_;

@@ -7,8 +7,8 @@
 
 namespace geminga::el {
 
-std::vector<std::pair<ExprId, ExprId>> find_union_superclasses(const IndexedOntology& index, const Saturation& saturation,
-                                                   const OpenParts& open) {
+std::vector<std::pair<ExprId, ExprId>> find_union_superclasses(const IndexedOntology& index,
+                                                               const Saturation& saturation, const OpenParts& open) {
   std::vector<std::pair<ExprId, ExprId>> found;
   AtomsAbove above(index, saturation);
   for (const OpenUnion& one : open.unions) {

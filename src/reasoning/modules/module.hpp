@@ -50,10 +50,10 @@ struct ModuleTables {
 /// Makes the tables of a view that has no tables yet. One pass over its axioms.
 [[nodiscard]] ModuleTables make_module_tables(const taxonomy::ClassifiedView& view);
 
-/// The axioms of the module for these classes and terms, by number. They include every minimal set that entails an axiom
-/// over this signature, or that one of the classes is below any named class. The walk reaches near axioms first, and the
-/// result is in this order. Declarations are not among them. The cost is that of the reached axioms, and one bit for each
-/// term and axiom of the ontology.
+/// The axioms of the module for these classes and terms, by number. They include every minimal set that entails an
+/// axiom over this signature, or that one of the classes is below any named class. The walk reaches near axioms first,
+/// and the result is in this order. Declarations are not among them. The cost is that of the reached axioms, and one
+/// bit for each term and axiom of the ontology.
 [[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index,
                                                         std::span<const taxonomy::ClassNumber> classes,
                                                         std::span<const std::uint32_t> more_terms = {});

@@ -1,5 +1,5 @@
-// One kind of term or axiom after the other. A test that returns waiting leaves the names on top of the stack; the other
-// answers leave none.
+// One kind of term or axiom after the other. A test that returns waiting leaves the names on top of the stack; the
+// other answers leave none.
 #include "reasoning/modules/module_locality.hpp"
 
 namespace geminga::modules {

@@ -1,9 +1,9 @@
 // Bottom locality: the axioms that say nothing about a signature, and the names that they wait for.
 //
 // An axiom is local with respect to a signature S if it holds as soon as every name outside S is empty (Cuenca Grau,
-// Horrocks, Kazakov, Sattler: Modular Reuse of Ontologies, 2008). Testing every axiom again after each growth of S would
-// be slow. Instead a test names what the axiom waits for: a set of names of which at least one must enter S before the
-// axiom can cease to be local.
+// Horrocks, Kazakov, Sattler: Modular Reuse of Ontologies, 2008). Testing every axiom again after each growth of S
+// would be slow. Instead a test names what the axiom waits for: a set of names of which at least one must enter S
+// before the axiom can cease to be local.
 #ifndef GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
 #define GEMINGA_REASONING_MODULES_MODULE_LOCALITY_HPP
 
@@ -45,8 +45,8 @@ inline constexpr std::uint32_t max_terms_looked_at = 10'000;
 /// Tests axioms against a signature that the caller keeps. Recursion is bounded by the nesting of terms.
 class LocalityTest {
  public:
-  /// Requires an entry of `is_in_signature` and `uses` for each term. Of several sets of names to wait for, one with few
-  /// uses is chosen. All arguments must outlive the test.
+  /// Requires an entry of `is_in_signature` and `uses` for each term. Of several sets of names to wait for, one with
+  /// few uses is chosen. All arguments must outlive the test.
   LocalityTest(const taxonomy::ClassifiedView& view, const BuiltIn& built_in, const std::vector<bool>& is_in_signature,
                std::span<const std::uint32_t> uses)
       : view_(view), built_in_(built_in), is_in_signature_(is_in_signature), uses_(uses) {}

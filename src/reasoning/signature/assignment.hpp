@@ -23,8 +23,8 @@ class Worth {
   std::vector<double> values_;
 };
 
-/// The column of each row such that the sum of their worth is as large as possible. If there are fewer columns than rows,
-/// some rows get none. Kuhn's and Munkres' method with potentials: O(n^3).
+/// The column of each row such that the sum of their worth is as large as possible. If there are fewer columns than
+/// rows, some rows get none. Kuhn's and Munkres' method with potentials: O(n^3).
 [[nodiscard]] std::vector<std::optional<std::size_t>> best_assignment(const Worth& worth);
 
 }  // namespace geminga::signature

@@ -30,12 +30,13 @@ struct Meaning {
 /// inclusions give equal figures, whatever the names.
 class Hierarchy {
  public:
-  /// The limit of nodes above one concept that count; the nearest ones do. It protects from ontologies of one long chain.
+  /// The limit of nodes above one concept that count; the nearest ones do. It protects from ontologies of one long
+  /// chain.
   static constexpr std::size_t max_ancestors = 10'000;
 
   /// Concepts that include each other are one node. Inclusions in `top`, the concept above all, say nothing. The last
-  /// `foreign_count` concepts are in no ontology: they have no inclusions, share nothing with other concepts, and do not
-  /// enlarge the open world.
+  /// `foreign_count` concepts are in no ontology: they have no inclusions, share nothing with other concepts, and do
+  /// not enlarge the open world.
   Hierarchy(std::uint32_t concept_count, std::span<const Inclusion> inclusions, std::optional<Concept> top = {},
             std::uint32_t foreign_count = 0);
 

@@ -17,7 +17,8 @@ namespace geminga::signature {
 /// The limit of parameters of one side. Readers of signatures refuse more.
 inline constexpr std::size_t max_parameters = 64;
 
-/// The parameters that a service consumes and produces, or that a request can give and needs. A concept may stand twice.
+/// The parameters that a service consumes and produces, or that a request can give and needs. A concept may stand
+/// twice.
 struct Signature {
   std::vector<Concept> inputs;
   std::vector<Concept> outputs;

@@ -1,8 +1,8 @@
 // The reduced hierarchy of the properties of an ontology: nodes of equivalent properties, and the direct
 // super-properties of each.
 //
-// It is derived from the property axioms: inclusions, equivalents, inverses, symmetry, chains in which all links but one
-// are reflexive, and emptiness (below the bottom property, disjoint with itself, without any domain or range).
+// It is derived from the property axioms: inclusions, equivalents, inverses, symmetry, chains in which all links but
+// one are reflexive, and emptiness (below the bottom property, disjoint with itself, without any domain or range).
 // Consequences that need class axioms are not derived.
 #ifndef GEMINGA_REASONING_TAXONOMY_PROPERTY_TAXONOMY_HPP
 #define GEMINGA_REASONING_TAXONOMY_PROPERTY_TAXONOMY_HPP
@@ -25,8 +25,8 @@ struct PropertyTaxonomy {
   std::vector<owl::NameId> properties;  ///< the IRI of each
   PropertyNumber top{};
   PropertyNumber bottom{};
-  /// The smallest property that each is equivalent to, which is usually itself. Empty properties have that of the bottom
-  /// property.
+  /// The smallest property that each is equivalent to, which is usually itself. Empty properties have that of the
+  /// bottom property.
   std::vector<PropertyNumber> representative;
   /// The direct super-properties of each representative, as representatives, ascending. Empty for properties that are
   /// no representative, for the top property, and for the bottom property's representative, which lies below every

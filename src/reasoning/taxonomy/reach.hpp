@@ -10,8 +10,9 @@ namespace geminga::taxonomy {
 /// pairs of large ontologies it also reads a list of intervals.
 struct Reach {
   static constexpr std::uint32_t flag = std::uint32_t{1} << 31;
-  std::uint32_t first = 0;   ///< the rank; the flag alone if the class is unsatisfiable
-  std::uint32_t extent = 0;  ///< how many following ranks are below the class; the flag says that there are further intervals
+  std::uint32_t first = 0;  ///< the rank; the flag alone if the class is unsatisfiable
+  std::uint32_t extent =
+      0;  ///< how many following ranks are below the class; the flag says that there are further intervals
   std::uint32_t further_begin = 0;
   std::uint32_t further_end = 0;
 };

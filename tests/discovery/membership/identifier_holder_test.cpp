@@ -77,7 +77,8 @@ TEST(Identifier, IsGivenBackToWhoeverWasSilentForTwoIntervals) {
 TEST(Identifier, IsTheFirstClaimantsAndNotThatOfWhoeverAnticipatesItsFirstState) {
   for (const auto* source : {stranger, own}) {
     for (const auto boot : {announcement::BootNonce{66}, announcement::BootNonce{1}}) {
-      if (boot == announcement::BootNonce{1} && source == own) continue;  // the same incarnation: each word of it is weighed
+      if (boot == announcement::BootNonce{1} && source == own)
+        continue;  // the same incarnation: each word of it is weighed
       Air air;
       (void)air.hear(as(announcement::Kind::claim, speaker(1, 0, {})), own);
       for (int i = 0; i < 5; ++i, air.pass(milliseconds(20))) (void)air.hear(incarnation(boot), source);
@@ -222,7 +223,8 @@ TEST(FormerIncarnations, AreRememberedUpToTheNamedNumberAndTheYoungestGivesWay) 
       const auto hearing = rig.hear(incarnation(announcement::BootNonce{id}, id), rig_start + seconds(1));
       returned += hearing == Hearing::returned ? 1 : 0;
       EXPECT_EQ(hearing == Hearing::returned, id <= announcement::max_participants) << id;
-      (void)rig.hear(as(announcement::Kind::goodbye, incarnation(announcement::BootNonce{id}, id)), rig_start + seconds(1));
+      (void)rig.hear(as(announcement::Kind::goodbye, incarnation(announcement::BootNonce{id}, id)),
+                     rig_start + seconds(1));
     });
     EXPECT_EQ(returned, std::min(count, announcement::max_participants));
   }

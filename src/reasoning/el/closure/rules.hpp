@@ -1,9 +1,9 @@
 // The rules of OWL 2 EL that all closures share, each written once, in logic notation beside its code.
 //
 // A closure says what a context is. Saturation has a context for each concept. Inheritance has a node, which takes over
-// the items of the nodes above it. ExpressionOverlay (placement) has contexts of one expression over a closed base. Each
-// closure says where a conclusion is noted and when the rules are applied to it. ../README.md lists which rule is where,
-// and which rules belong to one closure alone.
+// the items of the nodes above it. ExpressionOverlay (placement) has contexts of one expression over a closed base.
+// Each closure says where a conclusion is noted and when the rules are applied to it. ../README.md lists which rule is
+// where, and which rules belong to one closure alone.
 //
 // Legend: as in saturation.hpp. C is a context or a node of the closure; C -R-> D is a link that the closure keeps.
 #ifndef GEMINGA_REASONING_EL_CLOSURE_RULES_HPP
@@ -105,8 +105,8 @@ class Rules {
     apply_to_inherited(context, subsumer, rules);
   }
 
-  /// Applies the rules of D, `rules`, that C must apply again if it has D from a node above, because their other premise
-  /// may be C's own; all such rules but conjunctions.
+  /// Applies the rules of D, `rules`, that C must apply again if it has D from a node above, because their other
+  /// premise may be C's own; all such rules but conjunctions.
   void apply_to_inherited(std::uint32_t context, ExprId subsumer, std::uint8_t rules) {
     //  C < D
     //  ---------- [D < R Self is told]

@@ -86,7 +86,8 @@ class IndexedOntology {
   // Building.
   ExprId add_atom() { return add({ExprKind::atom, 0, 0}); }
   ExprId add_nominal();
-  /// The conjunction of any number of parts, sorted, without doubles and without T: T if nothing is left, F if F is in it.
+  /// The conjunction of any number of parts, sorted, without doubles and without T: T if nothing is left, F if F is in
+  /// it.
   ExprId conjunction(std::vector<ExprId> parts);
   ExprId existential(RoleId role, ExprId filler);
   ExprId self(RoleId role);
@@ -109,8 +110,8 @@ class IndexedOntology {
   void watch(ExprId atom) { watched_.push_back(atom); }
   Roles& roles() { return roles_; }
 
-  /// Lets every link end in the context of its own target, as expression_base.hpp needs it. Otherwise a link ends in the
-  /// nearest context that has rules.
+  /// Lets every link end in the context of its own target, as expression_base.hpp needs it. Otherwise a link ends in
+  /// the nearest context that has rules.
   void keep_link_targets() { keeps_link_targets_ = true; }
 
   /// Closes roles, finds told equivalents, sorts rules to their expressions. False if a closure has more than

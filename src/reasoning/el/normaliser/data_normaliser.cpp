@@ -123,8 +123,8 @@ void DataNormaliser::exclude(ExprId one, ExprId other) {
   index_.add_told(both_of_them, bottom_expr);
 }
 
-// Three facts are beyond EL. An element of a finite datatype is one of its values; this matters if a value is asked for.
-// An element of two overlapping datatypes is in their intersection, which may be finite or a part of a third; the
+// Three facts are beyond EL. An element of a finite datatype is one of its values; this matters if a value is asked
+// for. An element of two overlapping datatypes is in their intersection, which may be finite or a part of a third; the
 // datatypes of OWL 2 EL never overlap. A literal may have the value of an inexact one.
 void DataNormaliser::find_unused(UnusedAxioms& unused) const {
   const std::vector<owl::Datatype> used = find_used(pending_);

@@ -15,7 +15,8 @@
 
 namespace geminga::el {
 
-/// Makes the atoms of literals and datatypes. In the end it adds which atoms are within others and which exclude others.
+/// Makes the atoms of literals and datatypes. In the end it adds which atoms are within others and which exclude
+/// others.
 class DataNormaliser {
  public:
   DataNormaliser(const owl::Ontology& source, IndexedOntology& index, PendingUses& pending)

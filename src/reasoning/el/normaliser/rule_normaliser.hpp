@@ -34,8 +34,8 @@ class RuleNormaliser {
 
   /// Adds one axiom of the source. Returns the first construct in it that is not used in full.
   owl::Construct add(std::uint32_t axiom);
-  /// Adds how literals and datatypes relate, universals, and ranges of chains. Returns the axioms that only then turn out
-  /// not to be used in full. To be called once, after the last axiom.
+  /// Adds how literals and datatypes relate, universals, and ranges of chains. Returns the axioms that only then turn
+  /// out not to be used in full. To be called once, after the last axiom.
   [[nodiscard]] UnusedAxioms finish(Universals universals = Universals::left_out);
 
   /// The axioms of which a part became a universal rule, ascending. Requires finish().

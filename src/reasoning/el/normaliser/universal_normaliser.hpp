@@ -1,10 +1,10 @@
 // Universals right of SubClassOf, and the ranges that OWL 2 EL does not allow. Legend as in indexed_ontology.hpp.
 //
-// A range of R is a universal of everything, T < R only C. If the last property of each chain below R has the range, too
-// (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in C (Baader, Brandt, Lutz: Pushing
-// the EL Envelope Further, 2008). Otherwise the end of a chain is in C only after the rest of the chain. So C travels
-// along the automaton of R, whose states are atoms (Horrocks, Kutz, Sattler: The Even More Irresistible SROIQ, 2006,
-// section 4). Universals of properties with chains travel the same way.
+// A range of R is a universal of everything, T < R only C. If the last property of each chain below R has the range,
+// too (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in C (Baader, Brandt, Lutz:
+// Pushing the EL Envelope Further, 2008). Otherwise the end of a chain is in C only after the rest of the chain. So C
+// travels along the automaton of R, whose states are atoms (Horrocks, Kutz, Sattler: The Even More Irresistible SROIQ,
+// 2006, section 4). Universals of properties with chains travel the same way.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_UNIVERSAL_NORMALISER_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_UNIVERSAL_NORMALISER_HPP
 
