@@ -11,7 +11,7 @@ import { Sequence } from '../../../src/client/javascript/lib/protocol/sequence.j
 import { EarlyFrames } from '../../../src/client/javascript/lib/protocol/early_frames.js';
 import { readEvent } from '../../../src/client/javascript/lib/protocol/event.js';
 import { encodeFrame, frameOfDatagram, kinds, MessageWriter } from '../../../src/client/javascript/lib/protocol/frame.js';
-import { lifeOf, lifeOctets, newLife } from '../../../src/client/javascript/lib/protocol/life.js';
+import { lifeOf, newLife } from '../../../src/client/javascript/lib/protocol/life.js';
 import * as limits from '../../../src/client/javascript/lib/protocol/limits.js';
 import { Places } from '../../../src/client/javascript/lib/protocol/places.js';
 import { Inbox } from '../../../src/client/javascript/lib/protocol/inbox.js';
