@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import logging
+
 import selectors
 import sys
 import unittest
@@ -14,7 +14,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "src/client/python"))
 
-logging.getLogger("geminga").disabled = True  # Tests look at problems themselves.
+
 
 import geminga  # noqa: E402
 from geminga.protocol.line_reader import LineReader  # noqa: E402

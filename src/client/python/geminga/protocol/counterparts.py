@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
+from .belief import Belief
 from .limits import ORPHAN_SECONDS, SETTLE_SECONDS
 from .match import Match
 
@@ -18,6 +19,7 @@ FINAL_REASONS = frozenset({"withdrawn", "outranked", "changed"})
 WITHDRAWN = "withdrawn"
 DISCONNECTED = "disconnected"  #: the own daemon came back and did not confirm the channel
 LOST = "lost"  #: the connection of a channel ended, and no daemon announces the counterpart
+SLOW = "slow"  #: a consumer took nothing for the longest time while too much waited for all
 
 Key = int | str  #: the life, or the word of a counterpart without one
 
@@ -32,6 +34,7 @@ class Counterpart:
     reason: str = ""  #: why the daemons have lost sight of it
     is_orphan: bool = False
     is_connected: bool = False  #: over TCP: whether its connection is open
+    belief: Belief | None = None  #: of a provider with a life
     closes_at: float | None = None
 
 
@@ -70,6 +73,10 @@ class Counterparts:
     def get(self, key: Key) -> Counterpart | None:
         """The counterpart with this life or word."""
         return self._by_key.get(key)
+
+    def key_of(self, word: str) -> Key | None:
+        """The key of the counterpart that the daemon means by this word."""
+        return self._keys.get(word)
 
     def modify(self, match: Match) -> list[Change]:
         """Takes a `modify` of the daemon. It does not bring back a counterpart that has ended."""
