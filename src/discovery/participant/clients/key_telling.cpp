@@ -27,7 +27,9 @@ void KeyTelling::tell(Session& session, std::uint32_t request, const Attributes&
 
 void KeyTelling::change() {
   for (const auto& [stream, session] : sessions_.all) {
-    if (session->asks_for_keys && !session->is_leaving) begin_anew(*session);
+    if (!session->asks_for_keys || session->is_leaving) continue;
+    session->say(gcnp::Statement{.id = 0, .command = "msg", .subcommand = "sealing", .parameters = {{"mode", mode()}}});
+    begin_anew(*session);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "discovery/gcnp/channel_keyring.hpp"
@@ -34,7 +35,9 @@ class KeyTelling {
   /// Tells the keys of the channel that a service states, if the session asked for keys and has not been told them.
   /// `request` is the publication itself, or the subscription that is about to be told of it.
   void tell(Session& session, std::uint32_t request, const Attributes& attributes);
-  /// Has all keys told anew, in the turns of the sessions: the keys or the mode have changed.
+  /// The word of the mode in which this host seals.
+  [[nodiscard]] std::string mode() const { return keys_of_(no_life).mode; }
+  /// Has the mode told at once and all keys anew, in the turns of the sessions: the keys or the mode have changed.
   void change();
 
  private:

@@ -107,7 +107,10 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
                                         {"name", session.name},
                                         {"ontology", digest_word(matcher_.vocabulary().digest())},
                                         {"participant_name", self_.name()}}};
-  if (hello.keys && keys_.ask(session, *hello.keys) && *hello.keys) answer.parameters.push_back({"keys", "yes"});
+  if (hello.keys && keys_.ask(session, *hello.keys) && *hello.keys) {
+    answer.parameters.push_back({"keys", "yes"});
+    answer.parameters.push_back({"sealing", keys_.mode()});
+  }
   if (session.room > 0) answer.parameters.push_back({"room", std::to_string(session.room)});
   session.say(answer);
   return std::nullopt;
