@@ -32,7 +32,7 @@ class Met:
 async def met(mode: str = "oto", protocol: str = "udp", **wishes: object) -> AsyncIterator[Met]:
     daemon, told = Daemon(), Told()
     await daemon.start()
-    async with geminga.connect("", daemon.address, told) as node:
+    async with geminga.connect("test", daemon.address, told) as node:
         pub = await node.publish(text="x", mode=mode, protocol=protocol)
         sub = await node.subscribe(text="x", mode=mode, **wishes)  # type: ignore[arg-type]
         p, s = await daemon.request("pub"), await daemon.request("sub")

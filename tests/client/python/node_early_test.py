@@ -86,7 +86,7 @@ class Provider:
 async def provider(**wishes: object) -> AsyncIterator[Provider]:
     daemon, told = Daemon(), Told()
     await daemon.start()
-    async with geminga.connect("", daemon.address, told) as node:
+    async with geminga.connect("test", daemon.address, told) as node:
         sub = await node.subscribe(text="x", mode="otm/pubsub", **wishes)  # type: ignore[arg-type]
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
             sock.bind(("127.0.0.1", 0))
@@ -102,7 +102,7 @@ class Early(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 pub = await node.publish(text="x", mode="otm/pubsub")
                 sub = await node.subscribe(text="x", mode="otm/pubsub")
                 p, s = await daemon.request("pub"), await daemon.request("sub")
@@ -136,10 +136,11 @@ class Early(VirtualTestCase):
             async with provider() as one:
                 await one.send(message(5, 1), write_frame(Kind.END, 5, 3), message(5, 4))
                 await one.add(5)
+                one.to[0].say(f"{one.to[1].id} pub del service=1a2b3c4d/9/1 reason=expired")
                 await until(lambda: len(one.told.changes) == 2)
                 self.assertEqual(one.told.changes, ["added", "removed withdrawn"])
-                self.assertEqual((await one.sub.receive()).sequence, 1)
-                self.assertEqual((one.sub.received, one.sub.missed, one.sub.dropped), (1, 2, 1))
+                self.assertEqual([(await one.sub.receive()).sequence for _ in range(2)], [1, 4])
+                self.assertEqual((one.sub.received, one.sub.missed, one.sub.dropped), (2, 2, 0))
 
         self.run_async(story())
 

@@ -47,7 +47,7 @@ class Strangers(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 sub = await node.subscribe(text="x", mode="oto")
                 pub = await node.publish(text="x", mode="oto")
                 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as raw:
@@ -118,7 +118,7 @@ class Strangers(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 pub = await node.publish(text="x", mode="oto", protocol="tcp")
                 sub = await node.subscribe(text="x", mode="oto", protocol="tcp")
                 p, s = await daemon.request("pub"), await daemon.request("sub")
@@ -135,7 +135,7 @@ class Strangers(VirtualTestCase):
 
     def test_a_second_connection_takes_the_place_of_the_first(self) -> None:
         async def story() -> None:
-            async with geminga.connect("", "127.0.0.1:1") as node:
+            async with geminga.connect("test", "127.0.0.1:1") as node:
                 pub = await node.publish(text="x", mode="otm/stream", protocol="tcp")
                 first = self.connected(pub, write_frame(Kind.HELLO, 7, 0))
                 await until(lambda: pub.has_consumers)
@@ -150,7 +150,7 @@ class Strangers(VirtualTestCase):
 
     def test_256_consumers_are_sent_to_and_one_more_is_closed(self) -> None:
         async def story() -> None:
-            async with geminga.connect("", "127.0.0.1:1") as node:
+            async with geminga.connect("test", "127.0.0.1:1") as node:
                 pub = await node.publish(text="x", mode="otm/stream", protocol="tcp")
                 for life in range(1, MAX_TCP_CONSUMERS + 1):
                     self.connected(pub, write_frame(Kind.HELLO, life, 0))

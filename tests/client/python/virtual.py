@@ -17,8 +17,11 @@ sys.path.insert(0, str(ROOT / "src/client/python"))
 
 
 import geminga  # noqa: E402
+import geminga.log  # noqa: E402
 from geminga.protocol.line_reader import LineReader  # noqa: E402
 from geminga.protocol.statement import ErrorLine, Statement, read_line  # noqa: E402
+
+geminga.log.to_standard_error = lambda line: None  # Tests look at problems themselves.
 
 
 #: Seconds after which a datagram to the own host has arrived, also where the system delivers it after the call that sends it.

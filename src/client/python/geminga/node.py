@@ -14,14 +14,16 @@ from .happening import Connected, ConsumerChanged, Disconnected, Happening, Prob
 from .log import Log, LogHook
 from .opening import Channel, Opening
 from .parameters import Attributes, Words, checked, parameters
+from .protocol.channel_keys import mode_takes_plain
 from .protocol.converter import Conversion
 from .protocol.counter import ForkError, Process
 from .protocol.limits import MAX_WAITING_EVENTS, MAX_WAITING_MESSAGES
 from .protocol.match import Match
-from .protocol.report import Asked, Complaint, Keyed, Report, Settled, Told, Welcome
+from .protocol.report import Asked, Complaint, Keyed, Report, Sealing, Settled, Told, Welcome
 from .protocol.request import IDENTITY_KEYS, Request
 from .protocol.session import Session
 from .protocol.statement import ErrorLine
+from .providers import Providers
 from .publisher import Publisher
 from .request_owner import RequestOwner
 from .subscriber import Subscriber
@@ -56,7 +58,7 @@ class Node:
         self._log = Log(log, lambda error: self._failed("the log hook", error))
         self._process = Process.number
         self.has_keys: bool | None = None  #: whether the daemon has keys; None until it has said so
-        self._takes_plain: bool | None = None
+        self.takes_plain = False  #: whether this host takes plain frames
         self._link: DaemonLink | None = None
         self._owners: dict[int, RequestOwner] = {}
         self._asking: dict[int, asyncio.Future[None]] = {}
@@ -224,8 +226,9 @@ class Node:
         """Tells the application what became of a consumer."""
         self.tell(ConsumerChanged(publisher, change, consumer, reason))
 
-    def tell_provider(self, subscriber: Subscriber, change: str, provider: Match, reason: str) -> None:
+    def tell_provider(self, subscriber: Providers, change: str, provider: Match, reason: str) -> None:
         """Tells the application what became of a provider."""
+        assert isinstance(subscriber, Subscriber)
         self.tell(ProviderChanged(subscriber, change, provider, reason))
 
     def tell(self, happening: Happening) -> None:
@@ -241,11 +244,6 @@ class Node:
             if reader.put(happening):
                 self._log.say("1 events were thrown away: take them more often")
         self._wake_readers()
-
-    @property
-    def takes_plain(self) -> bool:
-        """Whether this host takes plain frames, as far as that is known."""
-        return bool(self._takes_plain)
 
     # Inside
 
@@ -279,36 +277,30 @@ class Node:
     def _take(self, report: Report) -> None:
         if isinstance(report, Welcome):
             self.tell(Connected(report.participant, report.participant_name))
-            self.has_keys = report.has_keys
-            if not report.has_keys:
-                self._learn(True)
+            self.has_keys = report.sealing != "plain"
             for owner in list(self._owners.values()):
-                owner.daemon_back(report.has_keys)
+                owner.daemon_back(self.has_keys)
+            self._learn(report.sealing)
         elif isinstance(report, Told):
             told = self._owners.get(report.request.number)
             if told is not None:
                 told.told(report.line)
         elif isinstance(report, Keyed):
-            self._keyed(report)
+            keyed = self._owners.get(report.request.number)
+            if keyed is not None:
+                keyed.keyed(report.life, report.keys, report.text)
+        elif isinstance(report, Sealing):
+            self._learn(report.mode)
         elif isinstance(report, Settled):
             self._settle(report.asked, report.error)
         elif isinstance(report, Complaint):
             self._complain(report)
 
-    def _keyed(self, report: Keyed) -> None:
-        keyed = self._owners.get(report.request.number)
-        if keyed is not None:
-            keyed.keyed(report.life, report.keys, report.text)
-        if report.keys is not None:
-            self.has_keys = report.keys.has_ring
-            self._learn(report.keys.takes_plain)
-
-    def _learn(self, takes_plain: bool) -> None:
-        """The daemon has said whether this host takes plain frames."""
-        if self._takes_plain is not takes_plain:
-            self._takes_plain = takes_plain
-            for owner in list(self._owners.values()):
-                owner.mode_changed()
+    def _learn(self, mode: str) -> None:
+        """The daemon has said how this host seals. It counts for channels that have no line of keys."""
+        self.has_keys, self.takes_plain = mode != "plain", mode_takes_plain(mode)
+        for owner in list(self._owners.values()):
+            owner.mode_changed()
 
     def _settle(self, asked: Asked, error: ErrorLine | None) -> None:
         if error is not None:

@@ -54,7 +54,7 @@ def parameters(attributes: Attributes | None, **keys: object) -> dict[str, str]:
 
 
 def checked(said: dict[str, str], protocols: int, **numbers: object) -> dict[str, str]:
-    """The keys of a request, of which the protocol has so many words at most. Raises ValueError, and TypeError for numbers that are none."""
+    """The keys of a request, whose protocol has so many words at most. Raises ValueError, and TypeError for numbers that are none."""
     mode = said.get("mode", "")
     if mode not in MODES:
         raise ValueError(f"mode is one of {', '.join(MODES)}, not {mode!r}")

@@ -178,6 +178,11 @@ class Publisher(RequestOwner):
             self._rekey(PLAIN)
         super().daemon_back(has_keys)
 
+    def mode_changed(self) -> None:
+        """The daemon has said how this host seals, which counts for channels that have no line of keys."""
+        if self._node.has_keys is False and self._frames.keys is None:
+            self._rekey(PLAIN)
+
     # Calls of the outlet
 
     def joined(self, life: int) -> None:
@@ -235,8 +240,8 @@ class Publisher(RequestOwner):
     def _rekey(self, keys: ChannelKeys | None) -> None:
         if self._frames.keys is keys or self._is_closed:
             return
-        self._frames.keys = keys
-        self._outlet.rekeyed()
+        was_sealing, self._frames.keys = self._frames.seals, keys
+        self._outlet.rekeyed(self._frames.seals and not was_sealing)
         for counterpart in self._counterparts:
             self._greet(counterpart)
 

@@ -20,10 +20,7 @@ class Host(Protocol):
 
     loop: asyncio.AbstractEventLoop
     has_keys: bool | None  #: whether the daemon has keys; None until it has said so
-
-    @property
-    def takes_plain(self) -> bool:
-        """Whether this host takes plain frames, as far as that is known."""
+    takes_plain: bool  #: whether this host takes plain frames
 
     def create(self, owner: RequestOwner, command: str, said: dict[str, str]) -> Request:
         """States a request of this owner."""
@@ -119,7 +116,8 @@ class RequestOwner:
             changes = self._counterparts.delete(word, self._reason(word, line.get("reason")), self._loop.time())
         else:
             match = read_match(line)
-            changes = self._counterparts.add(match) if line.subcommand == "add" else self._counterparts.modify(match)
+            now = self._loop.time()
+            changes = self._counterparts.add(match, now) if line.subcommand == "add" else self._counterparts.modify(match, now)
         self._apply(changes)
 
     def daemon_lost(self) -> None:
@@ -131,7 +129,7 @@ class RequestOwner:
         raise NotImplementedError
 
     def mode_changed(self) -> None:
-        """The daemon has said whether this host takes plain frames."""
+        """The daemon has said how this host seals, which counts for channels that have no line of keys."""
 
     def daemon_back(self, has_keys: bool) -> None:
         """The daemon is back; counterparts that it does not confirm in time become orphans."""

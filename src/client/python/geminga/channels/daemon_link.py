@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import random
 import socket
 from collections.abc import Callable
@@ -124,7 +125,7 @@ class DaemonLink:
                     await self._loop.sock_connect(sock, endpoint.address)
                 return sock
             except OSError as error:  # TimeoutError is a subclass.
-                self._failure = error.strerror or "no answer"
+                self._failure = os.strerror(error.errno) if error.errno else "no answer"
                 sock.close()
             except BaseException:
                 sock.close()
@@ -153,9 +154,8 @@ class DaemonLink:
 
     def _say_away(self) -> None:
         self._is_away_said = True
-        self._log(
-            f"no daemon at {self._endpoints[0]} for {AWAY_SECONDS:.0f} s ({self._failure}): start gemingad, or say where it is with {VARIABLE}"
-        )
+        there = f"no daemon at {self._endpoints[0]} for {AWAY_SECONDS:.0f} s ({self._failure})"
+        self._log(f"{there}: start gemingad, or say where it is with {VARIABLE}")
 
     def _say_back(self) -> None:
         self._away.cancel()

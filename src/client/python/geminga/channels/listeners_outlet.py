@@ -46,11 +46,16 @@ class ListenersOutlet:
     def close(self, counterpart: Counterpart) -> None:
         """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
-    def rekeyed(self) -> None:
+    def rekeyed(self, begins_to_seal: bool = False) -> None:
         """Other keys are in force, or another mode. Listeners that said no sealed hello leave where that is needed."""
         keys = self._frames.keys
         if keys is not None and not keys.takes_plain:
             self._listeners.end_plain()
+        if begins_to_seal:
+            for there in self._listeners.addresses:
+                known = self._listeners.get(there)
+                if known is not None:
+                    self._reception.floor(there, known.life, known.challenge)
         self._changed()
 
     def send(self, header: bytes, body: bytes, payload: bytes) -> int:

@@ -50,7 +50,7 @@ class MulticastOutlet:
     def close(self, counterpart: Counterpart) -> None:
         """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
-    def rekeyed(self) -> None:
+    def rekeyed(self, begins_to_seal: bool = False) -> None:
         """Other keys are in force, or another mode: takes hellos while frames are sealed."""
         if not self._frames.seals:
             self._close_hellos()

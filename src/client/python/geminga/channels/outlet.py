@@ -65,7 +65,7 @@ class Outlet(Protocol):
     def close(self, counterpart: Counterpart) -> None:
         """A consumer is gone."""
 
-    def rekeyed(self) -> None:
+    def rekeyed(self, begins_to_seal: bool = False) -> None:
         """The daemon has said which keys there are, or other ones."""
 
     def send(self, header: bytes, body: bytes, payload: bytes) -> int:

@@ -73,6 +73,12 @@ class Reception:
             octets = self._frames.other(kind, Handshake(life, challenge, cookie).write(), self._is_hello_port)
             sockets.send_datagram(self._sock, octets, source)
 
+    def floor(self, there: Address, life: int, challenge: int) -> None:
+        """Sends a floor to a consumer that was accepted, which has not asked for one."""
+        if self._sock is not None:
+            octets = self._frames.other(Kind.FLOOR, Handshake(life, challenge, 0).write(), self._is_hello_port)
+            sockets.send_datagram(self._sock, octets, there)
+
     def _read(self) -> None:
         for _ in range(_DATAGRAMS_A_TURN):
             if self._sock is None:

@@ -87,7 +87,7 @@ class TcpOutlet:
         if client is not None:
             self._leave(client)
 
-    def rekeyed(self) -> None:
+    def rekeyed(self, begins_to_seal: bool = False) -> None:
         """Other keys are in force, or another mode. Whoever said no sealed hello leaves where that is needed, and comes again."""
         keys = self._frames.keys
         if keys is None:
@@ -96,7 +96,7 @@ class TcpOutlet:
             if not keys.takes_plain and not client.counter:
                 client.connection.close()
                 self._ended(client)
-            elif keys.seals and client.life in self.targets:
+            elif begins_to_seal and client.life in self.targets:
                 self._floor(client, 0)
         for client in [one for one in self._strangers if one.first is not None]:
             first, client.first = client.first, None

@@ -22,6 +22,8 @@ class _Consumer:
     there: Address | None  #: None if it states no port, or no address that can be reached
     life: int
     counter: int | None = None  #: of its last hello, 0 if that was plain; None until one was accepted
+    challenge: int = 0
+    source: Address = ()  #: where it said hello
 
 
 class UdpOutlet:
@@ -68,7 +70,7 @@ class UdpOutlet:
         if self._by_key.pop(counterpart.key, None) is not None:
             self._changed()
 
-    def rekeyed(self) -> None:
+    def rekeyed(self, begins_to_seal: bool = False) -> None:
         """Other keys are in force, or another mode: reads hellos where there is a ring."""
         keys = self._frames.keys
         for one in self._by_key.values():
@@ -79,6 +81,9 @@ class UdpOutlet:
                 self._reception.read(self._sock)
             else:
                 self._reception.rest()
+        for one in self._by_key.values():
+            if begins_to_seal and one.counter is not None:
+                self._reception.floor(one.source, one.life, one.challenge)
         self._changed()
 
     def send(self, header: bytes, body: bytes, payload: bytes) -> int:
@@ -121,11 +126,14 @@ class UdpOutlet:
                 self._reception.dropped += 1
                 return
             consumer.counter = max(counter, consumer.counter)
-        elif consumer is None or not self._reception.has_cookie(source, frame, said):
-            self._reception.ask(source, frame, said)  # A hello may come before its consumer.
+            consumer.challenge, consumer.source = said.challenge, source
+        elif not self._reception.has_cookie(source, frame, said):
+            self._reception.ask(source, frame, said)
             return
+        elif consumer is None:
+            return  # It will be accepted when the daemon has told of it, and it says hello again.
         else:
-            consumer.counter = counter
+            consumer.counter, consumer.challenge, consumer.source = counter, said.challenge, source
             self._changed()
             self._host.joined(frame.life)
         self._reception.answer(Kind.FLOOR, source, frame.life, said.challenge)

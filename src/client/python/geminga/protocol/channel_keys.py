@@ -31,6 +31,11 @@ _MODES = {
 }
 
 
+def mode_takes_plain(mode: str) -> bool:
+    """Whether a host of this mode takes plain frames; no host of an unknown mode does."""
+    return mode in _MODES and _MODES[mode][1]
+
+
 class KeysError(ValueError):
     """The daemon's line about keys cannot be read. The text has none of it."""
 

@@ -12,7 +12,7 @@ class SealingMissing(Exception):
 
     def __init__(self, reason: str) -> None:
         super().__init__(
-            f"the channel is sealed, which needs the package cryptography (Debian: python3-cryptography; pip install cryptography): {reason}"
+            f"the channel is sealed, which needs the package cryptography (Debian: python3-cryptography): {reason}"
         )
 
 

@@ -1,4 +1,4 @@
-"""The ends that providers have said, until the daemon confirms them or their time is over (src/client/CHANNELS.md, "How a channel ends")."""
+"""The ends that providers have said, until the daemon confirms them (src/client/CHANNELS.md, "How a channel ends")."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ class Welcome:
 
     participant: str
     participant_name: str
-    has_keys: bool = False  #: for channels
+    sealing: str = "plain"  #: the mode of this host; plain if the daemon has no keys for channels
 
 
 @dataclass(eq=False, slots=True)
@@ -53,6 +53,13 @@ class Keyed:
 
 
 @dataclass(frozen=True, slots=True)
+class Sealing:
+    """The daemon has other keys, or another mode."""
+
+    mode: str
+
+
+@dataclass(frozen=True, slots=True)
 class Complaint:
     """An error that answers no statement. `is_gone`: the daemon no longer has the request."""
 
@@ -61,4 +68,4 @@ class Complaint:
     is_gone: bool
 
 
-Report = Welcome | Settled | Told | Keyed | Complaint
+Report = Welcome | Settled | Told | Keyed | Sealing | Complaint

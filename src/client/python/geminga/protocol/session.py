@@ -9,7 +9,7 @@ from .channel_keys import KeysError, read_channel_keys
 from .cipher import SealingMissing
 from .life import read_life
 from .line_reader import LineReader
-from .report import Asked, Complaint, Keyed, Report, Settled, Told, Welcome
+from .report import Asked, Complaint, Keyed, Report, Sealing, Settled, Told, Welcome
 from .request import Request, State, changed
 from .statement import ErrorLine, LineError, Statement, read_line, write_line
 
@@ -145,13 +145,16 @@ class Session:
             if line.id != 0 or line.command != "msg" or line.subcommand != "hello":
                 raise LineError("what listens there does not speak GCNP")
             self._is_welcome = True
-            yield Welcome(line.get("participant"), line.get("participant_name"), line.get("keys") == "yes")
+            sealing = line.get("sealing") if line.get("keys") == "yes" else ""
+            yield Welcome(line.get("participant"), line.get("participant_name"), sealing or "plain")
         elif line.command == "msg":
             if line.subcommand == "pong" and self._unanswered:
                 asked = self._unanswered.popleft()
                 if asked is not None:
                     yield from self._settle(asked, None)
                 self._state_more()
+            elif line.subcommand == "sealing":
+                yield Sealing(line.get("mode", "plain"))
         elif line.command == "pub" and line.subcommand == "keys":
             yield from self._take_keys(line)
         elif line.command in ("pub", "sub") and line.subcommand in ("add", "modify", "del"):
