@@ -6,8 +6,8 @@ import asyncio
 import contextlib
 import socket
 import unittest
-from collections.abc import AsyncIterator
 
+from meeting import provider
 from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, until
 
 import geminga
@@ -59,38 +59,6 @@ class Keeping(unittest.TestCase):
             early.put(HERE, frame(1), 0.0)
             early.put(HERE, frame(2), 0.5)
             self.assertEqual(sequences(early.take(HERE, 7, later)), kept)
-
-
-class Provider:
-    """A socket that sends before the daemon has told of it, and a subscriber."""
-
-    def __init__(self, sub: geminga.Subscriber, to: tuple, sock: socket.socket, told: Told) -> None:  # type: ignore[type-arg]
-        self.sub, self.to, self.sock, self.told = sub, to, sock, told
-
-    async def send(self, *frames: bytes) -> None:
-        """Sends these frames, and waits until all of them have arrived."""
-        before = self.sub.dropped
-        for octets in frames:
-            self.sock.sendto(octets, ("127.0.0.1", self.sub._udp.port))  # type: ignore[union-attr]
-        await until(lambda: self.sub.dropped == before + len(frames))
-
-    async def add(self, life: int, word: str = "1a2b3c4d/9/1") -> None:
-        """The daemon tells of the socket as a provider."""
-        peer, line = self.to
-        port, said = self.sock.getsockname()[1], len(self.told.all)
-        peer.say(f"{line.id} pub add service={word} mode=oto address=127.0.0.1 port={port} protocol=udp channel={life:016x}")
-        await until(lambda: len(self.told.all) > said)
-
-
-@contextlib.asynccontextmanager
-async def provider(**wishes: object) -> AsyncIterator[Provider]:
-    daemon, told = Daemon(), Told()
-    await daemon.start()
-    async with geminga.connect("test", daemon.address, told) as node:
-        sub = await node.subscribe(text="x", mode="otm/pubsub", **wishes)  # type: ignore[arg-type]
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-            sock.bind(("127.0.0.1", 0))
-            yield Provider(sub, await daemon.request("sub"), sock, told)
 
 
 def message(life: int, sequence: int) -> bytes:

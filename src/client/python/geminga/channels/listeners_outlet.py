@@ -108,7 +108,7 @@ class ListenersOutlet:
         elif not self._admit(source, Listener(frame.life, said.challenge, self._loop.time(), counter)):
             self._reception.answer(Kind.FULL, source, frame.life, said.challenge)
             return
-        self._reception.answer(Kind.FLOOR, source, frame.life, said.challenge)
+        self._reception.answer(Kind.FLOOR, source, frame.life, said.challenge, is_known=known is not None)
 
     def _admit(self, source: Address, listener: Listener) -> bool:
         self._listeners.end(source)

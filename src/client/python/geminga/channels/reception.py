@@ -67,9 +67,9 @@ class Reception:
         cookie = self._cookies.cookie(_place(source), frame.life, said.challenge, self._loop.time())
         self.answer(Kind.FLOOR, source, frame.life, said.challenge, cookie)
 
-    def answer(self, kind: Kind, source: Address, life: int, challenge: int, cookie: int = 0) -> None:
-        """Answers a hello by a floor or a full, if there were not too many answers."""
-        if self._sock is not None and self._allowance.take():
+    def answer(self, kind: Kind, source: Address, life: int, challenge: int, cookie: int = 0, is_known: bool = False) -> None:
+        """Answers a hello by a floor or a full, if there were not too many answers. Half of them are for those that are not known yet."""
+        if self._sock is not None and self._allowance.take(is_known):
             octets = self._frames.other(kind, Handshake(life, challenge, cookie).write(), self._is_hello_port)
             sockets.send_datagram(self._sock, octets, source)
 

@@ -59,12 +59,12 @@ class Allowance:
         self._left = float(most)
         self._at = now()
 
-    def take(self) -> bool:
-        """Whether there is one more."""
+    def take(self, keeps_half: bool = False) -> bool:
+        """Whether there is one more; with `keeps_half`, whether there is one without the half that is kept for others."""
         now = self._now()
         self._left = min(self._most, self._left + (now - self._at) * self._most)
         self._at = now
-        if self._left < 1:
+        if self._left < 1 + (self._most // 2 if keeps_half else 0):
             return False
         self._left -= 1
         return True
