@@ -42,7 +42,7 @@ class Crowd(VirtualTestCase):
         return sock
 
     async def heard(self, sock: socket.socket) -> bytes:
-        """What comes up to the end of the connection."""
+        """The octets up to the end of the connection."""
         octets = b""
         with contextlib.suppress(ConnectionResetError):
             while more := await asyncio.get_running_loop().sock_recv(sock, 1 << 20):
@@ -190,7 +190,7 @@ class Crowd(VirtualTestCase):
                         loop.passed += 1  # type: ignore[attr-defined]
                         if life == 1:
                             both.told.all.clear()
-                        # What waits for the others already is more than a message of this size has room beside.
+                        # More than a message of this size has no room beside what waits already.
                         pub.send(bytes(size - 24 + (over if life == 8 else 0)))
                     waits = pub._outlet.waiting_octets  # type: ignore[attr-defined]
                     await asyncio.sleep(0)

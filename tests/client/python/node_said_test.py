@@ -1,4 +1,4 @@
-"""What the library says (src/client/CHANNELS.md, "Nothing in silence"): lines of the log hook, and errors of calls; in virtual time."""
+"""Lines of the log hook and errors of calls (src/client/CHANNELS.md, "Nothing in silence"); in virtual time."""
 
 from __future__ import annotations
 

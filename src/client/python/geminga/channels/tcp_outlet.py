@@ -230,7 +230,7 @@ class TcpOutlet:
     # Inside: hellos
 
     def _refuse(self, client: _Client) -> None:
-        """What came is no hello of a consumer: closes the connection."""
+        """Closes a connection that said something else than the hello of a consumer."""
         self.dropped += 1
         client.connection.close()
         self._ended(client)
