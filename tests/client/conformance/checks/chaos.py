@@ -7,9 +7,9 @@ import random
 from pair import Pair, counted, fresh, must
 
 KINDS = (("oto", "udp"), ("oto", "tcp"), ("otm/pubsub", "udp"), ("otm/stream", "udp"), ("otm/stream", "tcp"))
-COUNT = 400
+COUNT = 900
 #: Messages, 20 ms apart, that one daemon is away at most.
-MAX_AWAY = 150
+MAX_AWAY = 600
 
 
 def round_of_chaos(pair: Pair, seed: int) -> None:
@@ -28,7 +28,7 @@ def round_of_chaos(pair: Pair, seed: int) -> None:
     _, watched, first, _ = channels[0]
     moments = []
     for host in pair.hosts:
-        begin = chance.randrange(COUNT // 2)
+        begin = chance.randrange(COUNT // 4)
         moments += [(begin, host, True), (begin + 1 + chance.randrange(MAX_AWAY), host, False)]
     for at, host, is_killed in sorted(moments, key=lambda moment: moment[0]):
         pair.sub.any(f"message {watched} [0-9a-f]+ {first + at + 1} .*")
