@@ -35,7 +35,7 @@ std::expected<sealing::Key, std::string> read_key_file(const std::string& path) 
   // Without O_NONBLOCK, open() of a FIFO would wait for a writer.
   const env::Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (file.get() < 0) return std::unexpected(name + ": " + last_error() + ": name a key file");
-  struct stat status {};
+  struct stat status{};
   if (::fstat(file.get(), &status) != 0) return std::unexpected(name + ": " + last_error());
   if (!S_ISREG(status.st_mode)) return std::unexpected(name + ": is not a regular file: name a key file");
   if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {

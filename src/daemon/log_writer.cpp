@@ -12,7 +12,7 @@
 namespace geminga::daemon {
 
 LogWriter::LogWriter(int descriptor) : descriptor_(descriptor) {
-  struct stat status {};
+  struct stat status{};
   if (::fstat(descriptor, &status) != 0 || S_ISREG(status.st_mode)) return;
   if (S_ISSOCK(status.st_mode)) {
     method_ = Method::socket;

@@ -151,7 +151,7 @@ class Host final : public env::Env {
   base::Instant resumed_{-std::chrono::hours(1)};
   /// A datagram that came in while the process was stopped.
   struct Waiting {
-    env::InterfaceIndex interface {};
+    env::InterfaceIndex interface{};
     std::string source;
     std::string datagram;
   };

@@ -136,7 +136,7 @@ std::expected<Listing, LoadError> list_files(std::span<const std::string> argume
   }
   std::set<std::pair<dev_t, ino_t>> seen;
   std::erase_if(listing.files, [&](const std::string& path) {
-    struct stat status {};
+    struct stat status{};
     return stat(path.c_str(), &status) == 0 && !seen.emplace(status.st_dev, status.st_ino).second;
   });
   if (listing.files.size() > limits.files)
