@@ -10,11 +10,12 @@ from unittest import mock
 
 from meeting import Met, met
 from team import GROUP, Consumer, keys_for, stream
-from virtual import Daemon, Told, VirtualTestCase, add_provider, ring_of, until
+from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, ring_of, until
 
 import geminga
 from geminga.protocol.frame import Kind, write_frame
 from geminga.protocol.handshake import Handshake
+from geminga.protocol.limits import STRANGER_SECONDS
 
 CHANNELS = (("oto", "udp"), ("otm/pubsub", "udp"), ("otm/stream", "udp"), ("oto", "tcp"), ("otm/stream", "tcp"))
 
@@ -92,6 +93,63 @@ class Sealed(VirtualTestCase):
         for mode, protocol in CHANNELS:
             with self.subTest(mode=mode, protocol=protocol):
                 self.run_async(story(mode, protocol))
+
+    def test_two_hosts_go_from_mode_to_mode_one_after_the_other_and_lose_nothing(self) -> None:
+        async def story(mode: str, protocol: str, first: str) -> None:
+            daemons, told = [Daemon("prepared"), Daemon("prepared")], Told()
+            for one in daemons:
+                await one.start()
+            async with geminga.connect("a", daemons[0].address, told) as a, geminga.connect("b", daemons[1].address, told) as b:
+                pub = await a.publish(text="x", mode=mode, protocol=protocol)
+                sub = await b.subscribe(text="x", mode=mode)
+                p, s = await daemons[0].request("pub"), await daemons[1].request("sub")
+                if mode != "otm/stream":
+                    add_consumer(p, s[1])
+                add_provider(s, p[1])
+                await until(lambda: pub.has_consumers and sub.providers)
+                count = 300
+
+                async def send() -> None:
+                    for _ in range(count):
+                        self.assertTrue(pub.send(b"x"))
+                        await asyncio.sleep(0.01)
+
+                sending = asyncio.create_task(send())
+                for sealing in ("mixed", "encrypted", "authenticated", "encrypted"):
+                    for one in daemons if first == "publisher" else reversed(daemons):
+                        await asyncio.sleep(0.05)
+                        one.rekey(sealing)
+                await sending
+                await asyncio.sleep(10)
+                got = [await sub.receive(30) for _ in range(count)]
+                self.assertEqual([one.sequence for one in got], list(range(1, count + 1)))
+                self.assertEqual((sub.missed, set(told.changes), told.problems), (0, {"added"}, []))
+
+        for mode, protocol in CHANNELS:
+            for first in ("publisher", "subscriber"):
+                with self.subTest(mode=mode, protocol=protocol, first=first):
+                    self.run_async(story(mode, protocol, first))
+
+    def test_a_consumer_that_says_no_sealed_hello_is_closed_after_five_seconds(self) -> None:
+        async def story(protocol: str) -> None:
+            daemons = [Daemon("prepared"), Daemon("prepared")]
+            for one in daemons:
+                await one.start()
+            async with geminga.connect("a", daemons[0].address) as a, geminga.connect("b", daemons[1].address) as b:
+                pub = await a.publish(text="x", mode="oto", protocol=protocol)
+                await b.subscribe(text="x", mode="oto")
+                p, s = await daemons[0].request("pub"), await daemons[1].request("sub")
+                add_consumer(p, s[1])
+                add_provider(s, p[1])
+                await until(lambda: pub.has_consumers)
+                await asyncio.sleep(1)
+                daemons[0].rekey("encrypted")
+                await until(lambda: not pub.has_consumers, STRANGER_SECONDS + 1)
+                daemons[1].rekey("encrypted")
+                await until(lambda: pub.has_consumers)
+
+        for protocol in ("udp", "tcp"):
+            self.run_async(story(protocol))
 
     def test_a_rotation_loses_nothing(self) -> None:
         async def story(mode: str, protocol: str) -> None:

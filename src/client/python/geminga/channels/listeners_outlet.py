@@ -47,10 +47,7 @@ class ListenersOutlet:
         """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
     def rekeyed(self, begins_to_seal: bool = False) -> None:
-        """Other keys are in force, or another mode. Listeners that said no sealed hello leave where that is needed."""
-        keys = self._frames.keys
-        if keys is not None and not keys.takes_plain:
-            self._listeners.end_plain()
+        """Other keys are in force, or another mode. Where plain hellos are no longer taken, they renew no listener, so its time runs out."""
         if begins_to_seal:
             for there in self._listeners.addresses:
                 known = self._listeners.get(there)

@@ -88,15 +88,18 @@ class TcpOutlet:
             self._leave(client)
 
     def rekeyed(self, begins_to_seal: bool = False) -> None:
-        """Other keys are in force, or another mode. Whoever said no sealed hello leaves where that is needed, and comes again."""
-        keys = self._frames.keys
-        if keys is None:
+        """Other keys are in force, or another mode. Whoever said no sealed hello is asked for one where that is needed, and has 5 s."""
+        if self._frames.keys is None:
             return
-        for client in [*self.targets.values(), *self._waiting.values()]:
-            if not keys.takes_plain and not client.counter:
-                client.connection.close()
-                self._ended(client)
-            elif begins_to_seal and client.life in self.targets:
+        for client in list(self._waiting.values()):
+            if self._frames.is_strict and not client.counter:
+                self._refuse(client)
+        for client in list(self.targets.values()):
+            if self._frames.is_strict and not client.counter:
+                client.cookie = draw_life()
+                self._floor(client, client.cookie)
+                self._loop.call_later(STRANGER_SECONDS, self._end_plain, client)
+            elif begins_to_seal:
                 self._floor(client, 0)
         for client in [one for one in self._strangers if one.first is not None]:
             first, client.first = client.first, None
@@ -227,6 +230,12 @@ class TcpOutlet:
         if self._consumers.has_room_again:
             self._host.places_again()
 
+    def _end_plain(self, client: _Client) -> None:
+        """Closes the connection of a consumer that has said no sealed hello, where that is needed."""
+        if self._frames.is_strict and not client.counter and self.targets.get(client.life) is client:
+            client.connection.close()
+            self._ended(client)
+
     # Inside: hellos
 
     def _refuse(self, client: _Client) -> None:
@@ -248,7 +257,7 @@ class TcpOutlet:
         if frame is None or said is None or said.life != self._frames.life or not said.challenge or frame.kind is not Kind.HELLO:
             self._refuse(client)
         elif client.life:
-            self.dropped += 1  # a hello that is not needed
+            self._greeted_again(client, frame, said)
         else:
             self._greeted(client, frame, said)
 
@@ -271,6 +280,17 @@ class TcpOutlet:
         if other is not None:
             self._dismiss(other)
         self._waiting[frame.life] = client
+
+    def _greeted_again(self, client: _Client, frame: Frame, said: Handshake) -> None:
+        """A consumer has said another hello. It counts if it was asked for, because its first one was plain."""
+        counter = counter_of(frame)
+        if client.cookie and not client.counter < counter:
+            self.dropped += 1
+        elif client.cookie and (frame.life, said.challenge, said.cookie) == (client.life, client.challenge, client.cookie):
+            client.counter = counter
+            self._floor(client, 0)
+        else:
+            self.dropped += 1
 
     def _admit(self, client: _Client) -> None:
         before = self.targets.get(client.life)

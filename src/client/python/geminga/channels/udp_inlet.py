@@ -10,7 +10,7 @@ from ..protocol.belief import AGAIN, FORGED, FULL
 from ..protocol.counter import CounterError, ForkError
 from ..protocol.counterparts import Counterpart, Key
 from ..protocol.early_frames import EarlyFrames
-from ..protocol.frame import Frame, FrameError, Kind
+from ..protocol.frame import Form, Frame, FrameError, Kind
 from ..protocol.frame_writer import ConsumerFrames
 from ..protocol.sealed_frame import AnyFrame, OpenedFrame, read_any_datagram
 from . import sockets
@@ -52,6 +52,7 @@ class _Greeted:
     def __init__(self, there: Address, counterpart: Counterpart) -> None:
         self.there = there
         self.counterpart = counterpart
+        self.form = Form.PLAIN  #: of its last hello
         self.timer: asyncio.TimerHandle | None = None
 
     def rest(self) -> None:
@@ -92,9 +93,11 @@ class UdpInlet:
             self._by_source.setdefault(there, {})[counterpart.match.life] = counterpart
         belief = counterpart.belief
         if there is not None and belief is not None and (self._says_hello or belief.has_ring):
-            if counterpart.key not in self._greeted:
+            greeted = self._greeted.get(counterpart.key)
+            if greeted is None:
                 self._greeted[counterpart.key] = _Greeted(there, counterpart)
-                self._greet(counterpart.key)
+            if greeted is None or (belief.keys is not None and greeted.form is not belief.keys.form):
+                self._greet(counterpart.key)  # at once, so that a publisher that begins to need sealed hellos has one
         else:
             self._ungreet(counterpart.key)
 
@@ -256,6 +259,7 @@ class UdpInlet:
             greeted.rest()
             self._host.failed(error)
             return
+        greeted.form = belief.keys.form
         sockets.send_datagram(self._sock, octets, greeted.there)
 
 

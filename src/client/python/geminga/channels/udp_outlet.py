@@ -11,6 +11,7 @@ from ..protocol.counterparts import Counterpart, Key
 from ..protocol.frame import Frame, Kind
 from ..protocol.frame_writer import PublisherFrames
 from ..protocol.handshake import Handshake
+from ..protocol.limits import STRANGER_SECONDS
 from . import sockets
 from .outlet import COPIED_OCTETS, OutletHost, Sole
 from .reception import Reception, counter_of
@@ -33,6 +34,7 @@ class UdpOutlet:
     def __init__(
         self, loop: asyncio.AbstractEventLoop, frames: PublisherFrames, port: int, address: str, is_lazy: bool, host: OutletHost
     ) -> None:
+        self._loop = loop
         self._frames = frames
         self._address = address
         self._is_lazy = is_lazy
@@ -72,10 +74,8 @@ class UdpOutlet:
 
     def rekeyed(self, begins_to_seal: bool = False) -> None:
         """Other keys are in force, or another mode: reads hellos where there is a ring."""
-        keys = self._frames.keys
-        for one in self._by_key.values():
-            if keys is not None and not keys.takes_plain and one.counter == 0:
-                one.counter = None
+        if self._frames.is_strict and self._by_key:
+            self._loop.call_later(STRANGER_SECONDS, self._end_plain)
         if self._sock is not None:
             if self._frames.has_ring:
                 self._reception.read(self._sock)
@@ -85,6 +85,14 @@ class UdpOutlet:
             if begins_to_seal and one.counter is not None:
                 self._reception.floor(one.source, one.life, one.challenge)
         self._changed()
+
+    def _end_plain(self) -> None:
+        """Forgets consumers that have said no sealed hello, where that is needed."""
+        if self._frames.is_strict:
+            for one in self._by_key.values():
+                if one.counter == 0:
+                    one.counter = None
+            self._changed()
 
     def send(self, header: bytes, body: bytes, payload: bytes) -> int:
         """Sends to all targets, of which there is one at least. Returns for how many it was left out."""

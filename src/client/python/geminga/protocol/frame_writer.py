@@ -27,6 +27,11 @@ class PublisherFrames:
         return self.keys is not None and self.keys.seals
 
     @property
+    def is_strict(self) -> bool:
+        """Whether no plain frame is taken."""
+        return self.keys is not None and not self.keys.takes_plain
+
+    @property
     def has_ring(self) -> bool:
         """Whether consumers say hello on every channel."""
         return self.keys is not None and self.keys.has_ring

@@ -54,8 +54,3 @@ class Listeners:
         """Forgets listeners that have been silent for 3 s."""
         for address in [one for one, listener in self._by_address.items() if now - listener.heard >= LISTENER_SECONDS]:
             self.end(address)
-
-    def end_plain(self) -> None:
-        """Forgets listeners that did not say a sealed hello."""
-        for address in [one for one, listener in self._by_address.items() if not listener.counter]:
-            self.end(address)
