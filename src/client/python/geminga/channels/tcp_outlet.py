@@ -20,6 +20,7 @@ from .reception import counter_of
 from .tcp_connection import TcpConnection, shared
 
 ACCEPT_AGAIN_SECONDS = 0.5
+ASK_AGAIN_SECONDS = 0.1
 
 
 class _Client:
@@ -96,8 +97,7 @@ class TcpOutlet:
                 self._refuse(client)
         for client in list(self.targets.values()):
             if self._frames.is_strict and not client.counter:
-                client.cookie = draw_life()
-                self._floor(client, client.cookie)
+                self._ask(client)
                 self._loop.call_later(STRANGER_SECONDS, self._end_plain, client)
             elif begins_to_seal:
                 self._floor(client, 0)
@@ -232,9 +232,19 @@ class TcpOutlet:
 
     def _end_plain(self, client: _Client) -> None:
         """Closes the connection of a consumer that has said no sealed hello, where that is needed."""
-        if self._frames.is_strict and not client.counter and self.targets.get(client.life) is client:
+        if self._asks(client):
             client.connection.close()
             self._ended(client)
+
+    def _asks(self, client: _Client) -> bool:
+        """Whether a consumer has yet to say a sealed hello, because its first one was plain."""
+        return self._frames.is_strict and not client.counter and self.targets.get(client.life) is client
+
+    def _ask(self, client: _Client) -> None:
+        """Asks a consumer for a sealed hello."""
+        if self._asks(client):
+            client.cookie = draw_life()
+            self._floor(client, client.cookie)
 
     # Inside: hellos
 
@@ -251,6 +261,9 @@ class TcpOutlet:
                 self._refuse(client)
             else:
                 client.first = octets
+            return
+        if self._asks(client) and isinstance(octets, Frame):
+            self._loop.call_later(ASK_AGAIN_SECONDS, self._ask, client)  # Its host has not gone so far yet.
             return
         frame = self._frames.take(octets)
         said = None if frame is None else read_handshake(frame.payload)
