@@ -15,6 +15,7 @@ from geminga.channels import multicast
 from geminga.protocol.early_frames import EarlyFrames
 from geminga.protocol.frame import Frame, Kind, write_frame
 from geminga.protocol.limits import EARLY_SECONDS, MAX_EARLY_FRAMES, MAX_EARLY_OCTETS
+from geminga.protocol.sealed_frame import AnyFrame
 
 HERE, THERE = ("10.0.0.2", 5000), ("10.0.0.2", 5001)
 
@@ -23,7 +24,7 @@ def frame(sequence: int, size: int = 0, life: int = 7) -> Frame:
     return Frame(Kind.MESSAGE, life, sequence, bytes(size))
 
 
-def sequences(frames: list[Frame]) -> list[int]:
+def sequences(frames: list[AnyFrame]) -> list[int]:
     return [one.sequence for one in frames]
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+import select
 import socket
 import unittest
+from typing import Any
 
 from meeting import met
 from team import GROUP, Consumer, keys_for, stream
@@ -15,6 +17,13 @@ from geminga.protocol.frame import Kind, write_frame
 from geminga.protocol.handshake import Handshake, read_handshake
 from geminga.protocol.limits import COOKIE_SECONDS
 from geminga.protocol.sealed_frame import read_any_datagram
+
+
+async def heard(sock: socket.socket) -> tuple[bytes, Any]:
+    """The next datagram, and its source."""
+    await until(lambda: select.select([sock], [], [], 0)[0])
+    octets, source = sock.recvfrom(1000)
+    return octets, source
 
 
 class Attacked(VirtualTestCase):
@@ -116,7 +125,7 @@ class Attacked(VirtualTestCase):
                     daemon.give_keys(peer, line.id, f"{life:016x}")
                     place = f"address=127.0.0.1 port={provider.getsockname()[1]} protocol=udp channel={life:016x}"
                     peer.say(f"{line.id} pub add service=1a2b3c4d/9/1 mode=otm/stream {place}")
-                    octets, there = await asyncio.get_running_loop().sock_recvfrom(provider, 1000)
+                    octets, there = await heard(provider)
                     hello = keys.take(read_any_datagram(octets), is_back=True)
                     said = None if hello is None else read_handshake(hello.payload)
                     assert hello is not None and said is not None

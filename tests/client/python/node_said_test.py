@@ -10,6 +10,7 @@ import socket
 import subprocess
 import sys
 import unittest
+from collections.abc import Callable
 from typing import Any
 from unittest import mock
 
@@ -99,7 +100,7 @@ class Lines(VirtualTestCase):
 
     def test_a_hook_that_fails_harms_nothing(self) -> None:
         failed: list[Exception] = []
-        geminga.log.Log(lambda line: 1 // 0, failed.append).say("x")  # type: ignore[arg-type,return-value]
+        geminga.log.Log(lambda line: 1 // 0, failed.append).say("x")
         self.assertIsInstance(failed[0], ZeroDivisionError)
 
 
@@ -110,7 +111,7 @@ class Errors(VirtualTestCase):
             await daemon.start()
             async with geminga.connect("test", daemon.address) as node:
                 fine: dict[str, Any] = {"text": "x", "mode": "oto"}
-                for call, wrong, error, text in (
+                cases: tuple[tuple[str, dict[str, Any], type[Exception], str], ...] = (
                     ("publish", {"port": 99999}, ValueError, "port is 1 to 65535, or 0 for any, not 99999"),
                     ("publish", {"port": -1}, ValueError, "port is"),
                     ("publish", {"port": "5000"}, TypeError, "port is a number .* not str"),
@@ -126,16 +127,18 @@ class Errors(VirtualTestCase):
                     ("publish", {"prot": "udp"}, TypeError, "prot"),
                     ("subscribe", {"keep": "all"}, ValueError, "keep is newest or oldest"),
                     ("subscribe", {"queue": 0}, ValueError, "room for one message"),
-                ):
+                )
+                for call, wrong, error, text in cases:
                     with self.subTest(wrong=wrong), self.assertRaisesRegex(error, text):
                         await getattr(node, call)(**{**fine, **wrong})
                 for port in (0, 1, 65535):
                     with contextlib.suppress(geminga.PortTaken, PermissionError):
                         await (await node.publish(**fine, port=port)).close()
                 pub = await node.publish(**fine)
-                for wrong, error, text in (({"rat": 3}, TypeError, "no parameter 'rat'"), ({"port": 5}, ValueError, "cannot be changed")):
-                    with self.assertRaisesRegex(error, text):
-                        await pub.modify(**wrong)  # type: ignore[arg-type]
+                with self.assertRaisesRegex(TypeError, "no parameter 'rat'"):
+                    await pub.modify(rat=3)
+                with self.assertRaisesRegex(ValueError, "cannot be changed"):
+                    await pub.modify(port=5)
             for name, room, text in (("", 0, "name is empty"), ("x", 16_385, "room is 0 to 16384, not 16385")):
                 with self.assertRaisesRegex(ValueError, text):
                     geminga.connect(name, room=room)
@@ -203,7 +206,7 @@ class Forks(unittest.TestCase):
     def try_all(self, node: geminga.Node, pub: geminga.Publisher, sub: geminga.Subscriber, into: int) -> None:
         """Runs in the child, and ends it."""
         try:
-            calls = (
+            calls: tuple[Callable[[], object], ...] = (
                 lambda: pub.send(b"x"),
                 lambda: node.close().send(None),
                 lambda: node.publish(text="y", mode="oto").__await__().send(None),

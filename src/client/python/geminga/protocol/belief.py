@@ -52,7 +52,7 @@ class Belief:
         """The seconds until the hello after this one: 20, 40, 80, ... 640 ms, then each second."""
         if self.is_accepted:
             return HELLO_SECONDS
-        wait = FIRST_HELLO_SECONDS * 2**self._hellos
+        wait = FIRST_HELLO_SECONDS * (1 << self._hellos)
         if wait >= HELLO_SECONDS:
             return HELLO_SECONDS
         self._hellos += 1

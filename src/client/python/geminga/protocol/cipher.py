@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-KEY_OCTETS = 32
-NONCE_OCTETS = 12
+import importlib
+from typing import Any
+
 TAG_OCTETS = 16
 
 
@@ -24,26 +25,26 @@ class Cipher:
     def __init__(self, key: bytes) -> None:
         """Raises SealingMissing."""
         try:
-            from cryptography.exceptions import InvalidTag, UnsupportedAlgorithm
-            from cryptography.hazmat.primitives.ciphers.aead import ChaCha20Poly1305
+            exceptions: Any = importlib.import_module("cryptography.exceptions")
+            aead: Any = importlib.import_module("cryptography.hazmat.primitives.ciphers.aead")
         except ImportError as error:
             raise SealingMissing(str(error)) from None
         try:
-            self._primitive = ChaCha20Poly1305(key)
-        except UnsupportedAlgorithm as error:
+            self._primitive: Any = aead.ChaCha20Poly1305(key)
+        except exceptions.UnsupportedAlgorithm as error:
             raise SealingMissing(str(error)) from None
-        self._forged = InvalidTag
+        self._forged: type[Exception] = exceptions.InvalidTag
 
     def __repr__(self) -> str:
         return "Cipher(...)"
 
     def seal(self, nonce: bytes, text: bytes, additional: bytes) -> bytes:
         """The encrypted text with its tag."""
-        return self._primitive.encrypt(nonce, text, additional)
+        return bytes(self._primitive.encrypt(nonce, text, additional))
 
     def open(self, nonce: bytes, sealed: bytes, additional: bytes) -> bytes | None:
         """The text, or None if no holder of the key sealed it so."""
         try:
-            return self._primitive.decrypt(nonce, sealed, additional)
+            return bytes(self._primitive.decrypt(nonce, sealed, additional))
         except self._forged:
             return None
