@@ -252,6 +252,28 @@ class Keys(VirtualTestCase):
 
         self.run_async(story())
 
+    def test_that_cannot_be_used_any_more_close_the_channel(self) -> None:
+        async def story(mode: str, protocol: str) -> None:
+            async with met(mode, protocol) as both:
+                both.pub.send(b"x")
+                await both.take(1)
+                (p, pub), (s, sub) = await both.daemon.request("pub"), await both.daemon.request("sub")
+                for peer, number in ((p, pub.id), (s, sub.id)):
+                    peer.say(f"{number} pub keys life={both.pub.life:016x} mode=encrypted ring=broken")
+                await until(lambda: not both.pub.has_consumers)
+                self.assertEqual((both.pub.send(b"secret"), both.sub.received), (False, 1))
+                await until(lambda: len(both.told.problems) == 2)
+                for peer, number in ((p, pub.id), (s, sub.id)):
+                    both.daemon.sealing = "encrypted"
+                    both.daemon.give_keys(peer, number, f"{both.pub.life:016x}")
+                await until(lambda: both.pub.has_consumers)
+                both.pub.send(b"y")
+                self.assertEqual(await both.take(1), [b"y"])
+
+        for mode, protocol in CHANNELS:
+            with self.subTest(mode=mode, protocol=protocol):
+                self.run_async(story(mode, protocol))
+
     def test_that_cannot_be_used_open_no_channel_and_that_is_told(self) -> None:
         async def story() -> None:
             daemon, told = Daemon("encrypted"), Told()

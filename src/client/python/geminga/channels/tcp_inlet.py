@@ -49,6 +49,7 @@ class TcpInlet:
         self._is_ended = False
         self._rest: asyncio.TimerHandle | None = None
         self._came = False
+        self._mode = ""  #: in which the last hello was said
         self._is_paused = False
         self._task = loop.create_task(self._run())
 
@@ -78,9 +79,9 @@ class TcpInlet:
             self._connection.resume()
 
     def rekeyed(self) -> None:
-        """Other keys are in force, or another mode. A connection that says nothing that is believed is made again."""
+        """Other keys may be in force, or another mode. A connection that says nothing that is believed is made again."""
         keys = self._belief.keys
-        if keys is not None and not keys.takes_plain and self._belief.floor is None:
+        if keys is not None and keys.mode != self._mode and not keys.takes_plain and self._belief.floor is None:
             self._break()
 
     def close(self) -> None:
@@ -164,6 +165,7 @@ class TcpInlet:
         except (CounterError, ForkError) as error:
             self._host.failed(error)
             return
+        self._mode = self._belief.keys.mode
         self._connection.append(octets)
 
     def _heard(self, octets: AnyFrame) -> None:

@@ -90,7 +90,10 @@ class TcpOutlet:
 
     def rekeyed(self, begins_to_seal: bool = False) -> None:
         """Other keys are in force, or another mode. Whoever said no sealed hello is asked for one where that is needed, and has 5 s."""
-        if self._frames.keys is None:
+        if self._frames.keys is None:  # They cannot be used: nothing is sent plain instead.
+            for client in [*self.targets.values(), *self._waiting.values()]:
+                client.connection.close()
+                self._ended(client)
             return
         for client in list(self._waiting.values()):
             if self._frames.is_strict and not client.counter:
