@@ -285,6 +285,29 @@ class Providers(VirtualTestCase):
 
         self.run_async(story())
 
+    def test_a_provider_that_has_delivered_keeps_its_place(self) -> None:
+        async def story() -> None:
+            daemon, told = Daemon(), Told()
+            await daemon.start()
+            with mock.patch("geminga.channels.tcp_inlets.MAX_TCP_PROVIDERS", 2):
+                async with geminga.connect("test", daemon.address, told) as node:
+                    pub = await node.publish(text="x", mode="otm/stream", protocol="tcp")
+                    sub = await node.subscribe(text="x", mode="otm/stream")
+                    p, (peer, line) = await daemon.request("pub"), await daemon.request("sub")
+                    words = f"{line.id} pub add service=1a2b3c4d/9/1 mode=otm/stream port=9 protocol=tcp"
+                    peer.say(f"{words} address=127.0.0.1 channel=0000000000000001")
+                    add_provider((peer, line), p[1])
+                    await until(lambda: pub.has_consumers)
+                    pub.send(b"1")
+                    await sub.receive(1)
+                    peer.say(f"{words.replace('9/1', '9/2')} address=127.0.0.2 channel=0000000000000002")
+                    await until(lambda: len(sub.providers) == 3)
+                    self.assertEqual([key for key in sub._tcp._places], [pub.life, 2])
+                    pub.send(b"2")
+                    self.assertEqual((await sub.receive(1)).payload, b"2")
+
+        self.run_async(story())
+
     def test_a_match_that_outlasts_its_end_is_connected_again(self) -> None:
         async def story(change: str) -> None:
             async with met("otm/stream", "tcp") as both:

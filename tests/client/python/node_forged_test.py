@@ -58,6 +58,38 @@ class Attacked(VirtualTestCase):
             with self.subTest(mode=mode):
                 self.run_async(story(mode))
 
+    def test_a_life_that_was_heard_sealed_is_not_heard_plain(self) -> None:
+        async def story() -> None:
+            async with met("oto", "udp", "mixed") as both:
+                both.pub.send(b"1")
+                self.assertEqual(await both.take(1), [b"1"])
+                outlet, port, life = both.pub._outlet._sock, both.sub._udp.port, both.pub.life  # type: ignore[attr-defined,union-attr]
+                there = ("::ffff:127.0.0.1", port) if outlet.family == socket.AF_INET6 else ("127.0.0.1", port)
+                for octets in (write_frame(Kind.MESSAGE, life, 2, b"forged"), write_frame(Kind.END, life, 2)):
+                    outlet.sendto(octets, there)
+                await until(lambda: both.sub.dropped == 2)
+                both.pub.send(b"2")
+                self.assertEqual(await both.take(1), [b"2"])
+
+        self.run_async(story())
+
+    def test_a_plain_hello_to_a_group_is_not_answered(self) -> None:
+        async def story() -> None:
+            daemon = Daemon("mixed")
+            await daemon.start()
+            async with geminga.connect("test", daemon.address) as node:
+                pub = await node.publish(text="x", mode="otm/stream", address=GROUP)
+                await until(lambda: pub._frames.hello_port)
+                consumer = Consumer(pub)
+                hellos = (write_frame(Kind.HELLO, 5, 0, Handshake(pub.life, 8, 0).write()), consumer.say())
+                for octets in hellos:
+                    consumer.sock.sendto(octets, ("127.0.0.1", pub._frames.hello_port))
+                self.assertEqual(await consumer.asked(), 0)
+                self.assertRaises(BlockingIOError, consumer.sock.recv, 100)
+                consumer.sock.close()
+
+        self.run_async(story())
+
     def test_256_connections_without_a_key_are_closed_at_once(self) -> None:
         async def story() -> None:
             async with met("otm/stream", "tcp", "encrypted") as both:
