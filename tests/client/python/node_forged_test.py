@@ -73,22 +73,24 @@ class Attacked(VirtualTestCase):
 
         self.run_async(story())
 
-    def test_a_plain_hello_to_a_group_is_not_answered(self) -> None:
-        async def story() -> None:
-            daemon = Daemon("mixed")
+    def test_a_plain_hello_to_a_group_is_answered_while_plain_frames_are_taken(self) -> None:
+        async def story(sealing: str, answers: int) -> None:
+            daemon = Daemon(sealing)
             await daemon.start()
             async with geminga.connect("test", daemon.address) as node:
                 pub = await node.publish(text="x", mode="otm/stream", address=GROUP)
                 await until(lambda: pub._frames.hello_port)
                 consumer = Consumer(pub)
-                hellos = (write_frame(Kind.HELLO, 5, 0, Handshake(pub.life, 8, 0).write()), consumer.say())
+                hellos = (write_frame(Kind.HELLO, 5, 0, Handshake(pub.life, 9, 0).write()), consumer.say())
                 for octets in hellos:
                     consumer.sock.sendto(octets, ("127.0.0.1", pub._frames.hello_port))
-                self.assertEqual(await consumer.asked(), 0)
+                self.assertEqual([await consumer.asked() for _ in range(answers)], [0] * answers)
+                await asyncio.sleep(1)
                 self.assertRaises(BlockingIOError, consumer.sock.recv, 100)
                 consumer.sock.close()
 
-        self.run_async(story())
+        self.run_async(story("mixed", 2))
+        self.run_async(story("encrypted", 1))
 
     def test_256_connections_without_a_key_are_closed_at_once(self) -> None:
         async def story() -> None:

@@ -182,6 +182,17 @@ class WhenTheDaemonGoes(unittest.TestCase):
         all_.daemon_lost()
         self.assertEqual((kinds(all_.tick(1e9)), all_.due()), ([], None))
 
+    def test_a_consumer_that_is_outranked_right_after_its_return_goes_on(self) -> None:
+        for protocol, now, told in (("udp", 9.9, []), ("udp", 10, ["removed 1 outranked"]), ("", 9.9, ["removed 1 outranked"])):
+            all_ = Counterparts(protocol)
+            all_.add(match("a", 1), 0)
+            all_.daemon_lost()
+            all_.daemon_back(0)
+            all_.add(match("b", 1), 1)
+            all_.tick(now)
+            self.assertEqual(kinds(all_.delete("b", "outranked", now)), told)
+            self.assertEqual(kinds(all_.add(match("b", 1), now)), ["added 1"] if told else [])
+
     def test_a_connection_that_ends_meanwhile_is_gone(self) -> None:
         all_ = Counterparts()
         all_.add(match("a", 1, "tcp"), 0)

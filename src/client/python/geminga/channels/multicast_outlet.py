@@ -87,8 +87,7 @@ class MulticastOutlet:
         self._close_hellos()
 
     def _hello(self, source: Address, frame: Frame, said: Handshake) -> None:
-        if frame.is_sealed:
-            self._reception.answer(Kind.FLOOR, source, frame.life, said.challenge)
+        self._reception.answer(Kind.FLOOR, source, frame.life, said.challenge)
 
     def _ended(self, source: Address, frame: Frame) -> None:
         """Nothing is kept of the consumers of a group."""

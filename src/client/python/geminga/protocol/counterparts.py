@@ -16,7 +16,8 @@ from .match import Match
 #: Reasons that end a channel at once. Every other reason says that the daemons have lost sight of the counterpart.
 WITHDRAWN = "withdrawn"
 CHANGED = "changed"
-FINAL_REASONS = frozenset({WITHDRAWN, "outranked", CHANGED})
+OUTRANKED = "outranked"
+FINAL_REASONS = frozenset({WITHDRAWN, OUTRANKED, CHANGED})
 
 DISCONNECTED = "disconnected"  #: the own daemon came back and did not confirm the channel
 LOST = "lost"  #: the connection of a channel ended, and no daemon announces the counterpart
@@ -103,8 +104,12 @@ class Counterparts:
         return changes + self._without_surplus()
 
     def delete(self, word: str, reason: str, now: float) -> list[Change]:
-        """Takes a `del` of the daemon."""
-        return self._delete(word, reason, now, reason in FINAL_REASONS)
+        """Takes a `del` of the daemon.
+
+        A consumer that is outranked within 10 s after the own daemon came back may only have chosen the same life under its former word.
+        """
+        is_in_doubt = reason == OUTRANKED and self._protocol != "" and self._confirm_by is not None
+        return self._delete(word, reason, now, reason in FINAL_REASONS and not is_in_doubt)
 
     def _delete(self, word: str, reason: str, now: float, is_final: bool) -> list[Change]:
         key = self._keys.pop(word, None)
