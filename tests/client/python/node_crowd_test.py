@@ -16,6 +16,8 @@ from geminga.protocol.frame import Kind, read_datagram, write_frame
 from geminga.protocol.handshake import Handshake
 from geminga.protocol.limits import (
     END_SECONDS,
+    MAX_FRAMES_FOR_ALL,
+    MAX_FRAMES_FOR_CONSUMER,
     MAX_STRANGERS,
     MAX_TCP_CONSUMERS,
     MAX_TCP_PROVIDERS,
@@ -226,6 +228,22 @@ class Crowd(VirtualTestCase):
             queues[0].clear(keeps_begun=True)
             self.assertEqual((pool.octets, queues[0].octets, len(queues[0])), (size, size - 5, 1))
         self.assertTrue(SendQueue(Pool()).has_room_for(MAX_WAITING_FOR_CONSUMER + 1))
+
+    def test_small_frames_are_limited_by_their_number(self) -> None:
+        pool = Pool()
+        queue = SendQueue(pool)
+        for number in range(MAX_FRAMES_FOR_CONSUMER + 1):
+            self.assertEqual(queue.has_room_for(24), number < MAX_FRAMES_FOR_CONSUMER)
+            queue.put(SharedFrame(bytes(24)))
+        self.assertEqual(pool.frames, MAX_FRAMES_FOR_CONSUMER + 1)
+        queue.clear()
+        self.assertEqual((pool.frames, pool.octets), (0, 0))
+        for frames, octets, is_over in (
+            (MAX_FRAMES_FOR_ALL - 1, 0, False), (MAX_FRAMES_FOR_ALL, 0, False), (MAX_FRAMES_FOR_ALL + 1, 0, True),
+            (0, MAX_WAITING_FOR_ALL - 1, False), (0, MAX_WAITING_FOR_ALL, False), (0, MAX_WAITING_FOR_ALL + 1, True),
+        ):  # fmt: skip
+            pool.frames, pool.octets = frames, octets
+            self.assertEqual(pool.is_over, is_over)
 
 
 class Providers(VirtualTestCase):

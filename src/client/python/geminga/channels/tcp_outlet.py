@@ -10,7 +10,7 @@ from ..protocol.frame import Frame, Kind
 from ..protocol.frame_writer import PublisherFrames
 from ..protocol.handshake import PAYLOAD, Handshake, read_handshake
 from ..protocol.life import draw_life, write_life
-from ..protocol.limits import MAX_STRANGERS, MAX_TCP_CONSUMERS, MAX_WAITING_FOR_ALL, STRANGER_SECONDS
+from ..protocol.limits import MAX_STRANGERS, MAX_TCP_CONSUMERS, STRANGER_SECONDS
 from ..protocol.places import Places
 from ..protocol.sealed_frame import AnyFrame
 from ..protocol.send_queue import Pool
@@ -118,7 +118,7 @@ class TcpOutlet:
             else:
                 left_out += 1
                 self._left_out(client)
-        if self._pool.octets > MAX_WAITING_FOR_ALL:
+        if self._pool.is_over:
             self._close_slow()
         return left_out
 
@@ -352,7 +352,7 @@ class TcpOutlet:
 
     def _close_slow(self) -> None:
         """Closes the consumers that have taken nothing for the longest time, until what waits is within its limit."""
-        while self._pool.octets > MAX_WAITING_FOR_ALL:
+        while self._pool.is_over:
             waiting = [one for one in [*self.targets.values(), *self._leaving] if one.connection.waiting_octets]
             if not waiting:
                 return

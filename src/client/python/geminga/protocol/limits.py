@@ -8,6 +8,9 @@ MAX_STREAM_PAYLOAD = 16_777_216
 #: Octets that may wait for one TCP consumer; one message may always wait. And for all consumers of a publisher, each frame counted once.
 MAX_WAITING_FOR_CONSUMER = 4 * 1024 * 1024
 MAX_WAITING_FOR_ALL = 64 * 1024 * 1024
+#: Frames that may wait so, since a small one costs more than its octets.
+MAX_FRAMES_FOR_CONSUMER = 16_384
+MAX_FRAMES_FOR_ALL = 262_144
 #: Listeners of one `otm/stream` over UDP.
 MAX_LISTENERS = 1024
 #: TCP connections of one publisher that have not become a consumer's, and those that have.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
-from .limits import MAX_WAITING_FOR_CONSUMER
+from .limits import MAX_FRAMES_FOR_ALL, MAX_FRAMES_FOR_CONSUMER, MAX_WAITING_FOR_ALL, MAX_WAITING_FOR_CONSUMER
 
 
 class SharedFrame:
@@ -20,12 +20,18 @@ class SharedFrame:
 
 
 class Pool:
-    """The octets of all frames that wait, each frame counted once."""
+    """All frames that wait and their octets, each frame counted once."""
 
-    __slots__ = ("octets",)
+    __slots__ = ("octets", "frames")
 
     def __init__(self) -> None:
         self.octets = 0
+        self.frames = 0
+
+    @property
+    def is_over(self) -> bool:
+        """Whether more waits than all consumers of a publisher may cost."""
+        return self.octets > MAX_WAITING_FOR_ALL or self.frames > MAX_FRAMES_FOR_ALL
 
 
 class SendQueue:
@@ -41,13 +47,14 @@ class SendQueue:
         return len(self._frames)
 
     def has_room_for(self, octets: int) -> bool:
-        """Whether a frame of this size may wait: within 4 MiB, or alone."""
-        return not self._frames or self.octets + octets <= MAX_WAITING_FOR_CONSUMER
+        """Whether a frame of this size may wait: within 4 MiB and 16384 frames, or alone."""
+        return not self._frames or (self.octets + octets <= MAX_WAITING_FOR_CONSUMER and len(self._frames) < MAX_FRAMES_FOR_CONSUMER)
 
     def put(self, frame: SharedFrame, sent: int = 0) -> None:
         """Keeps a frame, of which so many octets have been sent. Requires that none waits if that is not 0."""
         if not frame.holders:
             self._pool.octets += frame.octets
+            self._pool.frames += 1
         frame.holders += 1
         if not self._frames:
             self._sent = sent
@@ -93,3 +100,4 @@ class SendQueue:
         frame.holders -= 1
         if not frame.holders:
             self._pool.octets -= frame.octets
+            self._pool.frames -= 1
