@@ -107,12 +107,12 @@ class Sealed(VirtualTestCase):
                     add_consumer(p, s[1])
                 add_provider(s, p[1])
                 await until(lambda: pub.has_consumers and sub.providers)
-                count = 300
+                count = 250
 
                 async def send() -> None:
                     for _ in range(count):
                         self.assertTrue(pub.send(b"x"))
-                        await asyncio.sleep(0.01)
+                        await asyncio.sleep(0.02)
 
                 sending = asyncio.create_task(send())
                 if first == "late":
