@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "manual/describe.hpp"
+#include "manual/mistake.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -48,6 +49,12 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
   std::list<std::pair<const Key*, std::vector<std::string>>> given;  // a list, because CLI11 keeps references
   for (const Key& key : keys) {
     auto& [owner, values] = given.emplace_back(&key, std::vector<std::string>{});
+    if (key.type == ValueType::truth) {
+      app.add_flag_function(
+          "--" + std::string(key.name), [&values](std::int64_t count) { values = {count > 0 ? "true" : "false"}; },
+          std::string(key.help));
+      continue;
+    }
     CLI::Option* option = app.add_option("--" + std::string(key.name), values, std::string(key.help));
     option->type_size(1)->allow_extra_args(false)->type_name(std::string(key.placeholder));
     if (key.type == ValueType::texts) {
@@ -72,7 +79,7 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
     flags.answer = "gemingad " GEMINGA_VERSION "\n";
     return flags;
   } catch (const CLI::ParseError& error) {
-    return std::unexpected(std::string(error.what()) + ": see gemingad --help");
+    return std::unexpected(manual::mistake(app, error));
   }
   for (const auto& [key, values] : given) {
     if (values.empty()) continue;
