@@ -41,7 +41,7 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   auto loaded = load(request.files, progress, {.keeps_annotations = true});
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
-  const graph::Limits graph_limits{.octets = graph_octets(limits)};
+  const graph::GraphLimits graph_limits{.octets = graph_octets(limits)};
   graph::Graph asserted(graph_limits);
   if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem, exit_of(asserted));
   base::Budget budget = budget_of(limits);

@@ -42,8 +42,8 @@ struct QueryRequest {
 /// The query itself, or that in the file that the word names.
 std::expected<std::string, std::string> query_of(const std::string& word) {
   if (!word.ends_with(".rq") && !word.ends_with(".sparql")) return word;
-  syntax::Limits limits;
-  limits.file_bytes = graph::Limits{}.query_bytes;
+  syntax::FileLimits limits;
+  limits.file_bytes = graph::GraphLimits{}.query_bytes;
   const auto bytes = syntax::FileBytes::read(word, limits);
   if (!bytes) return std::unexpected(syntax::to_string(bytes.error()));
   return std::string(bytes->view());
@@ -203,7 +203,7 @@ std::string written(const graph::Answer& answer, Rows rows,
 
 /// The graph that is asked, and the short forms of its names.
 struct Asked {
-  explicit Asked(const graph::Limits& limits) : graph(limits) {}
+  explicit Asked(const graph::GraphLimits& limits) : graph(limits) {}
 
   graph::Graph graph;
   graph::Prefixes prefixes;
@@ -266,7 +266,7 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   if (request.words.size() < 2) return say_failure("name the files, and behind them the query", request.as_json);
   const auto text = query_of(request.words.back());
   if (!text) return say_failure(text.error(), request.as_json);
-  const graph::Limits graph_limits{
+  const graph::GraphLimits graph_limits{
       .octets = graph_octets(limits), .query_octets = graph_octets(limits), .rows = request.most_rows};
   Asked asked(graph_limits);
   std::optional<ClassifiedFiles> classified;

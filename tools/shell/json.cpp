@@ -11,11 +11,9 @@
 #include <iterator>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "base/harmless.hpp"
 #include "base/text.hpp"
-#include "shell/describe.hpp"
 #include "shell/terminal.hpp"
 #include "shell/timestamp.hpp"
 

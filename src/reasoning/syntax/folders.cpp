@@ -48,7 +48,7 @@ bool is_ontology_xml(const fs::path& path) {
 /// One folder that was named, with all below it.
 class Walk {
  public:
-  Walk(std::string folder, const Limits& limits, std::span<const std::string_view> also, Listing& listing,
+  Walk(std::string folder, const FileLimits& limits, std::span<const std::string_view> also, Listing& listing,
        std::vector<LoadError>* left_out)
       : folder_(std::move(folder)), limits_(limits), also_(also), listing_(listing), left_out_(left_out) {}
 
@@ -122,7 +122,7 @@ class Walk {
   }
 
   const std::string folder_;
-  const Limits& limits_;
+  const FileLimits& limits_;
   std::span<const std::string_view> also_;
   Listing& listing_;
   std::vector<LoadError>* left_out_;  ///< null: nothing is left out
@@ -132,7 +132,7 @@ class Walk {
 
 }  // namespace
 
-std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits,
+std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const FileLimits& limits,
                                              std::span<const std::string_view> also, std::vector<LoadError>* left_out) {
   Listing listing;
   for (const std::string& argument : arguments) {

@@ -2,7 +2,6 @@
 #ifndef GEMINGA_REASONING_SYNTAX_FOLDERS_HPP
 #define GEMINGA_REASONING_SYNTAX_FOLDERS_HPP
 
-#include <cstddef>
 #include <expected>
 #include <span>
 #include <string>
@@ -31,7 +30,8 @@ struct Listing {
 /// counts once. A folder without any ontology file is an error, and so is one with a link to a file outside of it.
 /// `also` are further endings of names that count, also with .gz. Where `left_out` is not null, what cannot be resolved
 /// or listed below a folder, and a link to a file outside of it, are left out and added there, up to max_left_out.
-[[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits,
+[[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments,
+                                                           const FileLimits& limits,
                                                            std::span<const std::string_view> also = {},
                                                            std::vector<LoadError>* left_out = nullptr);
 

@@ -137,7 +137,7 @@ std::size_t octets_of(const std::vector<std::optional<Node>>& row) {
   return octets;
 }
 
-void read_rows(librdf_query_results* results, const Limits& limits, Answer& answer) {
+void read_rows(librdf_query_results* results, const GraphLimits& limits, Answer& answer) {
   const int count = librdf_query_results_get_bindings_count(results);
   // librdf does not know them for an answer without rows.
   if (count > 0) answer.variables.clear();
@@ -159,7 +159,7 @@ void read_rows(librdf_query_results* results, const Limits& limits, Answer& answ
 }
 
 std::optional<std::string> read_triples(World& world, librdf_query_results* results, const Prefixes& prefixes,
-                                        Format format, const Limits& limits, Answer& answer) {
+                                        Format format, const GraphLimits& limits, Answer& answer) {
   Statements made(world);
   std::size_t octets = 0;
   const Owned<librdf_stream> stream(librdf_query_results_as_stream(results));
@@ -183,7 +183,7 @@ std::optional<std::string> read_triples(World& world, librdf_query_results* resu
 }  // namespace
 
 std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
-                                    Format format, const Limits& limits, base::Budget* budget) {
+                                    Format format, const GraphLimits& limits, base::Budget* budget) {
   const auto refuse = [](std::string text) { return std::unexpected(AskError{std::move(text)}); };
   if (query.size() > limits.query_bytes)
     return refuse("the query has more than " + std::to_string(limits.query_bytes) + " bytes");

@@ -5,7 +5,6 @@
 #include <expected>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/budget.hpp"
@@ -35,7 +34,7 @@ struct AskError {
 /// Beyond a limit there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS).
 [[nodiscard]] std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query,
                                                   const Prefixes& prefixes, Format format = Format::turtle,
-                                                  const Limits& limits = {}, base::Budget* budget = nullptr);
+                                                  const GraphLimits& limits = {}, base::Budget* budget = nullptr);
 
 }  // namespace geminga::graph
 

@@ -154,7 +154,7 @@ void fill(librdf_storage_factory* factory) {
 
 }  // namespace
 
-TripleIndex::TripleIndex(std::span<const Statement> sorted, const Limits& limits, base::Budget* budget)
+TripleIndex::TripleIndex(std::span<const Statement> sorted, const GraphLimits& limits, base::Budget* budget)
     : by_subject_(sorted),
       by_predicate_(sorted_by(sorted, predicates)),
       by_object_(sorted_by(sorted, objects)),

@@ -21,7 +21,7 @@ class TripleIndex {
  public:
   /// `sorted` as raptor_statement_compare() orders them. `budget` (null: no limit) counts the triples that are looked
   /// at, and each search as one.
-  TripleIndex(std::span<raptor_statement* const> sorted, const Limits& limits, base::Budget* budget);
+  TripleIndex(std::span<raptor_statement* const> sorted, const GraphLimits& limits, base::Budget* budget);
 
   /// A storage of librdf with these triples; null if memory is short. The index must outlive it.
   [[nodiscard]] librdf_storage* storage(World& world);

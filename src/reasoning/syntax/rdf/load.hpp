@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "reasoning/owl/annotation.hpp"
@@ -42,8 +41,7 @@ class OtherReader {
   virtual ~OtherReader() = default;
   /// A load begins, from its first file: what an earlier one has given is void.
   virtual void begin() {}
-  /// Gets every such file that is read last before the first of them is read, because one may use what another
-  /// declares.
+  /// Sees each file of a syntax in which files use each other's declarations, before the first of them is read.
   virtual void look_ahead(syntax::Syntax syntax, std::string_view bytes) = 0;
   /// Appends annotations to those that are there, if it keeps annotations.
   [[nodiscard]] virtual std::expected<owl::Document, owl::ReadError> read(
@@ -73,7 +71,7 @@ struct TextFile {
 
 /// Reads the text of a file, for users of its triples who do not need its axioms.
 [[nodiscard]] std::expected<TextFile, syntax::LoadError> read_text(const std::string& path,
-                                                                   const syntax::Limits& limits = {});
+                                                                   const syntax::FileLimits& limits = {});
 
 /// Reads RDF/XML, Turtle and N-Triples files, packed by gzip or not, and every such file in the folders named and below
 /// them (folders.hpp). Opens nothing else, whatever the files say. The first file that is broken, hostile or beyond a
@@ -83,7 +81,7 @@ struct TextFile {
 /// folder that is refused, and a catalogue, are left out and added there with their errors, up to syntax::max_left_out;
 /// a file that is named itself refuses everything still. Each such file costs one more load.
 [[nodiscard]] std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments,
-                                                            const syntax::Limits& limits = {},
+                                                            const syntax::FileLimits& limits = {},
                                                             OtherReader* other = nullptr, unsigned threads = 1,
                                                             std::vector<syntax::LoadError>* left_out = nullptr);
 
