@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/harmless.hpp"
 #include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
@@ -47,6 +48,7 @@ class Resolver {
   std::expected<Configuration, std::vector<std::string>> resolve(const std::string& host_name) {
     refuse_unusable_keys();
     read_texts(host_name);
+    read_strict();
     read_prefixes();
     read_gcnp();
     read_air();
@@ -114,6 +116,13 @@ class Resolver {
       if (folder->text.empty()) fail(*folder, "an empty path: name a folder");
       result_.state_folder = folder->text;
     }
+  }
+
+  void read_strict() {
+    const Stated* strict = single("strict");
+    if (strict == nullptr) return;
+    if (strict->text != "true" && strict->text != "false") refuse(*strict, "is no truth value: use true or false");
+    result_.is_strict = strict->text == "true";
   }
 
   void read_prefixes() {
@@ -311,7 +320,7 @@ std::string quoted(std::string_view text) {
       result += c;
     }
   }
-  return result + '"';
+  return base::harmless_json(result + '"');  // TOML has the escapes of JSON
 }
 
 std::string quoted(const std::vector<std::string>& texts) {
@@ -343,6 +352,7 @@ std::string to_toml(const Configuration& configuration) {
   const std::string fraction = std::to_string(1000 + milliseconds % 1000).substr(1);
   std::string text;
   text += line("ontology", quoted(configuration.ontologies));
+  text += line("strict", configuration.is_strict ? "true" : "false");
   text += line("group", quoted(configuration.group));
   text += line("interface", quoted(configuration.air.interfaces));
   text += line("peer", quoted(peers));

@@ -34,6 +34,7 @@ struct GcnpAddress {
 
 struct Configuration {
   std::vector<std::string> ontologies;
+  bool is_strict = false;  ///< one file of a folder that cannot be read refuses all ontologies at a start, too
   std::map<std::string, std::string> prefixes;  ///< of names, beside those of the ontologies
   std::string group = "default";
   std::string name;

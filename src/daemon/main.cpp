@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/harmless.hpp"
 #include "daemon/configuration.hpp"
 #include "daemon/configuration_file.hpp"
 #include "daemon/daemon.hpp"
@@ -36,7 +37,9 @@ std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& 
   for (const Layer* layer : {&flags, &environment}) {
     const auto path = layer->values.find("config");
     if (path == layer->values.end()) continue;
-    auto read = geminga::daemon::read_configuration_file(path->second.front().text);
+    const auto& [file_name, origin] = path->second.front();
+    if (file_name.empty()) return std::unexpected(Errors{origin + ": an empty path: name a file"});
+    auto read = geminga::daemon::read_configuration_file(file_name);
     if (!read) return std::unexpected(std::move(read.error()));
     file = std::move(*read);
     break;
@@ -62,11 +65,13 @@ void hold_standard_descriptors() {
 }
 
 int refuse(const Errors& errors) {
-  for (const std::string& error : errors) std::fprintf(stderr, "gemingad: %s\n", error.c_str());
+  for (const std::string& error : errors)
+    std::fprintf(stderr, "gemingad: %s\n", geminga::base::harmless(error).c_str());
   return geminga::daemon::exit_wrong;
 }
 
 int make_key(const std::string& path) {
+  if (path.empty()) return refuse({"--generate-key: an empty path: name a file"});
   const auto id = geminga::daemon::generate_key(path);
   if (!id) return refuse({id.error()});
   std::printf("%s: key %s: copy it to each host of the team, and keep it secret\n", path.c_str(), id->c_str());
@@ -81,6 +86,7 @@ int serve(int argc, char** argv) {
     return geminga::daemon::exit_done;
   }
   if (flags->key_to_generate) return make_key(*flags->key_to_generate);
+  if (const Errors errors = geminga::daemon::mistyped_variables(environ); !errors.empty()) return refuse(errors);
   const Layer environment = geminga::daemon::read_environment(environ);
   const Layer service = geminga::daemon::read_service(environ);
   const auto reread = [&] { return configure(flags->layer, environment, service); };

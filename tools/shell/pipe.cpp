@@ -9,10 +9,13 @@
 #include <expected>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "base/harmless.hpp"
 #include "shell/report.hpp"
 #include "shell/stop_signals.hpp"
+#include "shell/terminal.hpp"
 
 namespace geminga::shell {
 namespace {
@@ -170,15 +173,19 @@ ExitStatus listen(const Pipe& pipe, const std::vector<NamedSubscription>& subscr
     if (!subscriber) return report(pipe.program, subscriber.error());
     subscribers.push_back(std::move(*subscriber));
   }
+  const bool is_terminal = Terminal::of_standard_output().is_terminal;
   while (!piping.ended()) {
     bool has_come = false;
     for (Subscriber& subscriber : subscribers) {
       while (!piping.ended()) {
         const auto message = subscriber.poll();
         if (!message) break;
-        std::cout.write(reinterpret_cast<const char*>(message->payload.data()),
-                        static_cast<std::streamsize>(message->payload.size()))
-            << '\n';
+        const std::string_view payload(reinterpret_cast<const char*>(message->payload.data()), message->payload.size());
+        if (is_terminal) {
+          std::cout << base::harmless_lines(payload) << '\n';
+        } else {
+          std::cout << payload << '\n';  // data, as it came
+        }
         piping.count();
         has_come = true;
       }

@@ -230,8 +230,8 @@ void Participant::set_sealing(const sealing::Policy& policy) {
   settle();
 }
 
-void Participant::set_vocabulary(Vocabulary vocabulary) {
-  owners_->knowledge.ontology_change.begin(std::move(vocabulary));
+void Participant::set_vocabulary(Vocabulary vocabulary, const std::vector<std::string>& left_out) {
+  owners_->knowledge.ontology_change.begin(std::move(vocabulary), {left_out, owners_->env.now()});
   change_ontology();
 }
 
