@@ -1,0 +1,25 @@
+package geminga.protocol;
+
+/** How many datagrams a publisher may answer: {@link Limits#ANSWERS} at once, and as many a second. The caller gives the time, in nanoseconds. */
+public final class AnswerRate {
+    private static final long EACH = 1_000_000_000L / Limits.ANSWERS;
+
+    private long left = Limits.ANSWERS;
+    private long counted;
+
+    public AnswerRate(long now) {
+        counted = now;
+    }
+
+    /** Whether one more may be answered now. */
+    public boolean take(long now) {
+        long more = (now - counted) / EACH;
+        if (more > 0) {
+            left = Math.min(Limits.ANSWERS, left + more);
+            counted += more * EACH;
+        }
+        if (left == 0) return false;
+        --left;
+        return true;
+    }
+}
