@@ -70,7 +70,7 @@ final class Greeter {
             guests.left(from, frame.life());
         } else if (known != null) {
             guests.renewed(from, frame.life());
-            answer(socket, from, Frame.Kind.FLOOR, new Handshake(frame.life(), handshake.challenge(), 0));
+            if (rate.take(true, loop.now())) send(socket, from, Frame.Kind.FLOOR, new Handshake(frame.life(), handshake.challenge(), 0));
         } else {
             welcome(socket, from, frame, handshake);
         }
@@ -92,7 +92,10 @@ final class Greeter {
 
     /** Answers, where the rate of answers allows it. */
     void answer(Datagrams socket, InetSocketAddress to, Frame.Kind kind, Handshake handshake) {
-        if (!rate.take(loop.now())) return;
+        if (rate.take(false, loop.now())) send(socket, to, kind, handshake);
+    }
+
+    private void send(Datagrams socket, InetSocketAddress to, Frame.Kind kind, Handshake handshake) {
         byte[] octets = frames.answer(kind, handshake);
         if (octets != null) socket.send(ByteBuffer.wrap(octets), to);
     }

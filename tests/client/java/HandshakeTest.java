@@ -1,0 +1,389 @@
+import geminga.Event;
+import geminga.Identity;
+import geminga.Mode;
+import geminga.Offer;
+import geminga.protocol.ChannelKeys;
+import geminga.protocol.Frame;
+import geminga.protocol.Handshake;
+import geminga.protocol.Life;
+import geminga.protocol.Limits;
+import geminga.protocol.SealedFrame;
+import geminga.protocol.WireFrame;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.MulticastSocket;
+import java.net.NetworkInterface;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A publisher and plain sockets: who becomes its consumer, with and without keys, and who does not (src/client/CHANNELS.md, "The handshake", "Places", "Sealed channels"). */
+final class HandshakeTest {
+    private static final Duration LONG = Duration.ofSeconds(30);
+    private static final String LIFE = "000000000000000a";
+    private static final String WORD = "5e6f7a8b/3/1";
+
+    private HandshakeTest() {}
+
+    private static Offer offer(Mode mode) {
+        return Offer.of(mode, Identity.text("x"));
+    }
+
+    /** Nothing comes to the socket. */
+    private static void isSilent(DatagramSocket socket) throws IOException {
+        socket.setSoTimeout(30);
+        try {
+            socket.receive(new DatagramPacket(new byte[1], 1));
+        } catch (SocketTimeoutException nothingCame) {
+            return;
+        }
+        throw new AssertionError("something came");
+    }
+
+    private static void awaitDropped(PublisherBench bench, long count) {
+        while (bench.publisher.dropped() < count) Thread.yield();
+    }
+
+    private static Frame floor(PublisherBench bench, DatagramSocket from, long life, long cookie) throws IOException {
+        bench.send(from, bench.hello(life, 5, cookie));
+        Frame floor = (Frame) PublisherBench.frame(from);
+        Handshake said = Handshake.read(floor.payload());
+        Check.equal("FLOOR " + life + " 5", floor.kind() + " " + said.life() + " " + said.challenge());
+        return floor;
+    }
+
+    private static long cookie(Frame floor) {
+        return Handshake.read(floor.payload()).cookie();
+    }
+
+    static void aStreamOverUdpIsSentToWhoGivesTheCookieBack() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.STREAM)); DatagramSocket listener = new DatagramSocket(); DatagramSocket other = new DatagramSocket()) {
+            byte[] short8 = new Frame(Frame.Kind.HELLO, 7, 0, ByteBuffer.allocate(8).putLong(bench.publisher.life()).array()).write();
+            for (byte[] wrong : List.of(Frame.hello(7, new Handshake(99, 5, 0)).write(), short8, "no frame".getBytes(), Frame.end(7, 0).write())) bench.send(listener, wrong);
+            awaitDropped(bench, 4);
+            Frame first = floor(bench, listener, 7, 0);
+            Check.that(first.write().length <= bench.hello(7, 5, 0).length, "no answer is longer than its hello");
+            long cookie = cookie(first);
+            Check.that(cookie != 0 && !bench.publisher.awaitConsumer(Duration.ofMillis(1)), "not accepted yet");
+            Check.that(cookie(floor(bench, other, 7, cookie)) != 0, "the cookie of another address");
+            Check.equal(0L, cookie(floor(bench, listener, 7, cookie)));
+            Check.that(bench.publisher.awaitConsumer(LONG), "accepted");
+            bench.publisher.send("hello".getBytes());
+            Check.equal("hello", new String(((Frame) PublisherBench.frame(listener)).payload()));
+            Frame renewed = floor(bench, listener, 7, 0); // renewed, whatever its cookie is
+            Check.equal("0 1", cookie(renewed) + " " + renewed.sequence());
+            isSilent(other);
+            bench.send(listener, new Frame(Frame.Kind.END, 7, 0, new Handshake(bench.publisher.life(), 5, 0).write()).write());
+            while (bench.publisher.awaitConsumer(Duration.ofMillis(1))) Thread.onSpinWait();
+            Check.that(!bench.publisher.send(new byte[1]), "nobody listens");
+            Check.equal(4L, bench.publisher.dropped());
+        }
+    }
+
+    static void elevenHundredListenersOfOneHostLockNobodyOut() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.STREAM)); DatagramSocket honest = new DatagramSocket(0, InetAddress.getByName("127.0.0.2"))) {
+            List<DatagramSocket> flood = new ArrayList<>();
+            InetAddress host = InetAddress.getByName("127.0.0.3");
+            int refused = 0;
+            for (int i = 0; i < Limits.LISTENERS + 76; ++i) {
+                DatagramSocket one = new DatagramSocket(0, host);
+                flood.add(one);
+                refused += accept(bench, one, 100 + i) ? 0 : 1;
+                for (int known = 0; i % 64 == 0 && known < i; ++known) bench.send(flood.get(known), bench.hello(100 + known, 5, 0)); // so that none is forgotten
+            }
+            Check.that(refused >= 1, "more than there are places");
+            bench.isProblem("all 1024 places for listeners are taken");
+            Check.equal("1 pub modify channel.full=1024", bench.daemon.heard());
+            Check.that(accept(bench, honest, 7), "another host has a place");
+            bench.publisher.send("hello".getBytes());
+            Frame frame = (Frame) PublisherBench.frame(honest);
+            Check.equal("hello", new String(frame.payload()));
+            for (DatagramSocket one : flood) one.close();
+        }
+    }
+
+    /** Asks for a place until there is an answer, since the rate of answers is limited; whether it has one. */
+    private static boolean accept(PublisherBench bench, DatagramSocket socket, long life) throws IOException {
+        long cookie = 0;
+        socket.setSoTimeout(50);
+        byte[] octets = new byte[2000];
+        while (true) {
+            bench.send(socket, bench.hello(life, 5, cookie));
+            DatagramPacket packet = new DatagramPacket(octets, octets.length);
+            try {
+                socket.receive(packet);
+            } catch (SocketTimeoutException isLimited) {
+                continue;
+            }
+            Frame answer = Frame.ofDatagram(ByteBuffer.wrap(octets, 0, packet.getLength()));
+            if (answer.kind() == Frame.Kind.FULL) return false;
+            if (answer.kind() == Frame.Kind.MESSAGE) continue;
+            cookie = cookie(answer);
+            if (cookie == 0) return true;
+        }
+    }
+
+    static void helloesAreAnsweredWithALimit() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.STREAM)); DatagramSocket flood = new DatagramSocket()) {
+            flood.setReceiveBufferSize(4 * 1024 * 1024);
+            long begin = System.nanoTime();
+            for (int i = 0; i < 4 * Limits.ANSWERS; ++i) bench.send(flood, bench.hello(7, 5, 0));
+            bench.send(flood, "no frame".getBytes());
+            awaitDropped(bench, 1); // so all hellos have been read
+            double seconds = (System.nanoTime() - begin) / 1e9;
+            int answers = 0;
+            flood.setSoTimeout(100);
+            try {
+                while (true) {
+                    flood.receive(new DatagramPacket(new byte[100], 100));
+                    ++answers;
+                }
+            } catch (SocketTimeoutException allHaveCome) {
+                Check.that(answers > 0 && answers <= Limits.ANSWERS * (1 + seconds) + 1, answers + " answers in " + seconds + " s");
+            }
+        }
+    }
+
+    static void overTcpAHelloWithoutThePublishersLifeIsClosedAtOnce() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.STREAM).tcp())) {
+            byte[] short8 = new Frame(Frame.Kind.HELLO, 7, 0, new byte[8]).write();
+            byte[] none = new Frame(Frame.Kind.HELLO, 7, 0, new byte[0]).write();
+            int dropped = 0;
+            for (byte[] wrong : List.of(Frame.hello(7, new Handshake(99, 5, 0)).write(), short8, none, new Frame(Frame.Kind.FLOOR, 7, 0, new byte[24]).write())) {
+                try (Socket socket = bench.connect(0)) {
+                    socket.getOutputStream().write(wrong);
+                    Check.equal(-1, socket.getInputStream().read());
+                }
+                Check.equal((long) ++dropped, bench.publisher.dropped());
+            }
+            Check.that(!bench.publisher.send(new byte[1]), "nobody is there");
+        }
+    }
+
+    static void connectionsThatReadNothingCostABoundedMemoryAndTheOthersAreServed() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.STREAM).tcp()); Socket honest = bench.connect(7)) {
+            Check.that(bench.publisher.awaitConsumer(LONG), "there");
+            Thread reader = new Thread(() -> {
+                try {
+                    honest.getInputStream().transferTo(OutputStream.nullOutputStream());
+                } catch (IOException isOver) {
+                    return;
+                }
+            });
+            reader.setDaemon(true);
+            reader.start();
+            List<Socket> deaf = new ArrayList<>();
+            byte[] message = new byte[1024 * 1024];
+            int problems = 0;
+            // Each of them begins to wait behind other messages, so that nothing that waits is shared.
+            for (int i = 0; i < 40; ++i) {
+                deaf.add(bench.connect(100 + i));
+                for (int j = 0; j < 10; ++j) {
+                    bench.publisher.awaitRoom(0, Duration.ofMillis(2));
+                    bench.publisher.send(message);
+                }
+            }
+            boolean hasClosed = false;
+            for (Event event = bench.told.poll(); event != null; event = bench.told.poll()) {
+                String text = ((Event.Problem) event).text();
+                problems += text.endsWith("is slow: messages to it are left out until it has taken some") ? 1 : 0;
+                hasClosed |= text.contains("is too slow and was closed");
+                Check.that(!text.startsWith("the consumer " + Life.write(7) + " is too slow"), "the one that reads stays");
+            }
+            Check.that(problems > 0 && problems <= 41, "told once for each of them, not " + problems);
+            Check.that(hasClosed, "more than 64 MiB would have waited");
+            Check.that(bench.publisher.awaitConsumer(LONG) && reader.isAlive(), "the one that reads is still there");
+            for (Socket socket : deaf) socket.close();
+        }
+    }
+
+    static void aSealedStreamOverUdpIsSentToWhoHasTheKey() throws Exception {
+        for (String mode : List.of("encrypted", "authenticated")) {
+            try (PublisherBench bench = PublisherBench.sealed(offer(Mode.STREAM), mode); DatagramSocket listener = new DatagramSocket(); DatagramSocket stranger = new DatagramSocket()) {
+                PublisherBench.Consumer consumer = bench.new Consumer(7, "encrypted");
+                bench.send(stranger, bench.hello(7, 5, 0));
+                byte[] hello = consumer.hello(5, 0);
+                bench.send(listener, hello);
+                long cookie = consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener));
+                byte[] accepted = consumer.hello(5, cookie);
+                bench.send(stranger, accepted); // recorded, from another address: a new cookie, and no place
+                Check.that(consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(stranger)) != 0, "not accepted");
+                bench.send(listener, accepted);
+                Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener)));
+                Check.that(bench.publisher.awaitConsumer(LONG), "there");
+                bench.send(listener, hello); // recorded, from its own address: the counter does not rise
+                awaitDropped(bench, 2);
+                bench.publisher.send("ball".getBytes());
+                WireFrame sent = PublisherBench.frame(listener);
+                Check.equal("ball", new String(consumer.open(sent).payload()));
+                Check.that(!(sent instanceof Frame), "sealed");
+                bench.send(listener, new Frame(Frame.Kind.END, 7, 0, new Handshake(bench.publisher.life(), 5, 0).write()).write());
+                awaitDropped(bench, 3);
+                Check.that(bench.publisher.send(new byte[1]), "a forged end changes nothing");
+                isSilent(stranger);
+                Check.that(consumer.open(PublisherBench.frame(listener)).sequence() == 2, "the second");
+                bench.send(listener, consumer.say(Frame.Kind.END, 5, cookie));
+                while (bench.publisher.awaitConsumer(Duration.ofMillis(1))) Thread.onSpinWait();
+            }
+        }
+    }
+
+    static void aSealedChannelOverUdpBeginsWhenTheDaemonsWordAndItsHelloAreThere() throws Exception {
+        try (PublisherBench bench = PublisherBench.sealed(offer(Mode.ONE_TO_ONE), "encrypted"); DatagramSocket listener = new DatagramSocket()) {
+            PublisherBench.Consumer consumer = bench.new Consumer(10, "encrypted");
+            bench.send(listener, consumer.hello(5, 0));
+            long cookie = consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener));
+            bench.send(listener, consumer.hello(5, cookie)); // nobody has announced it: it is not answered
+            isSilent(listener);
+            bench.daemon.say(ScriptedDaemon.consumer(1, WORD, listener.getLocalPort(), LIFE));
+            while (bench.told.isEmpty()) {
+                bench.send(listener, consumer.hello(5, cookie));
+                Thread.onSpinWait();
+            }
+            bench.is("ADDED 10 -");
+            Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener)));
+            bench.publisher.close();
+            Frame last = null;
+            while (last == null || last.kind() == Frame.Kind.FLOOR) last = consumer.open(PublisherBench.frame(listener));
+            Check.equal(Frame.Kind.END, last.kind());
+        }
+    }
+
+    static void nothingIsSentOrAnsweredUntilTheKeysAreKnown() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.PUBSUB), " keys=yes sealing=encrypted"); DatagramSocket listener = new DatagramSocket()) {
+            bench.daemon.say(ScriptedDaemon.consumer(1, WORD, listener.getLocalPort(), LIFE)).say("0 msg pong");
+            Check.that(!bench.publisher.awaitConsumer(Duration.ofMillis(30)) && !bench.publisher.send(new byte[1]), "nothing is sent");
+            bench.keys("encrypted", PublisherBench.RING);
+            PublisherBench.Consumer consumer = bench.new Consumer(10, "encrypted");
+            bench.send(listener, consumer.hello(5, 0));
+            bench.send(listener, consumer.hello(5, consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener))));
+            bench.is("ADDED 10 -");
+        }
+    }
+
+    static void overTcpASealedHelloGivesTheCookieOfItsConnectionBack() throws Exception {
+        try (PublisherBench bench = PublisherBench.sealed(offer(Mode.STREAM).tcp(), "encrypted"); Socket socket = bench.connect(0); Socket replay = bench.connect(0); Socket plain = bench.connect(9)) {
+            Check.equal(-1, plain.getInputStream().read()); // a frame that cannot be opened ends the connection
+            PublisherBench.Consumer consumer = bench.new Consumer(7, "encrypted");
+            byte[] first = consumer.hello(5, 0);
+            socket.getOutputStream().write(first);
+            long cookie = consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.readAny(socket));
+            byte[] second = consumer.hello(5, cookie);
+            replay.getOutputStream().write(first);
+            Check.that(consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.readAny(replay)) != cookie, "another cookie");
+            replay.getOutputStream().write(second); // of another connection
+            Check.equal(-1, replay.getInputStream().read());
+            Check.that(!bench.publisher.send(new byte[1]), "nobody is there");
+            socket.getOutputStream().write(second);
+            Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.readAny(socket)));
+            Check.that(bench.publisher.awaitConsumer(LONG), "there");
+            bench.publisher.send("ball".getBytes());
+            Check.equal("ball", new String(consumer.open(PublisherBench.readAny(socket)).payload()));
+            new Thread(bench.publisher::close).start();
+            Check.equal(Frame.Kind.END, consumer.open(PublisherBench.readAny(socket)).kind());
+        }
+    }
+
+    static void aHelloOverTcpWaitsForTheKeys() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.STREAM).tcp(), " keys=yes sealing=prepared"); Socket socket = bench.connect(7)) {
+            Check.that(!bench.publisher.awaitConsumer(Duration.ofMillis(30)), "not yet");
+            bench.keys("prepared", PublisherBench.RING);
+            Check.that(bench.publisher.awaitConsumer(LONG), "a plain hello is enough while plain frames are sent");
+            bench.publisher.send("ball".getBytes());
+            Check.equal("ball", new String(PublisherBench.read(socket).payload()));
+        }
+    }
+
+    static void migrationAndRotationLoseNothing() throws Exception {
+        for (boolean isTcp : new boolean[] {false, true}) {
+            Offer offer = isTcp ? offer(Mode.STREAM).tcp() : offer(Mode.STREAM);
+            try (PublisherBench bench = PublisherBench.sealed(offer, "prepared"); DatagramSocket listener = new DatagramSocket(); Socket socket = isTcp ? bench.connect(0) : new Socket()) {
+                PublisherBench.Consumer consumer = bench.new Consumer(7, "prepared");
+                if (isTcp) {
+                    socket.getOutputStream().write(consumer.hello(5, 0));
+                } else {
+                    bench.send(listener, consumer.hello(5, 0));
+                    bench.send(listener, consumer.hello(5, consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener))));
+                    Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener)));
+                }
+                Check.that(bench.publisher.awaitConsumer(LONG), "there");
+                bench.publisher.send("one".getBytes());
+                Check.equal("1 one", said(consumer, next(isTcp, socket, listener)));
+                bench.keys("mixed", PublisherBench.RING);
+                WireFrame floor = next(isTcp, socket, listener); // unasked, so that no message comes before it
+                Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, floor));
+                Check.that(!(floor instanceof Frame) && floor.sequence() == 1, "sealed");
+                bench.publisher.send("two".getBytes());
+                Check.equal("2 two", said(consumer, next(isTcp, socket, listener)));
+                consumer.keys = ChannelKeys.read("encrypted", PublisherBench.RING + "," + PublisherBench.OTHER);
+                bench.keys("mixed", PublisherBench.OTHER + "," + PublisherBench.RING);
+                bench.daemon.say("0 msg sealing mode=mixed");
+                WireFrame third = null;
+                for (int i = 0; third == null || ((SealedFrame) third).key() != 0xbeef; ++i) { // until the line was read
+                    bench.publisher.send(("three " + i).getBytes());
+                    third = next(isTcp, socket, listener);
+                    Check.equal(third.sequence() + " three " + i, said(consumer, third));
+                }
+                if (isTcp) {
+                    bench.keys("encrypted", PublisherBench.OTHER + "," + PublisherBench.RING);
+                    Check.equal(-1, socket.getInputStream().read()); // it said no sealed hello: it has to come again
+                }
+            }
+        }
+    }
+
+    private static WireFrame next(boolean isTcp, Socket socket, DatagramSocket listener) throws IOException {
+        return isTcp ? PublisherBench.readAny(socket) : PublisherBench.frame(listener);
+    }
+
+    private static String said(PublisherBench.Consumer consumer, WireFrame frame) {
+        Frame opened = consumer.open(frame);
+        return opened.sequence() + " " + new String(opened.payload());
+    }
+
+    static void overMulticastASealedHelloIsAnsweredByAFloorAtThePortThatFramesName() throws Exception {
+        try (PublisherBench bench = PublisherBench.sealed(offer(Mode.STREAM).address("239.66.77.2"), "encrypted"); DatagramSocket listener = new DatagramSocket();
+                MulticastSocket group = new MulticastSocket(new InetSocketAddress("239.66.77.2", bench.publisher.offer().port()))) {
+            List<NetworkInterface> all = NetworkInterface.networkInterfaces().toList();
+            for (NetworkInterface one : all) {
+                if (one.isUp()) group.joinGroup(new InetSocketAddress("239.66.77.2", 0), one);
+            }
+            PublisherBench.Consumer consumer = bench.new Consumer(7, "encrypted");
+            WireFrame heard = null;
+            group.setSoTimeout(50);
+            DatagramPacket packet = new DatagramPacket(new byte[2000], 2000);
+            while (heard == null) {
+                bench.publisher.send("ball".getBytes());
+                try {
+                    group.receive(packet);
+                    heard = WireFrame.ofDatagram(ByteBuffer.wrap(packet.getData(), 0, packet.getLength()));
+                } catch (SocketTimeoutException notYet) {
+                    continue;
+                }
+            }
+            Check.equal("ball", new String(consumer.open(heard).payload()));
+            InetSocketAddress hellos = new InetSocketAddress(packet.getAddress(), ((SealedFrame) heard).port());
+            for (byte[] octets : List.of(bench.hello(7, 5, 0), consumer.hello(5, 0))) listener.send(new DatagramPacket(octets, octets.length, hellos));
+            WireFrame floor = PublisherBench.frame(listener);
+            Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, floor));
+            Check.that(floor.sequence() >= heard.sequence(), "the last message");
+            isSilent(listener);
+        }
+    }
+
+    static void aConsumerWithoutALifeIsSentNothingWhereEverythingIsSealed() throws Exception {
+        try (PublisherBench bench = PublisherBench.sealed(offer(Mode.PUBSUB), "encrypted"); DatagramSocket plain = new DatagramSocket()) {
+            bench.daemon.say(ScriptedDaemon.consumer(1, WORD, plain.getLocalPort(), "no-life"));
+            bench.isProblem(WORD + " states no life, so its channel cannot be sealed");
+            Check.that(!bench.publisher.send("secret".getBytes()), "nobody is there");
+            isSilent(plain);
+        }
+    }
+}
