@@ -106,6 +106,7 @@ final class UdpOutlet implements Outlet, Datagrams.Reader, Greeter.Guests {
         Target target = byLife.get(life);
         target.said = new Said();
         owner.arrived(target.entry);
+        owner.changed();
         return target.said;
     }
 
