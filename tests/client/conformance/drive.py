@@ -146,7 +146,7 @@ def run_vectors(table: Table, language: str, command: Command, only: str, lab: L
 
 
 def sealed_jobs(table: Table, options: argparse.Namespace, commands: dict[str, list[str]]) -> list[Job]:
-    """What is tried with a key: every mode, the strangers, rotation and migration, each language once on each side."""
+    """The jobs with a key: every mode, the strangers, rotation and migration, each language once on each side."""
     whole = [language for language in commands if language not in options.face]
 
     def named(pairs: list[tuple[str, str]]) -> list[tuple[str, tuple[Command, Command]]]:

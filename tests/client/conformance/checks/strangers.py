@@ -103,14 +103,14 @@ def strange_connections(pair: Pair) -> None:
 
 def forged_sequence(pair: Pair) -> None:
     """a forged sequence and a forged end mute nobody"""
-    for octets_of in (lambda life: frame(MESSAGE, life, 2**64 - 1, b"forged"), lambda life: frame(END, life, 3, b"")):
+    for kind, sequence, payload in ((MESSAGE, 2**64 - 1, b"forged"), (END, 3, b"")):
         text, pub_port, sub_port = fresh("service"), fresh_port(), fresh_port()
         p = pair.offer(f"mode=oto text={text} port={pub_port}")
         s = pair.ask(f"mode=oto text={text} port={sub_port}")
         word, _ = pair.met(p, s)
         for octets in ("01", "02", "03"):
             pair.pub_to_sub(p, s, octets)
-        if not forged(pair, 0, pub_port, sub_port, octets_of(int(word, 16))):
+        if not forged(pair, 0, pub_port, sub_port, frame(kind, int(word, 16), sequence, payload)):
             return  # only root may forge an address
         pair.pub_to_sub(p, s, "04", missed="0")
         must(not pair.sub.all(f"provider {s} removed .*"), "a forged end ended the channel")
