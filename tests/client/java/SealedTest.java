@@ -162,6 +162,20 @@ final class SealedTest {
         }
     }
 
+    static void keysAreToldOnceThoughAProviderGoesAndComesBack() throws Exception {
+        try (SubscriberBench bench = SubscriberBench.sealed(request(Mode.ONE_TO_ONE), "encrypted"); DatagramSocket socket = new DatagramSocket()) {
+            SubscriberBench.Provider provider = bench.new Provider("encrypted");
+            meet(bench, socket);
+            long first = hello(provider, socket, 0).challenge();
+            bench.daemon.say("1 pub del service=" + WORD + " reason=outranked");
+            bench.is("REMOVED 10 outranked");
+            meet(bench, socket);
+            WireFrame said = PublisherBench.frame(socket);
+            while (said.kind() != Frame.Kind.HELLO || provider.hello(said).challenge() == first) said = PublisherBench.frame(socket);
+            Check.that(provider.hello(said).challenge() != first, "another channel, another challenge");
+        }
+    }
+
     static void aPlainTeamIsMigratedAndTheKeyRotatedWithoutALoss() throws Exception {
         try (SubscriberBench bench = new SubscriberBench(request(Mode.ONE_TO_ONE)); DatagramSocket socket = new DatagramSocket()) {
             SubscriberBench.Provider provider = bench.new Provider("plain");

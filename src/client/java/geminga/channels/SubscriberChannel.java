@@ -44,7 +44,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     private final FrameWriter writer;
     private final DatagramInlets datagrams;
     private final TcpPlaces tcpPlaces;
-    /** The keys that came before the event that they are about, by life. */
+    /** The keys that the daemon has told, by life. It tells them once, though a provider may go and come back. */
     private final Map<Long, ChannelKeys> keys = new LinkedHashMap<>();
     private Runnable onMessage = () -> {};
     private volatile Request request;
@@ -139,12 +139,11 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     @Override
     void keys(long provider, ChannelKeys told) {
         if (provider == 0 || isClosed) return;
+        keys.remove(provider);
+        if (keys.size() == Limits.REMEMBERED_LIVES) keys.remove(keys.keySet().iterator().next());
+        keys.put(provider, told);
         Entry<ProviderChannel> entry = providers.of(provider);
-        if (entry == null) {
-            keys.remove(provider);
-            if (keys.size() == Limits.WAITING_KEYS) keys.remove(keys.keySet().iterator().next());
-            keys.put(provider, told);
-        } else if (entry.channel.keys(told)) {
+        if (entry != null && entry.channel.keys(told)) {
             entry.channel.inlet(inlet(entry.channel));
             deliverEarly(entry.channel);
         }
@@ -157,6 +156,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         for (Entry<ProviderChannel> entry : providers.all()) {
             if (entry.match().life() != 0) keys(entry.match().life(), ChannelKeys.NONE);
         }
+        keys.clear();
         modeChanged();
     }
 
@@ -190,7 +190,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
 
     @Override
     public void opened(Entry<ProviderChannel> entry) {
-        ChannelKeys told = keys.remove(entry.match().life());
+        ChannelKeys told = keys.get(entry.match().life());
         ProviderChannel channel = new ProviderChannel(loop, this, entry.match(), told != null ? told : daemon.keysOfNew(), Life.draw(chance));
         entry.channel = channel;
         channel.inlet(inlet(channel));

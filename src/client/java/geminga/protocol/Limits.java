@@ -24,8 +24,6 @@ public final class Limits {
     public static final long SEQUENCE_STEP = 65_536;
     /** Runs of delivered sequences that are remembered of a life. */
     public static final int DELIVERED_RANGES = 256;
-    /** Keys of channels that wait for the event that they are about. */
-    public static final int WAITING_KEYS = 1024;
     /** Messages of one subscriber that wait to be taken. */
     public static final int WAITING_MESSAGES = 1024;
     /** Octets of their payloads; one message may always wait. */
@@ -34,7 +32,7 @@ public final class Limits {
     public static final int EARLY_FRAMES = 64;
     /** Octets of their payloads. */
     public static final int EARLY_OCTETS = 256 * 1024;
-    /** Lives of which a subscriber remembers the last sequence. */
+    /** Lives of which a subscriber remembers the last sequence, and the keys. */
     public static final int REMEMBERED_LIVES = 1024;
     /** Messages of one socket before the others have their turn. */
     public static final int TURN = 32;
