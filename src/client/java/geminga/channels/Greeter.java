@@ -6,6 +6,7 @@ import geminga.protocol.Frame;
 import geminga.protocol.Handshake;
 import geminga.protocol.PublisherFrames;
 import geminga.protocol.Said;
+import geminga.protocol.SealedFrame;
 import geminga.protocol.WireFrame;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
@@ -63,6 +64,8 @@ final class Greeter {
             return;
         }
         Said known = guests.known(from, frame.life());
+        // Who said a plain hello first proves by a cookie that its sealed one is not recorded.
+        if (known != null && !known.isSealed() && frame instanceof SealedFrame) known = null;
         boolean isNew = known == null || known.take(frame, handshake.challenge());
         if (!isNew || known == null && frame.kind() == Frame.Kind.END) {
             owner.dropped();

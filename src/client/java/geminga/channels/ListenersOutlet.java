@@ -133,12 +133,9 @@ final class ListenersOutlet implements Outlet, Datagrams.Reader, Greeter.Guests 
     public void keysChanged(boolean beginsToSeal, boolean isStrict) {
         for (Listener listener : List.copyOf(listeners.all())) {
             Said said = listener.said();
-            if (isStrict && !said.isSealed()) {
-                listeners.remove(listener.address()); // it says hello again
-            } else if (beginsToSeal) {
-                byte[] floor = frames.answer(Frame.Kind.FLOOR, new Handshake(said.life(), said.challenge(), 0));
-                if (floor != null) socket.send(ByteBuffer.wrap(floor), listener.address());
-            }
+            byte[] floor = beginsToSeal ? frames.answer(Frame.Kind.FLOOR, new Handshake(said.life(), said.challenge(), 0)) : null;
+            if (floor != null) socket.send(ByteBuffer.wrap(floor), listener.address());
+            // Where plain hellos are taken no more, one does not renew a listener, which then has the rest of its time for a sealed one.
         }
         placesChanged();
     }

@@ -96,6 +96,10 @@ final class TcpGuest implements Stream.Reader {
             if (pending == null) pending = frame;
             return;
         }
+        if (isAsked() && frame instanceof Frame) {
+            loop.after(Limits.ASK_AGAIN, this::ask); // its host does not seal yet
+            return;
+        }
         boolean isForPublisher = frame.kind() == Frame.Kind.HELLO || frame.kind() == Frame.Kind.END;
         Frame opened = isForPublisher ? publisher.open(frame) : null;
         if (opened != null && frame.kind() == Frame.Kind.END) {
@@ -104,8 +108,10 @@ final class TcpGuest implements Stream.Reader {
         }
         Handshake handshake = opened == null ? null : Handshake.read(opened.payload());
         boolean isSame = said.life() == 0 || said.life() == frame.life();
-        boolean isBelieved = handshake != null && handshake.life() == publisher.life() && isSame && said.take(frame, handshake.challenge());
-        if (!isBelieved) {
+        boolean isBelieved = handshake != null && handshake.life() == publisher.life() && isSame;
+        if (isBelieved && isIntroduced && frame instanceof SealedFrame && !said.isSealed()) {
+            proves(frame, handshake);
+        } else if (!isBelieved || !said.take(frame, handshake.challenge())) {
             host.dropped();
             host.left(this);
         } else if (!isIntroduced) {
@@ -116,7 +122,7 @@ final class TcpGuest implements Stream.Reader {
     /** Without keys the first hello is enough; otherwise it has to give a cookie back, which no recorded hello has. */
     private void introduce(boolean isSealed, Handshake handshake) {
         if (isSealed && cookie == 0) {
-            while (cookie == 0) cookie = chance.nextLong();
+            cookie = Life.draw(chance);
             answer(Frame.Kind.FLOOR, cookie);
             return;
         }
@@ -128,6 +134,36 @@ final class TcpGuest implements Stream.Reader {
         isIntroduced = true;
         isFloorDue = isSealed;
         host.introduced(this);
+    }
+
+    /** A consumer that said a plain hello says a sealed one: it counts with the cookie that it was asked with. */
+    private void proves(WireFrame hello, Handshake handshake) {
+        boolean isRight = cookie != 0 && handshake.cookie() == cookie && handshake.challenge() == said.challenge() && said.take(hello, handshake.challenge());
+        if (!isRight) {
+            host.dropped();
+            return;
+        }
+        patience.cancel();
+        answer(Frame.Kind.FLOOR, 0);
+    }
+
+    /** Plain frames are taken no more: a consumer that said a plain hello has to say a sealed one, and has some time for it. */
+    void askForSealed() {
+        patience.cancel();
+        patience = loop.after(Limits.UNKNOWN_CONNECTION, () -> {
+            if (isAsked()) host.left(this);
+        });
+        ask();
+    }
+
+    private boolean isAsked() {
+        return isIntroduced && !isClosed && !said.isSealed() && !publisher.takesPlain();
+    }
+
+    private void ask() {
+        if (!isAsked()) return;
+        cookie = Life.draw(chance);
+        answer(Frame.Kind.FLOOR, cookie);
     }
 
     /** It is a consumer from now on. */

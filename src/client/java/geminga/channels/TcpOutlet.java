@@ -256,12 +256,18 @@ final class TcpOutlet implements Outlet, Loop.Ready, TcpGuest.Host {
     public void keysChanged(boolean beginsToSeal, boolean isStrict) {
         for (TcpGuest guest : List.copyOf(consumers.values())) {
             if (isStrict && !guest.said().isSealed()) {
-                leave(guest, "lost"); // it comes back and says a sealed hello
+                guest.askForSealed();
             } else if (beginsToSeal) {
                 guest.answer(Frame.Kind.FLOOR, 0);
             }
         }
-        for (TcpGuest guest : List.copyOf(unknown)) guest.keysChanged();
+        for (TcpGuest guest : List.copyOf(unknown)) {
+            if (isStrict && guest.said().life() != 0 && !guest.said().isSealed()) {
+                leave(guest, ""); // it comes again
+            } else {
+                guest.keysChanged();
+            }
+        }
     }
 
     @Override

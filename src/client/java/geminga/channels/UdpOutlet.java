@@ -5,6 +5,7 @@ import geminga.protocol.Addresses;
 import geminga.protocol.Counterparts.Entry;
 import geminga.protocol.Frame;
 import geminga.protocol.Handshake;
+import geminga.protocol.Limits;
 import geminga.protocol.PublisherFrames;
 import geminga.protocol.Said;
 import java.io.IOException;
@@ -184,13 +185,22 @@ final class UdpOutlet implements Outlet, Datagrams.Reader, Greeter.Guests {
     @Override
     public void keysChanged(boolean beginsToSeal, boolean isStrict) {
         for (Target target : targets) {
-            if (isStrict && target.said != null && !target.said.isSealed()) target.said = null; // it says hello again
             if (beginsToSeal && target.said != null && socket != null && target.address != null) {
                 byte[] floor = frames.answer(Frame.Kind.FLOOR, new Handshake(target.life, target.said.challenge(), 0));
                 if (floor != null) socket.send(ByteBuffer.wrap(floor), target.address);
             }
             if (isStrict) tellUnsealable(target);
             if (target.isThere()) owner.arrived(target.entry);
+        }
+        if (isStrict) loop.after(Limits.UNKNOWN_CONNECTION, this::forgetPlain);
+        owner.changed();
+    }
+
+    /** Consumers that said a plain hello have had time for a sealed one. */
+    private void forgetPlain() {
+        if (frames.takesPlain()) return;
+        for (Target target : targets) {
+            if (target.said != null && !target.said.isSealed()) target.said = null;
         }
         owner.changed();
     }

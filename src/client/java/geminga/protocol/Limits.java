@@ -47,6 +47,8 @@ public final class Limits {
     public static final long UNCONNECTED = Duration.ofSeconds(5).toNanos();
     /** The time without a daemon after which the log says so. */
     public static final long NO_DAEMON = Duration.ofSeconds(1).toNanos();
+    /** The time after which a consumer is asked for a sealed hello again. */
+    public static final long ASK_AGAIN = Duration.ofMillis(500).toNanos();
     public static final long HELLO_INTERVAL = Duration.ofSeconds(1).toNanos();
     public static final long LISTENER_SILENCE = Duration.ofSeconds(3).toNanos();
     /** The time that a subscriber waits for more of a withdrawn provider. */
