@@ -220,6 +220,36 @@ final class CounterpartsTest {
         alone.witness.told("closed 7 expired");
     }
 
+    static void aConsumerThatIsOutrankedByItsOwnProvidersFormerWordGoesOn() {
+        // Both daemons were killed: the consumer's one still prefers the publication of the daemon that is dead, which has the same life.
+        for (long later : new long[] {0, SECOND, Limits.CONFIRMATION - 1}) {
+            Witness witness = new Witness();
+            Counterparts<String> consumers = new Counterparts<>(witness, false);
+            consumers.put(match("b/1/1", 7, 10), 0);
+            consumers.lost();
+            consumers.back(5 * SECOND);
+            consumers.put(match("c/1/1", 7, 10), 5 * SECOND);
+            consumers.remove("c/1/1", "outranked", 5 * SECOND + later);
+            consumers.tick(5 * SECOND + later + Limits.ORPHAN - 1);
+            consumers.put(match("c/1/1", 7, 10), 5 * SECOND + later + Limits.ORPHAN - 1);
+            consumers.tick(100 * SECOND);
+            witness.told("opened 7");
+            consumers.remove("c/1/1", "outranked", 100 * SECOND); // the daemon knows by now
+            witness.told("closed 7 outranked");
+        }
+        Witness witness = new Witness();
+        Counterparts<String> consumers = new Counterparts<>(witness, false);
+        consumers.put(match("b/1/1", 7, 10), 0);
+        consumers.lost();
+        consumers.back(0);
+        consumers.put(match("b/1/1", 7, 10), 1);
+        consumers.remove("b/1/1", "outranked", Limits.CONFIRMATION - 1);
+        consumers.tick(Limits.CONFIRMATION + Limits.ORPHAN - 2);
+        witness.told("opened 7");
+        consumers.tick(Limits.CONFIRMATION + Limits.ORPHAN - 1);
+        witness.told("closed 7 outranked");
+    }
+
     static void whatWasWithdrawnStillEndsWhileTheDaemonIsDead() {
         CounterpartsTest test = new CounterpartsTest();
         test.all.put(match("a/1/1", 7, 10), 0);

@@ -72,6 +72,9 @@ public final class Counterparts<C> {
     private final Map<String, Entry<C>> entries = new LinkedHashMap<>();
     private final Map<String, Entry<C>> byWord = new LinkedHashMap<>();
     private long limit;
+    /** Whether the own daemon has come back, and until when it finds out who is there. */
+    private boolean isBack;
+    private long settled;
 
     /** With {@code lingers}, messages on their way from a withdrawn counterpart are still taken. */
     public Counterparts(Watcher<C> watcher, boolean lingers) {
@@ -147,7 +150,16 @@ public final class Counterparts<C> {
                 entry.deadline = now + Limits.ENDING;
                 watcher.ending(entry);
             }
-            case "outranked", "changed" -> close(entry);
+            case "outranked" -> {
+                // After a restart the consumer's daemon may still prefer this same life under its former word.
+                boolean isUnsettled = !lingers && isBack && now - settled < 0;
+                if (isUnsettled) {
+                    orphan(entry, now, watcher.hasConnection(entry));
+                } else {
+                    close(entry);
+                }
+            }
+            case "changed" -> close(entry);
             default -> orphan(entry, now, watcher.hasConnection(entry));
         }
         closeOrphansBeyondLimit();
@@ -188,6 +200,8 @@ public final class Counterparts<C> {
 
     /** The own daemon is back, and confirms counterparts. */
     public void back(long now) {
+        isBack |= !entries.isEmpty();
+        settled = now + Limits.CONFIRMATION;
         for (Entry<C> entry : entries.values()) {
             if (entry.state == State.UNCONFIRMED) entry.deadline = now + Limits.CONFIRMATION;
         }
