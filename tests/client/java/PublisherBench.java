@@ -22,9 +22,12 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 
 /** A publisher, its scripted daemon, and what is told; and consumers that say what a test wants. */
 final class PublisherBench implements AutoCloseable {
@@ -58,8 +61,19 @@ final class PublisherBench implements AutoCloseable {
         return bench;
     }
 
-    void keys(String mode, String ring) throws IOException {
+    /** Has the daemon give other keys, and waits until they were read. */
+    void keys(String mode, String ring) throws IOException, InterruptedException {
         daemon.say("1 pub keys life=" + Life.write(publisher.life()) + " mode=" + mode + (ring.isEmpty() ? "" : " ring=" + ring));
+        daemon.say("0 429 read so far");
+        await(told, one -> one instanceof Event.Problem problem && problem.text().equals("429 read so far"));
+        await(log, "429 read so far"::equals);
+    }
+
+    /** Waits for one thing that is told, and puts back what came before it. */
+    private static <T> void await(LinkedBlockingQueue<T> queue, Predicate<T> isIt) throws InterruptedException {
+        List<T> before = new ArrayList<>();
+        for (T one = queue.poll(30, TimeUnit.SECONDS); !isIt.test(one); one = queue.poll(30, TimeUnit.SECONDS)) before.add(one);
+        queue.addAll(before);
     }
 
     static ChannelKeys keysOf(String mode) throws LineException {

@@ -1,4 +1,3 @@
-import geminga.Event;
 import geminga.Identity;
 import geminga.MessageTooLargeException;
 import geminga.Mode;

@@ -136,7 +136,7 @@ final class SubscriberBench implements AutoCloseable {
             return writer.write(keys, Frame.Kind.END, sequence, new byte[0]);
         }
 
-        /** What a hello says. */
+        /** The payload of a hello. */
         Handshake hello(WireFrame frame) {
             Frame hello = keys.open(frame, Direction.BACK);
             Check.equal("HELLO " + Life.write(subscriber.life()), hello.kind() + " " + Life.write(hello.life()));

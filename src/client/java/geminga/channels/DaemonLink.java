@@ -40,7 +40,7 @@ public final class DaemonLink implements Stream.Reader {
     private long skipped;
     private Stream stream;
     private Loop.Timer helloTimeout;
-    /** What the log says of a daemon that is not there. */
+    /** The line of the log about a daemon that is not there. */
     private Loop.Timer complaint;
     private String reason = "no answer";
     private boolean hasComplained;

@@ -19,7 +19,7 @@ import java.security.SecureRandom;
 final class Greeter {
     /** The consumers of an outlet. */
     interface Guests {
-        /** What the consumer at this address, of this life, has said; null if there is none. */
+        /** The last hello of the consumer at this address, of this life; null if there is none. */
         Said known(InetSocketAddress from, long life);
 
         /** A consumer that was accepted has said hello again. */
@@ -64,7 +64,7 @@ final class Greeter {
             return;
         }
         Said known = guests.known(from, frame.life());
-        // Who said a plain hello first proves by a cookie that its sealed one is not recorded.
+        // A consumer that said a plain hello first proves by a cookie that its sealed one is not recorded.
         if (known != null && !known.isSealed() && frame instanceof SealedFrame) known = null;
         boolean isNew = known == null || known.take(frame, handshake.challenge());
         if (!isNew || known == null && frame.kind() == Frame.Kind.END) {

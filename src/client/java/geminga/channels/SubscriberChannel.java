@@ -15,8 +15,8 @@ import geminga.protocol.Frame;
 import geminga.protocol.FrameWriter;
 import geminga.protocol.Inbox;
 import geminga.protocol.Life;
-import geminga.protocol.Limits;
 import geminga.protocol.LineException;
+import geminga.protocol.ProviderKeys;
 import geminga.protocol.SealedFrame;
 import geminga.protocol.Sequence;
 import geminga.protocol.Told;
@@ -24,7 +24,6 @@ import geminga.protocol.WireFrame;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
@@ -44,8 +43,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     private final FrameWriter writer;
     private final DatagramInlets datagrams;
     private final TcpPlaces tcpPlaces;
-    /** The keys that the daemon has told, by life. It tells them once, though a provider may go and come back. */
-    private final Map<Long, ChannelKeys> keys = new LinkedHashMap<>();
+    private final ProviderKeys keys = new ProviderKeys();
     private Runnable onMessage = () -> {};
     private volatile Request request;
     private Loop.Timer timer;
@@ -139,8 +137,6 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     @Override
     void keys(long provider, ChannelKeys told) {
         if (provider == 0 || isClosed) return;
-        keys.remove(provider);
-        if (keys.size() == Limits.REMEMBERED_LIVES) keys.remove(keys.keySet().iterator().next());
         keys.put(provider, told);
         Entry<ProviderChannel> entry = providers.of(provider);
         if (entry != null && entry.channel.keys(told)) {
@@ -190,7 +186,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
 
     @Override
     public void opened(Entry<ProviderChannel> entry) {
-        ChannelKeys told = keys.get(entry.match().life());
+        ChannelKeys told = keys.of(entry.match().life());
         ProviderChannel channel = new ProviderChannel(loop, this, entry.match(), told != null ? told : daemon.keysOfNew(), Life.draw(chance));
         entry.channel = channel;
         channel.inlet(inlet(channel));

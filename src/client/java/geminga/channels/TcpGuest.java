@@ -65,7 +65,7 @@ final class TcpGuest implements Stream.Reader {
         patience = loop.after(Limits.UNKNOWN_CONNECTION, () -> host.left(this));
     }
 
-    /** What it said in its hello. */
+    /** Its last hello that was believed. */
     Said said() {
         return said;
     }

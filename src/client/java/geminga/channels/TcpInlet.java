@@ -64,7 +64,7 @@ final class TcpInlet implements Inlet, Stream.Reader {
         disconnect();
     }
 
-    /** Since when it has had a place without a connection. */
+    /** The time since which it has had a place without a connection. */
     long unconnectedSince() {
         return unconnectedSince;
     }

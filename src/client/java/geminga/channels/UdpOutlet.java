@@ -26,7 +26,7 @@ final class UdpOutlet implements Outlet, Datagrams.Reader, Greeter.Guests {
         private final Entry<Consumer> entry;
         private final long life;
         private InetSocketAddress address;
-        /** What it said when it was accepted, and since; null until then. */
+        /** Its last hello that was believed; null until it was accepted. */
         private Said said;
 
         Target(Entry<Consumer> entry) {

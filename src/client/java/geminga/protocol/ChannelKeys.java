@@ -23,7 +23,7 @@ public final class ChannelKeys {
     public static final ChannelKeys NONE = new ChannelKeys(Mode.PLAIN, List.of());
     private static final int OCTETS = 32;
 
-    /** What a host sends, and what it takes. */
+    /** The forms that a host sends, and those that it takes. */
     public enum Mode {
         PLAIN,
         PREPARED,

@@ -11,7 +11,7 @@ public final class FrameReader {
     private final byte[] head = new byte[Frame.HEADER];
     private int headed;
     private WireFrame.Header header;
-    /** What follows the first 24 octets. */
+    /** The octets behind the first 24. */
     private byte[] rest;
     private int filled;
     private boolean isBroken;

@@ -17,7 +17,7 @@ public final class Greeting {
         this.challenge = challenge;
     }
 
-    /** What the next hello says to a publisher. */
+    /** The payload of the next hello to a publisher. */
     public Handshake hello(long publisher) {
         return new Handshake(publisher, challenge, cookie);
     }

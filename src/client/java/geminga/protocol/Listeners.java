@@ -24,7 +24,7 @@ public final class Listeners {
             return address;
         }
 
-        /** What it said last. */
+        /** Its last hello. */
         public Said said() {
             return said;
         }

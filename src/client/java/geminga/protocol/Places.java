@@ -13,7 +13,7 @@ import java.util.Set;
  */
 public final class Places<T> {
     /**
-     * What became of a newcomer.
+     * The lot of a newcomer.
      *
      * @param isTaken whether it has a place
      * @param loser the holder that lost its place for it, or null

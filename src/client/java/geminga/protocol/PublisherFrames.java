@@ -62,7 +62,7 @@ public final class PublisherFrames {
         return isReady() ? writer.write(keys, kind, sequence, handshake.write()) : null;
     }
 
-    /** What a consumer said, or null if it cannot be opened or is not to be taken. */
+    /** The frame of a consumer, or null if it cannot be opened or is not to be taken. */
     public Frame open(WireFrame frame) {
         return keys == null ? null : keys.open(frame, Direction.BACK);
     }

@@ -62,7 +62,7 @@ public final class SendQueue {
         return octets == 0 || octets + size <= Limits.WAITING_FOR_CONSUMER;
     }
 
-    /** Keeps what was not written of a frame. */
+    /** Keeps the rest of a frame, which was not written. */
     public void put(Shared frame, ByteBuffer rest) {
         if (!rest.hasRemaining()) return;
         if (frame.holders++ == 0) pool.octets += frame.size();
@@ -70,7 +70,7 @@ public final class SendQueue {
         octets += rest.remaining();
     }
 
-    /** What is to be written next. Requires that something waits. */
+    /** The octets to be written next. Requires that something waits. */
     public ByteBuffer first() {
         return waiting.peek().rest();
     }

@@ -11,7 +11,7 @@ import java.util.TreeMap;
  * {@link Limits#REMEMBERED_LIVES}. The caller gives the time, in nanoseconds.
  */
 public final class Sequence {
-    /** What was delivered of one life. */
+    /** The sequences that were delivered of one life. */
     private static final class Heard {
         private long last;
         private long at;
