@@ -3,6 +3,7 @@ package geminga.channels;
 import geminga.Match;
 import geminga.protocol.Addresses;
 import geminga.protocol.Frame;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 
@@ -42,7 +43,9 @@ final class MulticastInlet implements Inlet {
     /** A sealed frame was heard before the floor: it is asked for at the port that the frame names. */
     void heardSealed(InetSocketAddress from, int port) {
         if (port == 0) return;
-        greeted = new InetSocketAddress(from.getAddress(), port);
+        // A host without any other interface sends to its own loopback from no address.
+        InetAddress address = from.getAddress().isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : from.getAddress();
+        greeted = new InetSocketAddress(address, port);
         if (hello == null) sayHello();
     }
 
