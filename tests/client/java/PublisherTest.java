@@ -1,3 +1,4 @@
+import geminga.Event;
 import geminga.Identity;
 import geminga.MessageTooLargeException;
 import geminga.Mode;
@@ -5,6 +6,7 @@ import geminga.Offer;
 import geminga.Publisher;
 import geminga.protocol.Frame;
 import geminga.protocol.Handshake;
+import geminga.protocol.Life;
 import geminga.protocol.Limits;
 import java.io.IOException;
 import java.net.DatagramSocket;
@@ -128,6 +130,26 @@ final class PublisherTest {
             Check.that(bench.publisher.awaitRoom(message.length, LONG), "there is room again");
             bench.publisher.send(new byte[1]);
             Check.equal(first + 1, PublisherBench.read(slow).sequence());
+        }
+    }
+
+    static void whereTooMuchWaitsForAllTheSlowestConsumerIsToldAsRemoved() throws Exception {
+        try (PublisherBench bench = new PublisherBench(offer(Mode.PUBSUB).tcp())) {
+            List<Socket> deaf = new ArrayList<>();
+            int large = Limits.TCP_MESSAGE - Frame.HEADER; // one message may always wait
+            String removed = "";
+            for (int life = 10; removed.isEmpty(); ++life) {
+                bench.daemon.say(ScriptedDaemon.consumer(1, "5e6f7a8b/3/" + life, 9, Life.write(life)));
+                deaf.add(bench.connect(life));
+                while (removed.isEmpty() && !(bench.next() instanceof Event.ConsumerEvent event && event.consumer().life() == life)) Thread.onSpinWait();
+                bench.publisher.send(new byte[large]); // waits for this one, and is left out for the others
+                for (Event event = bench.told.poll(); event != null; event = bench.told.poll()) {
+                    if (event instanceof Event.ConsumerEvent gone && gone.reason().equals("slow")) removed = gone.change() + " " + gone.consumer().life();
+                }
+                Check.that(life < 20, "64 MiB wait for all");
+            }
+            Check.equal("REMOVED 10", removed); // which has taken nothing for the longest time
+            for (Socket socket : deaf) socket.close();
         }
     }
 

@@ -215,7 +215,8 @@ final class TcpOutlet implements Outlet, Loop.Ready, TcpGuest.Host {
         for (TcpGuest guest : all) {
             if (guest.waiting() > 0 && (slowest == null || guest.taken() - slowest.taken() < 0)) slowest = guest;
         }
-        owner.problem("the consumer " + slowest.name() + " is too slow and was closed, since " + Limits.WAITING_FOR_ALL + " octets waited for all consumers");
+        // The daemon names no consumers of a stream, so that no event can tell of it.
+        if (isStream) owner.problem("the consumer " + slowest.name() + " is too slow and was closed, since more than 64 MiB waited for all consumers");
         leave(slowest, "slow");
     }
 
