@@ -374,9 +374,9 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         if (isClosed) return;
         isClosed = true;
         withdraw();
+        tcpPlaces.close();
         providers.closeAll("");
         datagrams.close();
-        tcpPlaces.close();
         inbox.clear();
         changed();
         onMessage.run();

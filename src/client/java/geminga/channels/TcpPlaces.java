@@ -79,7 +79,9 @@ final class TcpPlaces {
         lookLater();
     }
 
+    /** No place is given any more. */
     void close() {
+        waiting.clear();
         if (look != null) look.cancel();
     }
 }
