@@ -264,4 +264,24 @@ final class BeliefTest {
             other.clear();
         }
     }
+
+    static void soManyTinyFramesWaitForOneAndForAll() {
+        SendQueue.Pool pool = new SendQueue.Pool();
+        SendQueue.Shared tiny = new SendQueue.Shared(new byte[1]);
+        SendQueue one = new SendQueue(pool);
+        for (int i = 1; i < Limits.WAITING_FRAMES; ++i) one.put(tiny, tiny.octets());
+        Check.that(one.hasRoom(1), "one more");
+        one.put(tiny, tiny.octets());
+        Check.that(!one.hasRoom(1), "no more");
+        one.first().position(1);
+        one.written(1);
+        Check.that(one.hasRoom(1), "one was taken");
+        one.clear();
+        for (int i = 0; i < Limits.WAITING_FRAMES_FOR_ALL; ++i) one.put(tiny, tiny.octets());
+        Check.that(!pool.isOver(), "at the limit");
+        one.put(tiny, tiny.octets());
+        Check.that(pool.isOver(), "one more");
+        one.clear();
+        Check.that(!pool.isOver() && pool.octets() == 0, "none");
+    }
 }

@@ -10,6 +10,10 @@ public final class Limits {
     public static final int WAITING_FOR_CONSUMER = 4 * 1024 * 1024;
     /** Octets that may wait for all TCP consumers of one publisher, each frame counted once. */
     public static final int WAITING_FOR_ALL = 64 * 1024 * 1024;
+    /** Frames that may wait for one TCP consumer: what keeps a tiny frame costs more than the frame. */
+    public static final int WAITING_FRAMES = 16_384;
+    /** Frames that may wait for all TCP consumers of one publisher, counted for each consumer. */
+    public static final int WAITING_FRAMES_FOR_ALL = 262_144;
     /** Listeners of one stream over UDP. */
     public static final int LISTENERS = 1024;
     /** TCP connections of one publisher that are not yet consumers. */

@@ -8,6 +8,7 @@ public final class SendQueue {
     /** The octets that wait for all consumers of one publisher. */
     public static final class Pool {
         private long octets;
+        private int entries;
 
         public long octets() {
             return octets;
@@ -15,7 +16,7 @@ public final class SendQueue {
 
         /** Whether more waits than may. */
         public boolean isOver() {
-            return octets > Limits.WAITING_FOR_ALL;
+            return octets > Limits.WAITING_FOR_ALL || entries > Limits.WAITING_FRAMES_FOR_ALL;
         }
     }
 
@@ -59,13 +60,14 @@ public final class SendQueue {
 
     /** Whether a frame of this size may wait for this consumer; one may always. */
     public boolean hasRoom(int size) {
-        return octets == 0 || octets + size <= Limits.WAITING_FOR_CONSUMER;
+        return octets == 0 || octets + size <= Limits.WAITING_FOR_CONSUMER && waiting.size() < Limits.WAITING_FRAMES;
     }
 
     /** Keeps the rest of a frame, which was not written. */
     public void put(Shared frame, ByteBuffer rest) {
         if (!rest.hasRemaining()) return;
         if (frame.holders++ == 0) pool.octets += frame.size();
+        ++pool.entries;
         waiting.add(new Waiting(frame, rest));
         octets += rest.remaining();
     }
@@ -88,6 +90,7 @@ public final class SendQueue {
     }
 
     private void release(Waiting one) {
+        --pool.entries;
         if (--one.frame().holders == 0) pool.octets -= one.frame().size();
     }
 }
