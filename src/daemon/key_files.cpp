@@ -7,10 +7,8 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <optional>
-#include <string_view>
 #include <system_error>
 
 #include "base/text.hpp"
