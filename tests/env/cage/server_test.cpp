@@ -286,6 +286,20 @@ TEST_F(ServerCage, SpeaksTcpToNameServersAloneAndListensNowhereElse) {
             EACCES);
 }
 
+TEST_F(ServerCage, LooksIntoNoOtherProcess) {
+  if (landlock_version() < 1) GTEST_SKIP() << "this kernel has no Landlock";
+  const std::string process = "/proc/" + std::to_string(::getpid());
+  for (const char* name : {"/mem", "/environ", "/maps"}) {
+    const int error = inside(server(), [&] {
+      const int opened = ::open((process + name).c_str(), O_RDONLY);
+      std::array<char, 16> octets{};
+      return error_of(opened < 0 ? opened : ::read(opened, octets.data(), octets.size()));
+    });
+    if (error == no_cage) GTEST_SKIP() << "this kernel has no seccomp";
+    EXPECT_TRUE(error == EACCES || error == EPERM) << name << ": " << error;
+  }
+}
+
 TEST_F(ServerCage, ReachesNoOtherProcess) {
   if (landlock_version() < 6) GTEST_SKIP() << "Landlock decides about signals since its version 6";
   const pid_t other = ::fork();
