@@ -169,10 +169,11 @@ void allow_memory(Filter& filter, const Freedom& freedom) {
 void allow_sockets(Filter& filter) {
   constexpr std::uint64_t kind = 0xf;  // beside it are SOCK_CLOEXEC and SOCK_NONBLOCK
   for (const int call : {SCMP_SYS(socket), SCMP_SYS(socketpair)}) filter.allow(call, equals(0, AF_UNIX));
-  for (const int family : {AF_INET, AF_INET6}) {
-    for (const int type : {int{SOCK_STREAM}, int{SOCK_DGRAM}})
-      filter.allow(SCMP_SYS(socket),
-                   {equals(0, static_cast<std::uint64_t>(family)), masked(1, kind, static_cast<std::uint64_t>(type))});
+  for (const std::uint64_t family : {std::uint64_t{AF_INET}, std::uint64_t{AF_INET6}}) {
+    for (const std::uint64_t protocol : {std::uint64_t{0}, std::uint64_t{IPPROTO_TCP}})
+      filter.allow(SCMP_SYS(socket), {equals(0, family), masked(1, kind, SOCK_STREAM), equals(2, protocol)});
+    for (const std::uint64_t protocol : {std::uint64_t{0}, std::uint64_t{IPPROTO_UDP}})
+      filter.allow(SCMP_SYS(socket), {equals(0, family), masked(1, kind, SOCK_DGRAM), equals(2, protocol)});
   }
   filter.allow(SCMP_SYS(socket), {equals(0, AF_NETLINK), equals(2, NETLINK_ROUTE)});
   for (const int level : {SOL_SOCKET, int{IPPROTO_IP}, int{IPPROTO_IPV6}, int{IPPROTO_TCP}, int{IPPROTO_UDP}})

@@ -84,6 +84,9 @@ TEST_F(ServerCage, HasNoWayOut) {
   std::vector<std::pair<const char*, std::function<long()>>> ways{
       {"a raw socket", [] { return static_cast<long>(::socket(AF_INET, SOCK_RAW, IPPROTO_ICMP)); }},
       {"a raw socket of IPv6", [] { return static_cast<long>(::socket(AF_INET6, SOCK_RAW, IPPROTO_ICMPV6)); }},
+      {"pings", [] { return static_cast<long>(::socket(AF_INET, SOCK_DGRAM, IPPROTO_ICMP)); }},
+      {"TCP on several paths", [] { return static_cast<long>(::socket(AF_INET, SOCK_STREAM, IPPROTO_MPTCP)); }},
+      {"SCTP", [] { return static_cast<long>(::socket(AF_INET, SOCK_STREAM, IPPROTO_SCTP)); }},
       {"packets", [] { return static_cast<long>(::socket(AF_PACKET, SOCK_RAW, 0)); }},
       {"the kernel's ciphers", [] { return static_cast<long>(::socket(AF_ALG, SOCK_SEQPACKET, 0)); }},
       {"the hypervisor", [] { return static_cast<long>(::socket(AF_VSOCK, SOCK_STREAM, 0)); }},
