@@ -25,6 +25,9 @@ constexpr std::array<std::pair<std::string_view, base::LogLevel>, 4> log_levels{
                                                                                  {"warning", base::LogLevel::warning},
                                                                                  {"error", base::LogLevel::error}}};
 
+constexpr std::array<std::pair<std::string_view, CageWish>, 3> cage_wishes{
+    {{"wanted", CageWish::wanted}, {"required", CageWish::required}, {"none", CageWish::none}}};
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool is_prefix_name(std::string_view name) {
@@ -56,6 +59,7 @@ class Resolver {
     admit_guests();
     read_interval();
     read_logging();
+    read_cage();
     if (!errors_.empty()) return std::unexpected(std::move(errors_));
     return std::move(result_);
   }
@@ -256,6 +260,7 @@ class Resolver {
       fail(*word, word->text + " without a key: give --key-file, too");
     } else {
       result_.sealing.mode = *mode;
+      result_.says_plain = *mode == sealing::Mode::plain;
     }
   }
 
@@ -300,6 +305,14 @@ class Resolver {
     }
   }
 
+  void read_cage() {
+    const Stated* wish = single("cage");
+    if (wish == nullptr) return;
+    const auto* const found = std::ranges::find(cage_wishes, wish->text, [](const auto& pair) { return pair.first; });
+    if (found == cage_wishes.end()) return refuse(*wish, "is no wish for a cage: use wanted, required or none");
+    result_.cage = found->second;
+  }
+
   const std::vector<const Layer*>& layers_;
   Configuration result_;
   std::optional<Stated> any_peer_;
@@ -307,7 +320,7 @@ class Resolver {
 };
 
 /// A TOML basic string (TOML 1.0, "String").
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     const auto octet = static_cast<unsigned char>(c);
@@ -323,9 +336,9 @@ std::string quoted(std::string_view text) {
   return base::harmless_json(result + '"');  // TOML has the escapes of JSON
 }
 
-std::string quoted(const std::vector<std::string>& texts) {
+std::string in_quotes(const std::vector<std::string>& texts) {
   std::string result = "[";
-  for (const std::string& text : texts) result += (result.size() > 1 ? ", " : "") + quoted(text);
+  for (const std::string& text : texts) result += (result.size() > 1 ? ", " : "") + in_quotes(text);
   return result + ']';
 }
 
@@ -351,25 +364,29 @@ std::string to_toml(const Configuration& configuration) {
   const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(configuration.interval).count();
   const std::string fraction = std::to_string(1000 + milliseconds % 1000).substr(1);
   std::string text;
-  text += line("ontology", quoted(configuration.ontologies));
+  text += line("ontology", in_quotes(configuration.ontologies));
   text += line("strict", configuration.is_strict ? "true" : "false");
-  text += line("group", quoted(configuration.group));
-  text += line("interface", quoted(configuration.air.interfaces));
-  text += line("peer", quoted(peers));
-  if (!configuration.name.empty()) text += line("name", quoted(configuration.name));
+  text += line("group", in_quotes(configuration.group));
+  text += line("interface", in_quotes(configuration.air.interfaces));
+  text += line("peer", in_quotes(peers));
+  if (!configuration.name.empty()) text += line("name", in_quotes(configuration.name));
   if (gcnp.empty()) gcnp.emplace_back("none");
-  text += line("gcnp", quoted(gcnp));
-  if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", quoted(configuration.gcnp_socket));
+  text += line("gcnp", in_quotes(gcnp));
+  if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", in_quotes(configuration.gcnp_socket));
   text += line("port", std::to_string(configuration.air.port));
-  text += line("multicast", quoted(configuration.air.groups));
-  if (!configuration.state_folder.empty()) text += line("state-folder", quoted(configuration.state_folder));
-  text += line("key-file", quoted(configuration.key_files));
-  text += line("sealing", quoted(to_string(configuration.sealing.mode)));
+  text += line("multicast", in_quotes(configuration.air.groups));
+  if (!configuration.state_folder.empty()) text += line("state-folder", in_quotes(configuration.state_folder));
+  text += line("key-file", in_quotes(configuration.key_files));
+  const bool is_default = configuration.key_files.empty() && !configuration.says_plain;
+  text += (is_default ? "# " : "") + line("sealing", in_quotes(to_string(configuration.sealing.mode)));
   text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);
-  text += line("log-level", quoted(to_string(configuration.log_level)));
-  text += line("log-format", quoted(configuration.log_format == LogFormat::json ? "json" : "text"));
+  text += line("log-level", in_quotes(to_string(configuration.log_level)));
+  text += line("log-format", in_quotes(configuration.log_format == LogFormat::json ? "json" : "text"));
+  const auto* const wish =
+      std::ranges::find(cage_wishes, configuration.cage, [](const auto& pair) { return pair.second; });
+  text += line("cage", in_quotes(wish->first));
   if (!configuration.prefixes.empty()) text += "\n[prefixes]\n";
-  for (const auto& [name, iri] : configuration.prefixes) text += line(name, quoted(iri));
+  for (const auto& [name, iri] : configuration.prefixes) text += line(name, in_quotes(iri));
   return text;
 }
 

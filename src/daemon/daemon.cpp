@@ -69,8 +69,8 @@ void Daemon::fail(Lines lines) {
   context_.stop();
 }
 
-/// Listens, and begins to load. Clients wait in the backlog until the ontology is there, so that with a small one no
-/// client sees a daemon without it. The wait for a large or hard one is bounded.
+/// Listens, closes the cage, and begins to load. Clients wait in the backlog until the ontology is there, so that with
+/// a small one no client sees a daemon without it. The wait for a large or hard one is bounded.
 void Daemon::open() {
   const Configuration& configuration = configuration_.current();
   for (const GcnpAddress& address : configuration.gcnp) {
@@ -81,6 +81,9 @@ void Daemon::open() {
     const auto listening = env_.listen(configuration.gcnp_socket);
     if (!listening) return fail({listening.error()});
   }
+  lasting_ = lasting();
+  // Before any other thread begins, which the cage would not hold.
+  if (const auto closed = cage_.close(configuration, log_); !closed) return fail({closed.error()});
   start_patience_.expires_after(max_start_wait);
   start_patience_.async_wait([this](const boost::system::error_code& error) {
     if (!error && participant_ == nullptr) begin();
@@ -99,10 +102,10 @@ void Daemon::begin() {
   settings.interval = configuration.interval;
   settings.sealing = configuration.sealing;
   settings.version = GEMINGA_VERSION;
-  settings.lasting = lasting();
+  settings.lasting = lasting_;
   env_.event([&] {
     participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.vocabulary());
-    participant_->set_status_source([this] { return status_fields(configuration_, env_, ontology_, log_); });
+    participant_->set_status_source([this] { return status_fields(configuration_, cage_, env_, ontology_, log_); });
     ontology_.serve(*participant_);
     participant_->start();
   });
@@ -117,7 +120,10 @@ std::uint32_t Daemon::lasting() {
   const std::string& folder = configuration_.current().state_folder;
   if (folder.empty()) return 0;
   const auto identity = lasting_identity(folder, [this] { return env_.random_bits(); });
-  if (identity) return *identity;
+  if (identity) {
+    if (!identity->remark.empty()) log_.write(LogLevel::warning, identity->remark);
+    return identity->number;
+  }
   log_.write(LogLevel::warning, identity.error() + ": going on without an identity that lasts");
   return 0;
 }
@@ -187,7 +193,7 @@ void Daemon::reload() {
   log_.set(configuration.log_level, configuration.log_format);
   if (change->awaits_a_start) {
     log_.write(LogLevel::warning,
-               "name, group, gcnp, gcnp-socket, interval and state-folder take effect at the next start");
+               "name, group, gcnp, gcnp-socket, interval, state-folder and cage take effect at the next start");
   }
   if (change->air) env_.open_air(configuration.air);
   if (change->sealing) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/cage_in_force.hpp"
 #include "daemon/configuration_in_force.hpp"
 #include "daemon/log.hpp"
 #include "daemon/ontology_in_force.hpp"
@@ -68,6 +69,7 @@ class Daemon final : private env::EventSink {
 
   ConfigurationInForce configuration_;
   Log& log_;
+  CageInForce cage_;
   boost::asio::io_context context_{1};
   boost::asio::signal_set signals_;
   boost::asio::steady_timer start_patience_;
@@ -75,6 +77,7 @@ class Daemon final : private env::EventSink {
   env::AsioEnv env_;
   std::unique_ptr<participant::Participant> participant_;  ///< null until begin()
   OntologyInForce ontology_;
+  std::uint32_t lasting_ = 0;         ///< the identity that the daemon keeps across restarts; 0: it keeps none
   std::vector<std::string> failure_;  ///< lines for the user
   bool is_announced_ = false;         ///< the log says that the daemon is ready
   bool is_stopping_ = false;

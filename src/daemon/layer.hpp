@@ -60,15 +60,19 @@ inline constexpr std::array<Key, 18> keys{{
      "Seal announcements with the key in this file, and hear only what is sealed; may be given many times: the first "
      "one seals, all of them open",
      ""},
-    {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed",
+    {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed|plain",
      "Mode of sealing, where there is a key: encrypted, authenticated, or, to introduce keys in a team, prepared and "
-     "then mixed (default: encrypted)",
+     "then mixed (default: encrypted). plain: a reload may give up the keys",
      ""},
     {"state-folder", ValueType::text, "FOLDER",
      "Keep the daemon's identity there across restarts, so that the team recognizes it at once (default: "
      "$STATE_DIRECTORY, as systemd sets it; else no identity is kept)",
      ""},
     {"http", ValueType::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
+    {"cage", ValueType::text, "wanted|required|none",
+     "Give up all rights that serving does not need: where the kernel can; required: or do not start; none: never "
+     "(default: wanted)",
+     ""},
     {"log-level", ValueType::text, "debug|info|warning|error", "debug, info, warning or error (default: info)", ""},
     {"log-format", ValueType::text, "text|json", "text or json (default: text)", ""},
     {"config", ValueType::text, "FILE", "Configuration file in TOML; a flag beats the environment beats the file", ""},

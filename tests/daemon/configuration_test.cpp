@@ -131,6 +131,25 @@ TEST(Configuration, SealsWhereThereIsAKeyAndEncryptsUnlessTold) {
               ElementsAre(HasSubstr("plain with a key")));
 }
 
+TEST(Configuration, KnowsWhetherPlainIsSaidOrOnlyTheDefault) {
+  EXPECT_FALSE(resolved(layer_of({}))->says_plain);
+  EXPECT_THAT(to_toml(*resolved(layer_of({}))), HasSubstr("# sealing = \"plain\"\n"));
+  const auto said = resolved(layer_of({{"sealing", "plain"}}));
+  EXPECT_TRUE(said->says_plain);
+  EXPECT_THAT(to_toml(*said), HasSubstr("\nsealing = \"plain\"\n"));
+}
+
+TEST(Configuration, WantsACageUnlessToldOtherwise) {
+  EXPECT_EQ(resolved(layer_of({}))->cage, CageWish::wanted);
+  for (const auto& [word, wish] : {std::pair("wanted", CageWish::wanted), std::pair("required", CageWish::required),
+                                   std::pair("none", CageWish::none)}) {
+    const auto configuration = resolved(layer_of({{"cage", word}}));
+    EXPECT_EQ(configuration->cage, wish);
+    EXPECT_THAT(to_toml(*configuration), HasSubstr("cage = \"" + std::string(word) + "\"\n"));
+  }
+  EXPECT_THAT(resolved(layer_of({{"cage", "gold"}})).error(), ElementsAre(HasSubstr("use wanted, required or none")));
+}
+
 TEST(Configuration, TakesIntervalsWithinTheRangeOfTheAnnouncement) {
   EXPECT_EQ(resolved(layer_of({{"interval", "0.05"}}))->interval, announcement::min_interval);
   EXPECT_EQ(resolved(layer_of({{"interval", "60"}}))->interval, announcement::max_interval);

@@ -127,6 +127,16 @@ TEST(Start, RefusesAnOntologyThatIsNotThere) {
   EXPECT_EQ(ran.said, "gemingad: " + missing + ": cannot be opened: No such file or directory\n");
 }
 
+TEST(Start, DrawsAnotherIdentityWhereTheFileIsEmptyAndSaysSo) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path("state"));
+  const std::string file = folder.write("state/identity", "");
+  Lab lab(1);
+  lab.start(0, {"--state-folder", folder.path("state")});
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr(file + ": was empty: another identity is drawn"));
+  EXPECT_NE(std::filesystem::file_size(file), 0U);
+}
+
 TEST(Start, IsNotHeldUpByAFifo) {
   const Folder folder;
   ASSERT_EQ(::mkfifo(folder.path("fifo.toml").c_str(), 0600), 0);
