@@ -207,6 +207,17 @@ void Participant::on_interfaces_changed() {
   settle();
 }
 
+void Participant::shed() {
+  Owners& all = *owners_;
+  if (all.phase != Phase::claiming && all.phase != Phase::ready) return;
+  const std::size_t given_up = all.air.shed();
+  all.env.log().write(base::LogLevel::warning,
+                      "memory is short: " + std::to_string(given_up) +
+                          " participants that were heard last are given up, and further ones have to wait");
+  feed();
+  settle();
+}
+
 void Participant::set_sealing(const sealing::Policy& policy) {
   if (owners_->phase == Phase::created || is_over()) return;
   owners_->air.adopt(policy);
@@ -367,7 +378,7 @@ base::Instant Participant::deadline() const {
   if (all.phase == Phase::stopping) return base::never;
   const bool is_turn_due = all.phase == Phase::ready && all.clients.turns().is_due();
   if (is_turn_due || is_feed_due() || all.knowledge.ontology_change.is_under_way()) return all.env.now();
-  return std::min(all.air.neighbours().next_deadline(), all.clients.deadline());
+  return std::min({all.air.neighbours().next_deadline(), all.clients.deadline(), all.knowledge.next_due()});
 }
 
 }  // namespace geminga::participant

@@ -87,6 +87,7 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   const membership::Hearing hearing = neighbours_.hear(
       heard_, {.interface = interface, .interface_name = on->name, .source = source, .now = env_.now()});
   ++counters_.hearings.at(std::to_underlying(hearing));
+  if (heard_.kind == announcement::Kind::presence) one_way_.hear(heard_, neighbours_, source, on->name, env_.log());
   speak_to(*on, hearing, opened->session.has_value());
   return announcer_.heard(
       {.announcement = heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
