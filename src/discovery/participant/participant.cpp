@@ -62,6 +62,7 @@ struct Participant::Owners {
   Phase phase = Phase::created;
   base::Instant started{};
   std::set<env::InterfaceIndex> interfaces;
+  Work before_event = 0;  ///< all work done when the event under way began
   StatusSource status_source;
 
   /// Hands each query the parts that it reads.
@@ -304,8 +305,7 @@ void Participant::feed() {
 void Participant::proceed_feed() {
   Knowledge& knowledge = owners_->knowledge;
   Clients& clients = owners_->clients;
-  const Work begin = knowledge.work.done();
-  while (is_feed_due() && knowledge.work.done() - begin < work_in_turn) {
+  while (is_feed_due() && knowledge.work.done() - owners_->before_event < work_in_turn) {
     knowledge.overlaps.begin_step();
     if (!knowledge.continue_matching() && !clients.own().return_next()) knowledge.take_next_change();
     clients.telling().deliver_events();
@@ -318,7 +318,7 @@ void Participant::proceed_ontology_change() {
   OntologyChange& change = all.knowledge.ontology_change;
   WorkMeter& work = all.knowledge.work;
   const Work begin = work.done();
-  while (change.is_under_way() && work.done() - begin < work_in_turn) {
+  while (change.is_under_way() && work.done() - begin < work_in_change) {
     all.knowledge.overlaps.begin_step();
     switch (change.step()) {
       case OntologyChange::Due::nothing:
@@ -370,6 +370,7 @@ void Participant::settle() {
   if (all.knowledge.matcher.take_choice_change() || is_changed) all.air.announcer().changed();
   if (!is_over()) all.air.announcer().announce();
   if (all.phase == Phase::stopping && all.air.announcer().is_finished()) all.phase = Phase::stopped;
+  all.before_event = all.knowledge.work.done();
   all.env.wake_at(is_over() ? base::never : std::min(all.air.announcer().due(), deadline()));
 }
 

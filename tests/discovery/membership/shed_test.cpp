@@ -29,7 +29,9 @@ TEST(Shedding, GivesUpTheNewestQuarterOfThoseThatAreNotSeasoned) {
   EXPECT_EQ(rig.table.size(), 7U);
   rig.source = "10.0.0.30";
   EXPECT_EQ(rig.hear(speaker(30, 1), later), Hearing::full) << "nobody comes while memory is short";
+  rig.source = "10.0.0.1";
   EXPECT_EQ(rig.hear(speaker(1, 1), later), Hearing::known) << "who is known stays known";
+  rig.source = "10.0.0.30";
   while (rig.table.shed(later) > 0) {
   }
   EXPECT_EQ(rig.table.size(), 1U) << "a seasoned one is never given up";
