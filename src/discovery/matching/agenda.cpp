@@ -126,7 +126,7 @@ void Agenda::proceed(Spread& spread) {
     step.pass();
     if (subscription == nullptr || spread.is_done[subscription->slot]) continue;
     spread.is_done[subscription->slot] = true;
-    if (!pairs_.concerns(*subscription, publication)) continue;
+    if (directory_.is_going(*subscription) || !pairs_.concerns(*subscription, publication)) continue;
     // A subscription that has taken it up since then was told of it as it is.
     const bool knew_it = spread.cause != nullptr && spread.was_considered[subscription->slot];
     Cause& cause = knew_it ? *spread.cause : nothing;
@@ -138,6 +138,10 @@ void Agenda::proceed(Spread& spread) {
 void Agenda::proceed(Review& review) {
   const StoredSubscription& subscription = *review.subscription;
   Step step(judge_, passed_);
+  if (directory_.is_going(subscription)) {
+    review.left.clear();
+    return;
+  }
   Cause nothing;
   Cause& cause = review.cause == nullptr ? nothing : *review.cause;
   cause.forget_copies();
