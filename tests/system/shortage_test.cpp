@@ -131,7 +131,7 @@ TEST(Shortage, OfDescriptorsWhileAnInterfaceComesBackIsSaidAndMended) {
     for (int count = 0; count <= greatest; ++count) talks.push_back(lab.talk(0));
     ASSERT_TRUE(talks.front().wait_until("status", [&](const auto&) {
       return descriptors(daemon).size() > static_cast<std::size_t>(greatest);
-    })) << "none is left";
+    })) << daemon.said();
     lab.join(0);
     EXPECT_TRUE(daemon.wait_for("trying each second")) << daemon.said();
     EXPECT_THAT(daemon.said(), HasSubstr("Too many open files"));

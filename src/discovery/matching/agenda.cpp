@@ -44,7 +44,10 @@ bool Agenda::next() {
   take_postponed();
   if (!spreads_.empty()) {
     proceed(spreads_.front());
-    if (spreads_.front().left.empty()) spreads_.pop_front();
+    if (spreads_.front().is_over()) {
+      pairs_.watch_takers(nullptr);
+      spreads_.pop_front();
+    }
     return true;
   }
   if (reviews_.empty() && !anew_.empty()) {
@@ -73,16 +76,15 @@ void Agenda::take_some() {
 }
 
 void Agenda::judge(const StoredPublication& publication, std::unique_ptr<Cause> cause,
-                   std::vector<const StoredSubscription*> concerned) {
+                   std::vector<const StoredSubscription*> concerned, bool must_look_back) {
   if (concerned.size() <= max_passed_in_step) order_by_key(concerned);
-  Spread spread{.publication = &publication,
-                .cause = std::move(cause),
-                .left = std::move(concerned),
-                .was_considered = std::vector<bool>(directory_.subscription_slots()),
-                .is_done = std::vector<bool>(directory_.subscription_slots())};
-  std::ranges::reverse(spread.left);  // taken from the back
-  for (const auto& [slot, rank] : pairs_.considered_by(publication)) spread.was_considered[slot] = true;
-  spreads_.push_back(std::move(spread));
+  std::ranges::reverse(concerned);  // taken from the back
+  if (cause != nullptr) pairs_.watch_takers(cause->modifies(publication) ? &publication : nullptr);
+  spreads_.push_back({.publication = &publication,
+                      .cause = std::move(cause),
+                      .left = std::move(concerned),
+                      .look_back = must_look_back ? std::optional<std::uint32_t>(0) : std::nullopt,
+                      .is_done = std::vector<bool>(directory_.subscription_slots())});
 }
 
 Agenda::Review Agenda::review(const StoredSubscription& subscription, Review::Kind kind) const {
@@ -111,28 +113,42 @@ void Agenda::judge_anew(const std::vector<const StoredSubscription*>& subscripti
 
 void Agenda::relieve() {
   for (const auto* publication : pairs_.take_relieved()) {
-    judge(*publication, nullptr, directory_.subscriptions_found_for(*publication));
+    judge(*publication, nullptr, directory_.subscriptions_found_for(*publication), false);
   }
 }
 
 void Agenda::proceed(Spread& spread) {
-  const StoredPublication& publication = *spread.publication;
   Step step(judge_, passed_);
-  Cause nothing;
   if (spread.cause != nullptr) spread.cause->forget_copies();
   while (!spread.left.empty() && step.has_room()) {
     const StoredSubscription* subscription = spread.left.back();
     spread.left.pop_back();
     step.pass();
-    if (subscription == nullptr || spread.is_done[subscription->slot]) continue;
-    spread.is_done[subscription->slot] = true;
-    if (directory_.is_going(*subscription) || !pairs_.concerns(*subscription, publication)) continue;
-    // A subscription that has taken it up since then was told of it as it is.
-    const bool knew_it = spread.cause != nullptr && spread.was_considered[subscription->slot];
-    Cause& cause = knew_it ? *spread.cause : nothing;
-    pairs_.judge(*subscription, publication, cause);
-    pairs_.settle(*subscription, cause);
+    if (subscription != nullptr) judge_one(spread, *subscription);
   }
+  while (spread.left.empty() && spread.look_back && step.has_room()) {
+    const ConsideredBy& considered_by = pairs_.considered_by(*spread.publication);
+    const auto next = considered_by.lower_bound(*spread.look_back);
+    step.pass();
+    if (next == considered_by.end()) {
+      spread.look_back.reset();
+    } else {
+      spread.look_back = next->first + 1;
+      judge_one(spread, directory_.subscription_at(next->first));
+    }
+  }
+}
+
+void Agenda::judge_one(Spread& spread, const StoredSubscription& subscription) {
+  if (subscription.slot >= spread.is_done.size() || spread.is_done[subscription.slot]) return;
+  spread.is_done[subscription.slot] = true;
+  if (directory_.is_going(subscription) || !pairs_.concerns(subscription, *spread.publication)) return;
+  // A subscription that has taken it up since then was told of it as it is.
+  const bool knew_it = spread.cause != nullptr && !pairs_.has_taken(subscription.slot);
+  Cause nothing;
+  Cause& cause = knew_it ? *spread.cause : nothing;
+  pairs_.judge(subscription, *spread.publication, cause);
+  pairs_.settle(subscription, cause);
 }
 
 void Agenda::proceed(Review& review) {
@@ -226,7 +242,8 @@ void Agenda::forget(const StoredSubscription& subscription) {
 }
 
 void Agenda::supersede(const StoredPublication& publication) {
-  std::erase_if(spreads_, [&](const Spread& spread) { return spread.publication == &publication; });
+  const auto gone = std::erase_if(spreads_, [&](const Spread& spread) { return spread.publication == &publication; });
+  if (gone > 0) pairs_.watch_takers(nullptr);
 }
 
 void Agenda::supersede(const StoredSubscription& subscription) {

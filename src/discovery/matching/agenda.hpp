@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "discovery/matching/cause.hpp"
@@ -43,9 +44,10 @@ class Agenda {
     }
   }
 
-  /// Judges a publication with these subscriptions, which need not be in order, and settles each.
+  /// Judges a publication with these subscriptions, which need not be in order, and settles each. `must_look_back`:
+  /// then with all that have it among their candidates, too, because its identity has changed.
   void judge(const registry::StoredPublication& publication, std::unique_ptr<Cause> cause,
-             std::vector<const registry::StoredSubscription*> concerned);
+             std::vector<const registry::StoredSubscription*> concerned, bool must_look_back);
   /// Judges a subscription with all that it may meet, and settles it. Without a cause nothing was replaced.
   void judge(const registry::StoredSubscription& subscription, std::unique_ptr<Cause> cause);
   void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions);
@@ -70,8 +72,10 @@ class Agenda {
     const registry::StoredPublication* publication = nullptr;
     std::unique_ptr<Cause> cause;  ///< null: nothing was replaced
     std::vector<const registry::StoredSubscription*> left;
-    std::vector<bool> was_considered;  ///< by slot of the subscription, when it began
-    std::vector<bool> is_done;         ///< by slot
+    std::optional<std::uint32_t> look_back{};  ///< the slot from which on its candidates are looked at, behind `left`
+    std::vector<bool> is_done;                 ///< by slot of the subscription
+
+    [[nodiscard]] bool is_over() const { return left.empty() && !look_back; }
   };
   /// A subscription on its way through what it may meet.
   struct Review {
@@ -91,6 +95,7 @@ class Agenda {
   class Step;
 
   void proceed(Spread& spread);
+  void judge_one(Spread& spread, const registry::StoredSubscription& subscription);
   void proceed(Review& review);
   void judge_chain(const registry::StoredSubscription& subscription, const registry::StoredPublication& publication,
                    const Cause& cause);

@@ -61,11 +61,14 @@ void Matcher::put(PublicationEntry entry) {
   }
   const auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
   auto concerned = directory_.subscriptions_found_for(*known);
-  for (const auto& [slot, rank] : pairs_.considered_by(*known)) concerned.push_back(&directory_.subscription_at(slot));
-  if (!is_local && (concerned.size() > max_judged_in_step || !anew.empty())) {
-    agenda_.judge(*known, std::make_unique<Cause>(std::move(cause)), std::move(concerned));
+  const ConsideredBy& considered_by = pairs_.considered_by(*known);
+  const bool is_much = concerned.size() > max_judged_in_step || considered_by.size() > max_judged_in_step;
+  if (!is_local && (is_much || !anew.empty())) {
+    const bool must_look_back = is_new_identity || editions_.stage() != ChangeStage::none;
+    agenda_.judge(*known, std::make_unique<Cause>(std::move(cause)), std::move(concerned), must_look_back);
     agenda_.judge_anew(anew);
   } else {
+    for (const auto& [slot, rank] : considered_by) concerned.push_back(&directory_.subscription_at(slot));
     order_by_key(concerned);
     for (const auto* subscription : concerned) {
       if (std::ranges::find(anew, subscription) != anew.end()) continue;

@@ -76,6 +76,7 @@ void Pairs::judge(const StoredSubscription& subscription, const StoredPublicatio
     if (!is_incumbent && choice.passes_over(rank)) return;
     if (is_turned_away(subscription, publication)) return;
     considered.emplace(subscription.slot, rank);
+    if (&publication == watched_) takers_.insert(subscription.slot);
     choice.offer(rank, publication, is_incumbent);
   }
   forget_dropped(subscription);

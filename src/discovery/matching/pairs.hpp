@@ -53,6 +53,12 @@ class Pairs {
   /// Settles a subscription of which all pairs were judged in steps, with other settlings in between: what the cause
   /// replaced is told of every pair.
   void settle_all(const registry::StoredSubscription& subscription, Cause& cause);
+  /// Remembers from here on which subscriptions take up this publication as a candidate; null: none is watched.
+  void watch_takers(const registry::StoredPublication* publication) {
+    watched_ = publication;
+    takers_.clear();
+  }
+  [[nodiscard]] bool has_taken(std::uint32_t slot) const { return takers_.contains(slot); }
   /// Whether judging the pair can change anything.
   [[nodiscard]] bool concerns(const registry::StoredSubscription& subscription,
                               const registry::StoredPublication& publication) const;
@@ -124,6 +130,8 @@ class Pairs {
   std::vector<Chooser> choosers_;            ///< by slot
   std::set<ServiceKey> crowded_;             ///< publications that somebody waits for
   std::vector<const registry::StoredSubscription*> postponed_;
+  const registry::StoredPublication* watched_ = nullptr;
+  std::set<std::uint32_t> takers_;  ///< slots of those that have taken up `watched_`
   std::uint64_t passed_ = 0;
 };
 
