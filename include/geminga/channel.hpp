@@ -14,16 +14,9 @@
 
 #include "geminga/client.hpp"
 #include "geminga/event.hpp"
+#include "geminga/life.hpp"
 
 namespace geminga {
-
-/// 64 random bits that name one publisher or subscriber. They stay the same while its daemon is restarted. A program
-/// that is restarted has other ones.
-enum class Life : std::uint64_t {};
-/// The life of a publisher or subscriber that states none.
-inline constexpr Life no_life{};
-/// Sixteen lower-case hexadecimal digits.
-[[nodiscard]] std::string to_string(Life life);
 
 /// Names a publisher or subscriber of one node. 0 is none.
 using ChannelNumber = std::uint32_t;

@@ -28,7 +28,7 @@ constexpr std::chrono::milliseconds max_start_wait{500};
 /// The time between two looks at the memory in use, and between two attempts to keep some back again.
 constexpr std::chrono::seconds memory_look_interval{1};
 
-/// A line for each file or folder that does not exist: a slip in a flag ends the start, and does not wait in a log.
+/// One line for each file or folder that does not exist. They end the start, so that a mistyped flag is seen at once.
 Lines missing_files(const std::vector<std::string>& paths) {
   Lines lines;
   for (const std::string& path : paths) {

@@ -1,5 +1,6 @@
 #include "sim/client.hpp"
 
+#include "discovery/gcnp/channel_keyring.hpp"
 #include "sim/host.hpp"
 #include "sim/world.hpp"
 
@@ -75,6 +76,7 @@ void Client::check(std::string_view line, const gcnp::Statement& statement) {
     peer_ = statement.value("peer").value_or("");
   }
   if (statement.command != "pub" && statement.command != "sub") return;
+  if (statement.subcommand == gcnp::keys_subcommand) return;
   const auto complain = [&](const std::string& what) {
     world_.complain("events: " + what + " to " + name_ + ": " + std::string(line) + ",");
   };

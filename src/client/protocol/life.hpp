@@ -2,26 +2,17 @@
 #ifndef GEMINGA_CLIENT_PROTOCOL_LIFE_HPP
 #define GEMINGA_CLIENT_PROTOCOL_LIFE_HPP
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-
-#include "geminga/channel.hpp"
-#include "geminga/service.hpp"
+#include "discovery/gcnp/life.hpp"
+#include "geminga/life.hpp"
 
 namespace geminga::client {
 
-/// The attribute that states a life.
-inline constexpr std::string_view channel_attribute = "channel";
+using gcnp::channel_attribute;
+using gcnp::read_life;
+using gcnp::stated_life;
 
 /// A new life, by the system's random numbers.
 [[nodiscard]] Life new_life();
-/// The life of sixteen lower-case hexadecimal digits; nothing if the text is not that, or all digits are 0.
-[[nodiscard]] std::optional<Life> read_life(std::string_view text);
-/// The life that a service states; no_life if it states none that can be read.
-[[nodiscard]] Life stated_life(const Attributes& attributes);
-
 }  // namespace geminga::client
 
 #endif

@@ -198,6 +198,13 @@ std::optional<ServiceKey> KeyReader::service_key(std::string_view key) {
   return word;
 }
 
+std::optional<bool> KeyReader::answer(std::string_view key) {
+  const auto given = value(key);
+  if (!given || *given == "yes") return given ? std::optional(true) : std::nullopt;
+  if (*given != "no") fail_value(key, "yes or no");
+  return false;
+}
+
 bool KeyReader::flag(std::string_view key) {
   const Parameter* parameter = take(key);
   if (parameter == nullptr) return false;

@@ -45,6 +45,8 @@ class KeyReader {
   /// Words with commas; none for the empty value.
   std::optional<std::vector<std::string>> protocols();
   std::optional<ServiceKey> service_key(std::string_view key);
+  /// `key=yes` is true, `key=no` false.
+  std::optional<bool> answer(std::string_view key);
   /// `key` or `key=1` is true, `key=0` and no key false.
   bool flag(std::string_view key);
   /// At most one of `id`, `text`, and `concept` with or without `representation`.

@@ -19,7 +19,8 @@ constexpr std::string_view mode_hint = "say mode=oto, mode=otm/stream or mode=ot
 
 Request read_hello(KeyReader& keys) {
   auto name = keys.text("name", max_line_bytes);
-  return Hello{std::move(name), keys.number("room")};
+  const auto room = keys.number("room");
+  return Hello{std::move(name), room, keys.answer("keys")};
 }
 Request read_ping(KeyReader&) { return Ping{}; }
 Request read_bye(KeyReader&) { return Bye{}; }

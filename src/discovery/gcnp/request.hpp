@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <expected>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,10 +19,11 @@
 
 namespace geminga::gcnp {
 
-/// `0 sys hello [name=NAME] [room=N]`. Both are checked by the participant.
+/// `0 sys hello [name=NAME] [room=N] [keys=yes|no]`. Name and room are checked by the participant.
 struct Hello {
   std::optional<std::string> name;
   std::optional<std::uint32_t> room{};  ///< how many subscriptions for `otm/stream` the client needs
+  std::optional<bool> keys{};           ///< whether the client asks for the keys of its channels
   friend bool operator==(const Hello&, const Hello&) = default;
 };
 /// `0 sys ping`

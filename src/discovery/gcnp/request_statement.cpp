@@ -98,6 +98,7 @@ struct Writer {
     auto& parameters = begin("sys", "hello");
     if (hello.name) append(parameters, "name", *hello.name);
     if (hello.room) append(parameters, "room", *hello.room);
+    if (hello.keys) append(parameters, "keys", *hello.keys ? "yes" : "no");
   }
   void operator()(const Ping&) const { begin("sys", "ping"); }
   void operator()(const Bye&) const { begin("sys", "bye"); }

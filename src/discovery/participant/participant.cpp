@@ -5,6 +5,7 @@
 #include <expected>
 #include <optional>
 #include <set>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -17,6 +18,7 @@
 #include "discovery/participant/ontology_watch.hpp"
 #include "discovery/participant/queries/queries.hpp"
 #include "discovery/participant/status.hpp"
+#include "discovery/sealing/channel_keys.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -41,14 +43,15 @@ struct Participant::Owners {
       : env(the_env),
         settings(std::move(the_settings)),
         knowledge(env, settings.name, std::move(vocabulary)),
-        clients(env, settings.limits,
-                {.self = knowledge.self,
-                 .matcher = knowledge.matcher,
-                 .resolver = knowledge.resolver,
-                 .expressions = knowledge.expressions,
-                 .overlaps = knowledge.overlaps,
-                 .work = knowledge.work},
-                [this](const gcnp::Request& query) { return ask(query); }),
+        clients(
+            env, settings.limits,
+            {.self = knowledge.self,
+             .matcher = knowledge.matcher,
+             .resolver = knowledge.resolver,
+             .expressions = knowledge.expressions,
+             .overlaps = knowledge.overlaps,
+             .work = knowledge.work},
+            [this](const gcnp::Request& query) { return ask(query); }, [this](Life life) { return keys_of(life); }),
         air(env, settings,
             {.ontology_digest = [this] { return knowledge.vocabulary().digest(); },
              .peers = [this] { return clients.own().announced(); }}) {}
@@ -67,7 +70,19 @@ struct Participant::Owners {
 
   /// Hands each query the parts that it reads.
   std::expected<Answering, Error> ask(const gcnp::Request& query);
+  /// The keys of the channel with this life, derived from those that seal the air.
+  [[nodiscard]] gcnp::ChannelKeyring keys_of(Life life) const;
 };
+
+gcnp::ChannelKeyring Participant::Owners::keys_of(Life life) const {
+  const sealing::Policy& policy = air.seal().policy();
+  gcnp::ChannelKeyring keyring{.life = life, .mode = std::string(sealing::to_string(policy.mode)), .ring = {}};
+  for (const sealing::Key& key : policy.keys.keys()) {
+    const sealing::ChannelKeys keys = sealing::channel_keys(key, std::to_underlying(life));
+    keyring.ring.push_back({.id = std::to_underlying(keys.id), .forward = keys.forward, .back = keys.back});
+  }
+  return keyring;
+}
 
 std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& query) {
   const Listed listed{
@@ -211,17 +226,16 @@ void Participant::on_interfaces_changed() {
 void Participant::shed() {
   Owners& all = *owners_;
   if (all.phase != Phase::claiming && all.phase != Phase::ready) return;
-  const std::size_t given_up = all.air.shed();
-  all.env.log().write(base::LogLevel::warning,
-                      "memory is short: " + std::to_string(given_up) +
-                          " participants that were heard last are given up, and further ones have to wait");
+  all.air.shed();
   feed();
   settle();
 }
 
 void Participant::set_sealing(const sealing::Policy& policy) {
   if (owners_->phase == Phase::created || is_over()) return;
+  const bool is_other = owners_->air.seal().policy() != policy;
   owners_->air.adopt(policy);
+  if (is_other) owners_->clients.keys().change();
   settle();
 }
 

@@ -13,6 +13,7 @@ namespace {
 /// The values that are derived from a secret (libsodium's crypto_kdf: BLAKE2b). A number never gets another meaning.
 constexpr std::uint64_t subkey_of_sealing = 1;
 constexpr std::uint64_t subkey_of_id = 2;
+constexpr std::uint64_t subkey_of_channels = 3;
 constexpr const char* context = "GemSeal1";
 static_assert(crypto_kdf_KEYBYTES == key_bytes);
 
@@ -27,11 +28,15 @@ Key::Key(const Secret& secret) {
   begin_sodium();
   std::array<unsigned char, crypto_kdf_BYTES_MIN> id{};
   crypto_kdf_derive_from_key(sealing_.data(), sealing_.size(), subkey_of_sealing, context, secret.data());
+  crypto_kdf_derive_from_key(channels_.data(), channels_.size(), subkey_of_channels, context, secret.data());
   crypto_kdf_derive_from_key(id.data(), id.size(), subkey_of_id, context, secret.data());
   id_ = KeyId(id[0] << 8 | id[1]);
 }
 
-Key::~Key() { sodium_memzero(sealing_.data(), sealing_.size()); }
+Key::~Key() {
+  sodium_memzero(sealing_.data(), sealing_.size());
+  sodium_memzero(channels_.data(), channels_.size());
+}
 
 bool operator==(const Key& one, const Key& other) {
   return sodium_memcmp(one.sealing_.data(), other.sealing_.data(), one.sealing_.size()) == 0;

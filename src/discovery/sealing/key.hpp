@@ -31,10 +31,13 @@ class Key {
   [[nodiscard]] KeyId id() const { return id_; }
   /// For the envelope only.
   [[nodiscard]] const Secret& sealing() const { return sealing_; }
+  /// For channel_keys() only.
+  [[nodiscard]] const Secret& channels() const { return channels_; }
   friend bool operator==(const Key& one, const Key& other);
 
  private:
   Secret sealing_{};
+  Secret channels_{};
   KeyId id_{};
 };
 

@@ -107,6 +107,13 @@ void Air::speak_to(const env::Interface& on, membership::Hearing hearing, bool i
   if (is_guest && heard_.kind != announcement::Kind::goodbye) env_.answer_sender(time);
 }
 
+void Air::shed() {
+  const std::size_t given_up = neighbours_.shed(env_.now());
+  env_.log().write(base::LogLevel::warning, "memory is short: " + std::to_string(given_up) +
+                                                " participants that were heard last are given up, and further ones "
+                                                "have to wait");
+}
+
 void Air::expire() {
   const base::Instant now = env_.now();
   if (const base::Instant due = neighbours_.next_deadline(); due < now - late_after) {

@@ -39,8 +39,8 @@ class Air {
   /// Gives up each neighbour that was not heard before its deadline.
   void expire();
   /// Gives up the participants that were heard last, and takes in no further ones for a while
-  /// (NeighbourTable::shed()). How many were given up.
-  std::size_t shed() { return neighbours_.shed(env_.now()); }
+  /// (NeighbourTable::shed()).
+  void shed();
   void forget_interface(env::InterfaceIndex interface) { neighbours_.forget_interface(interface); }
   /// The changes of neighbours since the last call, in the order in which the registry must make them.
   [[nodiscard]] std::vector<membership::Change> take_changes() { return neighbours_.take_changes(); }

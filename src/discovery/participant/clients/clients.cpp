@@ -8,13 +8,14 @@
 
 namespace geminga::participant {
 
-Clients::Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask)
+Clients::Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of)
     : env_(env),
       limits_(limits),
-      telling_(env, limits_, knows.self, knows.matcher, sessions_, knows.work),
+      keys_(std::move(keys_of), sessions_, knows.work),
+      telling_(env, limits_, knows.self, knows.matcher, sessions_, keys_, knows.work),
       own_(env, knows.self, knows.matcher, knows.resolver, sessions_, telling_, knows.work),
       admission_(limits_, sessions_, own_),
-      statements_(knows.self, knows.matcher, knows.resolver, admission_, own_, knows.work, std::move(ask)),
+      statements_(knows.self, knows.matcher, knows.resolver, admission_, own_, keys_, knows.work, std::move(ask)),
       turns_({.env = env,
               .limits = limits_,
               .sessions = sessions_,

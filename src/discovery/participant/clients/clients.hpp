@@ -8,6 +8,7 @@
 #include "discovery/matching/matcher.hpp"
 #include "discovery/participant/clients/admission.hpp"
 #include "discovery/participant/clients/answering.hpp"
+#include "discovery/participant/clients/key_telling.hpp"
 #include "discovery/participant/clients/limits.hpp"
 #include "discovery/participant/clients/own_services.hpp"
 #include "discovery/participant/clients/sessions.hpp"
@@ -36,8 +37,8 @@ class Clients {
     Overlaps& overlaps;
     WorkMeter& work;
   };
-  /// Borrows `env` and `limits` for its life. `ask` answers queries.
-  Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask);
+  /// Borrows `env` and `limits` for its life. `ask` answers queries, `keys_of` gives the keys of channels.
+  Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of);
   Clients(const Clients&) = delete;
   Clients& operator=(const Clients&) = delete;
 
@@ -62,6 +63,7 @@ class Clients {
   void end_answers();
 
   [[nodiscard]] const Sessions& sessions() const { return sessions_; }
+  [[nodiscard]] KeyTelling& keys() { return keys_; }
   [[nodiscard]] Telling& telling() { return telling_; }
   [[nodiscard]] OwnServices& own() { return own_; }
   [[nodiscard]] const OwnServices& own() const { return own_; }
@@ -80,6 +82,7 @@ class Clients {
   const ClientLimits& limits_;
   Sessions sessions_;
   std::uint32_t next_peer_ = 1;
+  KeyTelling keys_;
   Telling telling_;
   OwnServices own_;
   Admission admission_;

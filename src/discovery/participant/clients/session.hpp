@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "discovery/gcnp/first_word.hpp"
 #include "discovery/gcnp/line_reader.hpp"
@@ -20,6 +21,7 @@
 #include "discovery/participant/knowledge/work.hpp"
 #include "env/env.hpp"
 #include "geminga/error.hpp"
+#include "geminga/life.hpp"
 #include "geminga/named.hpp"
 #include "geminga/service.hpp"
 
@@ -69,6 +71,10 @@ class Session {
   std::optional<std::string> held;
   /// Its services that are still to be entered under its new name.
   std::set<std::uint32_t> to_rename;
+  bool asks_for_keys = false;  ///< its peer asked for the keys of its channels
+  bool has_keys = false;       ///< and was given some
+  /// By request, the channels whose keys its peer has.
+  std::set<std::pair<std::uint32_t, Life>> channels_told;
   std::size_t room = 0;   ///< how many quiet subscriptions it may have
   std::size_t quiet = 0;  ///< and has
   std::uint64_t statements = 0;
@@ -116,6 +122,7 @@ class Session {
     told.erase(number);
     resyncs.erase(number);
     to_rename.erase(number);
+    std::erase_if(channels_told, [number](const auto& one) { return one.first == number; });
   }
 
   void say(const gcnp::Statement& statement) { outbox_ += gcnp::to_line(statement); }

@@ -107,6 +107,10 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
                                         {"name", session.name},
                                         {"ontology", digest_word(matcher_.vocabulary().digest())},
                                         {"participant_name", self_.name()}}};
+  if (hello.keys && keys_.ask(session, *hello.keys) && *hello.keys) {
+    answer.parameters.push_back({"keys", "yes"});
+    answer.parameters.push_back({"sealing", keys_.mode()});
+  }
   if (session.room > 0) answer.parameters.push_back({"room", std::to_string(session.room)});
   session.say(answer);
   return std::nullopt;
@@ -139,7 +143,9 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubCreate
                            .service = gcnp::with_identity(create.publication, {})};
   if (auto refusal = resolve_and_check(stated)) return refusal;
   if (auto refusal = admission_.make_room(session)) return refusal;
-  own_.enter(session, id, session.publications.emplace(id, std::move(stated)).first->second);
+  const StatedPublication& entered = session.publications.emplace(id, std::move(stated)).first->second;
+  keys_.tell(session, id, entered.service.attributes);
+  own_.enter(session, id, entered);
   return std::nullopt;
 }
 
@@ -153,6 +159,7 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubModify
   if (auto refusal = resolve_and_check(stated)) return refusal;
   if (stated.is_awaited) own_.suspend(session, id, found->second);
   found->second = std::move(stated);
+  keys_.tell(session, id, found->second.service.attributes);
   own_.enter(session, id, found->second);
   return std::nullopt;
 }

@@ -9,6 +9,7 @@
 #include "discovery/matching/matcher.hpp"
 #include "discovery/participant/clients/admission.hpp"
 #include "discovery/participant/clients/answering.hpp"
+#include "discovery/participant/clients/key_telling.hpp"
 #include "discovery/participant/clients/own_services.hpp"
 #include "discovery/participant/clients/sessions.hpp"
 #include "discovery/participant/knowledge/resolver.hpp"
@@ -21,12 +22,13 @@ class Statements {
  public:
   /// Borrows all but `ask` for its life.
   Statements(const Self& self, const matching::Matcher& matcher, Resolver& resolver, Admission& admission,
-             OwnServices& own, WorkMeter& work, Ask ask)
+             OwnServices& own, KeyTelling& keys, WorkMeter& work, Ask ask)
       : self_(self),
         matcher_(matcher),
         resolver_(resolver),
         admission_(admission),
         own_(own),
+        keys_(keys),
         work_(work),
         ask_(std::move(ask)) {}
 
@@ -49,6 +51,7 @@ class Statements {
   Resolver& resolver_;
   Admission& admission_;
   OwnServices& own_;
+  KeyTelling& keys_;
   WorkMeter& work_;
   Ask ask_;
 };

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -133,6 +134,9 @@ void Telling::tell(Session& session, std::uint32_t number, News news, const std:
   ++sessions_.counters.events;
   ++session.events;
   work_.add(cost_of_event);
+  if constexpr (std::is_same_v<Entry, registry::PublicationEntry>) {
+    if (news.change != Change::del) keys_.tell(session, number, entry->publication.attributes);
+  }
   say(session, number, news, entry, said);
 }
 
@@ -219,7 +223,8 @@ void Telling::proceed_resync(Session& session) {
 void Telling::begin(Session& session, std::uint32_t number, Resync& resync) {
   const ServiceKey own = key_of(session, number);
   std::vector<ServiceKey> current;
-  if (session.publications.contains(number)) {
+  if (const auto offer = session.publications.find(number); offer != session.publications.end()) {
+    keys_.tell(session, number, offer->second.service.attributes);
     current = matcher_.consumers(own);
     std::ranges::sort(current);
   } else {

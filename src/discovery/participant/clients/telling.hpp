@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "discovery/matching/matcher.hpp"
+#include "discovery/participant/clients/key_telling.hpp"
 #include "discovery/participant/clients/limits.hpp"
 #include "discovery/participant/clients/sessions.hpp"
 #include "discovery/participant/knowledge/self.hpp"
@@ -19,8 +20,8 @@ class Telling {
  public:
   /// Borrows all for its life. Of the matcher it takes the events, and has it judge a stale subscription that is told.
   Telling(const env::Env& env, const ClientLimits& limits, const Self& self, matching::Matcher& matcher,
-          Sessions& sessions, WorkMeter& work)
-      : env_(env), limits_(limits), self_(self), matcher_(matcher), sessions_(sessions), work_(work) {}
+          Sessions& sessions, KeyTelling& keys, WorkMeter& work)
+      : env_(env), limits_(limits), self_(self), matcher_(matcher), sessions_(sessions), keys_(keys), work_(work) {}
 
   /// Hands the events of the matcher to the peers, in its order. O(events).
   void deliver_events();
@@ -49,6 +50,7 @@ class Telling {
   const Self& self_;
   matching::Matcher& matcher_;
   Sessions& sessions_;
+  KeyTelling& keys_;
   WorkMeter& work_;
 };
 
