@@ -23,8 +23,8 @@ inline constexpr std::size_t max_passed_in_step = 512;
 /// Requests that are judged at once where a converter has come or gone; the others in steps.
 inline constexpr std::size_t max_rejudged_at_once = 64;
 
-/// What is left of changes: publications that are judged with all who may ask for them, subscriptions that are judged
-/// with all that they may meet, and subscriptions that are stale because a converter came or went. Each of them keeps
+/// The rest of changes: publications that are judged with all who may ask for them, subscriptions that are judged with
+/// all that they may meet, and subscriptions that are stale because a converter came or went. Each of them keeps
 /// what it was given until its step.
 class Agenda {
  public:

@@ -88,7 +88,7 @@ class Matcher {
   [[nodiscard]] bool depart_next() { return departures_.next(); }
   [[nodiscard]] bool is_departing() const { return departures_.is_any(); }
 
-  // What a change leaves to be judged in steps (agenda.hpp): all that a put() of another host concerns beyond a few
+  // Judging that a change leaves to steps (agenda.hpp): all that a put() of another host concerns beyond a few
   // pairs, requests that a converter concerns, and choices that have used up their candidates. Until its step a
   // subscription keeps what it was given. A further put() of another host, or the removal of what is another host's,
   // takes all steps that are left first: its caller should have taken them.

@@ -122,7 +122,7 @@ void AsioEnv::receive(InterfaceIndex interface, const address& source, std::span
 bool AsioEnv::scan() {
   auto scan = scan_links(settings_.interfaces);
   if (!scan) {
-    // What is in use stays: only the look has failed.
+    // Only the look has failed: the interfaces in use stay.
     if (scan_problem_ != scan.error()) {
       log_.write(LogLevel::warning, "cannot look at the network interfaces: " + scan.error() + ": trying each second");
     }

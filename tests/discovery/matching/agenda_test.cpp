@@ -1,4 +1,4 @@
-// What other hosts say is judged in steps of bounded work, and ends where judging it at once would.
+// Words of other hosts are judged in steps of bounded work, and end where judging them at once would.
 #include "discovery/matching/agenda.hpp"
 
 #include <gmock/gmock.h>

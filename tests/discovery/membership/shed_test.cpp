@@ -1,4 +1,4 @@
-// What a table gives up where memory is short, and in how many steps it gives up many.
+// A table gives up its newest strangers where memory is short, and many silent ones in several calls.
 #include <gmock/gmock.h>
 
 #include <string>
