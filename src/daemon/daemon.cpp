@@ -1,8 +1,13 @@
 #include "daemon/daemon.hpp"
 
+#include <malloc.h>
+
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +24,9 @@ using base::LogLevel;
 constexpr std::chrono::milliseconds max_stop_wait{400};
 /// The wait at the start for the ontology. After it the daemon serves without one.
 constexpr std::chrono::milliseconds max_start_wait{500};
+
+/// The time between two looks at the memory in use, and between two attempts to keep some back again.
+constexpr std::chrono::seconds memory_look_interval{1};
 
 /// One line for each file or folder that does not exist. They end the start, so that a mistyped flag is seen at once.
 Lines missing_files(const std::vector<std::string>& paths) {
@@ -59,7 +67,13 @@ std::expected<void, Lines> Daemon::run() {
 }
 
 std::expected<void, Lines> Daemon::run_loop() {
-  context_.run();
+  try {
+    context_.run();
+  } catch (const std::bad_alloc&) {
+    // One event has used up the reserve as well, and was left half done. Nothing can rely on what is there.
+    std::fputs("gemingad: memory has ended, and so has what was kept back: ending at once\n", stderr);
+    std::_Exit(exit_wrong);
+  }
   if (!failure_.empty()) return std::unexpected(failure_);
   return {};
 }
@@ -147,6 +161,7 @@ void Daemon::on_stream_bytes(env::StreamId stream, std::string_view bytes) {
 /// Logs that the participant is ready, and leaves the loop when it has stopped.
 void Daemon::after_event() {
   log_.catch_up();
+  watch_memory();
   ontology_.prepare_if_wanted();
   if (!is_announced_ && participant_->is_ready()) {
     is_announced_ = true;
@@ -155,6 +170,21 @@ void Daemon::after_event() {
   if (!participant_->is_stopped()) return;
   if (!is_stopping_) return fail({participant_->failure()});
   if (!env_.is_writing()) context_.stop();  // the clients have their last lines; else stop_patience_ bounds the wait
+}
+
+void Daemon::watch_memory() {
+  bool must_shed = MemoryReserve::take_shortage();
+  is_memory_short_ = is_memory_short_ || must_shed;
+  if (env_.now() >= next_memory_look_) {
+    next_memory_look_ = env_.now() + memory_look_interval;
+    // Seven eighths: the kernel ends a process at its limit without a word.
+    if (memory_of_group_ && memory_in_use() > *memory_of_group_ / 8 * 7) must_shed = true;
+    if (is_memory_short_ || must_shed) {
+      ::malloc_trim(0);
+      is_memory_short_ = !reserve_.refill();
+    }
+  }
+  if (must_shed) env_.event([this] { participant_->shed(); });
 }
 
 void Daemon::await_signal() {

@@ -8,12 +8,14 @@
 #include <cstdint>
 #include <expected>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "daemon/cage_in_force.hpp"
 #include "daemon/configuration_in_force.hpp"
 #include "daemon/log.hpp"
+#include "daemon/memory_reserve.hpp"
 #include "daemon/ontology_in_force.hpp"
 #include "discovery/participant/participant.hpp"
 #include "env/asio/asio_env.hpp"
@@ -49,6 +51,8 @@ class Daemon final : private env::EventSink {
   void begin();
   [[nodiscard]] std::uint32_t lasting();
   void after_event();
+  /// Has room made where memory was short in the last event, or where its control group has little left.
+  void watch_memory();
   void await_signal();
   void reload();
   void stop();
@@ -67,6 +71,10 @@ class Daemon final : private env::EventSink {
   void on_stream_drained(env::StreamId stream) override { participant_->on_stream_drained(stream); }
   void on_stream_closed(env::StreamId stream) override { participant_->on_stream_closed(stream); }
 
+  MemoryReserve reserve_;
+  const std::optional<std::uint64_t> memory_of_group_ = memory_of_group();
+  base::Instant next_memory_look_{};
+  bool is_memory_short_ = false;  ///< the reserve has been used and is not whole yet
   ConfigurationInForce configuration_;
   Log& log_;
   CageInForce cage_;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/system/system_error.hpp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <string>
 
 #include "base/harmless.hpp"
@@ -18,6 +20,7 @@
 #include "daemon/key_files.hpp"
 #include "daemon/layer.hpp"
 #include "daemon/log.hpp"
+#include "daemon/memory_reserve.hpp"
 
 namespace {
 
@@ -95,11 +98,16 @@ int serve(int argc, char** argv) {
   geminga::daemon::Log log(configuration->log_level, configuration->log_format);
   int status = geminga::daemon::exit_done;
   bool is_at_work = false;
-  {
+  if (const auto shortage = geminga::daemon::check_descriptors()) return refuse({*shortage});
+  try {
     geminga::daemon::Daemon daemon(*configuration, reread, log);
     const auto done = flags->is_check_only ? daemon.check() : daemon.run();
     if (!done) status = refuse(done.error());
     is_at_work = daemon.is_at_work();
+  } catch (const boost::system::system_error& error) {  // no epoll, no timer, no pipe for signals
+    return refuse({std::string("the system refuses what is needed: ") + error.what()});
+  } catch (const std::bad_alloc&) {
+    return refuse({"there is not enough memory to start"});
   }
   if (flags->is_check_only && status == geminga::daemon::exit_done) {
     std::fputs(geminga::daemon::to_toml(*configuration).c_str(), stdout);

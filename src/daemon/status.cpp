@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "base/text.hpp"
+#include "daemon/memory_reserve.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -86,7 +87,8 @@ std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configura
       {"cpu", decimal(usage.processor_seconds)},
       {"ontology_load", decimal(std::chrono::duration<double>(ontology.load_time()).count())},
       {"log_dropped", std::to_string(log.dropped())},
-      {"cage", cage.words()}};
+      {"cage", cage.words()},
+      {"memory_kept_back", std::to_string(MemoryReserve::size())}};
   const env::AirCounts& dropped = env.air_counts();
   const env::UnicastCounts unicast = env.unicast_counts();
   const std::pair<const char*, std::uint64_t> counts[] = {

@@ -77,6 +77,13 @@ std::unique_ptr<NeighbourRecord> FormerIncarnations::take(const announcement::An
   return record;
 }
 
+void FormerIncarnations::shed() {
+  for (auto next = map_.begin(); next != map_.end();) {
+    const auto one = next++;
+    if (one->second.record->standing().span() < announcement::seasoned_after) forget(one);
+  }
+}
+
 bool FormerIncarnations::give_way() {
   NeighbourRecord* youngest = nullptr;
   for (const auto& [incarnation, former] : map_) {

@@ -63,6 +63,11 @@ class Participant {
   /// The client has read what had to wait for it.
   void on_stream_drained(env::StreamId stream);
 
+  /// Memory is short: gives up the participants that were heard last, a quarter of those that were heard for less than
+  /// seasoned_after, and gives no place to further ones for memory_pause. Their services go in later on_timer(), in
+  /// turns. To be called again where that was not enough.
+  void shed();
+
   /// Takes other keys, or another way to seal. No participant is lost that has the keys which this step of a rotation
   /// or a migration asks for (src/discovery/sealing/SEALING.md). After start().
   void set_sealing(const sealing::Policy& policy);
