@@ -76,6 +76,9 @@ void Flags::add_to(CLI::App& app) {
       ->type_name("N");
   app.add_option("--lies", counts.lies, "Forged datagrams in the name of others")->type_name("N");
   app.add_flag("--faults", has_random_faults, "A small team, an air and faults of all kinds that the seed chooses");
+  app.add_flag(
+      "--start", is_start,
+      "Switch the team on at one instant, and measure until all know all; with --seeds: print how that is spread");
   app.add_flag("--json", is_json, "Print one JSON document");
   app.add_flag("--quiet", is_quiet, "Print the table only");
 }
@@ -153,6 +156,7 @@ std::string Flags::replay(std::uint64_t one) const {
   };
   word("--scenario", scenario);
   if (has_random_faults) command += " --faults";
+  if (is_start) command += " --start";
   if (participants) count("--participants", *participants);
   decimal("--minutes", minutes);
   count("--services", services);

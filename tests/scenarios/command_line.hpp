@@ -34,6 +34,7 @@ struct Flags {
   double drift = 0;
   Counts counts;
   bool has_random_faults = false;
+  bool is_start = false;
   bool is_list = false;
   bool is_json = false;
   bool is_quiet = false;

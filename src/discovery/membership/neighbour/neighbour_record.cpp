@@ -106,6 +106,7 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
   signs_.hear(now);
+  is_suspected_ = false;
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
   if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
@@ -164,6 +165,7 @@ void NeighbourRecord::take_change(NeighbourWay& way, const announcement::Announc
   if (completes && update_services(complete_, announcement)) {
     is_complete_ = true;
     affirmed_ = now;
+    held_revision_ = revision_;
   }
   services_.apply(announcement, moment(now, true), changes);
   if (!is_contested_) services_.withdraw_removed(announcement, moment(now, true), changes);
@@ -191,7 +193,9 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
     services_.withdraw_absent(complete_, moment(now, true), changes);
     for (auto& each : ways_.all()) each.assembly().clear();
   }
-  if (is_complete_) affirmed_ = now;
+  if (!is_complete_) return;
+  affirmed_ = now;
+  held_revision_ = revision_;
 }
 
 void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {

@@ -112,6 +112,10 @@ class NeighbourRecord {
   [[nodiscard]] std::uint32_t lasting() const { return header_.value().lasting; }
   /// The time between two of its announcements, as it announces it.
   [[nodiscard]] base::Duration interval() const { return interval_.value(); }
+  /// Takes in that somebody else seems to have a newer state of it: it is asked for until the participant speaks.
+  void suspect() { is_suspected_ = is_complete_ && !is_contested_; }
+  /// The last revision that is known in whole, or is believed while it is contested; 0: none.
+  [[nodiscard]] std::uint64_t held_revision() const { return is_contested_ ? revision_ : held_revision_; }
   /// Whether its newest state is unknown or uncertain, or is unknown for one of its ways, or had no room.
   [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
   /// Whether its newest state is to be asked for at once. While somebody goes on lying in its name, our next presence
@@ -159,7 +163,7 @@ class NeighbourRecord {
   };
 
   [[nodiscard]] bool is_state_lacking() const {
-    return !is_complete_ || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
+    return !is_complete_ || is_suspected_ || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
   }
   static Header header_of(const announcement::Announcement& announcement);
   [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const announcement::Announcement& announcement,
@@ -205,6 +209,8 @@ class NeighbourRecord {
   std::uint64_t said_revision_;  ///< the last revision of which a state was heard
   RisingCount revisions_;        ///< when it and the revisions before it were first heard
   bool is_complete_ = false;
+  std::uint64_t held_revision_ = 0;
+  bool is_suspected_ = false;            ///< somebody else seems to have a newer state
   std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
   base::Instant affirmed_;               ///< when a datagram last proved that a complete revision still holds
   bool is_contested_ = false;

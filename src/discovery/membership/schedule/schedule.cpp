@@ -83,11 +83,20 @@ void Schedule::newcomer(Instant now) {
 
 void Schedule::lacked(Instant now) {
   if (!is_running_) return;
-  insistent_until_ = std::max(insistent_until_, now + announcement::contest_intervals * said_interval());
+  if (now - lacked_last_ >= announcement::hold_intervals * said_interval()) lacked_since_ = now;
+  lacked_last_ = now;
+  // Whoever goes on asking may hold us for contested.
+  if (now - lacked_since_ >= said_interval() / 2) {
+    insistent_until_ = std::max(insistent_until_, now + announcement::contest_intervals * said_interval());
+  }
   if (repair_ != never || !repairs_.has(now)) return;
   repair_ = now + random_.between(Duration::zero(), max_repair_delay);
   // The state that was sent last may not have reached the one that asks yet.
   if (has_sent_) repair_ = std::max(repair_, state_sent_ + repair_spacing);
+}
+
+void Schedule::seems_lacked(Instant now) {
+  if (next_copy(Say::state) == never && next_copy(Say::change) == never) lacked(now);
 }
 
 void Schedule::lacked_by_stranger(Instant now) {

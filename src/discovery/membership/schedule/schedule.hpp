@@ -162,6 +162,8 @@ class Schedule {
   void set_loss(std::optional<double> loss) { loss_ = loss; }
   /// Tells that a known participant lacks our state: a copy is due soon, while the budget lasts.
   void lacked(base::Instant now);
+  /// Tells that a known participant seems to lack it, though it does not say so. Copies that are due anyway reach it.
+  void seems_lacked(base::Instant now);
   /// Tells that a stranger, whose state we have not heard, lacks ours. A copy is due soon, of the budget for answers.
   void lacked_by_stranger(base::Instant now);
   /// Tells whether we lack a state, and whether we doubt that a participant lives (NeighbourTable). While one holds,
@@ -245,6 +247,8 @@ class Schedule {
   int announced_until_slower_ = 0;
   std::vector<base::Instant> answers_;  ///< copies for newcomers that are still to come, in order of time
   base::Instant periodic_ = base::never;
+  base::Instant lacked_since_;          ///< when participants began to say that they lack the state
+  base::Instant lacked_last_;           ///< when one said so last
   base::Instant insistent_until_;       ///< until then the state is announced each time
   base::Instant repair_ = base::never;  ///< when the state is due because another participant lacks it
   base::Instant search_ = base::never;  ///< when the presence is due for the search

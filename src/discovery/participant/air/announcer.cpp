@@ -84,7 +84,7 @@ void Announcer::announce() {
   }
   if (!claim_.is_held()) return;
   if (std::exchange(is_changed_, false)) {
-    ++revision_;
+    means_.neighbours.set_revision(++revision_);
     changed_ = now;
     schedule_.set_loss(means_.neighbours.loss());
     schedule_.changed(is_new_to_others() ? membership::Schedule::Say::state : membership::Schedule::Say::change, now);
@@ -223,8 +223,9 @@ void Announcer::heard_presence(const Heard& heard) {
   if (heard.hearing != membership::Hearing::known) return;
   const bool misses_us = means_.neighbours.misses_us(presence, changed_, interval(), now);
   const bool may_lack_change = misses_us && now - changed_ < membership::doubtful_intervals * interval();
-  const membership::Unknown unknown = means_.neighbours.compare(presence, now);
-  if (unknown == membership::Unknown::us) schedule_.lacked(now);
+  const membership::Difference difference = means_.neighbours.compare(presence, now);
+  if (difference.unknown == membership::Unknown::us) schedule_.lacked(now);
+  if (difference.lacks_our_state) schedule_.seems_lacked(now);
   if (may_lack_change) schedule_.differ(now);
   if (means_.neighbours.doubts_anybody() && means_.neighbours.hear_doubts(presence.doubts, now)) {
     schedule_.asked_by_another(now);
