@@ -29,6 +29,7 @@ struct Flags {
   std::string flip;
   std::string delay;
   std::optional<double> interval;
+  double spread = 0;
   std::size_t services = 0;
   std::optional<unsigned> changes;
   double drift = 0;

@@ -54,9 +54,14 @@ Start measure_start(const Conditions& conditions, const std::function<void(const
   }
   for (const auto& host : world.hosts()) {
     host->settings.interval = conditions.interval;
-    host->switch_on();
+    world.after(world.random().between(base::Duration(0), conditions.start_spread),
+                [one = host.get()] { one->switch_on(); });
   }
-  for (const auto& module : team.modules()) module->run();
+  // A module connects when its daemon is there, which takes a moment of its own.
+  for (const auto& module : team.modules()) {
+    world.after(world.random().between(base::Duration(0), 2 * conditions.start_spread),
+                [one = module.get()] { one->run(); });
+  }
   Start start{.seed = conditions.seed, .took = {}, .octets = 0};
   while (!team.is_right() && world.now() < base::Instant(longest_start)) {
     if (world.now() == base::Instant(settled_after))
