@@ -63,14 +63,15 @@ Start measure_start(const Conditions& conditions, const std::function<void(const
                 [one = module.get()] { one->run(); });
   }
   Start start{.seed = conditions.seed, .took = {}, .octets = 0};
+  const auto octets = [&world] { return world.datagram_bytes() + header_octets * world.datagrams(); };
+  world.run_for(2 * conditions.start_spread);
   while (!team.is_right() && world.now() < base::Instant(longest_start)) {
-    if (world.now() == base::Instant(settled_after))
-      start.octets = world.datagram_bytes() + header_octets * world.datagrams();
+    if (start.octets == 0 && world.now() >= base::Instant(settled_after)) start.octets = octets();
     world.run_for(look_again);
   }
   start.took = world.now().time_since_epoch();
   if (world.now() < base::Instant(settled_after)) world.run_for(base::Instant(settled_after) - world.now());
-  if (start.octets == 0) start.octets = world.datagram_bytes() + header_octets * world.datagrams();
+  if (start.octets == 0) start.octets = octets();
   start.octets /= conditions.participants;
   return start;
 }
