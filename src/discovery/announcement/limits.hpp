@@ -54,6 +54,9 @@ inline constexpr std::size_t max_withdrawn_services = 4096;
 /// Ways on which one participant is heard (our interface and its interface); further ones are not used.
 inline constexpr std::size_t max_paths = 4;
 
+/// Addresses of one participant whose words are signs of life; the oldest gives way to a further one.
+inline constexpr std::size_t max_vouched = max_paths * max_addresses;
+
 /// Participants that one announcement says it lacks, and as many that it doubts.
 inline constexpr std::size_t max_named = 16;
 /// Octets of the testimony about so many participants (Witness).
@@ -74,6 +77,8 @@ inline constexpr base::Duration seasoned_after = std::chrono::seconds(60);
 /// The intervals for which something that a sender said stands against something else, once somebody lies in its name.
 /// What it has said for a shorter time is undone then.
 inline constexpr int hold_intervals = 2;
+/// The time after its first datagram in which a participant is heard on all its interfaces.
+inline constexpr base::Duration introduction_time = hold_intervals * stranger_interval;
 /// The intervals without a contradiction that end a contest: what it takes to believe that somebody is gone.
 inline constexpr int contest_intervals = 5;
 /// The longest time for which a datagram may be overtaken by later ones.

@@ -183,6 +183,7 @@ Hearing NeighbourTable::hear_state(const announcement::Announcement& announcemen
     former = former_.find_alive(announcement, arrival);
     if (former == nullptr && !is_expired) return Hearing::stale;
     if (former != nullptr) since = former->since();
+    if (is_expired && !former_.find(announcement, arrival.now)->is_vouched(arrival)) return Hearing::elsewhere;
     if (is_expired) {
       // It begins anew, but keeps its right to the identifier. Its next incarnation is not looked for again so soon.
       succeeded = former_.take(announcement)->succeeded();
@@ -282,7 +283,7 @@ void NeighbourTable::update(Records::value_type& known, Instant now) {
     namesakes_.update(known.first, {record.name(), record.source()}, record.lasting());
     ++roster_;
   }
-  witnesses_.update(known.first, record.heard(), record.interval(), record.held_revision());
+  witnesses_.update(known.first, record.heard(), record.lasting_interval(now), record.held_revision());
   records_.count(known.second);
   timetable_.set(known.second.slot, record.next_deadline());
 }

@@ -48,7 +48,7 @@ Duration NeighbourRecord::lasting_interval(Instant now) const {
 
 Duration NeighbourRecord::hold(Instant now) const {
   const auto known_for = std::max<Duration>(announcement::stranger_interval, now - standing_.first);
-  return announcement::hold_intervals * std::min(interval_.settled(now), known_for);
+  return announcement::hold_intervals * std::min(interval_.lasting(now), known_for);
 }
 
 double NeighbourRecord::known_loss() const { return ways_.is_loss_known() ? ways_.loss() : 0.3; }
@@ -89,6 +89,7 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   end_contest(now);
   bool is_forged = false;  // something that was believed is forged
   auto* way = ways_.find(announcement, arrival);
+  const bool is_where_it_was = way != nullptr && way->source() == arrival.source;
   if (way != nullptr) {
     const auto origin = way->origin(announcement, arrival, is_contested_, hold(now));
     if (origin == NeighbourWay::Origin::copied) return Hearing::copied;
@@ -103,14 +104,16 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   }
   if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
+  if (!is_where_it_was) meet(*way, arrival);
+  const bool is_sign = way->is_vouched && !way->is_copy(announcement.sequence, now);
   if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
-  signs_.hear(now);
+  if (is_sign) signs_.hear(now);
   is_suspected_ = false;
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
   if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
-  set_deadlines(*way, now);
+  set_deadlines(*way, is_sign, now);
   return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
 }
 
@@ -147,6 +150,7 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
   }
   take_interval(announcement, now);
   way.say(announcement, arrival, is_contested_, held);
+  if (way.is_vouched) std::ranges::for_each(way.addresses(), [this](const auto& each) { ways_.vouch(each); });
   choose_address();
 }
 
@@ -198,8 +202,20 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
   held_revision_ = revision_;
 }
 
-void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {
-  signs_.renew(lasting_interval(now), reception(now));
+void NeighbourRecord::meet(NeighbourWay& way, const Arrival& arrival) {
+  const bool is_introduced = arrival.now - standing_.first < announcement::introduction_time;
+  const auto is_elsewhere = [&](const NeighbourWay& other) {
+    return other.is_vouched && !other.is_on(arrival.interface);
+  };
+  // Of ways on one interface only the first is known to be its own.
+  const bool is_one_of_several =
+      way.opened() == arrival.now && is_introduced && std::ranges::any_of(ways_.all(), is_elsewhere);
+  if (!has_spoken_ || is_one_of_several || arrival.is_sealed) ways_.vouch(arrival.source);
+  way.is_vouched = ways_.is_vouched(arrival.source);
+}
+
+void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now) {
+  if (is_sign) signs_.renew(lasting_interval(now), reception(now));
   way.deadline = signs_.deadline();
   // A service that is not heard of until the next datagram keeps the deadline that it had.
   next_service_deadline_ = std::min(next_service_deadline_, moment(now, false).deadline);
@@ -232,7 +248,7 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   const bool is_first = !is_contested_;
   const auto at = moment(now, false);
   is_contested_ = true;
-  contested_until_ = now + std::max(announcement::contest_intervals * interval_.settled(now), at.hold);
+  contested_until_ = now + std::max(announcement::contest_intervals * interval_.lasting(now), at.hold);
   if (!is_first) return;
   contested_since_ = now;
   services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
@@ -319,7 +335,7 @@ void NeighbourRecord::choose_address() {
 void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
   const auto lost = std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.deadline <= now; });
   if (lost > 0) choose_address();
-  if (standing_.is_confirmed) signs_.doubt(now, interval());
+  if (standing_.is_confirmed) signs_.doubt(now, lasting_interval(now));
   if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
   end_contest(now);
   if (!is_complete_ && next_service_deadline_ <= now) {
@@ -331,6 +347,11 @@ void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
 
 void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
   if (std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
+  // It is we who hear it on fewer ways: those that are left count.
+  for (auto& way : ways_.all()) {
+    way.is_vouched = true;
+    ways_.vouch(way.source());
+  }
   choose_address();
   services_.tell(moment(signs_.heard(), false), changes);
 }
@@ -338,7 +359,8 @@ void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vecto
 Instant NeighbourRecord::next_deadline() const {
   auto next = signs_.deadline();
   for (const auto& way : ways_.all()) next = std::min(next, way.deadline);
-  if (standing_.is_confirmed && !signs_.is_doubted()) next = std::min(next, signs_.doubt_due(interval()));
+  if (standing_.is_confirmed && !signs_.is_doubted())
+    next = std::min(next, signs_.doubt_due(lasting_interval(signs_.heard())));
   if (!is_complete_) next = std::min(next, next_service_deadline_);
   if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
   return next;

@@ -9,6 +9,12 @@ namespace geminga::membership {
 
 using base::Duration;
 
+namespace {
+
+std::string_view without_zone(std::string_view address) { return address.substr(0, address.find('%')); }
+
+}  // namespace
+
 NeighbourWay* NeighbourWays::find(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
     return each.interface() == arrival.interface && each.link() == announcement.link;
@@ -61,6 +67,16 @@ bool NeighbourWays::close_later(const NeighbourWay& way, const Arrival& arrival)
   });
   was_misled_ |= closed > 0;
   return closed > 0;
+}
+
+bool NeighbourWays::is_vouched(std::string_view source) const {
+  return std::ranges::find(vouched_, without_zone(source)) != vouched_.end();
+}
+
+void NeighbourWays::vouch(std::string_view source) {
+  if (is_vouched(source)) return;
+  if (vouched_.size() == announcement::max_vouched) vouched_.erase(vouched_.begin());
+  vouched_.emplace_back(without_zone(source));
 }
 
 double NeighbourWays::loss() const {

@@ -22,8 +22,9 @@ inline constexpr double longest_deadline = 5;
 inline constexpr double doubt_after = 1.9;
 /// So many witnesses tell us enough of a participant that we do not hear ourselves.
 inline constexpr std::size_t enough_witnesses = 3;
-/// Testimony counts for at most so many intervals in which we have heard nothing ourselves.
-inline constexpr int witnessed_intervals = 32;
+/// Testimony moves a deadline by one more deadline at most. A participant that we do not hear ourselves is asked for a
+/// sign of life so many intervals before that.
+inline constexpr double asked_before_latest = 1.25;
 /// A service counts for so many intervals after it was last announced, while the newest state was not heard.
 inline constexpr int service_intervals = 5;
 
