@@ -77,6 +77,22 @@ TEST(GraveRobber, ThatGoesOnWithAStateFromItsOwnAddressHasTheDeadRobotGoneForFiv
   }
 }
 
+TEST(GraveRobber, ThatMovesTheDeadRobotToItsOwnAddressHasItsServicesThereAndNotWhereTheyWere) {
+  Grave grave(90);
+  auto state = grave.liar.last_state(grave.dead());
+  state.addresses = {stranger};
+  ++state.revision;
+  Client& observer = grave.robots.world.add_client("observer");
+  observer.connect(grave.robots.host(0));
+  observer.say("1 sub create mode=otm/stream limit=0 text=ball");
+  grave.robots.team.is_excused = true;
+  (void)grave.told([&](int) {
+    ++state.sequence;
+    grave.liar.say(state, stranger);
+  });
+  for (const auto& [service, line] : observer.view(1)) EXPECT_NE(line.value("address"), Liar::address_of(grave.dead()));
+}
+
 TEST(GraveRobber, ThatSpeaksBeforeTheDeathDelaysNothing) {
   Grave grave(83);
   for (int i = 0; i < 40; ++i) {

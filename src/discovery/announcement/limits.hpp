@@ -77,8 +77,6 @@ inline constexpr base::Duration seasoned_after = std::chrono::seconds(60);
 /// The intervals for which something that a sender said stands against something else, once somebody lies in its name.
 /// What it has said for a shorter time is undone then.
 inline constexpr int hold_intervals = 2;
-/// The time after its first datagram in which a participant is heard on all its interfaces.
-inline constexpr base::Duration introduction_time = hold_intervals * stranger_interval;
 /// The intervals without a contradiction that end a contest: what it takes to believe that somebody is gone.
 inline constexpr int contest_intervals = 5;
 /// The longest time for which a datagram may be overtaken by later ones.

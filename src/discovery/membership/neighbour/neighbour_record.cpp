@@ -105,14 +105,15 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
   if (!is_where_it_was) meet(*way, arrival);
-  const bool is_sign = way->is_vouched && !way->is_copy(announcement.sequence, now);
+  const bool is_copy = way->is_copy(announcement.sequence, now);
   if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
-  if (is_sign) signs_.hear(now);
   is_suspected_ = false;
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
   if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
+  const bool is_sign = way->is_vouched && !is_copy;
+  if (is_sign) signs_.hear(now);
   set_deadlines(*way, is_sign, now);
   return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
 }
@@ -149,6 +150,10 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
     services_.set_name(header_.value().name);
   }
   take_interval(announcement, now);
+  if (!way.is_vouched && !is_contested_ && introduces(announcement, arrival)) {
+    ways_.vouch(arrival.source);
+    way.is_vouched = true;
+  }
   way.say(announcement, arrival, is_contested_, held);
   if (way.is_vouched) std::ranges::for_each(way.addresses(), [this](const auto& each) { ways_.vouch(each); });
   choose_address();
@@ -203,15 +208,17 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
 }
 
 void NeighbourRecord::meet(NeighbourWay& way, const Arrival& arrival) {
-  const bool is_introduced = arrival.now - standing_.first < announcement::introduction_time;
-  const auto is_elsewhere = [&](const NeighbourWay& other) {
-    return other.is_vouched && !other.is_on(arrival.interface);
-  };
-  // Of ways on one interface only the first is known to be its own.
-  const bool is_one_of_several =
-      way.opened() == arrival.now && is_introduced && std::ranges::any_of(ways_.all(), is_elsewhere);
-  if (!has_spoken_ || is_one_of_several || arrival.is_sealed) ways_.vouch(arrival.source);
+  if (!has_spoken_ || arrival.is_sealed) ways_.vouch(arrival.source);
   way.is_vouched = ways_.is_vouched(arrival.source);
+}
+
+bool NeighbourRecord::introduces(const announcement::Announcement& state, const Arrival& arrival) const {
+  const auto lists = [&](std::string_view address) {
+    return std::ranges::any_of(state.addresses, [&](const auto& each) {
+      return NeighbourWays::without_zone(each) == NeighbourWays::without_zone(address);
+    });
+  };
+  return lists(arrival.source) && !lists(services_.owner().address);
 }
 
 void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now) {

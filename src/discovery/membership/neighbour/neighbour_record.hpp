@@ -190,6 +190,9 @@ class NeighbourRecord {
   void end_contest(base::Instant now);
   /// Takes in that a way has an address that it did not have.
   void meet(NeighbourWay& way, const Arrival& arrival);
+  /// Whether a state shows that its source is an address of its sender, since the sender moves there: from now on its
+  /// services are told there. So nobody can keep somebody else's services alive where they are.
+  [[nodiscard]] bool introduces(const announcement::Announcement& state, const Arrival& arrival) const;
   void set_deadlines(NeighbourWay& way, bool is_sign, base::Instant now);
   /// Chooses the address for services without one.
   void choose_address();

@@ -9,12 +9,6 @@ namespace geminga::membership {
 
 using base::Duration;
 
-namespace {
-
-std::string_view without_zone(std::string_view address) { return address.substr(0, address.find('%')); }
-
-}  // namespace
-
 NeighbourWay* NeighbourWays::find(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
     return each.interface() == arrival.interface && each.link() == announcement.link;

@@ -29,11 +29,12 @@ class NeighbourWays {
   /// whether there were any: somebody opened them in its name.
   bool close_later(const NeighbourWay& way, const Arrival& arrival);
 
-  /// Whether words from this address are signs of life. So they are from the address that the participant was first
-  /// heard from, from those that it has listed in a state that came from such an address, and from all that it was heard
-  /// from on other interfaces of ours at first (ANNOUNCEMENT.md, "Whose words are signs of life").
+  /// Whether words from this address are signs of life (ANNOUNCEMENT.md, "Whose words are signs of life").
   [[nodiscard]] bool is_vouched(std::string_view source) const;
   void vouch(std::string_view source);
+  [[nodiscard]] static std::string_view without_zone(std::string_view address) {
+    return address.substr(0, address.find('%'));
+  }
 
   /// The loss of the best way. 1: no way was measured; 0: there is no way.
   [[nodiscard]] double loss() const;

@@ -99,7 +99,7 @@ TEST(Schedule, SaysInEachIntervalThatAnUnchangedStateIsAsItWas) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
 
-TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForFiveIntervals) {
+TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForFiveIntervalsToWhoGoesOnAsking) {
   auto schedule = running(13);
   const auto asked = start + seconds(10);
   run(schedule, asked);
@@ -107,8 +107,15 @@ TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForFiveIntervals) {
   EXPECT_LE(schedule.due(), asked + max_repair_delay);
   EXPECT_EQ(schedule.take(schedule.due()), Say::state);
   EXPECT_GE(schedule.due(), asked + seconds(1)) << "one repeat answers all who ask";
+  schedule.lacked(asked + milliseconds(999));
   EXPECT_EQ(schedule.take(schedule.due()), Say::state);
-  run(schedule, asked + seconds(13));
+  EXPECT_EQ(schedule.take(schedule.due()), Say::presence) << "not for so long";
+  const auto again = asked + seconds(4);
+  run(schedule, again);
+  schedule.lacked(again);
+  schedule.lacked(again + seconds(1));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(schedule.take(schedule.due()), Say::state);
+  run(schedule, again + seconds(14));
   EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
 
