@@ -11,17 +11,17 @@ void LifeSigns::renew(Duration interval, const Reception& reception) {
   is_doubted_ = false;
   is_unasked_ = false;
   const auto time = patience(interval, reception);
-  latest_ = latest(time);
+  latest_ = latest(interval, reception);
   deadline_ = std::min(seen() + time, latest_);
 }
 
 bool LifeSigns::witness(Instant seen, Instant now, Duration interval, const Reception& reception) {
   const auto time = patience(interval, reception);
-  if (seen <= this->seen() || now >= latest(time)) return false;
+  if (seen <= this->seen() || now >= latest(interval, reception)) return false;
   if (succeeded_ && heard_ <= *succeeded_ && seen <= *succeeded_)
     return false;  // a sign of the incarnation that seems over
   witnessed_ = seen;
-  latest_ = latest(time);
+  latest_ = latest(interval, reception);
   is_doubted_ = is_doubted_ && doubt_due(interval) <= now;
   deadline_ = std::max(deadline_, std::min(seen + time, latest_));
   return true;

@@ -46,7 +46,9 @@ class LifeSigns {
  private:
   [[nodiscard]] base::Instant seen() const { return std::max(heard_, witnessed_); }
   /// The latest deadline that witnesses can bring about.
-  [[nodiscard]] base::Instant latest(base::Duration patience) const { return heard_ + 2 * patience; }
+  [[nodiscard]] base::Instant latest(base::Duration interval, const Reception& reception) const {
+    return heard_ + patience(interval, reception) + patience(interval, {.loss = reception.loss, .witnesses = 0});
+  }
 
   base::Instant heard_;
   base::Instant witnessed_;  ///< when others have heard it, as far as we know

@@ -22,9 +22,9 @@ inline constexpr double longest_deadline = 5;
 inline constexpr double doubt_after = 1.9;
 /// So many witnesses tell us enough of a participant that we do not hear ourselves.
 inline constexpr std::size_t enough_witnesses = 3;
-/// Testimony moves a deadline by one more deadline at most. A participant that we do not hear ourselves is asked for a
+/// Testimony moves a deadline by one more at most, that of a participant without witnesses. A participant that we do not hear ourselves is asked for a
 /// sign of life so many intervals before that.
-inline constexpr double asked_before_latest = 1.25;
+inline constexpr double asked_before_latest = 1;
 /// A service counts for so many intervals after it was last announced, while the newest state was not heard.
 inline constexpr int service_intervals = 5;
 

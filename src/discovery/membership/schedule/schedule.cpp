@@ -49,14 +49,26 @@ void Schedule::changed(Say what, Instant now) {
   if (next_copy(Say::state) != never) what = Say::state;
   const auto said = state_copies(loss_);
   const auto all = said + (loss_ ? std::min(said, presence_copies) : unknown_presence_copies);
-  copies_ = {{now, what}};
+  const auto first = first_copy(now);
+  copies_ = {{first, what}};
   for (std::size_t i = 1; i < all; ++i) {
-    copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
+    copies_.push_back({first + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
   }
-  const auto show = [&](Duration delay) { copies_.push_back({now + spread(delay, repeat_jitter), Say::presence}); };
+  const auto show = [&](Duration delay) { copies_.push_back({first + spread(delay, repeat_jitter), Say::presence}); };
   if (loss_.value_or(0) >= bad_loss) std::ranges::for_each(bad_presence_delays, show);
   std::ranges::for_each(std::span(late_presence_delays).first(doublings_), show);
   std::ranges::sort(copies_, {}, &Copy::due);
+}
+
+Instant Schedule::first_copy(Instant now) {
+  if (!change_due_ || now - *change_due_ >= change_wait_) {
+    change_due_ = now;
+    change_wait_ = change_spacing;
+  } else if (now >= *change_due_) {
+    *change_due_ += change_wait_;
+    change_wait_ = std::min(2 * change_wait_, longest_change_spacing);
+  }
+  return *change_due_;
 }
 
 void Schedule::set_size(std::size_t datagrams) { size_ = std::max<std::int64_t>(1, std::int64_t(datagrams)); }
@@ -153,8 +165,11 @@ void Schedule::deny(Instant now) {
   denials_left_ = denials;
 }
 
-void Schedule::bear_witness(Instant now) {
-  if (is_running_) testimony_ = std::min(testimony_, now + slowed(random_.between(witness_delay, 2 * witness_delay)));
+bool Schedule::bear_witness(Instant now) {
+  if (!is_running_) return false;
+  const bool is_first = testimony_ == never;
+  testimony_ = std::min(testimony_, now + slowed(random_.between(witness_delay, 2 * witness_delay)));
+  return is_first;
 }
 
 void Schedule::contested(Instant now) {

@@ -169,11 +169,36 @@ TEST(Schedule, TellsChangesWithinTheSpacingTogether) {
   const auto change = [](Schedule& s, Instant now) { s.changed(Say::state, now); };
   run(schedule, when - milliseconds(1));
   // Both the last periodic announcement and this test's first one are more than the spacing away.
-  const auto sent = run(schedule, when + min_spacing,
-                        {{when, change}, {when + milliseconds(1), change}, {when + milliseconds(2), change}});
+  const auto sent = run(schedule, when + change_spacing,
+                        {{when, change}, {when + milliseconds(1), change}, {when + milliseconds(19), change}});
   ASSERT_EQ(sent.size(), 2U);
   EXPECT_EQ(sent[0], when);
-  EXPECT_EQ(sent[1], when + min_spacing);
+  EXPECT_EQ(sent[1], when + change_spacing);
+}
+
+TEST(Schedule, TellsAChangeAtOnceWhenTheSpacingIsOver) {
+  auto schedule = running(4);
+  const auto when = start + seconds(5);
+  const auto change = [](Schedule& s, Instant now) { s.changed(Say::state, now); };
+  schedule.set_loss(0);
+  run(schedule, when - milliseconds(1));
+  const auto again = when + change_spacing;
+  const auto sent = run(schedule, again, {{when, change}, {again, change}});
+  EXPECT_EQ(sent.back(), again);
+}
+
+TEST(Schedule, TellsChangesThatGoOnEverMoreSeldomUpToTheLongestSpacing) {
+  auto schedule = running(4);
+  const auto when = start + seconds(5);
+  schedule.set_loss(0);
+  run(schedule, when - milliseconds(1));
+  std::vector<Disturbance> changes;
+  for (int i = 0; i <= 500; ++i) {
+    changes.push_back({when + milliseconds(i), [](Schedule& s, Instant now) { s.changed(Say::state, now); }});
+  }
+  const auto sent = run(schedule, when + milliseconds(500), std::move(changes));
+  EXPECT_THAT(sent, testing::ElementsAre(when, when + milliseconds(20), when + milliseconds(60),
+                                         when + milliseconds(140), when + milliseconds(300), when + milliseconds(460)));
 }
 
 TEST(Schedule, ShowsItselfLaterOnAsWellWhereManyShareTheAir) {
