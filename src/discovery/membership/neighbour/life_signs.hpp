@@ -47,7 +47,7 @@ class LifeSigns {
   [[nodiscard]] base::Instant seen() const { return std::max(heard_, witnessed_); }
   /// The latest deadline that witnesses can bring about.
   [[nodiscard]] base::Instant latest(base::Duration interval, const Reception& reception) const {
-    return heard_ + patience(interval, reception) + patience(interval, {.loss = reception.loss, .witnesses = 0});
+    return heard_ + patience(interval, reception) + witnessed_time(interval, reception.loss);
   }
 
   base::Instant heard_;
