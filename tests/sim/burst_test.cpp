@@ -34,8 +34,9 @@ Burst burst(double loss, base::Duration pace, std::uint64_t seed) {
   world.on_transmit = [&](const Host&, std::string_view datagram) {
     measured.octets += static_cast<double>(datagram.size());
     const auto heard = announcement::decode(std::as_bytes(std::span(datagram)));
-    if (!heard || heard->kind != announcement::Kind::state) return;
-    measured.state = std::max(measured.state, static_cast<double>(heard->part_count * datagram.size()));
+    const bool is_told =
+        heard && (heard->kind == announcement::Kind::state || heard->kind == announcement::Kind::change);
+    if (is_told) measured.state = std::max(measured.state, static_cast<double>(heard->part_count * datagram.size()));
   };
   for (const auto& host : world.hosts()) {
     Module& module = team.add(*host, host->name() + "-many");
@@ -54,15 +55,17 @@ Burst burst(double loss, base::Duration pace, std::uint64_t seed) {
   return measured;
 }
 
-TEST(Burst, OfStatementsTakesAtMostTwiceTheOctetsOfOneState) {
+TEST(Burst, OfStatementsTakesAtMostTwiceTheOctetsOfOneStateAndItsCopies) {
   for (const double loss : {0.0, 0.1, 0.3, 0.5}) {
     for (const auto pace : {base::Duration(0), base::Duration(milliseconds(1)), base::Duration(milliseconds(5)),
                             base::Duration(milliseconds(19))}) {
       const Burst one = burst(loss, pace, 95);
       const auto copies = static_cast<double>(membership::state_copies(loss));
       std::cerr << "loss " << loss << ", one statement each " << pace / milliseconds(1) << " ms: " << one.octets
-                << " octets a host, " << one.state << " a state, " << one.octets / one.state << " states, " << copies
-                << " copies\n";
+                << " octets a host, a state has " << one.state << " and " << copies << " copies\n";
+      // What goes on for most of a second is told meanwhile.
+      const double times = pace < milliseconds(5) ? 2 : 4;
+      EXPECT_LE(one.octets, times * copies * one.state);
     }
   }
 }

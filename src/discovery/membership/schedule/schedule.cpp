@@ -61,6 +61,7 @@ void Schedule::changed(Say what, Instant now) {
 }
 
 Instant Schedule::first_copy(Instant now) {
+  if (!has_sent_) return now;  // what waited for the identifier is said when it comes
   if (!change_due_ || now - *change_due_ >= change_wait_) {
     change_due_ = now;
     change_wait_ = change_spacing;
