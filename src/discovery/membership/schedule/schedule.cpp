@@ -62,6 +62,7 @@ void Schedule::changed(Say what, Instant now) {
 
 Instant Schedule::first_copy(Instant now) {
   if (!has_sent_) return now;  // what waited for the identifier is said when it comes
+  if (std::exchange(is_change_pending_, true)) return *change_due_;
   if (!change_due_ || now - *change_due_ >= change_wait_) {
     change_due_ = now;
     change_wait_ = change_spacing;
@@ -184,6 +185,7 @@ void Schedule::contradict(Instant now) {
 
 void Schedule::pause() {
   is_running_ = false;
+  is_change_pending_ = false;
   copies_.clear();
   answers_.clear();
   periodic_ = never;
@@ -266,6 +268,7 @@ void Schedule::begin_answers(Instant now) {
 }
 
 void Schedule::drop_copies(bool is_presence, Instant now) {
+  if (!is_presence && change_due_ && *change_due_ <= now) is_change_pending_ = false;
   std::erase_if(copies_,
                 [&](const Copy& copy) { return (copy.what == Say::presence) == is_presence && copy.due <= now; });
 }

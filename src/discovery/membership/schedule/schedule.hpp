@@ -251,6 +251,7 @@ class Schedule {
   base::Random random_;
   std::vector<Copy> copies_;                 ///< those of the last change that are still to come, in order of time
   std::optional<base::Instant> change_due_;  ///< the first copy of the last change
+  bool is_change_pending_ = false;           ///< that was not said yet
   base::Duration change_wait_ = change_spacing;
   std::optional<double> loss_;
   std::uint8_t doublings_ = 0;
