@@ -106,6 +106,16 @@ void NeighbourTable::set_self(ParticipantId id, announcement::BootNonce boot) {
   witnesses_.set_self(id, boot);
 }
 
+Difference NeighbourTable::compare(const announcement::Announcement& presence, Instant now) {
+  const auto difference = witnesses_.compare(presence, now);
+  if (difference.newer) {
+    const auto known = records_.find(*difference.newer);
+    known->second.record->suspect();
+    update(*known, now);
+  }
+  return difference;
+}
+
 Hearing NeighbourTable::hear_short(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto holder = records_.find(announcement.participant);
   if (holder == records_.end() || holder->second.record->boot() != announcement.boot) {
@@ -184,6 +194,7 @@ Hearing NeighbourTable::hear_state(const announcement::Announcement& announcemen
     former = former_.find_alive(announcement, arrival);
     if (former == nullptr && !is_expired) return Hearing::stale;
     if (former != nullptr) since = former->since();
+    if (is_expired && !former_.find(announcement, arrival.now)->is_vouched(arrival)) return Hearing::elsewhere;
     if (is_expired) {
       // It begins anew, but keeps its right to the identifier. Its next incarnation is not looked for again so soon.
       succeeded = former_.take(announcement)->succeeded();
@@ -283,7 +294,7 @@ void NeighbourTable::update(Records::value_type& known, Instant now) {
     namesakes_.update(known.first, {record.name(), record.source()}, record.lasting());
     ++roster_;
   }
-  witnesses_.update(known.first, record.heard(), record.interval());
+  witnesses_.update(known.first, record.heard(), record.lasting_interval(now), record.held_revision());
   records_.count(known.second);
   timetable_.set(known.second.slot, record.next_deadline());
 }

@@ -52,6 +52,8 @@ class NeighbourTable final : private ServiceRoom {
 
   /// Sets our own identity. Call again after each draw of IdentifierClaim.
   void set_self(ParticipantId id, announcement::BootNonce boot);
+  /// Sets the revision of our own state that our presence says.
+  void set_revision(std::uint64_t revision) { witnesses_.set_revision(revision); }
 
   /// Random bits that nobody else knows, so that nobody can aim a flood at the places of others. Call before anything
   /// is heard.
@@ -87,9 +89,8 @@ class NeighbourTable final : private ServiceRoom {
   /// Returns whether all that we doubt are among them.
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
   /// Takes in the fold of a known participant's presence; see Witnesses::compare().
-  Unknown compare(const announcement::Announcement& presence, base::Instant now) {
-    return witnesses_.compare(presence, now);
-  }
+  /// What it knows and we lack is asked for.
+  Difference compare(const announcement::Announcement& presence, base::Instant now);
   /// Whether a known participant may have heard nothing of us since then; see Witnesses::misses_us().
   [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
                                base::Instant now) {
