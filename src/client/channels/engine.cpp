@@ -204,7 +204,8 @@ SubscriberChannel* Engine::subscriber(ChannelNumber number) const {
 void Engine::on_up(const gcnp::Statement& hello) {
   last_refusal_.clear();
   log_.on_daemon(link_.where());
-  const auto mode = hello.value("keys") == "yes" ? client::sealing_mode(hello.value("sealing").value_or("")) : std::nullopt;
+  const auto mode =
+      hello.value("keys") == "yes" ? client::sealing_mode(hello.value("sealing").value_or("")) : std::nullopt;
   on_mode(mode.value_or(SealingMode::plain));
   tell(Connected{welcome_of(hello)});
   settle_.set(reactor_.now() + settle_patience);

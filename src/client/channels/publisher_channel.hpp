@@ -58,12 +58,12 @@ class PublisherChannel {
  protected:
   struct Consumer {
     ConsumerEvent event;
-    PeerAddress address;           ///< port 0: none
-    bool was_told = false;         ///< whether the program was told of it
-    bool has_greeted = false;      ///< its hello was accepted, over UDP
-    std::uint64_t challenge = 0;   ///< of that hello
-    std::uint64_t counter = 0;     ///< of its last sealed hello
-    bool was_told_of_life = false; ///< the program knows that its channel cannot be sealed
+    PeerAddress address;            ///< port 0: none
+    bool was_told = false;          ///< whether the program was told of it
+    bool has_greeted = false;       ///< its hello was accepted, over UDP
+    std::uint64_t challenge = 0;    ///< of that hello
+    std::uint64_t counter = 0;      ///< of its last sealed hello
+    bool was_told_of_life = false;  ///< the program knows that its channel cannot be sealed
   };
 
   PublisherChannel(ChannelHost& host, ChannelNumber number, Life life);

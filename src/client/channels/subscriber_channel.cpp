@@ -45,13 +45,14 @@ SubscriberChannel::SubscriberChannel(ChannelHost& host, ChannelNumber number, Li
       limit_(limit),
       conversions_(std::move(conversions)),
       udp_(host, sealer_, told_by_udp()),
-      timer_(host.reactor(), [this] {
-        for (const auto over : counterparts_.expired(now())) {
-          if (is_paused_) counterparts_.go_on_finishing(over, now());  // it was not read
-          if (counterparts_.at(over).until <= now()) remove(over, counterparts_.at(over).reason);
-        }
-        set_timer();
-      }),
+      timer_(host.reactor(),
+             [this] {
+               for (const auto over : counterparts_.expired(now())) {
+                 if (is_paused_) counterparts_.go_on_finishing(over, now());  // it was not read
+                 if (counterparts_.at(over).until <= now()) remove(over, counterparts_.at(over).reason);
+               }
+               set_timer();
+             }),
       place_timer_(host.reactor(), [this] { rotate_places(); }),
       again_timer_(host.reactor(), [this] { return_to_ended(); }) {}
 

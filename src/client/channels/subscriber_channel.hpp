@@ -64,7 +64,7 @@ class SubscriberChannel {
     Way way = Way::none;
     PeerAddress address;
     bool was_told_of_conversion = false;
-    bool is_served = false;     ///< has delivered a message over TCP
+    bool is_served = false;      ///< has delivered a message over TCP
     std::string last_problem{};  ///< that the program was told
     /// The last sequence that an end said which anybody could have forged, and how long it counts.
     std::uint64_t last_at_end = 0;
@@ -131,9 +131,9 @@ class SubscriberChannel {
   ReceiveCount count_;
   Inbox inbox_;
   Sequence sequence_;
-  bool has_plain_daemon_ = false;      ///< the daemon has no keys
-  std::map<Life, ChannelKeys> keys_;   ///< that the daemon has told
-  std::deque<Life> waiting_keys_;      ///< of lives without a provider, in the order in which they came
+  bool has_plain_daemon_ = false;     ///< the daemon has no keys
+  std::map<Life, ChannelKeys> keys_;  ///< that the daemon has told
+  std::deque<Life> waiting_keys_;     ///< of lives without a provider, in the order in which they came
   ProviderPlaces places_;
   Crowding crowding_;
   std::map<ServiceKey, Ended> ended_;

@@ -41,8 +41,7 @@ void TcpInlet::pause(bool is_paused) {
 }
 
 bool TcpInlet::say_hello() {
-  const auto hello =
-      sealer_.frame(intake_.keys(), FrameKind::hello, 0, greeting_payload(handshake_->greeting()));
+  const auto hello = sealer_.frame(intake_.keys(), FrameKind::hello, 0, greeting_payload(handshake_->greeting()));
   // The buffer of a new connection has room for two hellos.
   return hello && host_.is_own_process() &&
          ::send(socket_.get(), hello->data(), hello->size(), MSG_NOSIGNAL) == static_cast<ssize_t>(hello->size());

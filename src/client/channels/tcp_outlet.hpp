@@ -38,15 +38,15 @@ class TcpOutlet : public PublisherChannel {
     SendQueue queue{};
     Life life = no_life;  ///< of its hello
     std::uint64_t challenge = 0;
-    std::uint64_t cookie = 0;             ///< that it has to say; 0: none
-    std::uint64_t counter = 0;            ///< of its last sealed frame
-    bool is_proved = false;               ///< its hello was sealed
-    bool has_greeted = false;             ///< its hello is accepted
-    bool was_told_slow = false;           ///< the program knows that messages to it are left out
-    base::Instant took = base::never;     ///< the instant at which it took something of what waits
+    std::uint64_t cookie = 0;          ///< that it has to say; 0: none
+    std::uint64_t counter = 0;         ///< of its last sealed frame
+    bool is_proved = false;            ///< its hello was sealed
+    bool has_greeted = false;          ///< its hello is accepted
+    bool was_told_slow = false;        ///< the program knows that messages to it are left out
+    base::Instant took = base::never;  ///< the instant at which it took something of what waits
     Role role = Role::stranger;
     Places::Number place = 0;  ///< of a consumer
-    bool has_ended = false;  ///< everything is written and our half is closed
+    bool has_ended = false;    ///< everything is written and our half is closed
     base::Instant until = base::never;
   };
   /// Ordered as the connections came.

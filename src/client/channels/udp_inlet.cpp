@@ -188,7 +188,8 @@ bool UdpInlet::await_floor(Number number, const ReadFrame& frame, const PeerAddr
   Source& source = sources_.at(number);
   early_.put(source.address, frame, now());
   if (source.group.is_open()) {
-    PeerAddress at = from;
+    // A host without a route for multicasts sends them from 0.0.0.0, through its loopback.
+    PeerAddress at = from == *peer_address("0.0.0.0", from.port) ? *peer_address("127.0.0.1", 0) : from;
     at.port = seal_fields(frame).hello_port;
     if (at.port != 0) greet(number, at);
   }
@@ -229,8 +230,7 @@ void UdpInlet::set_timer() {
 
 void UdpInlet::say(const Source& source, FrameKind kind) {
   if (!socket_.is_open() || !source.handshake || !host_.is_own_process()) return;
-  const auto bytes =
-      sealer_.frame(source.intake.keys(), kind, 0, greeting_payload(source.handshake->greeting()));
+  const auto bytes = sealer_.frame(source.intake.keys(), kind, 0, greeting_payload(source.handshake->greeting()));
   if (!bytes) return;
   const std::array parts{part(*bytes)};
   // A hello that is lost is followed by the next one.

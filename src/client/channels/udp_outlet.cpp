@@ -240,8 +240,8 @@ bool UdpOutlet::take_hello(const Word& word) {
   const Life life = word.frame.life;
   const Greeting accepted{life, word.greeting.challenge, 0};
   if (group_) {
-    if (word.counter) answer(FrameKind::floor, word.from, accepted);
-    return word.counter.has_value();
+    answer(FrameKind::floor, word.from, accepted);
+    return true;
   }
   if (mode_ != ChannelMode::one_to_many_stream && !keys_->has_ring()) return false;
   if (mode_ == ChannelMode::one_to_many_stream) {
@@ -255,7 +255,8 @@ bool UdpOutlet::take_hello(const Word& word) {
       answer(FrameKind::floor, word.from, accepted);
       return true;
     }
-  } else if (const auto counterpart = counterparts_.find(life); counterpart && consumers_.at(*counterpart).has_greeted) {
+  } else if (const auto counterpart = counterparts_.find(life);
+             counterpart && consumers_.at(*counterpart).has_greeted) {
     Consumer& known = consumers_.at(*counterpart);
     if (word.counter && *word.counter <= known.counter) return false;
     known.challenge = word.greeting.challenge;
@@ -285,8 +286,7 @@ bool UdpOutlet::accept(const Word& word) {
     appear(*counterpart);
     return true;
   }
-  const auto added =
-      listeners_.add({word.from, life, word.greeting.challenge, word.counter.value_or(0)}, now());
+  const auto added = listeners_.add({word.from, life, word.greeting.challenge, word.counter.value_or(0)}, now());
   if (added.loser) say(FrameKind::full, added.loser->address, {added.loser->life, added.loser->challenge, 0});
   if (!added.is_added || added.loser) {
     tell_crowding(crowding_.on_full(), listeners_.places(), "listeners");

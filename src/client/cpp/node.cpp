@@ -21,8 +21,7 @@ constexpr milliseconds goodbye_patience{60'000};
 
 class NodeState {
  public:
-  NodeState(client::DaemonLink::Options options, client::Log::Write log)
-      : engine(std::move(options), std::move(log)) {}
+  NodeState(client::DaemonLink::Options options, client::Log::Write log) : engine(std::move(options), std::move(log)) {}
 
   bool process() {
     last_upkeep = Clock::now();

@@ -37,7 +37,8 @@ class Cookies {
   [[nodiscard]] std::uint64_t cookie(const PeerAddress& address, Life life, std::uint64_t challenge,
                                      std::uint64_t interval) const {
     std::array<std::byte, 16 + 4 + 2 + 3 * 8> text{};
-    std::byte* at = std::ranges::transform(address.octets, text.begin(), [](auto octet) { return std::byte{octet}; }).out;
+    std::byte* at =
+        std::ranges::transform(address.octets, text.begin(), [](auto octet) { return std::byte{octet}; }).out;
     write_number(at, address.zone);
     write_number(at + 4, address.port);
     write_number(at + 6, static_cast<std::uint64_t>(life));

@@ -11,11 +11,8 @@ void EarlyFrames::put(const PeerAddress& from, const ReadFrame& frame, base::Ins
   if (frame.payload.size() > max_early_octets) return;
   while (kept_.size() >= max_early_frames || octets_ + frame.payload.size() > max_early_octets) drop_first();
   octets_ += frame.payload.size();
-  kept_.push_back({now + early_patience,
-                   from,
-                   frame.life,
-                   frame.payload.size(),
-                   {frame.octets.begin(), frame.octets.end()}});
+  kept_.push_back(
+      {now + early_patience, from, frame.life, frame.payload.size(), {frame.octets.begin(), frame.octets.end()}});
 }
 
 std::vector<EarlyFrames::Kept> EarlyFrames::take(const PeerAddress& from, Life life, base::Instant now) {

@@ -21,9 +21,8 @@ Places::Given Places::take(Number number, const PeerAddress& address) {
   const PeerAddress own = without_port(address);
   Given given{true, {}};
   if (are_taken()) {
-    const auto most = std::ranges::max_element(addresses_, {}, [](const auto& one) {
-      return std::pair(one.second.size(), one.second.newest());
-    });
+    const auto most = std::ranges::max_element(
+        addresses_, {}, [](const auto& one) { return std::pair(one.second.size(), one.second.newest()); });
     const auto mine = addresses_.find(own);
     const std::size_t held = mine == addresses_.end() ? 0 : mine->second.size();
     if (most == addresses_.end() || most->second.size() < held + 2) return {};

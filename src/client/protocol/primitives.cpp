@@ -46,9 +46,9 @@ void seal(const Secret& key, const Nonce& nonce, std::span<const std::byte> extr
 bool open(const Secret& key, const Nonce& nonce, std::span<const std::byte> extra, std::span<const std::byte> sealed,
           std::byte* to) {
   const std::size_t size = sealed.size() - tag_bytes;
-  return crypto_aead_chacha20poly1305_ietf_decrypt_detached(
-             reinterpret_cast<unsigned char*>(to), nullptr, raw(sealed), size, raw(sealed.subspan(size)), raw(extra),
-             extra.size(), raw(nonce), raw(key.octets())) == 0;
+  return crypto_aead_chacha20poly1305_ietf_decrypt_detached(reinterpret_cast<unsigned char*>(to), nullptr, raw(sealed),
+                                                            size, raw(sealed.subspan(size)), raw(extra), extra.size(),
+                                                            raw(nonce), raw(key.octets())) == 0;
 }
 
 std::uint64_t keyed_hash(const Secret& key, std::span<const std::byte> text) {

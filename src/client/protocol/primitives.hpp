@@ -37,8 +37,8 @@ using Nonce = std::array<std::byte, nonce_bytes>;
 /// `text` may be empty or lie where `to` begins.
 void seal(const Secret& key, const Nonce& nonce, std::span<const std::byte> extra, std::span<const std::byte> text,
           std::byte* to);
-/// Decrypts to `to`, which has room for `sealed` without its tag. False if the tag is wrong; `to` is void then. Requires
-/// a tag in `sealed`.
+/// Decrypts to `to`, which has room for `sealed` without its tag. False if the tag is wrong; `to` is void then.
+/// Requires a tag in `sealed`.
 [[nodiscard]] bool open(const Secret& key, const Nonce& nonce, std::span<const std::byte> extra,
                         std::span<const std::byte> sealed, std::byte* to);
 

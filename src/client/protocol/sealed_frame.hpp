@@ -41,8 +41,8 @@ class Sealer {
   Sealer& operator=(const Sealer&) = delete;
 
   [[nodiscard]] Life life() const { return own_; }
-  /// Writes a frame of the own life with the first key of the ring to `to`, which has sealed_size() octets. False if the
-  /// counter is used up. Requires keys that send sealed.
+  /// Writes a frame of the own life with the first key of the ring to `to`, which has sealed_size() octets. False if
+  /// the counter is used up. Requires keys that send sealed.
   [[nodiscard]] bool seal(const ChannelKeys& keys, FrameKind kind, std::uint64_t sequence,
                           std::span<const std::byte> payload, std::uint16_t hello_port, std::byte* to);
   /// The octets of a frame of the own life in the form in which this host sends. Nothing if the counter is used up.

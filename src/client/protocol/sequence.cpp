@@ -30,7 +30,7 @@ std::optional<std::uint64_t> Sequence::take_unproved(Life life, std::uint64_t nu
   if (heard.was_delivered(number)) return std::nullopt;  // rule 1
   const bool is_later = number > heard.last;
   std::uint64_t missed = 0;
-  if (heard.is_first && is_later) {  // rule 2
+  if (heard.is_first && is_later) {                                   // rule 2
   } else if (is_later && number - heard.last <= max_sequence_step) {  // rule 3
     missed = number - heard.last - 1;
   } else {  // rule 4

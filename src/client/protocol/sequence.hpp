@@ -31,9 +31,9 @@ class Sequence {
  private:
   struct Heard {
     std::uint64_t last = 0;
-    base::Instant at{};       ///< the instant of the last delivery
-    bool is_first = true;     ///< the next message is the first one of its channel
-    std::uint64_t heard = 0;  ///< a count that orders lives by time
+    base::Instant at{};                                ///< the instant of the last delivery
+    bool is_first = true;                              ///< the next message is the first one of its channel
+    std::uint64_t heard = 0;                           ///< a count that orders lives by time
     std::optional<std::uint64_t> straggler{};          ///< the frame before, if it was dropped as one
     std::map<std::uint64_t, std::uint64_t> delivered;  ///< runs without a gap: from the first to the last
 

@@ -146,13 +146,13 @@ class Speaker {
   void send(const PeerAddress& to, std::span<const std::byte> octets) {
     const std::array parts{part(octets)};
     EXPECT_EQ(send_datagram(socket_, to, parts), 0);
-    rig_.settle();
+    for (int i = 0; i < 3; ++i) rig_.reactor().process();
   }
   void send(const PeerAddress& to, const Frame& frame) { send(to, frame_bytes(frame)); }
   /// The datagrams that have come.
   std::vector<std::vector<std::byte>> hear() {
     std::vector<std::vector<std::byte>> all;
-    std::vector<std::byte> room(65'536);
+    const auto room = rig_.datagram_room();
     while (true) {
       const auto count = ::recv(socket_.get(), room.data(), room.size(), MSG_DONTWAIT);
       if (count < 0) return all;

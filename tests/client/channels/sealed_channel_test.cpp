@@ -89,7 +89,7 @@ TEST(SealedChannel, CarriesMessagesInEachModeOverEachProtocol) {
 TEST(SealedChannel, OfEveryPairOfModesThatUnderstandEachOtherCarriesMessages) {
   using enum SealingMode;
   const std::vector<std::pair<SealingMode, SealingMode>> pairs{
-      {plain, prepared}, {plain, mixed},    {prepared, plain},      {prepared, prepared},      {prepared, mixed},
+      {plain, prepared}, {prepared, plain},  {prepared, prepared},       {prepared, mixed},
       {mixed, prepared}, {mixed, encrypted}, {encrypted, authenticated}, {authenticated, encrypted}};
   for (const auto& one : all_cases()) {
     for (const auto& [publishers, subscribers] : pairs) {
@@ -124,6 +124,8 @@ TEST(SealedChannel, LosesNothingWhenKeysAndModesChange) {
       pair.subscriber->set_keys(pair.publisher->life(), keys);
       pair.rig.pass(1s);
       pair.publisher->set_keys(keys);
+      // Over TCP those that did not say a sealed hello are closed by a publisher that becomes strict, and come again.
+      if (std::string(one.protocol) == "tcp" && !keys.takes_plain()) pair.rig.pass(1s);
       pair.send();
       pair.send();
       sent += 2;

@@ -81,8 +81,8 @@ std::string frame_answer(std::string_view hex) {
   const auto frame = bytes ? client::read_frame(*bytes) : std::nullopt;
   if (!frame || frame->form != client::FrameForm::plain) return "frame refused";
   constexpr std::array<const char*, 5> kinds{"message", "hello", "end", "floor", "full"};
-  return std::string("frame ") + kinds.at(static_cast<std::size_t>(frame->kind) - 1) + ' ' + to_string(frame->life) + ' ' + std::to_string(frame->sequence) + ' ' +
-         to_hex(frame->payload);
+  return std::string("frame ") + kinds.at(static_cast<std::size_t>(frame->kind) - 1) + ' ' + to_string(frame->life) +
+         ' ' + std::to_string(frame->sequence) + ' ' + to_hex(frame->payload);
 }
 
 std::string line_answer(std::string_view line) {

@@ -86,8 +86,8 @@ TEST(SealedFrame, OfADatagramHasALargestPayload) {
 
 TEST(Sealer, UsesNoCounterTwiceAndEndsWithTheLastOne) {
   const auto keys = keys_of("encrypted");
-  for (const auto& [direction, last] : {std::pair{Direction::forward, ~std::uint64_t{0}},
-                                       std::pair{Direction::back, std::uint64_t{0xffff'ffff}}}) {
+  for (const auto& [direction, last] :
+       {std::pair{Direction::forward, ~std::uint64_t{0}}, std::pair{Direction::back, std::uint64_t{0xffff'ffff}}}) {
     Sealer sealer(Life{1}, direction);
     sealer.count_from(last - 2);
     const auto first = sealer.frame(keys, FrameKind::end, 1);
@@ -113,15 +113,14 @@ TEST(ChannelKeys, AreReadFromTheLineOfADaemon) {
   ASSERT_TRUE(plain);
   EXPECT_TRUE(plain->keys == ChannelKeys());
   const std::string ring = std::string(" ring=6208:") + forward_digits + ':' + back_digits;
-  for (const std::string& line : {std::string("5 pub keys mode=plain"),
-                                  std::string("5 pub keys life=0123456789abcdef"),
-                                  std::string("5 pub keys life=0123456789abcdef mode=encrypted"),
-                                  "5 pub keys life=0123456789abcdef mode=plain" + ring,
-                                  "5 pub keys life=0123456789abcdef mode=secret" + ring,
-                                  "5 pub keys life=0123456789abcdef mode=mixed" + ring + ",beef",
-                                  "5 pub keys life=0123456789abcdef mode=mixed" + ring.substr(0, ring.size() - 1),
-                                  "5 pub keys life=0123456789abcdef mode=mixed" + ring + "0",
-                                  "5 pub keys life=0123456789ABCDEF mode=mixed" + ring}) {
+  for (const std::string& line :
+       {std::string("5 pub keys mode=plain"), std::string("5 pub keys life=0123456789abcdef"),
+        std::string("5 pub keys life=0123456789abcdef mode=encrypted"),
+        "5 pub keys life=0123456789abcdef mode=plain" + ring, "5 pub keys life=0123456789abcdef mode=secret" + ring,
+        "5 pub keys life=0123456789abcdef mode=mixed" + ring + ",beef",
+        "5 pub keys life=0123456789abcdef mode=mixed" + ring.substr(0, ring.size() - 1),
+        "5 pub keys life=0123456789abcdef mode=mixed" + ring + "0",
+        "5 pub keys life=0123456789ABCDEF mode=mixed" + ring}) {
     EXPECT_FALSE(read(line)) << line;
   }
 }
@@ -150,8 +149,8 @@ TEST(ChannelKeys, OpenWhatAnyKeyOfTheRingHasSealed) {
 /// Whether a host of this mode takes a frame in this form.
 bool takes(const std::string& mode, FrameForm form) {
   const auto keys = mode == "plain" ? ChannelKeys() : keys_of(mode);
-  const auto senders = form == FrameForm::plain ? ChannelKeys()
-                                                : keys_of(form == FrameForm::encrypted ? "encrypted" : "authenticated");
+  const auto senders =
+      form == FrameForm::plain ? ChannelKeys() : keys_of(form == FrameForm::encrypted ? "encrypted" : "authenticated");
   Sealer sealer(Life{1}, Direction::forward);
   const auto octets = *sealer.frame(senders, FrameKind::message, 1);
   std::vector<std::byte> room;
