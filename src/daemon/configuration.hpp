@@ -2,7 +2,6 @@
 #ifndef GEMINGA_DAEMON_CONFIGURATION_HPP
 #define GEMINGA_DAEMON_CONFIGURATION_HPP
 
-#include <cstdint>
 #include <expected>
 #include <map>
 #include <string>

@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds max_stop_wait{400};
 /// The wait at the start for the ontology. After it the daemon serves without one.
 constexpr std::chrono::milliseconds max_start_wait{500};
 
-/// A line for each file or folder that does not exist: a slip in a flag ends the start, and does not wait in a log.
+/// One line for each file or folder that does not exist. They end the start, so that a mistyped flag is seen at once.
 Lines missing_files(const std::vector<std::string>& paths) {
   Lines lines;
   for (const std::string& path : paths) {

@@ -1,6 +1,5 @@
 #include "daemon/ontology_in_force.hpp"
 
-#include <memory>
 #include <utility>
 
 #include "base/text.hpp"

@@ -2,7 +2,6 @@
 #ifndef GEMINGA_TESTS_CASES_TAXONOMY_HPP
 #define GEMINGA_TESTS_CASES_TAXONOMY_HPP
 
-#include <cstddef>
 #include <expected>
 #include <string>
 #include <string_view>

@@ -1,10 +1,7 @@
 #include "compare/functional_syntax.hpp"
 
-#include <algorithm>
 #include <map>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace geminga::compare {
 namespace {

@@ -1,6 +1,5 @@
 #include "compare/opinions.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
 #include "reasoning/dl/clauses/clausify.hpp"

@@ -11,7 +11,6 @@
 #include <array>
 #include <boost/json/parse.hpp>
 #include <csignal>
-#include <cstdlib>
 
 namespace geminga::daemon {
 namespace {

@@ -11,7 +11,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   using namespace geminga;
   const std::string_view bytes(reinterpret_cast<const char*>(octets), size);
-  frames::Limits limits;
+  frames::FrameLimits limits;
   limits.expression.nesting = 20;
   limits.expression.parts = 50;
   limits.annotation_levels = 5;

@@ -11,7 +11,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   using namespace geminga;
   const std::string_view bytes(reinterpret_cast<const char*>(octets), size);
-  functional::Limits limits;
+  functional::FunctionalLimits limits;
   limits.nesting = 20;
   limits.operands = 50;
   limits.iri_bytes = 200;

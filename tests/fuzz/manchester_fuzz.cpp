@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   static const placement::ExpressionClassifier classifier = *placement::ExpressionClassifier::build(loaded);
   const std::string_view text(reinterpret_cast<const char*>(octets), size);
   (void)manchester::is_compound(text);
-  manchester::Limits limits;
+  manchester::ExpressionLimits limits;
   limits.text_bytes = 300;
   limits.nesting = 20;
   limits.parts = 50;

@@ -28,7 +28,7 @@ void expect_one_line(const geminga::syntax::LoadError& error) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
-  geminga::syntax::Limits limits;
+  geminga::syntax::FileLimits limits;
   limits.triples = 2'000;
   limits.literal_bytes = 300;
   limits.iri_bytes = 200;

@@ -27,7 +27,7 @@ namespace geminga::fuzz {
 
 /// `extension` chooses the syntax.
 inline void read_as(const char* extension, const std::uint8_t* octets, std::size_t size) {
-  syntax::Limits limits;
+  syntax::FileLimits limits;
   limits.triples = 2'000;
   limits.literal_bytes = 300;
   limits.iri_bytes = 200;

@@ -13,7 +13,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
   using namespace geminga;
-  functional::Limits limits;
+  functional::FunctionalLimits limits;
   limits.nesting = 10;
   limits.operands = 10;
   limits.iri_bytes = 100;

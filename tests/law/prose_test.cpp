@@ -9,7 +9,6 @@
 #include <map>
 #include <regex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "client/protocol/limits.hpp"
@@ -21,7 +20,6 @@
 namespace geminga::law {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -87,6 +85,13 @@ TEST(Prose, OfCommentsBeginsWithANounOrAVerb) {
     if (file.path.ends_with("prose_test.cpp")) continue;  // it shows what it looks for
     EXPECT_THAT(riddles(file), IsEmpty());
   }
+}
+
+TEST(Prose, OfBuildFilesCasesAndTranscriptsBeginsSo) {
+  const std::vector<SourceFile> cases = files_below("tests", {".ttl", ".txt"});
+  ASSERT_GE(cases.size(), 100U);
+  for (const SourceFile& file : cases) EXPECT_THAT(riddles(file), IsEmpty());
+  for (const SourceFile& file : files_below("", {"CMakeLists.txt", ".cmake"})) EXPECT_THAT(riddles(file), IsEmpty());
 }
 
 TEST(Prose, OfTheFirstDocumentsIsShort) {

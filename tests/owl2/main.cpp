@@ -1,7 +1,6 @@
 // The program that ctest calls: `extract FOLDER` writes the documents of the published cases and the list of tests,
 // `ask` runs one, `table` checks OUTSIDE.tsv, `absent` says that there are no published cases here.
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>

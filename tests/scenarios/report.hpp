@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <ostream>
-#include <string>
 
 #include "scenarios/conditions.hpp"
 #include "scenarios/simulation.hpp"

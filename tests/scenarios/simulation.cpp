@@ -1,7 +1,6 @@
 #include "scenarios/simulation.hpp"
 
 #include <algorithm>
-#include <memory>
 
 #include "discovery/membership/schedule/deadline.hpp"
 #include "scenarios/moment.hpp"

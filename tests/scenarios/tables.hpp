@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <map>
-#include <string_view>
 
 #include "sim/team.hpp"
 #include "sim/world.hpp"

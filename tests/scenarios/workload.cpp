@@ -1,7 +1,6 @@
 #include "scenarios/workload.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "sim/host.hpp"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "discovery/announcement/codec.hpp"
 #include "discovery/membership/schedule/schedule.hpp"

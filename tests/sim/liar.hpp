@@ -2,10 +2,8 @@
 #ifndef GEMINGA_TESTS_SIM_LIAR_HPP
 #define GEMINGA_TESTS_SIM_LIAR_HPP
 
-#include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "discovery/announcement/announcement.hpp"

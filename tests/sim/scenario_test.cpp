@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "discovery/membership/claim/identifier_claim.hpp"
 #include "discovery/membership/schedule/deadline.hpp"

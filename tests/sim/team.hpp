@@ -2,7 +2,6 @@
 #ifndef GEMINGA_TESTS_SIM_TEAM_HPP
 #define GEMINGA_TESTS_SIM_TEAM_HPP
 
-#include <cstdint>
 #include <memory>
 #include <set>
 #include <string>

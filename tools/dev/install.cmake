@@ -13,7 +13,7 @@ foreach(module IN LISTS geminga_client_modules)
   set_target_properties(geminga_${module} PROPERTIES EXPORT_NAME ${module})
 endforeach()
 set_target_properties(geminga_client_cpp PROPERTIES EXPORT_NAME client)
-# What is public is C++20 (include/geminga), whatever the library was compiled as.
+# The public headers (include/geminga) are C++20, whatever the library was compiled as.
 target_compile_features(geminga_client_cpp INTERFACE cxx_std_20)
 install(TARGETS geminga EXPORT GemingaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 # Wherever the folder is moved to, cmake --install --prefix included.

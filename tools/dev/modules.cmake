@@ -138,7 +138,7 @@ function(geminga_test_body target)
 endfunction()
 
 # geminga_test_library(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
-# What the tests of several modules share, compiled once; a test names it in its DEPENDS.
+# Code that the tests of several modules share, compiled once; a test names it in its DEPENDS.
 function(geminga_test_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LINK")
   add_library(geminga_${name} STATIC ${arg_SOURCES})

@@ -40,8 +40,8 @@ struct QueryRequest {
 /// The query itself, or that in the file that the word names.
 std::expected<std::string, std::string> query_of(const std::string& word) {
   if (!word.ends_with(".rq") && !word.ends_with(".sparql")) return word;
-  syntax::Limits limits;
-  limits.file_bytes = graph::Limits{}.query_bytes;
+  syntax::FileLimits limits;
+  limits.file_bytes = graph::GraphLimits{}.query_bytes;
   const auto bytes = syntax::FileBytes::read(word, limits);
   if (!bytes) return std::unexpected(syntax::to_string(bytes.error()));
   return std::string(bytes->view());

@@ -3,7 +3,6 @@
 #define GEMINGA_QUERY_FILTER_HPP
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <boost/json/object.hpp>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>

@@ -3,9 +3,6 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
-#include <utility>
-
-#include "shell/terminal.hpp"
 
 namespace geminga::shell {
 namespace {

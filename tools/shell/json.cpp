@@ -11,10 +11,8 @@
 #include <iterator>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "base/text.hpp"
-#include "shell/describe.hpp"
 #include "shell/terminal.hpp"
 #include "shell/timestamp.hpp"
 

@@ -6,7 +6,6 @@
 #include <boost/json/object.hpp>
 #include <boost/json/value.hpp>
 #include <ostream>
-#include <string_view>
 #include <vector>
 
 #include "geminga/client.hpp"

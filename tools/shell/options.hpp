@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "geminga/client.hpp"
 #include "geminga/match.hpp"

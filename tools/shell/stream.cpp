@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "shell/report.hpp"
+#include "shell/stop_signals.hpp"
 
 namespace geminga::shell {
 namespace {

@@ -13,7 +13,6 @@
 #include "geminga/event.hpp"
 #include "shell/command_queue.hpp"
 #include "shell/exit_status.hpp"
-#include "shell/stop_signals.hpp"
 
 namespace geminga::shell {
 

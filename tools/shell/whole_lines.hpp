@@ -4,7 +4,6 @@
 #define GEMINGA_SHELL_WHOLE_LINES_HPP
 
 #include <cstddef>
-#include <ostream>
 #include <streambuf>
 #include <string>
 

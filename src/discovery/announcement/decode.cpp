@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/address.hpp"
-#include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/fault.hpp"

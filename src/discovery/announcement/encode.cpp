@@ -78,7 +78,7 @@ std::string octets_of(const Witness& witness) {
   return octets;
 }
 
-/// The fields that a presence and a change begin with. All else is as the state says.
+/// The fields that a presence and a change begin with. Receivers take the others from the state.
 wire::Announcement short_header_of(const Announcement& announcement) {
   auto message = beginning_of(announcement);
   if (announcement.group != default_group) message.set_group(group_of(announcement));
@@ -163,7 +163,7 @@ class Packer {
       added.set_name(std::string(base::first_characters(peer.name, max_name_bytes)));
       open = added.ByteSizeLong();
     }
-    // The message is written into a peer of its own first, so that nothing needs to be taken back.
+    // A peer of its own takes the message first: if it does not fit, the part is as it was.
     wire::Peer entry;
     open += write(entry, part.terms);
     if (base_bytes_ + part.terms.bytes() + closed + framed_bytes(2, open) > max_datagram_bytes) {

@@ -3,7 +3,6 @@
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_FAULT_HPP
 
 #include <optional>
-#include <string_view>
 
 #include "discovery/announcement/codec.hpp"
 #include "geminga/error.hpp"

@@ -71,8 +71,8 @@ inline constexpr unsigned max_doublings = 8;
 inline constexpr base::Duration stranger_interval = std::chrono::seconds(2);
 /// A participant that was heard for so long never gives way to a stranger.
 inline constexpr base::Duration seasoned_after = std::chrono::seconds(60);
-/// The intervals for which something that a sender said stands against something else, once somebody lies in its name.
-/// What it has said for a shorter time is undone then.
+/// The intervals before the first contradiction in a sender's name whose changes are undone: somebody lies in that
+/// name, and older statements are believed.
 inline constexpr int hold_intervals = 2;
 /// The intervals without a contradiction that end a contest: what it takes to believe that somebody is gone.
 inline constexpr int contest_intervals = 5;

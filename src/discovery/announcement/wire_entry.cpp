@@ -1,7 +1,5 @@
 #include "discovery/announcement/wire_entry.hpp"
 
-#include <utility>
-
 #include "base/address.hpp"
 #include "discovery/announcement/wire_choice.hpp"
 

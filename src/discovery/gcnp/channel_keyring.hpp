@@ -28,7 +28,7 @@ struct ChannelKey {
   friend bool operator==(const ChannelKey&, const ChannelKey&) = default;
 };
 
-/// What a daemon says of one channel. It is no event: nobody shows it, and nobody writes it to a log.
+/// The keys of one channel, as a daemon says them. It is no event: nobody shows it, and nobody writes it to a log.
 struct ChannelKeyring {
   Life life = no_life;           ///< of the publication
   std::string mode = "plain";    ///< the word of the host's mode (SEALING.md, "Modes")

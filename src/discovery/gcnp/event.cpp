@@ -106,7 +106,7 @@ void append_attributes(std::vector<Parameter>& parameters, const std::string& co
   append(parameters, "convert", convert);
   append(parameters, cost_key, cost);
   append_stated(parameters, via_key, via);
-  // They are not reserved, but here they would be taken for keys.
+  // `cost` and `via` are no reserved words, but beside a conversion a reader takes them for keys.
   for (const auto& [name, value] : attributes) {
     const bool is_key = name == cost_key || name == via_key;
     append(parameters, is_key ? std::string(attribute_prefix) + name : shown_key(name), value);

@@ -3,9 +3,6 @@
 #define GEMINGA_REASONING_COMPILED_COMPILE_SECTIONS_HPP
 
 #include <cstdint>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "compiled_generated.h"
 #include "reasoning/compiled/compile.hpp"

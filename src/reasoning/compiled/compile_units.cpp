@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "reasoning/compiled/compile_sections.hpp"
-#include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/unit.hpp"
 
 namespace geminga::compiled {

@@ -2,7 +2,6 @@
 #ifndef GEMINGA_REASONING_COMPILED_COMPILED_VIEW_HPP
 #define GEMINGA_REASONING_COMPILED_COMPILED_VIEW_HPP
 
-#include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <span>

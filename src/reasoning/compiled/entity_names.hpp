@@ -2,9 +2,7 @@
 #ifndef GEMINGA_REASONING_COMPILED_ENTITY_NAMES_HPP
 #define GEMINGA_REASONING_COMPILED_ENTITY_NAMES_HPP
 
-#include <cstdint>
 #include <expected>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>

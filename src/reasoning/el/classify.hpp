@@ -2,13 +2,8 @@
 #ifndef GEMINGA_REASONING_EL_CLASSIFY_HPP
 #define GEMINGA_REASONING_EL_CLASSIFY_HPP
 
-#include <cstddef>
-#include <cstdint>
 #include <expected>
-#include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "base/budget.hpp"
 #include "reasoning/el/limits.hpp"
@@ -20,8 +15,8 @@ namespace geminga::el {
 struct ClassifyOptions {
   unsigned threads = 1;  ///< of saturation; the result does not depend on it
   bool inherits = true;  ///< closes by inheritance if possible (closure/inheritance.hpp)
-  /// Limits the work of deriving; without it only the limits do. Borrowed. Work that is linear in the axioms is done in
-  /// any case: after the budget is spent, the conclusions by then are reduced to a taxonomy.
+  /// The budget of the work of deriving, borrowed; null: only `limits` bound it. When it is spent, the conclusions so
+  /// far are still reduced to a taxonomy, which is linear in the axioms.
   base::Budget* budget = nullptr;
   ClassifyLimits limits{};
 };

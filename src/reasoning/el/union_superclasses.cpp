@@ -17,7 +17,7 @@ std::vector<std::pair<ExprId, ExprId>> find_union_superclasses(const IndexedOnto
     for (const ExprId part : one.parts) {
       const Context* context = saturation.find(index.representative(part));
       if (context != nullptr && context->is_unsatisfiable) continue;
-      const auto of_part = above.of(part);
+      const auto of_part = above.gather(part);
       if (!shared) {
         shared.emplace(of_part.begin(), of_part.end());
       } else {
@@ -28,7 +28,7 @@ std::vector<std::pair<ExprId, ExprId>> find_union_superclasses(const IndexedOnto
       found.emplace_back(one.whole, bottom_expr);
       continue;
     }
-    (void)above.of(one.whole);
+    (void)above.gather(one.whole);
     for (const ExprId atom : *shared) {
       if (!above.contains(atom)) found.emplace_back(one.whole, atom);
     }

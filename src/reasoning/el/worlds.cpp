@@ -61,7 +61,7 @@ std::optional<World> find_world(const IndexedOntology& index, ExprId root, std::
   world.is_possible = saturation.is_consistent();
   if (!world.is_possible) return world;
   AtomsAbove above(index, saturation);
-  const std::span<const ExprId> found = above.of(root);
+  const std::span<const ExprId> found = above.gather(root);
   world.above.assign(found.begin(), found.end());
   return world;
 }

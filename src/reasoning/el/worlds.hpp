@@ -7,7 +7,6 @@
 #ifndef GEMINGA_REASONING_EL_WORLDS_HPP
 #define GEMINGA_REASONING_EL_WORLDS_HPP
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>

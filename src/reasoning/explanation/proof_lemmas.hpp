@@ -4,7 +4,6 @@
 
 #include <map>
 #include <optional>
-#include <vector>
 
 #include "reasoning/explanation/explain_module.hpp"
 #include "reasoning/explanation/explain_oracle.hpp"

@@ -3,7 +3,6 @@
 #define GEMINGA_REASONING_EXPLANATION_WHY_NOT_HPP
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -49,7 +49,7 @@ class Walk {
 
   void look_at(std::uint32_t axiom) {
     if (is_taken_[axiom]) return;
-    switch (test_.of(axiom)) {
+    switch (test_.test(axiom)) {
       case Locality::always:
         return;
       case Locality::waiting:

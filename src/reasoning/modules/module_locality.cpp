@@ -203,7 +203,7 @@ Locality LocalityTest::of_class_axiom(owl::AxiomKind kind, Numbers arguments) {
   }
 }
 
-Locality LocalityTest::of(std::uint32_t axiom) {
+Locality LocalityTest::test(std::uint32_t axiom) {
   names_.clear();
   looked_at_ = 0;
   const Numbers arguments = view_.arguments_of_axiom(axiom);

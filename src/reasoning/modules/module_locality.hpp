@@ -51,8 +51,8 @@ class LocalityTest {
                std::span<const std::uint32_t> uses)
       : view_(view), built_in_(built_in), is_in_signature_(is_in_signature), uses_(uses) {}
 
-  [[nodiscard]] Locality of(std::uint32_t axiom);
-  /// The names that the last axiom of of() waits for. Valid until of() is called again.
+  [[nodiscard]] Locality test(std::uint32_t axiom);
+  /// The names that the last tested axiom waits for. Valid until the next test.
   [[nodiscard]] std::span<const std::uint32_t> names() const { return names_; }
 
  private:

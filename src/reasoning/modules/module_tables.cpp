@@ -47,7 +47,7 @@ ModuleTables make_module_tables(const taxonomy::ClassifiedView& view) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting;
   waiting.reserve(view.axiom_count());
   for (std::uint32_t axiom = 0; axiom < view.axiom_count(); ++axiom) {
-    const Locality locality = test.of(axiom);
+    const Locality locality = test.test(axiom);
     for (const std::uint32_t name : test.names()) waiting.emplace_back(name, axiom);
     if (locality != Locality::not_local) continue;
     tables.unconditional.push_back(axiom);

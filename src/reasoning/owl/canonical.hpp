@@ -3,7 +3,6 @@
 #define GEMINGA_REASONING_OWL_CANONICAL_HPP
 
 #include <cstdint>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -4,9 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
-#include <tuple>
 
-#include "base/sorted.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::owl {

@@ -3,7 +3,6 @@
 #define GEMINGA_REASONING_OWL_UNIT_FACTS_HPP
 
 #include <compare>
-#include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <optional>

@@ -53,7 +53,7 @@ class Question {
     const ShapeId above = shapes_.read(super);
     const std::vector<std::uint32_t> alternatives = saturate(below);
     ExpressionMembers members(overlay_, shapes_, ExpressionMembers::Wanted::every_context);
-    const Contexts& found = members.of(above);
+    const Contexts& found = members.contexts_of(above);
     const bool holds = std::ranges::all_of(
         alternatives, [&](std::uint32_t alternative) { return std::ranges::binary_search(found, alternative); });
     if (!holds) note_gaps();
@@ -89,7 +89,7 @@ class Question {
     for (std::uint32_t at = overlay_.base_count(); at < overlay_.context_count(); ++at) {
       const OverlayContext& context = overlay_.own()[at - overlay_.base_count()];
       if (!has_negations(context)) continue;
-      const auto is_in = [&](ShapeId shape) { return std::ranges::binary_search(members.of(shape), at); };
+      const auto is_in = [&](ShapeId shape) { return std::ranges::binary_search(members.contexts_of(shape), at); };
       if (std::ranges::any_of(context.negations, is_in)) refuted.push_back(at);
     }
     for (const std::uint32_t context : refuted) overlay_.add_bottom(context);
@@ -107,7 +107,7 @@ class Question {
   Marks classes_below(ShapeId shape) {
     Marks marks(base_.view().class_count(), false);
     ExpressionMembers members(overlay_, shapes_, ExpressionMembers::Wanted::named_classes);
-    for (const std::uint32_t context : members.of(shape)) {
+    for (const std::uint32_t context : members.contexts_of(shape)) {
       if (context >= base_.context_count()) break;
       if (overlay_.is_unsatisfiable(context) || !base_.together_of(context).empty()) continue;
       for (const taxonomy::ClassNumber number : base_.classes_of(base_.context(context).root)) {

@@ -33,7 +33,7 @@ std::vector<MeetingPoint> points_of(std::span<const ShapeId> alternatives, Expre
 
 }  // namespace
 
-const Contexts& ExpressionMembers::of(ShapeId id) {
+const Contexts& ExpressionMembers::contexts_of(ShapeId id) {
   const auto known = known_.find(id);
   if (known != known_.end()) return known->second;
   Contexts found = find(id);
@@ -77,7 +77,8 @@ Contexts ExpressionMembers::find(ShapeId id) {
       found = in_all(shape);
       break;
     case ShapeKind::any_of:
-      for (const ShapeId part : shape.parts) found.insert(found.end(), of(part).begin(), of(part).end());
+      for (const ShapeId part : shape.parts)
+        found.insert(found.end(), contexts_of(part).begin(), contexts_of(part).end());
       break;
     case ShapeKind::some:
       found = in_some(shape);
@@ -119,7 +120,7 @@ Contexts ExpressionMembers::in_all(const Shape& shape) {
   bool is_first = true;
   for (const ShapeId part : shape.parts) {
     if (shapes_.shape(part).kind == ShapeKind::negation) continue;
-    found = is_first ? of(part) : common(found, of(part));
+    found = is_first ? contexts_of(part) : common(found, contexts_of(part));
     is_first = false;
   }
   if (is_first) found = all();
@@ -133,7 +134,7 @@ Contexts ExpressionMembers::in_all(const Shape& shape) {
 Contexts ExpressionMembers::in_some(const Shape& shape) {
   const bool was_inside = is_inside_some_;
   is_inside_some_ = true;
-  const Contexts& filler = of(shape.parts[0]);
+  const Contexts& filler = contexts_of(shape.parts[0]);
   is_inside_some_ = was_inside;
   const el::Roles& roles = base_.index().roles();
   Contexts found;
@@ -157,7 +158,8 @@ Contexts ExpressionMembers::in_some(const Shape& shape) {
 Contexts ExpressionMembers::in_only(const Shape& shape) {
   const el::ExprId range = base_.index().representative(base_.index().range_of(shape.role));
   const el::Context* context = base_.find(range);
-  if (context != nullptr && std::ranges::binary_search(of(shape.parts[0]), base_.number_of(range))) return all();
+  if (context != nullptr && std::ranges::binary_search(contexts_of(shape.parts[0]), base_.number_of(range)))
+    return all();
   shapes_.add_gap("owl:allValuesFrom in the expression");
   return {};
 }

@@ -22,13 +22,13 @@ class ExpressionMembers {
  public:
   enum class Wanted : std::uint8_t {
     every_context,
-    named_classes,  ///< of() may leave out contexts of no named class
+    named_classes,  ///< contexts_of() may leave out contexts of no named class
   };
   /// Notes gaps in `shapes`.
   ExpressionMembers(const ExpressionOverlay& overlay, ShapeReader& shapes, Wanted wanted)
       : overlay_(overlay), base_(overlay.base()), shapes_(shapes), wanted_(wanted) {}
 
-  [[nodiscard]] const Contexts& of(ShapeId shape);
+  [[nodiscard]] const Contexts& contexts_of(ShapeId shape);
 
  private:
   [[nodiscard]] Contexts find(ShapeId shape);

@@ -5,7 +5,6 @@
 #ifndef GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
 #define GEMINGA_REASONING_PLACEMENT_EXPRESSION_SCRATCH_HPP
 
-#include <cstddef>
 #include <optional>
 
 #include "reasoning/placement/expression.hpp"

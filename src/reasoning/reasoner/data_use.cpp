@@ -107,7 +107,7 @@ void DataUses::add(const owl::Axiom& axiom, bool is_told) {
   }
 }
 
-DataUse DataUses::of(const owl::Axiom& axiom) const {
+DataUse DataUses::use_in(const owl::Axiom& axiom) const {
   DataUse use;
   std::vector<TermId> open = properties_in(axiom);
   std::set<TermId> seen(open.begin(), open.end());

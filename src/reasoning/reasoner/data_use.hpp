@@ -31,7 +31,7 @@ class DataUses {
 
   /// The use of the properties in an axiom, of all properties that axioms relate to them, and of those that share a
   /// user's datatype with them. Requires that every axiom was added.
-  [[nodiscard]] DataUse of(const owl::Axiom& axiom) const;
+  [[nodiscard]] DataUse use_in(const owl::Axiom& axiom) const;
 
  private:
   [[nodiscard]] std::vector<owl::TermId> properties_in(const owl::Axiom& axiom) const;

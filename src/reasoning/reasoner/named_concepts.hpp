@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
-#include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
+#include "reasoning/taxonomy/classification.hpp"
 
 namespace geminga::reasoner {
 

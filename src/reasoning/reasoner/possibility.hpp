@@ -2,7 +2,6 @@
 #ifndef GEMINGA_REASONING_REASONER_POSSIBILITY_HPP
 #define GEMINGA_REASONING_REASONER_POSSIBILITY_HPP
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -94,10 +94,10 @@ class Repairs {
   std::expected<std::vector<TermId>, std::string> values_in(const Slot& slot) {
     const owl::Axiom axiom = source_.ill_typed(ill_typed_[slot.axiom]);
     const TermId datatype = source_.term(slot.literal).arguments[0];
-    if (!is_fact(slot.axiom)) return values_in(uses_.of(axiom), datatype);
+    if (!is_fact(slot.axiom)) return values_in(uses_.use_in(axiom), datatype);
     const std::pair key{axiom.arguments[0], datatype};
     if (const auto known = values_.find(key); known != values_.end()) return known->second;
-    auto values = values_in(uses_.of(axiom), datatype);
+    auto values = values_in(uses_.use_in(axiom), datatype);
     if (values) values_.emplace(key, *values);
     return values;
   }

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/el/classify.hpp"
 #include "reasoning/owl/source.hpp"
+#include "reasoning/taxonomy/classification.hpp"
 
 namespace geminga::reasoner {
 

@@ -44,15 +44,14 @@ class Hierarchy {
   [[nodiscard]] Meaning meaning(Concept of) const;
   /// The information of the ancestors that both share.
   [[nodiscard]] double shared_bits(const Meaning& a, const Meaning& b) const;
-  /// The information that a node adds to its parents: log2 of how many nodes are below all its parents, for each node
-  /// below it. A node without parents is in the open world, which has as many nodes again as the ontologies.
-  [[nodiscard]] double added_bits(std::uint32_t node) const { return added_[node]; }
   [[nodiscard]] std::uint32_t concept_count() const { return static_cast<std::uint32_t>(node_of_.size()); }
 
  private:
   std::vector<std::uint32_t> node_of_;  ///< by concept
   std::optional<std::uint32_t> top_;
   base::Rows<std::uint32_t> parents_;
+  /// By node, the information that it adds to its parents: log2 of how many nodes are below all its parents, for each
+  /// node below it. A node without parents is in the open world, which has as many nodes again as the ontologies.
   std::vector<double> added_;
 };
 

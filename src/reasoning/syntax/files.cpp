@@ -59,7 +59,7 @@ std::size_t FileBytes::release(std::size_t begin, std::size_t end) {
   return end;
 }
 
-std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, const Limits& limits) {
+std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, const FileLimits& limits) {
   struct stat status{};
   // Asked by name first: opening a device or a FIFO can have effects of its own.
   if (stat(path.c_str(), &status) != 0) return refuse(path, "cannot be opened: " + kernel_words(errno));

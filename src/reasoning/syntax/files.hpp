@@ -21,7 +21,7 @@ class FileBytes {
   ~FileBytes();
 
   /// Reads a regular file as a whole. Never blocks on a FIFO or a device, and never opens one.
-  [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const Limits& limits);
+  [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const FileLimits& limits);
 
   [[nodiscard]] std::string_view view() const { return {data_, size_}; }
   /// Says that what is between two places will not be read again. Whole pages of it are released and then read as zero.

@@ -48,7 +48,7 @@ bool is_ontology_xml(const fs::path& path) {
 /// One folder that was named, with all below it.
 class Walk {
  public:
-  Walk(std::string folder, const Limits& limits, std::span<const std::string_view> also, Listing& listing)
+  Walk(std::string folder, const FileLimits& limits, std::span<const std::string_view> also, Listing& listing)
       : folder_(std::move(folder)), limits_(limits), also_(also), listing_(listing) {}
 
   std::optional<LoadError> run() {
@@ -114,7 +114,7 @@ class Walk {
   }
 
   const std::string folder_;
-  const Limits& limits_;
+  const FileLimits& limits_;
   std::span<const std::string_view> also_;
   Listing& listing_;
   fs::path inside_;
@@ -123,7 +123,7 @@ class Walk {
 
 }  // namespace
 
-std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits,
+std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const FileLimits& limits,
                                              std::span<const std::string_view> also) {
   Listing listing;
   for (const std::string& argument : arguments) {

@@ -2,7 +2,6 @@
 #ifndef GEMINGA_REASONING_SYNTAX_FOLDERS_HPP
 #define GEMINGA_REASONING_SYNTAX_FOLDERS_HPP
 
-#include <cstddef>
 #include <expected>
 #include <span>
 #include <string>
@@ -27,7 +26,8 @@ struct Listing {
 /// .xml .owx .omn .ofn .fss, also with .gz), except hidden files and Protégé's catalogues. A file that is named twice
 /// counts once. A folder without any ontology file is an error, and so is one with a link to a file outside of it.
 /// `also` are further endings of names that count, also with .gz.
-[[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const Limits& limits,
+[[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments,
+                                                           const FileLimits& limits,
                                                            std::span<const std::string_view> also = {});
 
 }  // namespace geminga::syntax

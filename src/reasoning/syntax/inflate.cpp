@@ -20,7 +20,7 @@ constexpr std::size_t usual_growth = 8;
 /// zlib's stream, which ends with its reader.
 class Inflating {
  public:
-  Inflating(const std::string& path, FileBytes& packed, const Limits& limits)
+  Inflating(const std::string& path, FileBytes& packed, const FileLimits& limits)
       : path_(path),
         packed_(packed),
         most_(std::min(limits.file_bytes,
@@ -100,7 +100,7 @@ std::string_view name_without_gz(std::string_view path) {
   return path;
 }
 
-std::expected<FileBytes, LoadError> inflate(const std::string& path, FileBytes& packed, const Limits& limits) {
+std::expected<FileBytes, LoadError> inflate(const std::string& path, FileBytes& packed, const FileLimits& limits) {
   return Inflating(path, packed, limits).run();
 }
 

@@ -20,7 +20,7 @@ namespace geminga::syntax {
 /// these before it is refused. An error names the octet of the packed file. The packed octets are released as they are
 /// used.
 [[nodiscard]] std::expected<FileBytes, LoadError> inflate(const std::string& path, FileBytes& packed,
-                                                          const Limits& limits);
+                                                          const FileLimits& limits);
 
 }  // namespace geminga::syntax
 

@@ -3,12 +3,11 @@
 #define GEMINGA_REASONING_SYNTAX_LIMITS_HPP
 
 #include <cstddef>
-#include <cstdint>
 
 namespace geminga::syntax {
 
 /// A file that exceeds one of these is refused, with the limit and the line, before or while Redland reads it.
-struct Limits {
+struct FileLimits {
   std::size_t files = 10'000;
   /// The entries of a folder and all folders below it, whatever they are.
   std::size_t folder_entries = 100'000;

@@ -18,7 +18,7 @@ namespace geminga::syntax {
 class LongTextWatch {
  public:
   /// `size` is how large the file is expected to be. A small one is not watched.
-  LongTextWatch(const std::string& path, std::size_t size, const Limits& limits)
+  LongTextWatch(const std::string& path, std::size_t size, const FileLimits& limits)
       : path_(path), limits_(limits), is_needed_(size > limits.watched_bytes) {}
 
   /// Takes the next stretch of the file; the first one tells its syntax. Returns why the file is refused, if it is.
@@ -29,7 +29,7 @@ class LongTextWatch {
   [[nodiscard]] std::pair<std::string_view, std::size_t> beyond() const;
 
   const std::string& path_;
-  const Limits& limits_;
+  const FileLimits& limits_;
   bool is_needed_;
   bool is_xml_ = false;
   std::optional<LongText> text_;

@@ -11,20 +11,20 @@
 namespace geminga::taxonomy {
 
 std::vector<owl::LeftOut> left_out(const owl::Ontology& source, const Classification& classification) {
-  struct Place {
+  struct Tally {
     std::uint32_t count = 0;
     std::pair<std::string_view, std::uint32_t> first;
     owl::FileId file{};
   };
-  std::map<std::string_view, Place> places;
+  std::map<std::string_view, Tally> tallies;
   const auto add = [&](std::string_view construct, owl::FileId file, std::uint32_t line, std::uint32_t count) {
-    Place& place = places[construct];
+    Tally& tally = tallies[construct];
     const std::pair<std::string_view, std::uint32_t> here(source.files()[static_cast<std::size_t>(file)].path, line);
-    if (place.count == 0 || here < place.first) {
-      place.first = here;
-      place.file = file;
+    if (tally.count == 0 || here < tally.first) {
+      tally.first = here;
+      tally.file = file;
     }
-    place.count += count;
+    tally.count += count;
   };
   for (const owl::Ontology::Omission& omission : source.omissions()) {
     add(source.name(omission.construct), omission.file, omission.line, omission.count);
@@ -41,10 +41,10 @@ std::vector<owl::LeftOut> left_out(const owl::Ontology& source, const Classifica
     add("geminga:convertsTo of what is no class", one.file, one.line, 1);
   }
   std::vector<owl::LeftOut> result;
-  for (const auto& [construct, place] : places) {
-    result.push_back({std::string(construct), place.count,
-                      std::string(place.first.first) + ":" + std::to_string(place.first.second),
-                      static_cast<std::uint32_t>(place.file), place.first.second});
+  for (const auto& [construct, tally] : tallies) {
+    result.push_back({std::string(construct), tally.count,
+                      std::string(tally.first.first) + ":" + std::to_string(tally.first.second),
+                      static_cast<std::uint32_t>(tally.file), tally.first.second});
   }
   return result;
 }

@@ -34,7 +34,6 @@ struct PropertyTaxonomy {
   std::vector<std::uint32_t> parent_begin;
   std::vector<PropertyNumber> parents;
 
-  [[nodiscard]] std::size_t property_count() const { return properties.size(); }
   [[nodiscard]] std::span<const PropertyNumber> parents_of(PropertyNumber number) const {
     const auto index = static_cast<std::size_t>(number);
     return std::span(parents).subspan(parent_begin[index], parent_begin[index + 1] - parent_begin[index]);

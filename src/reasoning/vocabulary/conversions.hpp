@@ -3,7 +3,6 @@
 #define GEMINGA_REASONING_VOCABULARY_CONVERSIONS_HPP
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>

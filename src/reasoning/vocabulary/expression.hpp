@@ -12,7 +12,7 @@
 namespace geminga::vocabulary {
 
 /// The most octets of an expression, whoever wrote it.
-inline constexpr std::size_t max_expression_bytes = manchester::Limits{}.text_bytes;
+inline constexpr std::size_t max_expression_bytes = manchester::ExpressionLimits{}.text_bytes;
 
 /// The result of Vocabulary::read() (src/reasoning/syntax/manchester/MANCHESTER.md).
 class Expression {

@@ -55,7 +55,7 @@ std::expected<void, Error> Vocabulary::check_expressions() const {
 }
 
 std::expected<Expression, Error> Vocabulary::read(std::string_view text, std::size_t max_bytes) const {
-  manchester::Limits limits;
+  manchester::ExpressionLimits limits;
   limits.text_bytes = max_bytes;
   auto parsed = manchester::parse(text, reader_->parts->names, limits);
   if (parsed) return Expression(std::move(*parsed));

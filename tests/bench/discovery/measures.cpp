@@ -60,7 +60,7 @@ void Measures::steady() {
   const double octets = (after.octets - before.octets + header_octets * datagrams) * 1000 / time;
   row("octets a second that a host sends, headers included", octets / static_cast<double>(team_.size()), "B/s",
       targets_.steady_octets);
-  // A figure may equal its target, and a target of 0 means no target: so half a host stands for none.
+  // No host is the target. A target of 0 would mean that there is none, so it is half a host.
   row("living hosts that one was told are gone, events", static_cast<double>(team_.departures()), "", 0.5);
   row("processor time of a daemon a second, median", quantile(processor, 0.5), "ms", targets_.processor_ms);
   row("resident memory of a daemon, largest", quantile(memory, 1), "MB", 7);

@@ -18,7 +18,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import behaviours, loss, modes, vectors  # noqa: E402
+from checks import behaviours, chaos, loss, modes, sealed, vectors  # noqa: E402
 from lab import Lab  # noqa: E402
 from lanes import Job, Lanes  # noqa: E402
 from pair import Command, Pair, fresh  # noqa: E402
@@ -68,6 +68,9 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--pair", default="", help="only this pair: PUBLISHER>SUBSCRIBER")
     parser.add_argument("--loopback", action="store_true", help="daemons on the loopback interface, as where no namespace may be made")
     parser.add_argument("--at-once", type=int, default=4, metavar="COUNT", help="labs side by side (4)")
+    parser.add_argument("--chaos", type=int, default=0, metavar="ROUNDS", help="instead of all checks: so many rounds in which daemons are killed, by all languages in turn")
+    parser.add_argument("--seed", type=int, default=1, help="of the first round of chaos (1)")
+    parser.add_argument("--sealing", default="encrypted", metavar="MODE", help="of the sealed labs, and of chaos (encrypted); plain: chaos without keys")
     parser.add_argument("--face", action="append", default=[], metavar="LANGUAGE", help="a language whose library is a face of another one's: fewer pairs")
     parser.add_argument("--behaviours", choices=["turns", "same", "all", "none"], default="turns",
                         help="for which pairs daemons are killed and so on: each language on each side once, with another one each "
@@ -142,6 +145,44 @@ def run_vectors(table: Table, language: str, command: Command, only: str, lab: L
             agent.discard()
 
 
+def sealed_jobs(table: Table, options: argparse.Namespace, commands: dict[str, list[str]]) -> list[Job]:
+    """The jobs with a key: every mode, the strangers, rotation and migration, each language once on each side."""
+    whole = [language for language in commands if language not in options.face]
+
+    def named(pairs: list[tuple[str, str]]) -> list[tuple[str, tuple[Command, Command]]]:
+        named = [(f"{one}>{other}", (commands[one], commands[other])) for one, other in pairs]
+        return [(who, pair) for who, pair in named if options.pair in ("", who)]
+
+    jobs: list[Job] = []
+    for number, check in enumerate([*sealed.CHECKS, *sealed.BEHAVIOURS]):
+        if check in chosen([*sealed.CHECKS, *sealed.BEHAVIOURS], options.only):
+            jobs += [partial(run_behaviour, table, f"{who} sealed", pair, check) for who, pair in named(pairs_in_turn(number, whole))]
+    checks = [check for check in chosen(modes.CHECKS, options.only) if check is not modes.early]
+    jobs += [partial(run_in_one_pair, table, f"{who} sealed", pair, checks) for who, pair in named(pairs_in_turn(0, list(commands)))]
+    return jobs
+
+
+def chaos_jobs(table: Table, options: argparse.Namespace, commands: dict[str, list[str]]) -> list[Job]:
+    """Rounds of chaos, by pairs of languages in turn."""
+    pairs = [(f"{one}>{other}", (commands[one], commands[other])) for one in commands for other in commands]
+    pairs = [(who, pair) for who, pair in pairs if options.pair in ("", who)]
+    jobs: list[Job] = []
+    for seed in range(options.seed, options.seed + options.chaos):
+        who, pair = pairs[seed % len(pairs)]
+        check = partial(chaos.round_of_chaos, seed=seed)
+        check.__doc__ = f"chaos, seed {seed}"
+        jobs.append(partial(run_behaviour, table, who, pair, check))
+    return jobs
+
+
+def verdict(table: Table) -> int:
+    """Prints how many checks hold. The exit status."""
+    print(f"\n{table.count - len(table.failed)} of {table.count} checks hold.")
+    for failed in table.failed:
+        print(f"failed: {failed}")
+    return 1 if table.failed or table.count == 0 else 0
+
+
 def main() -> int:
     options = arguments()
     commands: dict[str, list[str]] = {}
@@ -156,6 +197,22 @@ def main() -> int:
         named = [(f"{one}>{other}", (commands[one], commands[other])) for one, other in pairs]
         return [(who, pair) for who, pair in named if options.pair in ("", who)]
 
+    def tried_in(sealing: str, sequences: list[list[Job]]) -> None:
+        """Runs each list of jobs in labs of this kind. Behind the first list, the air of the labs loses a tenth."""
+        lanes = Lanes(lambda: Lab(os.path.abspath(options.gemingad), [options.ontology], options.loopback, sealing), options.at_once)
+        try:
+            print(f"Labs: {len(lanes.labs)}, each made of {lanes.labs[0].way}, {sealing}.", flush=True)
+            for number, jobs in enumerate(sequences):
+                if number == 1 and not all(lab.lose(LOSS_PERCENT) for lab in lanes.labs):
+                    print("Nothing can be made to get lost here: no checks of that.", flush=True)
+                    break
+                lanes.run(jobs)
+        finally:
+            lanes.close()
+
+    if options.chaos:
+        tried_in(options.sealing, [chaos_jobs(table, options, commands)])
+        return verdict(table)
     jobs: list[Job] = []
     for check in chosen(behaviours.CHECKS, options.only):
         for who, pair in wanted(pairs_of_behaviour(options.behaviours, check, list(commands), options.face)):
@@ -165,20 +222,12 @@ def main() -> int:
         jobs.append(partial(run_in_one_pair, table, who, pair, chosen(modes.CHECKS, options.only)))
     for language, command in commands.items():
         jobs.append(partial(run_vectors, table, language, command, options.only))
-    lanes = Lanes(lambda: Lab(os.path.abspath(options.gemingad), [options.ontology], options.loopback), options.at_once)
-    try:
-        print(f"Labs: {len(lanes.labs)}, each made of {lanes.labs[0].way}.", flush=True)
-        lanes.run(jobs)
-        if all(lab.lose(LOSS_PERCENT) for lab in lanes.labs):
-            lanes.run([partial(run_in_one_pair, table, who, pair, chosen(loss.CHECKS, options.only)) for who, pair in pairs])
-        else:
-            print("Nothing can be made to get lost here: no checks of that.", flush=True)
-    finally:
-        lanes.close()
-    print(f"\n{table.count - len(table.failed)} of {table.count} checks hold.")
-    for failed in table.failed:
-        print(f"failed: {failed}")
-    return 1 if table.failed or table.count == 0 else 0
+    lossy: list[Job] = [partial(run_in_one_pair, table, who, pair, chosen(loss.CHECKS, options.only)) for who, pair in pairs]
+    tried_in("plain", [jobs, lossy])
+    with_key = sealed_jobs(table, options, commands)
+    if with_key:
+        tried_in(options.sealing, [with_key])
+    return verdict(table)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,18 @@
 #!/usr/bin/python3
 """A stranger. `forge.py udp SOURCE-PORT ADDRESS PORT HEX` sends a datagram from that port, which another socket may have.
-`forge.py tcp ADDRESS PORT HEX` connects, sends, and prints how many octets came until the connection was closed."""
+`forge.py tcp ADDRESS PORT HEX` connects, sends, and prints how many octets came until the connection was closed.
+`forge.py flood ADDRESS PORT COUNT HEX` opens so many connections, sends on each, reads nothing, and holds them until its standard
+input ends; 16 octets of the text that are `LIFE` are another life on each connection.
+`forge.py hellos ADDRESS PORT COUNT HEX` sends so many datagrams, each from a port of its own and with another life, and prints how
+many octets came back within a second."""
 
 from __future__ import annotations
 
+import select
 import socket
 import struct
 import sys
+import time
 
 
 def forge_datagram(source_port: int, address: str, port: int, octets: bytes) -> None:
@@ -39,8 +45,40 @@ def connect(address: str, port: int, octets: bytes) -> None:
     print(f"closed {count}", flush=True)
 
 
+def _with_life(text: str, number: int) -> bytes:
+    return bytes.fromhex(text.replace("LIFE", f"{0x5742A17E00000000 + number:016x}"))
+
+
+def flood(address: str, port: int, count: int, text: str) -> None:
+    """Opens connections and holds them. Those that the other side refuses are not opened again."""
+    opened = []
+    for number in range(count):
+        try:
+            opened.append(socket.create_connection((address, port), timeout=5))
+            opened[-1].sendall(_with_life(text, number + 1))
+        except OSError:
+            continue
+    print(f"opened {len(opened)}", flush=True)
+    sys.stdin.read()
+
+
+def hellos(address: str, port: int, count: int, text: str) -> None:
+    """Sends datagrams from many ports, and counts what comes back."""
+    sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(count)]
+    for number, sock in enumerate(sockets):
+        sock.sendto(_with_life(text, number + 1), (address, port))
+    end = time.monotonic() + 1
+    octets = 0
+    while (patience := end - time.monotonic()) > 0:
+        readable, _, _ = select.select(sockets, [], [], patience)
+        octets += sum(len(sock.recv(65536)) for sock in readable)
+    print(f"received {octets}", flush=True)
+
+
 if __name__ == "__main__":
-    if sys.argv[1] == "tcp":
+    if sys.argv[1] in ("flood", "hellos"):
+        {"flood": flood, "hellos": hellos}[sys.argv[1]](sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), sys.argv[5])
+    elif sys.argv[1] == "tcp":
         connect(sys.argv[2], int(sys.argv[3]), bytes.fromhex(sys.argv[4]))
     elif int(sys.argv[2]) == 0:
         send_datagram(sys.argv[3], int(sys.argv[4]), bytes.fromhex(sys.argv[5]))

@@ -10,6 +10,7 @@ import subprocess
 from collections.abc import Iterator, Sequence
 
 from spoken import Failed, Spoken
+from team import Team
 
 LINK = "wlan0"
 
@@ -62,6 +63,12 @@ class Host:
         self.daemon = self.start(f"gemingad of {name}", [program, *flags], with_errors=True)
         self.daemon.find(r".* ready: .*")
 
+    def reload_daemon(self, mode: str) -> None:
+        """Has gemingad read its configuration again, and waits until it seals in this mode."""
+        assert self.daemon is not None
+        self.daemon.reload()
+        self.daemon.find(rf".*announcements: {mode}, keys .*")
+
     def kill_daemon(self) -> None:
         """Kills gemingad by SIGKILL."""
         assert self.daemon is not None
@@ -81,10 +88,15 @@ class Host:
 
 
 class Lab:
-    """Two hosts, 0 and 1, that reach each other."""
+    """Two hosts, 0 and 1, that reach each other. The daemons of a sealed lab have a key of a team."""
 
-    def __init__(self, gemingad: str, ontologies: Sequence[str], on_loopback: bool = False) -> None:
+    def __init__(self, gemingad: str, ontologies: Sequence[str], on_loopback: bool = False, sealing: str = "plain") -> None:
         self.gemingad = gemingad
+        self.is_sealed = sealing != "plain"
+        self.team = Team(gemingad)
+        self.sealing = sealing
+        for number in range(2):
+            self.team.write(number, sealing)
         self._holders: list[subprocess.Popen[str]] = []
         flags = [word for folder in ontologies for word in ("--ontology", folder)]
         self.has_namespaces = not on_loopback and _may_make_namespaces()
@@ -97,10 +109,19 @@ class Lab:
                 udp_port = _free_port(socket.SOCK_DGRAM)
                 for number in range(2):
                     own = [*flags, "--interface", "lo", "--port", str(udp_port)]
-                    self.hosts.append(Host(number, "127.0.0.1", _free_port(socket.SOCK_STREAM), [], own))
+                    self.hosts.append(Host(number, "127.0.0.1", _free_port(socket.SOCK_STREAM), [], [*own, *self._configured(number)]))
         except BaseException:
             self.close()
             raise
+
+    def _configured(self, number: int) -> list[str]:
+        return ["--config", str(self.team.configuration(number))]
+
+    def seal(self, mode: str, keys: Sequence[int] = (0,)) -> None:
+        """Has both daemons seal in this mode with these keys, one after the other. Requires that they have keys already."""
+        for host in self.hosts:
+            self.team.write(host.number, mode, keys)
+            host.reload_daemon(mode)
 
     @property
     def way(self) -> str:
@@ -132,6 +153,7 @@ class Lab:
             assert holder.stdin is not None
             holder.stdin.close()
             holder.wait()
+        self.team.close()
 
     def _make_namespaces(self, flags: Sequence[str]) -> None:
         for _ in range(2):
@@ -144,7 +166,7 @@ class Lab:
             holder.stdout.readline()
         for number, holder in enumerate(self._holders):
             prefix = ["nsenter", "-t", str(holder.pid), "-n", "--"]
-            self.hosts.append(Host(number, f"10.66.0.{number + 1}", 4717, prefix, flags))
+            self.hosts.append(Host(number, f"10.66.0.{number + 1}", 4717, prefix, [*flags, *self._configured(number)]))
         other = str(self._holders[1].pid)
         self.hosts[0].run(["ip", "link", "add", LINK, "type", "veth", "peer", "name", LINK, "netns", other])
         for host in self.hosts:

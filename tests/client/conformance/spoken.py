@@ -9,6 +9,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Sequence
+from pathlib import Path
 
 #: Seconds after which a wait has failed.
 PATIENCE_SECONDS = 30.0
@@ -133,6 +134,22 @@ class Spoken:
     def go_on(self) -> None:
         """Continues the process after stand()."""
         self._signal(signal.SIGCONT)
+
+    def reload(self) -> None:
+        """Sends SIGHUP."""
+        self._signal(signal.SIGHUP)
+
+    def memory_kib(self) -> int:
+        """The resident memory of the process and those that it started."""
+        total = 0
+        for folder in Path("/proc").iterdir():
+            try:
+                if os.getpgid(int(folder.name)) == self._process.pid:
+                    text = (folder / "status").read_text()
+                    total += sum(int(line.split()[1]) for line in text.splitlines() if line.startswith("VmRSS:"))
+            except (ValueError, OSError):
+                continue
+        return total
 
     def end(self, word: str | None = None) -> int:
         """Ends the process by a word, or by SIGTERM. Returns its exit status. A process that does not end is killed, and has failed."""

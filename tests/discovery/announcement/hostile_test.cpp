@@ -1,7 +1,6 @@
 // Datagrams that are truncated, random, bent bit by bit, or violate one rule each.
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <set>

@@ -27,7 +27,7 @@ std::vector<std::string> lines_of(const owl::Ontology& source, const PropertyTax
   const auto name = [&](PropertyNumber number) {
     return name_of(source, taxonomy.properties[static_cast<std::size_t>(number)]);
   };
-  for (std::uint32_t at = 0; at < taxonomy.property_count(); ++at) {
+  for (std::uint32_t at = 0; at < taxonomy.properties.size(); ++at) {
     const PropertyNumber node = taxonomy.representative[at];
     if (node != PropertyNumber{at}) lines.push_back(name(node) + " = " + name(PropertyNumber{at}));
     for (const PropertyNumber parent : taxonomy.parents_of(PropertyNumber{at})) {
@@ -106,8 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Each, Properties, testing::ValuesIn(hierarchies),
 TEST(PropertyTaxonomy, HasTopAndBottomWhereNothingIsSaid) {
   const owl::Ontology source = owl::written("SubClassOf(A B)");
   const Classification classification = owl::classified(source);
-  EXPECT_EQ(classification.object_properties.property_count(), 2U);
-  EXPECT_EQ(classification.data_properties.property_count(), 2U);
+  EXPECT_EQ(classification.object_properties.properties.size(), 2U);
+  EXPECT_EQ(classification.data_properties.properties.size(), 2U);
 }
 
 TEST(PropertyTaxonomy, IsOneNodeWhereTheOntologyIsInconsistent) {
@@ -160,7 +160,7 @@ TEST(PropertyTaxonomy, IsTheNaiveClosureOfRandomAxioms) {
     }
     const owl::Ontology source = owl::written(text);
     const PropertyTaxonomy taxonomy = classify_properties(source, PropertyKind::object);
-    for (std::uint32_t sub = 0; sub < taxonomy.property_count(); ++sub) {
+    for (std::uint32_t sub = 0; sub < taxonomy.properties.size(); ++sub) {
       std::vector<PropertyNumber> above = {taxonomy.representative[sub]};
       for (std::size_t at = 0; at < above.size(); ++at) {
         const auto parents = taxonomy.parents_of(above[at]);
@@ -169,7 +169,7 @@ TEST(PropertyTaxonomy, IsTheNaiveClosureOfRandomAxioms) {
       const auto node_of = [&](std::uint32_t number) {
         return 2 * std::stoi(name_of(source, taxonomy.properties[number]).substr(1));
       };
-      for (std::uint32_t super = 0; super < taxonomy.property_count(); ++super) {
+      for (std::uint32_t super = 0; super < taxonomy.properties.size(); ++super) {
         const PropertyNumber one{sub};
         const PropertyNumber other{super};
         if (one == taxonomy.top || one == taxonomy.bottom || other == taxonomy.top || other == taxonomy.bottom)

@@ -4,7 +4,6 @@
 #define GEMINGA_ONTOLOGY_FINDINGS_FINDINGS_HPP
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -23,6 +23,11 @@ using registry::SubscriptionEntry;
 /// The longest sentence about what is missing, in octets.
 constexpr std::size_t max_nearest_bytes = 2000;
 
+/// The attribute by which a publisher says that the places for consumers are taken (src/client/CHANNELS.md, "Places"),
+/// and the octets of its value that are shown.
+constexpr std::string_view channel_full_attribute = "channel.full";
+constexpr std::size_t max_places_bytes = 10;
+
 constexpr const char* newer_elsewhere = "another host knows more of scopes and conditions: update a whole team";
 
 /// The request without its restrictions, so that each aspect can be judged by itself.
@@ -271,6 +276,14 @@ Check check_signature(const matching::Matcher& matcher, const Asked& asked, cons
               std::to_string(match->distance)};
 }
 
+/// The pair matches; whether messages reach the consumer is the publisher's to say.
+Check note_full_channel(const std::string& places) {
+  return {.what = "channel",
+          .text = "channel: all " + base::printable(places, max_places_bytes) +
+                  " places of the publisher are taken: another consumer hears nothing",
+          .mend = "end consumers that are not needed, or offer the service with a multicast address"};
+}
+
 }  // namespace
 
 std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& matcher, const Asked& asked,
@@ -301,6 +314,8 @@ std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& aske
   if (matching::has_signature(asked.entry.subscription.attributes)) {
     checks.push_back(check_signature(matcher, asked, offer));
   }
+  const auto full = offered.attributes.find(channel_full_attribute);
+  if (full != offered.attributes.end() && full->second != "0") checks.push_back(note_full_channel(full->second));
   return checks;
 }
 

@@ -6,10 +6,7 @@
 #ifndef GEMINGA_REASONING_DL_CLAUSES_TRANSLATOR_HPP
 #define GEMINGA_REASONING_DL_CLAUSES_TRANSLATOR_HPP
 
-#include <cstdint>
 #include <map>
-#include <optional>
-#include <string_view>
 #include <tuple>
 #include <vector>
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <unordered_map>
 
 #include "reasoning/dl/clauses/clause.hpp"

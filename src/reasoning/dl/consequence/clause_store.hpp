@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "reasoning/dl/consequence/pool.hpp"
 #include "reasoning/dl/consequence/rules/literal.hpp"

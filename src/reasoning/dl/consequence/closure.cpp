@@ -6,7 +6,7 @@
 #include "reasoning/dl/consequence/rules/rule_builder.hpp"
 #include "reasoning/dl/consequence/rules/rules.hpp"
 #include "reasoning/dl/consequence/saturation.hpp"
-#include "reasoning/dl/consequence/settled.hpp"
+#include "reasoning/dl/consequence/settled_contexts.hpp"
 
 namespace geminga::consequence {
 namespace {
@@ -67,7 +67,7 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
   closure.contexts = saturation.contexts().size();
   closure.derived = effort.clause_count();
   closure.is_consistent = !effort.is_contradictory();
-  const Settled settled(saturation, closure.gaps);
+  const SettledContexts settled(saturation, closure.gaps);
   for (const ConceptId asked : wanted) {
     if (!closure.is_consistent || asked == clauses::nothing) {
       closure.subsumers.push_back({clauses::nothing});

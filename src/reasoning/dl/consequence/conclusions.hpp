@@ -3,7 +3,6 @@
 #define GEMINGA_REASONING_DL_CONSEQUENCE_CONCLUSIONS_HPP
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_DERIVATION_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_DERIVATION_HPP
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

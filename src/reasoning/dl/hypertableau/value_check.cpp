@@ -6,73 +6,18 @@
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
 #include <algorithm>
-#include <map>
-#include <vector>
-
-#include "reasoning/dl/hypertableau/values/value_ranges.hpp"
 
 namespace geminga::hypertableau {
 
 using clauses::DataRangeId;
 
-class ValueCheck::Problem {
- public:
-  Problem(const owl::Ontology& source, const clauses::ClauseSet& set) : ranges_(source, set) {}
-
-  [[nodiscard]] ValueRanges& ranges() { return ranges_; }
-  [[nodiscard]] std::optional<bool> is_in(owl::TermId literal, std::uint32_t range);
-  [[nodiscard]] owl::TermId representative(owl::TermId literal);
-  [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
-
- private:
-  /// A node that has ranges or must differ from others.
-  struct Variable {
-    NodeId node = 0;
-    DependencySet dependency = no_dependency;  ///< of its ranges
-    std::uint32_t known = 0;                   ///< its set, in sets_
-    std::vector<std::uint32_t> differs;        ///< other variables
-    std::vector<DependencySet> because;        ///< of each of them
-  };
-  struct Counted {
-    KnownSet set;
-    std::uint64_t least = 0;
-    std::uint64_t most = 0;
-    bool is_harmless = false;  ///< one datatype that is not known, which is taken to have values
-  };
-
-  [[nodiscard]] std::vector<Variable> variables_of(const Graph& graph, DependencySets& sets);
-  std::uint32_t known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal);
-  /// Whether different values can be given; nothing after too many attempts.
-  [[nodiscard]] std::optional<bool> can_differ(const std::vector<Variable>& variables,
-                                               const std::vector<std::uint32_t>& group, bool uses_most);
-
-  ValueRanges ranges_;
-  std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
-  std::vector<Counted> sets_;
-  std::map<Value, owl::TermId> representative_;
-};
-
-ValueCheck::ValueCheck(const owl::Ontology& source, const clauses::ClauseSet& set)
-    : problem_(std::make_unique<Problem>(source, set)) {}
-ValueCheck::~ValueCheck() = default;
-
-std::optional<bool> ValueCheck::is_in(owl::TermId literal, std::uint32_t range) {
-  return problem_->is_in(literal, range);
-}
-
-owl::TermId ValueCheck::representative(owl::TermId literal) { return problem_->representative(literal); }
-
-std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySets& sets, std::string& unknown) {
-  return problem_->clash(graph, sets, unknown);
-}
-
 bool ValueCheck::are_different(owl::TermId first, owl::TermId second) {
-  const std::optional<Value> a = problem_->ranges().value(first);
-  const std::optional<Value>& b = problem_->ranges().value(second);
+  const std::optional<Value> a = ranges_.value(first);
+  const std::optional<Value>& b = ranges_.value(second);
   return a && b && !(*a == *b);
 }
 
-std::optional<bool> ValueCheck::Problem::is_in(owl::TermId literal, std::uint32_t range) {
+std::optional<bool> ValueCheck::is_in(owl::TermId literal, std::uint32_t range) {
   const auto& value = ranges_.value(literal);
   if (!value) return std::nullopt;
   const KnownSet& set = ranges_.known_set(DataRangeId{range});
@@ -81,12 +26,12 @@ std::optional<bool> ValueCheck::Problem::is_in(owl::TermId literal, std::uint32_
   return std::nullopt;
 }
 
-owl::TermId ValueCheck::Problem::representative(owl::TermId literal) {
+owl::TermId ValueCheck::representative(owl::TermId literal) {
   const auto& value = ranges_.value(literal);
   return value ? representative_.try_emplace(*value, literal).first->second : literal;
 }
 
-std::uint32_t ValueCheck::Problem::known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal) {
+std::uint32_t ValueCheck::known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal) {
   const auto [found, is_new] = set_of_ranges_.try_emplace({ranges, literal}, static_cast<std::uint32_t>(sets_.size()));
   if (!is_new) return found->second;
   Counted counted{{ValueSet::everything(), ValueSet::everything(), {}}};
@@ -114,7 +59,7 @@ std::uint32_t ValueCheck::Problem::known_set(const std::vector<std::uint32_t>& r
   return found->second;
 }
 
-std::vector<ValueCheck::Problem::Variable> ValueCheck::Problem::variables_of(const Graph& graph, DependencySets& sets) {
+std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, DependencySets& sets) {
   std::vector<Variable> variables;
   std::vector<std::uint32_t> number_of(graph.node_count(), none);
   std::vector<std::uint32_t> ranges;
@@ -151,8 +96,7 @@ std::vector<ValueCheck::Problem::Variable> ValueCheck::Problem::variables_of(con
   return variables;
 }
 
-std::optional<DependencySet> ValueCheck::Problem::clash(const Graph& graph, DependencySets& sets,
-                                                        std::string& unknown) {
+std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySets& sets, std::string& unknown) {
   const std::vector<Variable> variables = variables_of(graph, sets);
   std::vector<bool> is_seen(variables.size(), false);
   for (std::uint32_t start = 0; start < variables.size(); ++start) {
@@ -190,8 +134,8 @@ std::optional<DependencySet> ValueCheck::Problem::clash(const Graph& graph, Depe
   return std::nullopt;
 }
 
-std::optional<bool> ValueCheck::Problem::can_differ(const std::vector<Variable>& variables,
-                                                    const std::vector<std::uint32_t>& group, bool uses_most) {
+std::optional<bool> ValueCheck::can_differ(const std::vector<Variable>& variables,
+                                           const std::vector<std::uint32_t>& group, bool uses_most) {
   const auto count = [&](std::uint32_t at) {
     const Counted& one = sets_[variables[at].known];
     return uses_most ? one.most : one.least;

@@ -2,17 +2,17 @@
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_VALUE_CHECK_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_VALUE_CHECK_HPP
 
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
-
-namespace geminga::owl {
-class Ontology;
-}
+#include "reasoning/dl/hypertableau/values/value_ranges.hpp"
 
 namespace geminga::hypertableau {
 
@@ -23,8 +23,7 @@ inline constexpr std::size_t max_value_attempts = 100'000;
 /// Knows the value spaces of one ClauseSet.
 class ValueCheck {
  public:
-  ValueCheck(const owl::Ontology& source, const clauses::ClauseSet& set);
-  ~ValueCheck();
+  ValueCheck(const owl::Ontology& source, const clauses::ClauseSet& set) : ranges_(source, set) {}
 
   /// Whether a literal is in a data range; nothing where it cannot be known.
   [[nodiscard]] std::optional<bool> is_in(owl::TermId literal, std::uint32_t range);
@@ -37,8 +36,31 @@ class ValueCheck {
   [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
 
  private:
-  class Problem;
-  std::unique_ptr<Problem> problem_;
+  /// A node that has ranges or must differ from others.
+  struct Variable {
+    NodeId node = 0;
+    DependencySet dependency = no_dependency;  ///< of its ranges
+    std::uint32_t known = 0;                   ///< its set, in sets_
+    std::vector<std::uint32_t> differs;        ///< other variables
+    std::vector<DependencySet> because;        ///< of each of them
+  };
+  struct Counted {
+    KnownSet set;
+    std::uint64_t least = 0;
+    std::uint64_t most = 0;
+    bool is_harmless = false;  ///< one datatype that is not known, which is taken to have values
+  };
+
+  [[nodiscard]] std::vector<Variable> variables_of(const Graph& graph, DependencySets& sets);
+  std::uint32_t known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal);
+  /// Whether different values can be given; nothing after too many attempts.
+  [[nodiscard]] std::optional<bool> can_differ(const std::vector<Variable>& variables,
+                                               const std::vector<std::uint32_t>& group, bool uses_most);
+
+  ValueRanges ranges_;
+  std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
+  std::vector<Counted> sets_;
+  std::map<Value, owl::TermId> representative_;
 };
 
 }  // namespace geminga::hypertableau

@@ -1,4 +1,4 @@
-// A walk upwards.
+// Told superclasses come from the index, derived ones from the contexts.
 #include "reasoning/el/closure/atoms_above.hpp"
 
 namespace geminga::el {
@@ -9,7 +9,7 @@ void AtomsAbove::reach(ExprId atom) {
   found_.push_back(atom);
 }
 
-std::span<const ExprId> AtomsAbove::of(ExprId atom) {
+std::span<const ExprId> AtomsAbove::gather(ExprId atom) {
   ++round_;
   found_.clear();
   reach(index_.representative(atom));

@@ -10,14 +10,15 @@
 
 namespace geminga::el {
 
+/// Walks up from one atom after the other, in memory that the walks share.
 class AtomsAbove {
  public:
   AtomsAbove(const IndexedOntology& index, const Saturation& saturation)
       : index_(index), saturation_(saturation), seen_in_(index.size(), 0) {}
 
   /// The representatives above an atom, itself and T included. Valid until the next call.
-  std::span<const ExprId> of(ExprId atom);
-  /// True if the last call of of() found the atom.
+  std::span<const ExprId> gather(ExprId atom);
+  /// True if the last call of gather() found the atom.
   [[nodiscard]] bool contains(ExprId atom) const { return seen_in_[number(index_.representative(atom))] == round_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace geminga::el {
 
-/// The limit of what functional properties merge. Beyond it they are left out and named.
+/// The limit of merged atoms. Beyond it functional properties are left out and named.
 inline constexpr std::size_t default_max_merged_atoms = std::size_t{1} << 20;
 
 /// The most that may be derived. A run ends at a limit; what was derived by then follows.

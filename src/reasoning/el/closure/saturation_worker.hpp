@@ -2,7 +2,6 @@
 #ifndef GEMINGA_REASONING_EL_CLOSURE_SATURATION_WORKER_HPP
 #define GEMINGA_REASONING_EL_CLOSURE_SATURATION_WORKER_HPP
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

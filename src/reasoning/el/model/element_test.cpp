@@ -28,7 +28,7 @@ bool ElementTest::has(std::uint32_t context, ExprId atom, bool is_only_successor
     return std::ranges::all_of(index_.frontier(representative), [&](ExprId above) { return is_in(context, above); });
   }
   if (!element.together.empty()) return false;
-  (void)above_.of(element.root);
+  (void)above_.gather(element.root);
   return above_.contains(representative);
 }
 

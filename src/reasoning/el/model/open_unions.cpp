@@ -114,13 +114,13 @@ bool OpenUnions::has_nothing_more(const FailingContexts& failing, std::uint32_t 
   bool is_first = true;
   return visit_parts(failing, context, [&](std::uint32_t part) {
     if (!is_settled(failing, part, depth + 1)) return false;
-    const auto found = above_.of(saturation_.contexts()[part].root);
+    const auto found = above_.gather(saturation_.contexts()[part].root);
     steps_ += found.size();
     if (is_first) {
       for (const ExprId atom : found) {
         if (is_class_[number(atom)]) common.push_back(atom);
       }
-      (void)above_.of(saturation_.contexts()[context].root);
+      (void)above_.gather(saturation_.contexts()[context].root);
       std::erase_if(common, [&](ExprId atom) { return above_.contains(atom); });
       is_first = false;
     } else {

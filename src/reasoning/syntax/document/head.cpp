@@ -1,7 +1,5 @@
 #include "reasoning/syntax/document/head.hpp"
 
-#include <utility>
-
 #include "base/text.hpp"
 
 namespace geminga::document {

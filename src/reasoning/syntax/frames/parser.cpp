@@ -11,7 +11,7 @@ using manchester::Tokenizer;
 using manchester::TokenKind;
 
 Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Declared& declared,
-               const Limits& limits, std::vector<owl::Annotation>* annotations)
+               const FrameLimits& limits, std::vector<owl::Annotation>* annotations)
     : manchester::Parser(Tokenizer(bytes, section_words()), limits.expression, source),
       file_(file),
       declared_(declared),

@@ -28,7 +28,7 @@ class Parser final : private manchester::Parser {
  public:
   /// The bytes are valid UTF-8 without NUL. All arguments must outlive the parser.
   Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Declared& declared,
-         const Limits& limits, std::vector<owl::Annotation>* annotations = nullptr);
+         const FrameLimits& limits, std::vector<owl::Annotation>* annotations = nullptr);
 
   [[nodiscard]] std::expected<Document, ReadError> run();
   /// Reads prefixes, and which frames are of properties and datatypes, up to the first problem.
@@ -96,7 +96,7 @@ class Parser final : private manchester::Parser {
 
   const owl::FileId file_;
   const Declared& declared_;
-  const Limits& frame_limits_;
+  const FrameLimits& frame_limits_;
   const std::string_view bytes_;
   owl::AnnotationStack annotations_;
   Document document_;

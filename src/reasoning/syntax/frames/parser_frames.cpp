@@ -1,7 +1,6 @@
 // Frames and their sections. The productions of FRAMES.md stand above each function.
 #include <array>
 
-#include "base/text.hpp"
 #include "reasoning/syntax/frames/parser.hpp"
 
 namespace geminga::frames {

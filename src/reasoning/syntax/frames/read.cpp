@@ -28,7 +28,7 @@ std::optional<ReadError> check_text(std::string_view bytes) {
 
 }  // namespace
 
-void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits) {
+void look_ahead(std::string_view bytes, Declared& declared, const FrameLimits& limits) {
   bytes = base::without_mark(bytes);
   if (bytes.size() > limits.file_bytes || check_text(bytes)) return;
   owl::Ontology unused;
@@ -38,7 +38,7 @@ void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits
 }
 
 std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
-                                        const Declared& declared, const Limits& limits,
+                                        const Declared& declared, const FrameLimits& limits,
                                         std::vector<owl::Annotation>* annotations) {
   const auto refuse = [&](ReadError error) {
     error.file = base::printable(source.files()[static_cast<std::size_t>(file)].path, 4096);

@@ -27,7 +27,7 @@ using owl::Document;
 using owl::ReadError;
 
 /// Notes the properties and datatypes that a file has frames of. Errors of the file are left to read(). Linear.
-void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits = {});
+void look_ahead(std::string_view bytes, Declared& declared, const FrameLimits& limits = {});
 
 /// Reads a whole file into the source: sets the ontology IRI of `file`, adds every axiom with its line, and adds the
 /// texts of rdfs:label and skos:prefLabel as labels. Declared prefixes are not added, because the loader chooses among
@@ -38,7 +38,7 @@ void look_ahead(std::string_view bytes, Declared& declared, const Limits& limits
 ///
 /// After an error the source holds some part of the file, and the caller must drop it. Linear in the file.
 [[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
-                                                      const Declared& declared, const Limits& limits = {},
+                                                      const Declared& declared, const FrameLimits& limits = {},
                                                       std::vector<owl::Annotation>* annotations = nullptr);
 
 }  // namespace geminga::frames

@@ -3,12 +3,11 @@
 #define GEMINGA_REASONING_SYNTAX_FUNCTIONAL_LIMITS_HPP
 
 #include <cstddef>
-#include <cstdint>
 
 namespace geminga::functional {
 
 /// A file that exceeds one of these is refused, with the line. The limits of owl::SourceLimits hold as well.
-struct Limits {
+struct FunctionalLimits {
   std::size_t file_bytes = std::size_t{1} << 30;
   /// Of one IRI, written out, and of one word, language tag, number or blank node's label.
   std::size_t iri_bytes = 8192;

@@ -39,7 +39,7 @@ std::string describe(const Token& token) {
 
 }  // namespace
 
-Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const FunctionalLimits& limits,
                std::vector<owl::Annotation>* annotations)
     : source_(source),
       file_(file),

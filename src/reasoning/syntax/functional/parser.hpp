@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +26,7 @@ namespace geminga::functional {
 class Parser {
  public:
   /// The bytes have passed check_text(). All arguments must outlive the parser.
-  Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+  Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const FunctionalLimits& limits,
          std::vector<owl::Annotation>* annotations);
 
   [[nodiscard]] std::expected<Document, Problem> run();
@@ -94,7 +93,7 @@ class Parser {
 
   owl::Ontology& source_;
   const owl::FileId file_;
-  const Limits& limits_;
+  const FunctionalLimits& limits_;
   const std::string_view bytes_;
   owl::AnnotationStack annotations_;
   Tokenizer tokens_;

@@ -10,7 +10,7 @@
 namespace geminga::functional {
 
 std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
-                                        const Limits& limits, std::vector<owl::Annotation>* annotations) {
+                                        const FunctionalLimits& limits, std::vector<owl::Annotation>* annotations) {
   const auto refuse = [&](Problem problem) {
     const std::string& path = source.files()[static_cast<std::size_t>(file)].path;
     return std::unexpected(ReadError{base::printable(path, 4096), problem.line, std::move(problem.text)});

@@ -30,7 +30,7 @@ using owl::ReadError;
 ///
 /// After an error the source holds some part of the file, and the caller must drop it. Linear in the file.
 [[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
-                                                      const Limits& limits = {},
+                                                      const FunctionalLimits& limits = {},
                                                       std::vector<owl::Annotation>* annotations = nullptr);
 
 }  // namespace geminga::functional

@@ -92,7 +92,7 @@ void append_unescaped(std::string& to, std::string_view text) {
   }
 }
 
-Tokenizer::Tokenizer(std::string_view text, const Limits& limits)
+Tokenizer::Tokenizer(std::string_view text, const FunctionalLimits& limits)
     : limits_(limits),
       end_(text.data() + text.size()),
       place_(text.data()),

@@ -2,7 +2,6 @@
 #ifndef GEMINGA_REASONING_SYNTAX_FUNCTIONAL_TOKENIZER_HPP
 #define GEMINGA_REASONING_SYNTAX_FUNCTIONAL_TOKENIZER_HPP
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -52,7 +51,7 @@ void append_unescaped(std::string& to, std::string_view text);
 class Tokenizer {
  public:
   /// Stands on the first token. Both arguments must outlive the tokenizer.
-  Tokenizer(std::string_view text, const Limits& limits);
+  Tokenizer(std::string_view text, const FunctionalLimits& limits);
 
   [[nodiscard]] const Token& token() const { return token_; }
   [[nodiscard]] bool is(TokenKind kind) const { return token_.kind == kind; }
@@ -77,7 +76,7 @@ class Tokenizer {
   void finish(TokenKind kind, const char* begin, const char* end, const char* next);
   [[nodiscard]] std::uint32_t line_at(const char* place);
 
-  const Limits& limits_;
+  const FunctionalLimits& limits_;
   const char* end_;
   const char* place_;        ///< behind the current token
   const char* token_begin_;  ///< of the current token

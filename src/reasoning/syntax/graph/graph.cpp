@@ -86,7 +86,7 @@ std::optional<Format> format_of_file(std::string_view path) {
   return std::nullopt;
 }
 
-Graph::Graph(const Limits& limits) : store_(std::make_unique<Store>(limits)) {
+Graph::Graph(const GraphLimits& limits) : store_(std::make_unique<Store>(limits)) {
   if (!store_->world.is_open()) store_->fail("Redland does not start: memory is short");
 }
 

@@ -37,7 +37,7 @@ using Prefixes = std::vector<std::pair<std::string, std::string>>;  ///< without
 
 class Graph {
  public:
-  explicit Graph(const Limits& limits = {});
+  explicit Graph(const GraphLimits& limits = {});
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
   ~Graph();

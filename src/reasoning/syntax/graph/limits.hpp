@@ -6,7 +6,7 @@
 
 namespace geminga::graph {
 
-struct Limits {
+struct GraphLimits {
   /// A triple takes about 200 octets, and 500 more while a query is asked.
   std::size_t triples = 10'000'000;
   std::size_t query_bytes = std::size_t{1} << 16;

@@ -123,7 +123,7 @@ std::optional<std::string> read_triples(World& world, librdf_query_results* resu
 }  // namespace
 
 std::expected<Answer, std::string> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
-                                       Format format, const Limits& limits) {
+                                       Format format, const GraphLimits& limits) {
   if (query.size() > limits.query_bytes)
     return std::unexpected("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
   if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos)

@@ -5,7 +5,6 @@
 #include <expected>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "reasoning/syntax/graph/graph.hpp"
@@ -27,7 +26,7 @@ struct Answer {
 /// process limits the time that it takes.
 [[nodiscard]] std::expected<Answer, std::string> ask(const Graph& graph, const std::string& query,
                                                      const Prefixes& prefixes, Format format = Format::turtle,
-                                                     const Limits& limits = {});
+                                                     const GraphLimits& limits = {});
 
 }  // namespace geminga::graph
 

@@ -3,8 +3,6 @@
 #define GEMINGA_REASONING_SYNTAX_GRAPH_STATEMENTS_HPP
 
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "reasoning/syntax/graph/node.hpp"

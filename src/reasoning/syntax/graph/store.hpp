@@ -14,9 +14,9 @@
 namespace geminga::graph {
 
 struct Graph::Store {
-  explicit Store(const Limits& with) : limits(with), statements(world) {}
+  explicit Store(const GraphLimits& with) : limits(with), statements(world) {}
 
-  Limits limits;
+  GraphLimits limits;
   World world;
   Statements statements;
   std::function<bool(const Node&, std::string_view, const Node&)> keeps;

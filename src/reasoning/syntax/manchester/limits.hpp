@@ -7,7 +7,7 @@
 namespace geminga::manchester {
 
 /// An expression that exceeds one of these is refused with its column. MANCHESTER.md names the same numbers.
-struct Limits {
+struct ExpressionLimits {
   std::size_t text_bytes = std::size_t{1} << 16;
   /// Levels of parentheses, `not` and restrictions: the reader descends once for each.
   std::size_t nesting = 100;

@@ -11,7 +11,8 @@ namespace {
 /// The parser for an expression over a loaded ontology, which resolves the names.
 class ExpressionParser final : public Parser {
  public:
-  ExpressionParser(std::string_view text, const owl::Names& names, const Limits& limits, owl::Ontology& source)
+  ExpressionParser(std::string_view text, const owl::Names& names, const ExpressionLimits& limits,
+                   owl::Ontology& source)
       : Parser(Tokenizer(text), limits, source), names_(names) {}
 
   /// description, then the end of the text.
@@ -47,7 +48,8 @@ class ExpressionParser final : public Parser {
 
 }  // namespace
 
-std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names, const Limits& limits) {
+std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names,
+                                            const ExpressionLimits& limits) {
   if (text.size() > limits.text_bytes) {
     return std::unexpected(
         ParseError{ParseError::Kind::too_large, 1, "more than " + std::to_string(limits.text_bytes) + " octets"});

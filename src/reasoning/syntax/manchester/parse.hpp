@@ -25,7 +25,7 @@ struct Expression {
 
 /// Reads a whole text. Any bytes may be given.
 [[nodiscard]] std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names,
-                                                          const Limits& limits = {});
+                                                          const ExpressionLimits& limits = {});
 
 /// Whether a text is more than one name: it has a keyword, a bracket or a comma outside of quotation marks and IRIs.
 /// Any other text is better looked up as a name, because that error says more.

@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "reasoning/owl/source.hpp"
 #include "reasoning/syntax/manchester/error.hpp"
@@ -28,7 +27,7 @@ struct Problem {
 /// each function returns owl:Thing.
 class Parser {
  public:
-  Parser(Tokenizer tokens, const Limits& limits, owl::Ontology& source)
+  Parser(Tokenizer tokens, const ExpressionLimits& limits, owl::Ontology& source)
       : tokens_(std::move(tokens)), limits_(limits), source_(source) {}
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
@@ -86,7 +85,7 @@ class Parser {
   class Level;
 
   Tokenizer tokens_;
-  const Limits& limits_;
+  const ExpressionLimits& limits_;
   owl::Ontology& source_;
   std::size_t depth_ = 0;
   std::size_t parts_ = 0;

@@ -2,7 +2,6 @@
 #include <array>
 #include <utility>
 
-#include "base/text.hpp"
 #include "reasoning/syntax/manchester/parser.hpp"
 
 namespace geminga::manchester {

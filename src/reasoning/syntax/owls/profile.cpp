@@ -161,7 +161,7 @@ class Reading {
 
 }  // namespace
 
-std::expected<Document, syntax::LoadError> read_profiles(const std::string& path, const syntax::Limits& limits) {
+std::expected<Document, syntax::LoadError> read_profiles(const std::string& path, const syntax::FileLimits& limits) {
   auto read = rdf::read_tolerantly(path, limits);
   if (!read) return std::unexpected(std::move(read.error()));
   const auto refuse = [&](std::string text) {

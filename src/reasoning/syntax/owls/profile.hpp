@@ -40,7 +40,7 @@ struct Document {
 /// ontologies, wherever these are published and in whatever version. A file without a profile but with a process is
 /// read as if that were its profile. More parameters or profiles than the limits are an error.
 [[nodiscard]] std::expected<Document, syntax::LoadError> read_profiles(const std::string& path,
-                                                                       const syntax::Limits& limits = {});
+                                                                       const syntax::FileLimits& limits = {});
 
 }  // namespace geminga::owls
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "base/text.hpp"
 
@@ -28,7 +27,7 @@ std::string_view value_of(std::span<const Attribute> attributes, std::string_vie
 
 }  // namespace
 
-Builder::Builder(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+Builder::Builder(std::string_view bytes, owl::FileId file, owl::Ontology& source, const XmlLimits& limits,
                  std::vector<owl::Annotation>* annotations)
     : bytes_(bytes),
       file_(file),

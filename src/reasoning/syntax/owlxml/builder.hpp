@@ -24,7 +24,7 @@ namespace geminga::owlxml {
 class Builder final : public Listener {
  public:
   /// All arguments must outlive it.
-  Builder(std::string_view bytes, owl::FileId file, owl::Ontology& source, const Limits& limits,
+  Builder(std::string_view bytes, owl::FileId file, owl::Ontology& source, const XmlLimits& limits,
           std::vector<owl::Annotation>* annotations);
 
   Refusal begin(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
@@ -98,7 +98,7 @@ class Builder final : public Listener {
   const std::string_view bytes_;
   const owl::FileId file_;
   owl::Ontology& source_;
-  const Limits& limits_;
+  const XmlLimits& limits_;
   owl::AnnotationStack annotations_;
   Document document_;
   std::vector<Open> open_;

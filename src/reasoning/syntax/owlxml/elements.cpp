@@ -39,7 +39,7 @@ struct FreeContext {
 /// One file. libxml2 calls the static functions with its context, which knows the walk.
 class Walk {
  public:
-  Walk(const Limits& limits, Listener& listener) : limits_(limits), listener_(listener) {}
+  Walk(const XmlLimits& limits, Listener& listener) : limits_(limits), listener_(listener) {}
 
   std::optional<Problem> run(std::string_view bytes) {
     xmlSAXHandler handler{};
@@ -74,7 +74,7 @@ class Walk {
   }
 
  private:
-  static Walk& of(void* context) { return *static_cast<Walk*>(static_cast<xmlParserCtxt*>(context)->_private); }
+  static Walk& behind(void* context) { return *static_cast<Walk*>(static_cast<xmlParserCtxt*>(context)->_private); }
 
   [[nodiscard]] std::uint32_t line() const {
     const int line = xmlSAX2GetLineNumber(context_);
@@ -101,7 +101,7 @@ class Walk {
   static void begin(void* context, const xmlChar* name, const xmlChar* /*prefix*/, const xmlChar* space,
                     int /*namespace_count*/, const xmlChar** /*namespaces*/, int attribute_count, int /*defaulted*/,
                     const xmlChar** attributes) {
-    Walk& walk = of(context);
+    Walk& walk = behind(context);
     walk.guarded([&]() -> Listener::Refusal {
       if (++walk.depth_ > walk.limits_.nesting)
         return "more than " + std::to_string(walk.limits_.nesting) + " levels of elements";
@@ -117,7 +117,7 @@ class Walk {
   }
 
   static void end(void* context, const xmlChar* /*name*/, const xmlChar* /*prefix*/, const xmlChar* /*space*/) {
-    Walk& walk = of(context);
+    Walk& walk = behind(context);
     walk.guarded([&] {
       --walk.depth_;
       return walk.listener_.end();
@@ -125,14 +125,14 @@ class Walk {
   }
 
   static void text(void* context, const xmlChar* part, int size) {
-    Walk& walk = of(context);
+    Walk& walk = behind(context);
     walk.guarded([&] { return walk.listener_.text(view(part, size)); });
   }
 
   /// Keeps plain internal entities, as Protégé writes them for namespaces, and nothing else.
   static void entity(void* context, const xmlChar* name, int type, const xmlChar* public_id, const xmlChar* system_id,
                      xmlChar* content) {
-    Walk& walk = of(context);
+    Walk& walk = behind(context);
     walk.guarded([&]() -> Listener::Refusal {
       const std::string shown = base::printable(view(name), 60);
       if (type != XML_INTERNAL_GENERAL_ENTITY) return "the entity " + shown + " is not a plain internal one";
@@ -149,7 +149,7 @@ class Walk {
 
   static void on_error(void* context, xmlErrorPtr error) {
     if (error == nullptr || error->level < XML_ERR_ERROR) return;
-    Walk& walk = of(context);
+    Walk& walk = behind(context);
     std::string_view words = error->message == nullptr ? "is not well-formed XML" : error->message;
     words = words.substr(0, words.find('\n'));
     if (!walk.problem_)
@@ -158,7 +158,7 @@ class Walk {
     xmlStopParser(walk.context_);
   }
 
-  const Limits& limits_;
+  const XmlLimits& limits_;
   Listener& listener_;
   xmlParserCtxt* context_ = nullptr;
   std::vector<Attribute> attributes_;
@@ -169,7 +169,7 @@ class Walk {
 
 }  // namespace
 
-std::optional<Problem> walk(std::string_view bytes, const Limits& limits, Listener& listener) {
+std::optional<Problem> walk(std::string_view bytes, const XmlLimits& limits, Listener& listener) {
   xmlInitParser();
   xmlSetExternalEntityLoader(no_external_entity);
   return Walk(limits, listener).run(bytes);

@@ -13,7 +13,7 @@
 namespace geminga::owlxml {
 
 struct Attribute {
-  std::string_view space;  ///< of its namespace; empty: none, so that it belongs to its element
+  std::string_view space;  ///< the IRI of its namespace; empty: it has no prefix
   std::string_view name;
   std::string_view value;
 };
@@ -37,9 +37,9 @@ class Listener {
 };
 
 /// Walks over a file. Returns what is wrong with it as XML, or what the listener returned.
-[[nodiscard]] std::optional<Problem> walk(std::string_view bytes, const Limits& limits, Listener& listener);
+[[nodiscard]] std::optional<Problem> walk(std::string_view bytes, const XmlLimits& limits, Listener& listener);
 
-/// A relative IRI made whole.
+/// Resolves a relative IRI against a base.
 [[nodiscard]] std::string resolve(std::string_view iri, const std::string& base);
 
 }  // namespace geminga::owlxml

@@ -7,7 +7,7 @@
 namespace geminga::owlxml {
 
 /// A file that exceeds one of these is refused, with the line. The limits of owl::SourceLimits hold as well.
-struct Limits {
+struct XmlLimits {
   std::size_t file_bytes = std::size_t{1} << 30;
   /// Of one IRI, written out.
   std::size_t iri_bytes = 8192;

@@ -9,7 +9,7 @@
 namespace geminga::owlxml {
 
 std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
-                                        const Limits& limits, std::vector<owl::Annotation>* annotations) {
+                                        const XmlLimits& limits, std::vector<owl::Annotation>* annotations) {
   const auto refuse = [&](std::uint32_t line, std::string text) {
     const std::string& path = source.files()[static_cast<std::size_t>(file)].path;
     return std::unexpected(ReadError{base::printable(path, 4096), line, std::move(text)});

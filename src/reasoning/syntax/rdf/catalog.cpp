@@ -29,7 +29,7 @@ bool is_uri_element(xmlTextReaderPtr reader) {
 
 std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(const std::string& path,
                                                                          std::string_view bytes,
-                                                                         const syntax::Limits& limits) {
+                                                                         const syntax::FileLimits& limits) {
   const auto refuse = [&](std::uint32_t line, std::string text) {
     return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
   };

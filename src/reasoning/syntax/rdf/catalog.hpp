@@ -2,7 +2,6 @@
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_CATALOG_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_CATALOG_HPP
 
-#include <cstddef>
 #include <expected>
 #include <string>
 #include <string_view>
@@ -24,9 +23,8 @@ struct CatalogEntry {
 
 /// The entries of a catalogue in their order, at most `limits.files`. Other elements are ignored, and no file that it
 /// names is opened.
-[[nodiscard]] std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(const std::string& path,
-                                                                                       std::string_view bytes,
-                                                                                       const syntax::Limits& limits);
+[[nodiscard]] std::expected<std::vector<CatalogEntry>, syntax::LoadError> read_catalog(
+    const std::string& path, std::string_view bytes, const syntax::FileLimits& limits);
 
 }  // namespace geminga::rdf
 

@@ -145,7 +145,7 @@ struct ScannedFile {
   Layout layout;
 };
 
-std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& path, const syntax::Limits& limits) {
+std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& path, const syntax::FileLimits& limits) {
   const auto refuse = [&](std::uint32_t line, std::string text) {
     return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
   };
@@ -164,7 +164,7 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
 /// One load, file by file.
 class Loading {
  public:
-  Loading(const std::vector<std::string>& paths, const syntax::Limits& limits, OtherReader* other, unsigned threads)
+  Loading(const std::vector<std::string>& paths, const syntax::FileLimits& limits, OtherReader* other, unsigned threads)
       : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {}
 
   std::optional<syntax::LoadError> read(std::size_t number) {
@@ -256,7 +256,7 @@ class Loading {
   }
 
   const std::vector<std::string>& paths_;
-  const syntax::Limits& limits_;
+  const syntax::FileLimits& limits_;
   OtherReader* other_;
   Redland redland_;
   Graph graph_;
@@ -268,13 +268,13 @@ class Loading {
 
 }  // namespace
 
-std::expected<TextFile, syntax::LoadError> read_text(const std::string& path, const syntax::Limits& limits) {
+std::expected<TextFile, syntax::LoadError> read_text(const std::string& path, const syntax::FileLimits& limits) {
   auto scanned = read_and_scan(path, limits);
   if (!scanned) return std::unexpected(std::move(scanned.error()));
   return TextFile{std::move(scanned->bytes), scanned->syntax, base_iri(path)};
 }
 
-std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments, const syntax::Limits& limits,
+std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments, const syntax::FileLimits& limits,
                                               OtherReader* other, unsigned threads) {
   auto listing = list_files(arguments, limits);
   if (!listing) return std::unexpected(std::move(listing.error()));

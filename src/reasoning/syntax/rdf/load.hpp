@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "reasoning/owl/annotation.hpp"
@@ -40,8 +39,7 @@ struct PrefixConflict {
 class OtherReader {
  public:
   virtual ~OtherReader() = default;
-  /// Gets every such file that is read last before the first of them is read, because one may use what another
-  /// declares.
+  /// Sees each file of a syntax in which files use each other's declarations, before the first of them is read.
   virtual void look_ahead(syntax::Syntax syntax, std::string_view bytes) = 0;
   /// Appends annotations to those that are there, if it keeps annotations.
   [[nodiscard]] virtual std::expected<owl::Document, owl::ReadError> read(
@@ -71,7 +69,7 @@ struct TextFile {
 
 /// Reads the text of a file, for users of its triples who do not need its axioms.
 [[nodiscard]] std::expected<TextFile, syntax::LoadError> read_text(const std::string& path,
-                                                                   const syntax::Limits& limits = {});
+                                                                   const syntax::FileLimits& limits = {});
 
 /// Reads RDF/XML, Turtle and N-Triples files, packed by gzip or not, and every such file in the folders named and below
 /// them (folders.hpp). Opens nothing else, whatever the files say. The first file that is broken, hostile or beyond a
@@ -79,7 +77,7 @@ struct TextFile {
 /// depends on the order of files. Up to `threads` threads parse a large file; the result does not depend on them. Files
 /// in the syntaxes of OWL 2 go to `other`, and are refused without one.
 [[nodiscard]] std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments,
-                                                            const syntax::Limits& limits = {},
+                                                            const syntax::FileLimits& limits = {},
                                                             OtherReader* other = nullptr, unsigned threads = 1);
 
 }  // namespace geminga::rdf

@@ -29,7 +29,8 @@ def exchange(pair: Pair, mode: str, protocol: str, address: str = "") -> None:
         must((int(sequence), int(missed)) == (last + 1, 0), f"message {last + 1} came as {sequence}, {missed} were missed")
         last += 1
     must(counted(pair.pub, p)["sent"] == last, f"the publisher did not count {last} messages")
-    must(counted(pair.sub, s)["dropped"] == 0, "messages were dropped")
+    if not (pair.lab.is_sealed and address):  # over multicast, what was sent before the subscriber was proved to is dropped
+        must(counted(pair.sub, s)["dropped"] == 0, "messages were dropped")
     pair.pub.asked(f"close {p}", f"closed {p}")
     pair.sub.find(f"provider {s} removed {life} withdrawn")
     must(not pair.sub.all(f"provider {s} modified .*"), "the provider was told as modified")

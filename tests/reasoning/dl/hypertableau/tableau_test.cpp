@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "reasoning/dl/clauses/clausify.hpp"
 #include "reasoning/dl/hypertableau/values/value_ranges.hpp"
 #include "support/written.hpp"

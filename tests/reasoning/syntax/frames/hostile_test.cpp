@@ -17,7 +17,7 @@ std::string times(std::size_t count, std::string_view text) {
 }
 
 TEST(Limits, OfNesting) {
-  Limits limits;
+  FrameLimits limits;
   limits.expression.nesting = 20;
   const auto nested = [&](std::size_t levels) {
     return Reading(ontology("Class: A SubClassOf: " + times(levels, "not ") + "B"), limits).error;
@@ -30,7 +30,7 @@ TEST(Limits, OfNesting) {
 }
 
 TEST(Limits, OfNestedAnnotations) {
-  Limits limits;
+  FrameLimits limits;
   limits.annotation_levels = 3;
   const auto nested = [&](std::size_t levels) {
     return Reading(ontology("Class: A " + times(levels, "Annotations: ") + times(levels, ":n \"x\" ")), limits).error;
@@ -41,7 +41,7 @@ TEST(Limits, OfNestedAnnotations) {
 }
 
 TEST(Limits, OfNamesTextsPrefixesImportsPartsAndTheFile) {
-  Limits limits;
+  FrameLimits limits;
   limits.iri_bytes = 12;
   for (const std::string_view name : {"<http://e/abc>", ":abc"})
     EXPECT_EQ(Reading(ontology("Class: " + std::string(name)), limits).error, "");

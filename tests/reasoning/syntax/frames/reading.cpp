@@ -6,7 +6,7 @@
 
 namespace geminga::frames {
 
-Reading::Reading(std::string_view text, const Limits& limits, Declared declared) {
+Reading::Reading(std::string_view text, const FrameLimits& limits, Declared declared) {
   look_ahead(text, declared, limits);
   auto result = read(text, source.add_file("t.omn"), source, declared, limits);
   if (result) {

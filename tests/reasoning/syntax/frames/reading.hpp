@@ -16,7 +16,7 @@ struct Reading {
   Document document;
   std::string error;  ///< "t.omn:3: what is wrong"; empty: it was read
 
-  explicit Reading(std::string_view text, const Limits& limits = {}, Declared declared = {});
+  explicit Reading(std::string_view text, const FrameLimits& limits = {}, Declared declared = {});
 
   /// Axioms as the writer of tests/reasoning/syntax/rdf writes them, declarations included; then "left out: CONSTRUCT,
   /// COUNT, line N".

@@ -15,8 +15,8 @@ std::string repeat(std::string_view text, std::size_t count) {
 }
 
 /// Refuses what `make` writes for limit + 1 with `error`, and reads it for limit - 1 and limit.
-void expect_limit(std::size_t limit, const Limits& limits, const std::function<std::string(std::size_t)>& make,
-                  const std::string& error) {
+void expect_limit(std::size_t limit, const FunctionalLimits& limits,
+                  const std::function<std::string(std::size_t)>& make, const std::string& error) {
   EXPECT_EQ(Reading(make(limit - 1), limits).error, "");
   EXPECT_EQ(Reading(make(limit), limits).error, "");
   EXPECT_EQ(Reading(make(limit + 1), limits).error, error);
@@ -24,7 +24,7 @@ void expect_limit(std::size_t limit, const Limits& limits, const std::function<s
 
 TEST(Limits, BoundTheFile) {
   const std::string text = ontology("SubClassOf(:A :B)");
-  Limits limits;
+  FunctionalLimits limits;
   limits.file_bytes = text.size() + 1;
   EXPECT_EQ(Reading(text, limits).error, "");
   limits.file_bytes = text.size();
@@ -47,7 +47,7 @@ TEST(Limits, BoundIrisBehindAPrefix) {
 }
 
 TEST(Limits, BoundNamesAsTheyAreWritten) {
-  Limits limits;
+  FunctionalLimits limits;
   limits.iri_bytes = 60;
   const auto escaped = [](std::size_t size) {
     return "Prefix(:=<e>)\nOntology(Declaration(Class(:a" + repeat("\\.", (size - 2) / 2) + std::string(size % 2, 'b') +
@@ -81,7 +81,7 @@ TEST(Limits, BoundTexts) {
 }
 
 TEST(Limits, BoundTextsWithoutTheirEscapes) {
-  Limits limits;
+  FunctionalLimits limits;
   limits.literal_bytes = 100;
   const auto escaped = [](std::size_t size) {
     return ontology("DataPropertyAssertion(:d :i \"" + repeat("\\\"", size) + "\")");
@@ -97,7 +97,7 @@ TEST(Limits, BoundTheNestingOfExpressions) {
 }
 
 TEST(Limits, BoundTheNestingOfRangesAndProperties) {
-  Limits limits;
+  FunctionalLimits limits;
   limits.nesting = 2;
   const auto ranges = [](std::size_t levels) {
     return ontology("DataPropertyRange(:d " + repeat("DataComplementOf(", levels) + "xsd:int" +
@@ -117,7 +117,7 @@ TEST(Limits, BoundTheNestingOfAnnotations) {
 }
 
 TEST(Limits, BoundOperands) {
-  Limits limits;
+  FunctionalLimits limits;
   limits.operands = 10;
   const auto list = [](std::string_view head, std::string_view operand, std::string_view tail) {
     return [=](std::size_t count) { return ontology(std::string(head) + repeat(operand, count) + std::string(tail)); };
@@ -131,7 +131,7 @@ TEST(Limits, BoundOperands) {
 }
 
 TEST(Limits, AllowAMillionOperands) {
-  Limits limits;
+  FunctionalLimits limits;
   const auto individuals = [](std::size_t count) {
     return ontology("DifferentIndividuals(" + repeat(":i ", count) + ")");
   };

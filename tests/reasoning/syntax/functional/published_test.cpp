@@ -1,7 +1,6 @@
 // Ontologies that others published in both syntaxes must give the same axioms from both.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -2,7 +2,6 @@
 #ifndef GEMINGA_TESTS_REASONING_SYNTAX_FUNCTIONAL_READING_HPP
 #define GEMINGA_TESTS_REASONING_SYNTAX_FUNCTIONAL_READING_HPP
 
-#include <expected>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +16,7 @@ struct Reading {
   Document document;
   std::string error;  ///< "t.ofn:3: what is wrong"; empty: it was read
 
-  explicit Reading(std::string_view text, const Limits& limits = {}) {
+  explicit Reading(std::string_view text, const FunctionalLimits& limits = {}) {
     const owl::FileId file = source.add_file("t.ofn");
     auto result = read(text, file, source, limits);
     if (result) {

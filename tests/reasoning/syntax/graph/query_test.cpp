@@ -24,7 +24,7 @@ class Query : public testing::Test {
     graph_.sort();
   }
 
-  [[nodiscard]] std::expected<Answer, std::string> ask(const std::string& query, const Limits& limits = {}) const {
+  [[nodiscard]] std::expected<Answer, std::string> ask(const std::string& query, const GraphLimits& limits = {}) const {
     return graph::ask(graph_, query, prefixes, Format::n_triples, limits);
   }
   [[nodiscard]] std::string refusal(const std::string& query) const {

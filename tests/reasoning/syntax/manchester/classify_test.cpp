@@ -1,9 +1,6 @@
 // The places of expressions: each construct and each trap.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "place.hpp"
 #include "support/written.hpp"
 

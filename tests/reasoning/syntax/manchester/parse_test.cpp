@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "place.hpp"
 #include "reasoning/owl/print.hpp"
@@ -94,7 +93,7 @@ TEST(Expression, IsPrintedSoThatItIsReadAgain) {
 
 TEST(Expression, IsRefusedOneLevelBeyondTheLimit) {
   const Asked asked(example());
-  Limits limits;
+  ExpressionLimits limits;
   const auto nested = [&](std::size_t levels) { return std::string(levels, '(') + "Ball" + std::string(levels, ')'); };
   for (const std::size_t levels : {limits.nesting - 1, limits.nesting}) {
     EXPECT_EQ(shortened(asked.read(nested(levels))), "t:Ball") << levels;
@@ -110,7 +109,7 @@ TEST(Expression, IsRefusedOneLevelBeyondTheLimit) {
 
 TEST(Expression, IsRefusedOnePartBeyondTheLimit) {
   const Asked asked(example());
-  Limits limits;
+  ExpressionLimits limits;
   limits.parts = 3;
   EXPECT_EQ(shortened(asked.read("Ball and Sensor", limits)), "t:Ball and t:Sensor");
   EXPECT_EQ(shortened(asked.read("Ball and observes some Ball", limits)), "t:Ball and (t:observes some t:Ball)");
@@ -121,7 +120,7 @@ TEST(Expression, IsRefusedOnePartBeyondTheLimit) {
 
 TEST(Expression, IsRefusedOneOctetBeyondTheLimit) {
   const Asked asked(example());
-  Limits limits;
+  ExpressionLimits limits;
   limits.text_bytes = 20;
   EXPECT_EQ(shortened(asked.read("Ball and      Sensor", limits)), "t:Ball and t:Sensor");
   EXPECT_EQ(asked.read("Ball and       Sensor", limits), "column 1: more than 20 octets");

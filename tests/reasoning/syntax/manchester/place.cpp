@@ -61,7 +61,7 @@ std::string Asked::is_subsumed(std::string_view sub, std::string_view super) con
   return answer.holds ? "yes" : answer.gaps.empty() ? "no" : "no?";
 }
 
-std::string Asked::read(std::string_view expression, const Limits& limits) const {
+std::string Asked::read(std::string_view expression, const ExpressionLimits& limits) const {
   const auto read = parse(expression, *names_, limits);
   return read ? canonical(read->source, read->term) : to_string(read.error());
 }

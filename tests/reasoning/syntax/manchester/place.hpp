@@ -27,7 +27,7 @@ class Asked {
   /// "yes", "no", or "no?" where there are gaps.
   [[nodiscard]] std::string is_subsumed(std::string_view sub, std::string_view super) const;
   /// The canonical text, or the error.
-  [[nodiscard]] std::string read(std::string_view expression, const Limits& limits = {}) const;
+  [[nodiscard]] std::string read(std::string_view expression, const ExpressionLimits& limits = {}) const;
 
   [[nodiscard]] const compiled::Ontology& ontology() const { return *ontology_; }
   [[nodiscard]] const placement::ExpressionClassifier& classifier() const { return *classifier_; }

@@ -38,7 +38,7 @@ TEST(Hostile, EntitiesDoNotExpandWithoutEnd) {
         "<!ENTITY a" + std::to_string(level) + " \"" + times(10, "&a" + std::to_string(level - 1) + ";") + "\">\n";
   EXPECT_EQ(Reading(with_entities(laughs, "<Import>&a19;</Import>")).error, "t.owx:3: the entity a1 has markup in it");
   EXPECT_THAT(Reading(with_entities("<!ENTITY a \"<Class/>\">\n", "&a;")).error, HasSubstr("has markup in it"));
-  Limits limits;
+  XmlLimits limits;
   limits.entity_bytes = 5;
   EXPECT_EQ(Reading(with_entities("<!ENTITY a \"abcde\">\n", ""), limits).error, "");
   EXPECT_THAT(Reading(with_entities("<!ENTITY a \"abcdef\">\n", ""), limits).error,
@@ -59,9 +59,9 @@ TEST(Hostile, BrokenXmlIsRefusedWithItsLine) {
 }
 
 TEST(Limits, OfElementsInEachOther) {
-  Limits limits;
+  XmlLimits limits;
   limits.nesting = 10;
-  const auto nested = [&](std::size_t levels, const Limits& in) {
+  const auto nested = [&](std::size_t levels, const XmlLimits& in) {
     return Reading(ontology("<SubClassOf><Class IRI='A'/>" + times(levels - 3, "<ObjectComplementOf>") +
                             "<Class IRI='B'/>" + times(levels - 3, "</ObjectComplementOf>") + "</SubClassOf>"),
                    in)
@@ -75,7 +75,7 @@ TEST(Limits, OfElementsInEachOther) {
 }
 
 TEST(Limits, OfNamesTextsPrefixesImportsOperandsAndTheFile) {
-  Limits limits;
+  XmlLimits limits;
   limits.iri_bytes = 12;
   EXPECT_EQ(Reading(ontology("<Declaration><Class IRI='abc'/></Declaration>"), limits).error, "");
   EXPECT_EQ(Reading(ontology("<Declaration><Class IRI='abcd'/></Declaration>"), limits).error,

@@ -6,7 +6,7 @@
 
 namespace geminga::owlxml {
 
-Reading::Reading(std::string_view text, const Limits& limits) {
+Reading::Reading(std::string_view text, const XmlLimits& limits) {
   auto result = read(text, source.add_file("t.owx"), source, limits);
   if (result) {
     document = std::move(*result);

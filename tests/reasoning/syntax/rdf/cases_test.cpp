@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <numeric>
-#include <sstream>
 
 #include "base/random.hpp"
 #include "reasoning/owl/loaded_file.hpp"

@@ -77,11 +77,11 @@ TEST(Files, FoldersHaveAMostOfLevelsAndOfEntries) {
   scratch.write("1/2/b.txt", "");
   const std::vector arguments{scratch.path().string()};
   for (const std::size_t levels : {3U, 4U}) {
-    syntax::Limits limits;
+    syntax::FileLimits limits;
     limits.folder_levels = levels;
     EXPECT_THAT(names(list_files(arguments, limits)), ElementsAre("a.ttl")) << levels;
   }
-  syntax::Limits limits;
+  syntax::FileLimits limits;
   limits.folder_levels = 2;
   EXPECT_THAT(names(list_files(arguments, limits)),
               ElementsAre(EndsWith("1/2/3: is more than 2 folders deep: name the folders of the ontologies")));

@@ -57,7 +57,7 @@ TEST(Inflate, RefusesWhatIsCutDamagedOrFollowedBySomethingElseWithItsOctet) {
 TEST(Inflate, GrowsToItsLimitAndNotBeyond) {
   constexpr std::size_t limit = 5000;
   for (const std::size_t size : {limit - 1, limit, limit + 1}) {
-    syntax::Limits limits;
+    syntax::FileLimits limits;
     limits.inflated_free_bytes = limit;
     limits.inflated_growth = 0;
     const std::string text = turtle + std::string(size - turtle.size(), '\n');
@@ -73,7 +73,7 @@ TEST(Inflate, GrowsToItsLimitAndNotBeyond) {
 TEST(Inflate, GrowsWithTheSizeOfThePackedFileAndNeverBeyondThatOfAnyFile) {
   const std::string text = turtle + std::string(100'000, '\n');
   const std::string bytes = packed(text);
-  syntax::Limits limits;
+  syntax::FileLimits limits;
   limits.inflated_free_bytes = 0;
   limits.inflated_growth = text.size() / bytes.size() + 1;
   EXPECT_EQ(refusal("a.ttl.gz", bytes, limits), "accepted");
@@ -93,7 +93,7 @@ TEST(Inflate, ABombCostsNoMoreThanItsLimit) {
 }
 
 TEST(Inflate, FindsATextThatIsTooLongBeforeTheRestIsUnpacked) {
-  syntax::Limits limits;
+  syntax::FileLimits limits;
   limits.watched_bytes = 100;
   limits.literal_bytes = 5000;
   limits.inflated_growth = 100'000;

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 /// A limit, and a file that is as much as it says.
 struct Boundary {
   std::string name;
-  std::function<void(syntax::Limits&, std::size_t)> set;
+  std::function<void(syntax::FileLimits&, std::size_t)> set;
   std::string file;
   std::function<std::string(std::size_t)> content;
 };
@@ -28,44 +28,44 @@ std::vector<Boundary> boundaries() {
     return xml(times((n - 1) / 2, "<e:A><e:p>") + times((n - 1) / 2, "</e:p></e:A>"));
   };
   return {
-      {"file bytes", [](syntax::Limits& l, std::size_t n) { l.file_bytes = n; }, "a.ttl",
+      {"file bytes", [](syntax::FileLimits& l, std::size_t n) { l.file_bytes = n; }, "a.ttl",
        [](std::size_t n) { return times(n, "\n"); }},
-      {"triples", [](syntax::Limits& l, std::size_t n) { l.triples = n; }, "a.nt",
+      {"triples", [](syntax::FileLimits& l, std::size_t n) { l.triples = n; }, "a.nt",
        [](std::size_t n) { return times(n, statement("\"x\"")); }},
-      {"literal bytes", [](syntax::Limits& l, std::size_t n) { l.literal_bytes = n - 1; }, "a.nt",
+      {"literal bytes", [](syntax::FileLimits& l, std::size_t n) { l.literal_bytes = n - 1; }, "a.nt",
        [](std::size_t n) { return statement("\"" + times(n - 2, "x") + "\""); }},
-      {"text bytes", [](syntax::Limits& l, std::size_t n) { l.literal_bytes = n + 100; }, "a.owl",
+      {"text bytes", [](syntax::FileLimits& l, std::size_t n) { l.literal_bytes = n + 100; }, "a.owl",
        [](std::size_t n) { return xml("<e:A><e:p>" + times(n + 100, "x") + "</e:p></e:A>"); }},
-      {"iri bytes", [](syntax::Limits& l, std::size_t n) { l.iri_bytes = n + 40; }, "a.owl",
+      {"iri bytes", [](syntax::FileLimits& l, std::size_t n) { l.iri_bytes = n + 40; }, "a.owl",
        [](std::size_t n) { return xml("<e:A rdf:about=\"http://e/" + times(n + 31, "x") + "\"/>"); }},
-      {"blank bytes", [](syntax::Limits& l, std::size_t n) { l.blank_bytes = n; }, "a.nt",
+      {"blank bytes", [](syntax::FileLimits& l, std::size_t n) { l.blank_bytes = n; }, "a.nt",
        [](std::size_t n) { return statement("\"x\"") + times(n - 1, "\n") + statement("\"x\""); }},
-      {"brackets", [](syntax::Limits& l, std::size_t n) { l.nesting = n; }, "a.ttl", brackets},
-      {"elements", [](syntax::Limits& l, std::size_t n) { l.nesting = (n - 1) / 2 * 2 + 1; }, "a.owl",
+      {"brackets", [](syntax::FileLimits& l, std::size_t n) { l.nesting = n; }, "a.ttl", brackets},
+      {"elements", [](syntax::FileLimits& l, std::size_t n) { l.nesting = (n - 1) / 2 * 2 + 1; }, "a.owl",
        [elements](std::size_t n) { return elements((n - 1) / 2 * 2 + 1); }},
-      {"statement triples", [](syntax::Limits& l, std::size_t n) { l.statement_triples = n; }, "a.ttl",
+      {"statement triples", [](syntax::FileLimits& l, std::size_t n) { l.statement_triples = n; }, "a.ttl",
        [](std::size_t n) { return statement("1" + times(n - 1, ", 1")); }},
-      {"prefixes", [](syntax::Limits& l, std::size_t n) { l.prefixes = n; }, "a.ttl",
+      {"prefixes", [](syntax::FileLimits& l, std::size_t n) { l.prefixes = n; }, "a.ttl",
        [](std::size_t n) {
          std::string text;
          for (std::size_t i = 0; i < n; ++i) text += "@prefix p" + std::to_string(i) + ": <http://e/> .\n";
          return text;
        }},
-      {"attributes", [](syntax::Limits& l, std::size_t n) { l.attributes = n; }, "a.owl",
+      {"attributes", [](syntax::FileLimits& l, std::size_t n) { l.attributes = n; }, "a.owl",
        [](std::size_t n) {
          std::string text = "<e:A";
          for (std::size_t i = 0; i < n; ++i) text += " e:p" + std::to_string(i) + "='x'";
          return xml(text + "/>");
        }},
-      {"tag bytes", [](syntax::Limits& l, std::size_t n) { l.tag_bytes = 300 + n; }, "a.owl",
+      {"tag bytes", [](syntax::FileLimits& l, std::size_t n) { l.tag_bytes = 300 + n; }, "a.owl",
        [](std::size_t n) { return xml("<e:A" + times(300 + n - 5, " ") + "/>"); }},
-      {"entities", [](syntax::Limits& l, std::size_t n) { l.entities = n; }, "a.owl",
+      {"entities", [](syntax::FileLimits& l, std::size_t n) { l.entities = n; }, "a.owl",
        [](std::size_t n) {
          std::string doctype = "<!DOCTYPE rdf:RDF [";
          for (std::size_t i = 0; i < n; ++i) doctype += "<!ENTITY a" + std::to_string(i) + " 'x'>";
          return xml("", doctype + "]>\n");
        }},
-      {"entity bytes", [](syntax::Limits& l, std::size_t n) { l.entity_bytes = n; }, "a.owl",
+      {"entity bytes", [](syntax::FileLimits& l, std::size_t n) { l.entity_bytes = n; }, "a.owl",
        [](std::size_t n) { return xml("", "<!DOCTYPE rdf:RDF [<!ENTITY a '" + times(n, "x") + "'>]>\n"); }},
   };
 }
@@ -73,7 +73,7 @@ std::vector<Boundary> boundaries() {
 TEST(Limits, HoldOneBelowAtAndOneAbove) {
   constexpr std::size_t at = 21;
   for (const Boundary& boundary : boundaries()) {
-    syntax::Limits limits;
+    syntax::FileLimits limits;
     boundary.set(limits, at);
     const auto told = [&](std::size_t size) { return refusal(boundary.file, boundary.content(size), limits); };
     EXPECT_EQ(told(at - 1), "accepted") << boundary.name;
@@ -86,7 +86,7 @@ TEST(Limits, HoldOneBelowAtAndOneAbove) {
 }
 
 TEST(Limits, ExpansionsOfEntitiesAreCountedTogether) {
-  syntax::Limits limits;
+  syntax::FileLimits limits;
   limits.entity_growth = 0;
   limits.expansion_bytes = 50;
   const auto told = [&](std::size_t count) {
@@ -101,7 +101,7 @@ TEST(Limits, ExpansionsOfEntitiesAreCountedTogether) {
 
 TEST(Limits, HoldForTheNumberOfFiles) {
   const Scratch scratch;
-  syntax::Limits limits;
+  syntax::FileLimits limits;
   limits.files = 2;
   std::vector<std::string> files{scratch.write("a.ttl", ""), scratch.write("b.ttl", "")};
   EXPECT_TRUE(load(files, limits));

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using testing::StartsWith;
 
 /// The whole result of a load, one item a line.
-std::vector<std::string> everything(const std::vector<std::string>& files, const syntax::Limits& limits,
+std::vector<std::string> everything(const std::vector<std::string>& files, const syntax::FileLimits& limits,
                                     unsigned threads) {
   const auto loaded = load(files, limits, {}, threads);
   if (!loaded) return {to_string(loaded.error())};
@@ -34,8 +34,8 @@ std::vector<std::string> everything(const std::vector<std::string>& files, const
   return lines;
 }
 
-syntax::Limits in_pieces_of(std::size_t bytes) {
-  syntax::Limits limits;
+syntax::FileLimits in_pieces_of(std::size_t bytes) {
+  syntax::FileLimits limits;
   limits.piece_bytes = bytes;
   return limits;
 }
@@ -168,7 +168,7 @@ TEST(Pieces, CountTogetherAgainstTheLimits) {
   const Scratch scratch;
   const std::vector files{scratch.write("a.owl", document(many_descriptions(40)))};
   for (const unsigned threads : {1U, 2U}) {
-    syntax::Limits limits = in_pieces_of(1);
+    syntax::FileLimits limits = in_pieces_of(1);
     limits.triples = 160;
     EXPECT_EQ(everything(files, limits, threads).back(), "160 triples");
     limits.triples = 159;

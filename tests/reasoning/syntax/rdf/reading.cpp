@@ -8,14 +8,14 @@
 namespace geminga::rdf {
 
 std::expected<Loaded, syntax::LoadError> load_text(const std::string& name, std::string_view content,
-                                                   const syntax::Limits& limits) {
+                                                   const syntax::FileLimits& limits) {
   const Scratch scratch;
   auto loaded = load(std::vector{scratch.write(name, content)}, limits);
   if (!loaded) loaded.error().file = std::filesystem::path(loaded.error().file).filename().string();
   return loaded;
 }
 
-std::string refusal(const std::string& name, std::string_view content, const syntax::Limits& limits) {
+std::string refusal(const std::string& name, std::string_view content, const syntax::FileLimits& limits) {
   const auto loaded = load_text(name, content, limits);
   return loaded ? "accepted" : to_string(loaded.error());
 }

@@ -11,9 +11,10 @@ namespace geminga::rdf {
 
 /// The result of loading a file of this name and content.
 [[nodiscard]] std::expected<Loaded, syntax::LoadError> load_text(const std::string& name, std::string_view content,
-                                                                 const syntax::Limits& limits = {});
+                                                                 const syntax::FileLimits& limits = {});
 /// "NAME:LINE: text" of why it was refused, or "accepted". The path is cut to its last part.
-[[nodiscard]] std::string refusal(const std::string& name, std::string_view content, const syntax::Limits& limits = {});
+[[nodiscard]] std::string refusal(const std::string& name, std::string_view content,
+                                  const syntax::FileLimits& limits = {});
 
 /// An RDF/XML document with this DOCTYPE and content; the content begins on line 3 where the DOCTYPE is empty.
 [[nodiscard]] std::string xml(std::string_view content, std::string_view doctype = "");

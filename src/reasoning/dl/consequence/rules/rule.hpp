@@ -60,7 +60,7 @@ struct RuleSet {
   std::uint32_t first_marker = 0;                  ///< the predicate of the first expansion; the others follow
   std::vector<Expansion> expansions;
   /// By predicate: nominals, and ranges of values that are not understood. nominal_gap and range_gap matter only if one
-  /// of these may hold of a thing; see settled.hpp.
+  /// of these may hold of a thing; see settled_contexts.hpp.
   std::vector<bool> is_open;
   std::vector<std::string> gaps;
 };

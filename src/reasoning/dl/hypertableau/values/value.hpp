@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"

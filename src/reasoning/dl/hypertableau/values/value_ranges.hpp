@@ -3,7 +3,6 @@
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_VALUES_VALUE_RANGES_HPP
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>

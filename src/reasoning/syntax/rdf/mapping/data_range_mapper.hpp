@@ -25,7 +25,7 @@ class DataRangeMapper {
 
  private:
   Mapped restricted_datatype(NodeId datatype, NodeId facets);
-  /// A union or intersection; of no members, what holds of none or of all values.
+  /// A union or intersection. An empty union is no value, an empty intersection is every value.
   Mapped boolean_range(owl::TermKind kind, const MappedList& members);
   owl::TermId all_values() { return ontology_.datatype(iri_of(syntax::Word::rdfs_literal)); }
 

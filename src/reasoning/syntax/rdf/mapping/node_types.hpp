@@ -23,7 +23,7 @@ class NodeTypes {
   [[nodiscard]] bool is_object_property(NodeId node) const { return has(node, type_object_property); }
   [[nodiscard]] bool is_data_property(NodeId node) const { return has(node, type_data_property); }
   [[nodiscard]] bool is_annotation_property(NodeId node) const { return has(node, type_annotation_property); }
-  /// Of whatever kind.
+  /// A property of any kind.
   [[nodiscard]] bool is_property(NodeId node) const { return has(node, property_types); }
   [[nodiscard]] bool is_data_property_only(NodeId node) const {
     return is_data_property(node) && !is_object_property(node);

@@ -22,7 +22,7 @@ using Entities = std::map<std::string_view, Entity>;
 
 class SubsetReader {
  public:
-  SubsetReader(std::string_view bytes, std::size_t place, const syntax::Limits& limits)
+  SubsetReader(std::string_view bytes, std::size_t place, const syntax::FileLimits& limits)
       : bytes_(bytes), limits_(limits), place_(place) {}
 
   std::optional<ScanProblem> read() {
@@ -133,7 +133,7 @@ class SubsetReader {
   static constexpr std::size_t max_depth = 16;
 
   std::string_view bytes_;
-  const syntax::Limits& limits_;
+  const syntax::FileLimits& limits_;
   std::size_t place_;
   Entities entities_;
   std::optional<ScanProblem> problem_;
@@ -142,7 +142,7 @@ class SubsetReader {
 }  // namespace
 
 std::expected<Doctype, ScanProblem> Doctype::read(std::string_view bytes, std::size_t place,
-                                                  const syntax::Limits& limits) {
+                                                  const syntax::FileLimits& limits) {
   SubsetReader reader(bytes, place, limits);
   if (auto problem = reader.read()) return std::unexpected(std::move(*problem));
   Doctype doctype;

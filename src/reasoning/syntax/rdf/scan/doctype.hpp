@@ -18,7 +18,7 @@ class Doctype {
   /// Reads the DOCTYPE at `place`. Parameter entities, external entities and DTDs, entities that hold markup, that
   /// contain themselves or expand to too much, and every other declaration are refused.
   [[nodiscard]] static std::expected<Doctype, ScanProblem> read(std::string_view bytes, std::size_t place,
-                                                                const syntax::Limits& limits);
+                                                                const syntax::FileLimits& limits);
 
   /// The place behind the closing bracket.
   [[nodiscard]] std::size_t end() const { return end_; }

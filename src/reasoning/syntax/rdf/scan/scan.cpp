@@ -22,7 +22,8 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
   return std::nullopt;
 }
 
-std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes, const syntax::Limits& limits) {
+std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes,
+                                        const syntax::FileLimits& limits) {
   if (is_xml(syntax)) return scan_xml(bytes, limits);
   if (!has_triples(syntax)) return Layout{Pieces(limits.piece_bytes)};  // its reader looks for itself
   if (auto problem = scan_text(bytes, true)) return std::unexpected(std::move(*problem));

@@ -34,14 +34,14 @@ struct Layout {
 
 /// The layout of a file, or its first problem. Linear in the file.
 [[nodiscard]] std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes,
-                                                      const syntax::Limits& limits);
+                                                      const syntax::FileLimits& limits);
 
 /// The first NUL byte or bad UTF-8.
 [[nodiscard]] std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8);
 /// Turtle and N-Triples: nesting, long texts and IRIs, escapes for NUL and surrogates.
-[[nodiscard]] std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::Limits& limits);
+[[nodiscard]] std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::FileLimits& limits);
 /// RDF/XML: encoding, nesting, long texts and tags, and the declarations of its DOCTYPE.
-[[nodiscard]] std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits& limits);
+[[nodiscard]] std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits);
 
 /// The place of `encoding="NAME"` in an XML declaration, and the name. Empty without one.
 struct DeclaredEncoding {

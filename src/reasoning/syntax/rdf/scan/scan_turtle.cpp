@@ -12,7 +12,7 @@ namespace {
 
 class TurtleScan {
  public:
-  TurtleScan(std::string_view bytes, const syntax::Limits& limits)
+  TurtleScan(std::string_view bytes, const syntax::FileLimits& limits)
       : bytes_(bytes), limits_(limits), pieces_(limits.piece_bytes) {}
 
   std::expected<Layout, ScanProblem> run() {
@@ -198,7 +198,7 @@ class TurtleScan {
   }
 
   std::string_view bytes_;
-  const syntax::Limits& limits_;
+  const syntax::FileLimits& limits_;
   TurtleLines lines_;
   Pieces pieces_;
   bool has_quote_in_comment_ = false;
@@ -214,7 +214,7 @@ class TurtleScan {
 
 }  // namespace
 
-std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::Limits& limits) {
+std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::FileLimits& limits) {
   return TurtleScan(bytes, limits).run();
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 class XmlScan {
  public:
-  XmlScan(std::string_view bytes, const syntax::Limits& limits)
+  XmlScan(std::string_view bytes, const syntax::FileLimits& limits)
       : bytes_(bytes), limits_(limits), pieces_(limits.piece_bytes) {}
 
   std::expected<Layout, ScanProblem> run() {
@@ -179,7 +179,7 @@ class XmlScan {
   }
 
   std::string_view bytes_;
-  const syntax::Limits& limits_;
+  const syntax::FileLimits& limits_;
   Pieces pieces_;
   std::size_t place_ = 0;
   std::size_t counted_ = 0;  ///< lines were counted up to here
@@ -206,7 +206,7 @@ DeclaredEncoding declared_encoding(std::string_view xml) {
   return {word, close + 1 - word, declaration.substr(open + 1, close - open - 1)};
 }
 
-std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::Limits& limits) {
+std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits) {
   constexpr std::array<std::string_view, 4> utf8_names{"utf-8", "utf8", "us-ascii", "ascii"};
   constexpr std::array<std::string_view, 3> latin1_names{"iso-8859-1", "latin1", "iso_8859-1"};
   const auto refuse = [](const char* text) { return std::unexpected(ScanProblem{1, text}); };

@@ -12,8 +12,8 @@
 namespace geminga::rdf {
 namespace {
 
-/// 0x80 to 0x9f of windows-1252; what it leaves undefined stays a control character (WHATWG Encoding, section 9). Not
-/// by iconv(3), which loads its tables from files, as the cage around the reader forbids.
+/// The characters 0x80 to 0x9f of windows-1252. Undefined ones stay control characters (WHATWG Encoding, section 9).
+/// iconv(3) loads its tables from files, which the cage around the reader forbids.
 constexpr std::array<std::uint16_t, 32> upper_controls{0x20AC, 0x0081, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
                                                        0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x008D, 0x017D, 0x008F,
                                                        0x0090, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,

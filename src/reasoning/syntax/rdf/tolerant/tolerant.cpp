@@ -4,7 +4,6 @@
 #include <limits>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/text.hpp"
 #include "reasoning/syntax/files.hpp"
@@ -31,8 +30,8 @@ std::optional<FileBytes> bytes_of(std::string_view text) {
 
 /// One try at a text; an error that is_unreadable is one that no repair of names can help.
 std::optional<LoadError> parse(const std::string& path, Syntax syntax, std::string_view text,
-                               const syntax::Limits& limits, Graph& graph) {
-  syntax::Limits in_one_piece = limits;
+                               const syntax::FileLimits& limits, Graph& graph) {
+  syntax::FileLimits in_one_piece = limits;
   in_one_piece.piece_bytes = std::numeric_limits<std::size_t>::max();
   const auto layout = scan(syntax, text, in_one_piece);
   if (!layout) return LoadError{base::printable(path, 4096), layout.error().line, layout.error().text, true};
@@ -44,7 +43,7 @@ std::optional<LoadError> parse(const std::string& path, Syntax syntax, std::stri
 
 }  // namespace
 
-std::expected<Tolerated, LoadError> read_tolerantly(const std::string& path, const syntax::Limits& limits) {
+std::expected<Tolerated, LoadError> read_tolerantly(const std::string& path, const syntax::FileLimits& limits) {
   auto bytes = FileBytes::read(path, limits);
   if (bytes && syntax::is_gzip(bytes->view())) bytes = syntax::inflate(path, *bytes, limits);
   if (!bytes) return std::unexpected(std::move(bytes.error()));

@@ -25,7 +25,7 @@ struct Tolerated {
 /// is is repaired (repair.hpp) and read again. A file that cannot be read even then counts up to the first error.
 /// Refuses files that cannot be opened or that Redland must not read (scan.hpp). Opens no other file.
 [[nodiscard]] std::expected<Tolerated, syntax::LoadError> read_tolerantly(const std::string& path,
-                                                                          const syntax::Limits& limits = {});
+                                                                          const syntax::FileLimits& limits = {});
 
 }  // namespace geminga::rdf
 

@@ -74,9 +74,9 @@ bool is_comment(NodeId predicate) {
 }  // namespace
 
 struct RaptorParser::World {
-  explicit World(const syntax::Limits& named_limits) : limits(named_limits) {}
+  explicit World(const syntax::FileLimits& named_limits) : limits(named_limits) {}
 
-  const syntax::Limits& limits;
+  const syntax::FileLimits& limits;
   raptor_world* world = nullptr;
 
   // Of the piece that is being read.
@@ -224,7 +224,7 @@ struct RaptorParser::World {
   }
 };
 
-RaptorParser::RaptorParser(const syntax::Limits& limits, syntax::Syntax syntax)
+RaptorParser::RaptorParser(const syntax::FileLimits& limits, syntax::Syntax syntax)
     : world_(std::make_unique<World>(limits)) {
   xmlSetExternalEntityLoader(no_external_entity);
   raptor_world* world = raptor_new_world();

@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,7 +32,7 @@ struct FileText {
 class RaptorParser {
  public:
   /// For files in one syntax. No other parser may be at work, because raptor and libxml2 set up global state.
-  RaptorParser(const syntax::Limits& limits, syntax::Syntax syntax);
+  RaptorParser(const syntax::FileLimits& limits, syntax::Syntax syntax);
   RaptorParser(const RaptorParser&) = delete;
   RaptorParser& operator=(const RaptorParser&) = delete;
   ~RaptorParser();

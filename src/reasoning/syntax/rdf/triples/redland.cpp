@@ -95,7 +95,7 @@ void parse_pieces(RaptorParser& parser, const FileText& text, PieceQueue& queue)
 
 }  // namespace
 
-Redland::Redland(const syntax::Limits& limits, unsigned threads)
+Redland::Redland(const syntax::FileLimits& limits, unsigned threads)
     : limits_(limits), threads_(std::clamp(threads, 1U, max_threads)) {}
 
 std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::Syntax syntax, syntax::FileBytes& bytes,

@@ -32,7 +32,7 @@ class PieceQueue;
 /// Redland, opened once for all files of a load. It opens no file and no connection of its own, whatever a file asks.
 class Redland {
  public:
-  Redland(const syntax::Limits& limits, unsigned threads);
+  Redland(const syntax::FileLimits& limits, unsigned threads);
 
   /// Parses one file, which has this layout (scan/scan.hpp), into the graph. Stops at the first error. Triples whose
   /// predicate can only be a comment are counted and not kept. Triples without a line in the layout have raptor's.
@@ -56,7 +56,7 @@ class Redland {
   std::optional<syntax::LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
                                              std::uint64_t triples, std::uint32_t file);
 
-  const syntax::Limits& limits_;
+  const syntax::FileLimits& limits_;
   /// By syntax, one a thread; opened when they are first needed.
   std::map<syntax::Syntax, std::vector<std::unique_ptr<RaptorParser>>> parsers_;
   unsigned threads_;

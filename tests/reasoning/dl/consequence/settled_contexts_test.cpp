@@ -25,25 +25,25 @@ std::vector<std::string> settled_of(std::string_view axioms, const Options& opti
   return settled;
 }
 
-TEST(Settled, IsEveryClassWhereThereIsNoGap) {
+TEST(SettledContexts, IsEveryClassWhereThereIsNoGap) {
   EXPECT_THAT(settled_of("SubClassOf(:A ObjectUnionOf(:B :C)) SubClassOf(:B :D)"), ElementsAre("A", "B", "C", "D"));
 }
 
-TEST(Settled, IsNoClassThatLeadsToANominal) {
+TEST(SettledContexts, IsNoClassThatLeadsToANominal) {
   EXPECT_THAT(settled_of(R"(SubClassOf(:A ObjectOneOf(:a :b)) SubClassOf(:B :A) SubClassOf(:C :D)
                             SubClassOf(:E ObjectSomeValuesFrom(:r ObjectSomeValuesFrom(:r :B)))
                             SubClassOf(:F ObjectUnionOf(:D :E)) SubClassOf(:G ObjectSomeValuesFrom(:r :D)))"),
               ElementsAre("C", "D", "G"));
 }
 
-TEST(Settled, IsAClassOfWhichItIsOnlyAskedWhetherItIsANominal) {
+TEST(SettledContexts, IsAClassOfWhichItIsOnlyAskedWhetherItIsANominal) {
   // Nothing in A or B is said to be a.
   EXPECT_THAT(settled_of(R"(SubClassOf(ObjectHasValue(:r :a) :A) SubClassOf(:A ObjectComplementOf(ObjectOneOf(:a)))
                             SubClassOf(:B :A) SubClassOf(:C ObjectHasValue(:r :a)))"),
               ElementsAre("A", "B"));
 }
 
-TEST(Settled, IsNoClassWhosePredecessorsMayBeANominal) {
+TEST(SettledContexts, IsNoClassWhosePredecessorsMayBeANominal) {
   // An instance of B has an s-successor in A, whose r-neighbours are a: B's instance is. What is said of A for the sake
   // of B is not told apart from what is said of every A.
   EXPECT_THAT(settled_of(R"(SubClassOf(:A ObjectAllValuesFrom(:r ObjectOneOf(:a))) InverseObjectProperties(:r :s)
@@ -51,7 +51,7 @@ TEST(Settled, IsNoClassWhosePredecessorsMayBeANominal) {
               ElementsAre("C", "D"));
 }
 
-TEST(Settled, IsNoClassWithValuesThatAreNotUnderstood) {
+TEST(SettledContexts, IsNoClassWithValuesThatAreNotUnderstood) {
   EXPECT_THAT(
       settled_of(
           R"(SubClassOf(:A DataSomeValuesFrom(:u DatatypeRestriction(xsd:integer xsd:minInclusive "3"^^xsd:integer)))
@@ -60,14 +60,14 @@ TEST(Settled, IsNoClassWithValuesThatAreNotUnderstood) {
       ElementsAre("C", "D"));
 }
 
-TEST(Settled, IsNoClassWithAValueInARangeThatIsNotUnderstood) {
+TEST(SettledContexts, IsNoClassWithAValueInARangeThatIsNotUnderstood) {
   // The range is in no body of any clause, and is seen all the same.
   EXPECT_THAT(settled_of(R"(DataPropertyRange(:u DatatypeRestriction(xsd:integer xsd:minInclusive "3"^^xsd:integer))
                             SubClassOf(:A DataSomeValuesFrom(:u rdfs:Literal)) SubClassOf(:B DataSomeValuesFrom(:v xsd:string)))"),
               ElementsAre("B"));
 }
 
-TEST(Settled, IsEveryClassWhereOnlyFactsAndKeysAreNotUnderstood) {
+TEST(SettledContexts, IsEveryClassWhereOnlyFactsAndKeysAreNotUnderstood) {
   EXPECT_THAT(settled_of("HasKey(:A () (:u)) ClassAssertion(:A :a) ClassAssertion(:A :b) SubClassOf(:B :A)"),
               ElementsAre("A", "B"));
   EXPECT_THAT(settled_of("ObjectPropertyAssertion(:r :a :b) SubClassOf(:A ObjectUnionOf(:B :C)) SubClassOf(:B :D)"),
@@ -86,7 +86,7 @@ std::uint32_t needed_alternatives() {
   }
 }
 
-TEST(Settled, IsNoClassThatLeadsToOneWithMoreAlternativesThanAreDerived) {
+TEST(SettledContexts, IsNoClassThatLeadsToOneWithMoreAlternativesThanAreDerived) {
   const std::uint32_t needed = needed_alternatives();
   ASSERT_GT(needed, 0U);
   EXPECT_THAT(settled_of(by_cases, {.alternatives = needed - 1}), ElementsAre("B", "C", "D", "F"));
@@ -94,7 +94,7 @@ TEST(Settled, IsNoClassThatLeadsToOneWithMoreAlternativesThanAreDerived) {
   EXPECT_THAT(settled_of(by_cases, {.alternatives = needed + 1}), ElementsAre("A", "B", "C", "D", "E", "F"));
 }
 
-TEST(Settled, IsPlainWhereNoAlternativeIsLeft) {
+TEST(SettledContexts, IsPlainWhereNoAlternativeIsLeft) {
   // B and F make the covering axiom of A redundant: an instance of F need not be in C.
   const owl::Ontology source = written(by_cases);
   const clauses::ClauseSet clauses = clauses_of(source);
@@ -107,7 +107,7 @@ TEST(Settled, IsPlainWhereNoAlternativeIsLeft) {
   }
 }
 
-TEST(Settled, NamesTheGapWhereAlternativesAreNotDerivedAndKeepsWhatHasNone) {
+TEST(SettledContexts, NamesTheGapWhereAlternativesAreNotDerivedAndKeepsWhatHasNone) {
   const owl::Ontology source = written(by_cases);
   const clauses::ClauseSet clauses = clauses_of(source);
   const Closure closure = saturate(source, clauses, named_classes(clauses), {.alternatives = 0});
@@ -115,7 +115,7 @@ TEST(Settled, NamesTheGapWhereAlternativesAreNotDerivedAndKeepsWhatHasNone) {
   EXPECT_THAT(lines_of(source, clauses, closure), ElementsAre("B D", "C D", "F B", "F D"));
 }
 
-TEST(Settled, IsNoClassWhereWhatIsNotUnderstoodMayMatterToAny) {
+TEST(SettledContexts, IsNoClassWhereWhatIsNotUnderstoodMayMatterToAny) {
   EXPECT_THAT(settled_of("DataPropertyRange(:u xsd:boolean) SubClassOf(:A DataMinCardinality(3 :u)) SubClassOf(:B :C)"),
               IsEmpty());
   EXPECT_THAT(settled_of("SubClassOf(:A :B) SubClassOf(:B :C) SubClassOf(:C :D)", {.clauses = 3}), IsEmpty());

@@ -1,4 +1,4 @@
-#include "reasoning/dl/consequence/settled.hpp"
+#include "reasoning/dl/consequence/settled_contexts.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace geminga::consequence {
 
-Settled::Settled(const Saturation& saturation, std::span<const std::string> gaps) {
+SettledContexts::SettledContexts(const Saturation& saturation, std::span<const std::string> gaps) {
   const auto is_about_facts = [](std::string_view gap) { return gap == fact_gap || gap == key_gap; };
   const auto is_local = [&](std::string_view gap) {
     return is_about_facts(gap) || gap == nominal_gap || gap == range_gap || gap == alternative_gap;
@@ -15,7 +15,7 @@ Settled::Settled(const Saturation& saturation, std::span<const std::string> gaps
   if (!std::ranges::all_of(gaps, is_about_facts) && std::ranges::all_of(gaps, is_local)) find_open(saturation);
 }
 
-void Settled::find_open(const Saturation& saturation) {
+void SettledContexts::find_open(const Saturation& saturation) {
   std::vector<std::vector<std::uint32_t>> predecessors(saturation.contexts().size());
   std::vector<std::uint32_t> open;
   saturation.contexts().for_each([&](const Context& context) {

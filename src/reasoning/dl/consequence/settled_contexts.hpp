@@ -7,8 +7,8 @@
 // facts and keys do not concern J, and each value of J has only ranges whose common values are known. The atoms of a
 // rule's body are connected by roles, so I and J side by side are a model of O. Hence what does not hold in J does not
 // follow from O.
-#ifndef GEMINGA_REASONING_DL_CONSEQUENCE_SETTLED_HPP
-#define GEMINGA_REASONING_DL_CONSEQUENCE_SETTLED_HPP
+#ifndef GEMINGA_REASONING_DL_CONSEQUENCE_SETTLED_CONTEXTS_HPP
+#define GEMINGA_REASONING_DL_CONSEQUENCE_SETTLED_CONTEXTS_HPP
 
 #include <span>
 #include <string>
@@ -18,11 +18,12 @@
 
 namespace geminga::consequence {
 
-class Settled {
+/// The contexts of a saturation that are settled.
+class SettledContexts {
  public:
   /// For a saturation that has run. `gaps` are those of the closure. If one of them is not about facts, keys, nominals
   /// or ranges, it may matter everywhere, and no context is settled.
-  Settled(const Saturation& saturation, std::span<const std::string> gaps);
+  SettledContexts(const Saturation& saturation, std::span<const std::string> gaps);
 
   [[nodiscard]] bool is_settled(const Context& context) const { return !is_open_[context.number]; }
 
