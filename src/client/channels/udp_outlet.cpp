@@ -252,7 +252,7 @@ bool UdpOutlet::take_hello(const Word& word) {
       known->life = life;
       known->challenge = word.greeting.challenge;
       known->counter = word.counter.value_or(0);
-      answer(FrameKind::floor, word.from, accepted);
+      renew(word.from, accepted);
       return true;
     }
   } else if (const auto counterpart = counterparts_.find(life);
@@ -261,7 +261,7 @@ bool UdpOutlet::take_hello(const Word& word) {
     if (word.counter && *word.counter <= known.counter) return false;
     known.challenge = word.greeting.challenge;
     known.counter = word.counter.value_or(0);
-    answer(FrameKind::floor, word.from, accepted);
+    renew(word.from, accepted);
     return true;
   }
   if (cookies_.accepts(word.greeting.cookie, word.from, life, word.greeting.challenge, now())) return accept(word);
@@ -298,6 +298,10 @@ bool UdpOutlet::accept(const Word& word) {
 
 void UdpOutlet::answer(FrameKind kind, const PeerAddress& to, const Greeting& greeting) {
   if (answers_.take(now())) say(kind, to, greeting);
+}
+
+void UdpOutlet::renew(const PeerAddress& to, const Greeting& greeting) {
+  if (answers_.take_renewal(now())) say(FrameKind::floor, to, greeting);
 }
 
 void UdpOutlet::say(FrameKind kind, const PeerAddress& to, const Greeting& greeting) {

@@ -65,6 +65,8 @@ class UdpOutlet : public PublisherChannel {
   bool accept(const Word& word);
   /// Says a floor or a full, as long as the budget of answers allows it.
   void answer(FrameKind kind, const PeerAddress& to, const Greeting& greeting);
+  /// Says the floor of a hello that was accepted already, as long as newcomers have enough of the budget.
+  void renew(const PeerAddress& to, const Greeting& greeting);
   void say(FrameKind kind, const PeerAddress& to, const Greeting& greeting);
   void set_listener_timer();
 

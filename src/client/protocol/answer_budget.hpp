@@ -14,16 +14,21 @@ namespace geminga::client {
 class AnswerBudget {
  public:
   /// Whether one more answer may be given; takes it from the budget.
-  [[nodiscard]] bool take(base::Instant now) {
+  [[nodiscard]] bool take(base::Instant now) { return take(now, max_answers); }
+  /// The same of an answer that renews what is accepted already: only while more than half of the budget is left, so
+  /// that many listeners leave answers for newcomers.
+  [[nodiscard]] bool take_renewal(base::Instant now) { return take(now, max_answers / 2); }
+
+ private:
+  bool take(base::Instant now, std::size_t most) {
     constexpr base::Duration cost = base::Duration(std::chrono::seconds(1)) / max_answers;
     // The instant at which the budget would be whole again.
     const base::Instant whole = std::max(whole_, now);
-    if (whole + cost > now + cost * max_answers) return false;
+    if (whole + cost > now + cost * most) return false;
     whole_ = whole + cost;
     return true;
   }
 
- private:
   base::Instant whole_{};
 };
 

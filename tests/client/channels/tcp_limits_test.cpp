@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -143,6 +145,49 @@ TEST_F(TcpLimits, OnlyTheLastEventsWaitAndTheProgramIsToldOfTheOthers) {
   EXPECT_EQ(lines_.back(), lost.text);
   EXPECT_EQ(lost.text, "1 events were thrown away: take them more often");
   EXPECT_EQ(std::get<Problem>(*engine_.next_event()).channel, 1U);
+}
+
+TEST(Log, SaysAfterASecondThatThereIsNoDaemonAndWhenItIsThere) {
+  const std::uint16_t port = free_port();
+  const std::string where = "127.0.0.1:" + std::to_string(port);
+  base::Instant now{1000s};
+  std::vector<std::string> lines;
+  Engine engine(
+      {{Endpoint{"127.0.0.1", port}}, "", 5s}, [&](std::string_view line) { lines.emplace_back(line); },
+      [&] { return now; });
+  const auto pass = [&](base::Duration time) {
+    now += time;
+    for (int i = 0; i < 5; ++i) engine.process();
+  };
+  pass(0s);
+  pass(999ms);
+  EXPECT_TRUE(lines.empty());
+  pass(1ms);
+  const std::string missing = "no daemon at " + where +
+                              " for 1 s (Connection refused): start gemingad, or say where it is with GEMINGA_CONNECT";
+  EXPECT_EQ(lines, std::vector<std::string>{missing});
+  for (int i = 0; i < 20; ++i) pass(1s);
+  EXPECT_EQ(lines.size(), 1U) << "once";
+}
+
+TEST_F(TcpLimits, AProcessThatWasForkedDoesNotSend) {
+  const Socket consumer = connect();
+  say_hello(consumer, 7);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const auto sent = publisher().send({});
+    engine_.withdraw_all();
+    engine_.process();
+    ::_exit(!sent && sent.error().text == "this node belongs to another process" ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_FALSE(is_closed(consumer)) << "the child ends nothing";
+  EXPECT_TRUE(publisher().send({}));
+  EXPECT_EQ(publisher().count().sent, 1U);
+  say_hello(connect(), 8);
+  EXPECT_TRUE(publisher().send({})) << "its sockets are watched as ever";
 }
 
 TEST_F(TcpLimits, ASocketThatCannotBeWatchedIsToldOf) {
