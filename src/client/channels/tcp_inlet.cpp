@@ -32,6 +32,14 @@ void TcpInlet::connect() {
   watch_.want(false, true);
 }
 
+void TcpInlet::set_keys(ChannelKeys keys) {
+  const FrameForm form = intake_.keys().form();
+  intake_.set_keys(std::move(keys));
+  if (!is_connected_ || intake_.keys().form() == form || handshake_->greeting().cookie == 0) return;
+  // A connection that does not take it has ended, which is read from it soon.
+  [[maybe_unused]] const bool was_said = say_hello();
+}
+
 void TcpInlet::pause(bool is_paused) {
   is_paused_ = is_paused;
   if (!is_connected_) return;

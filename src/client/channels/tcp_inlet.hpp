@@ -45,8 +45,8 @@ class TcpInlet {
   [[nodiscard]] bool is_connected() const { return is_connected_; }
   /// Since when it is not.
   [[nodiscard]] base::Instant unconnected_since() const { return unconnected_since_; }
-  /// Takes other keys.
-  void set_keys(ChannelKeys keys) { intake_.set_keys(std::move(keys)); }
+  /// Takes other keys. A publisher that has asked for a hello gets one in the new form.
+  void set_keys(ChannelKeys keys);
   /// Stops reading, or goes on.
   void pause(bool is_paused);
 

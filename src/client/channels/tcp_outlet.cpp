@@ -42,7 +42,7 @@ TcpOutlet::TcpOutlet(ChannelHost& host, ChannelNumber number, Life life, Channel
                   for (const auto& [connection_number, connection] : connections_) {
                     if (connection.until <= at) over.push_back(connection_number);
                   }
-                  for (const Number one : over) close(one);
+                  for (const Number one : over) lose(one);
                   set_deadline();
                 }),
       retry_(host.reactor(), [this] {
@@ -116,20 +116,36 @@ void TcpOutlet::relieve() {
 
 void TcpOutlet::on_keys(bool seals_newly) {
   if (!is_closed_ && retry_.at() == base::never) watch_.want(true, false);
-  std::vector<Number> unproved;
-  for (auto& [number, connection] : connections_) {
-    if (!takes_plain() && connection.has_greeted && !connection.is_proved && connection.role != Role::leaving) {
-      unproved.push_back(number);
-    }
-  }
-  for (const Number number : unproved) lose(number);
-  if (!seals_newly) return;
-  // Consumers that were accepted without a floor can believe what follows this one.
+  if (!seals_newly && takes_plain()) return;
   std::vector<Number> consumers;
   for (auto& [number, connection] : connections_) {
     if (connection.role == Role::consumer) consumers.push_back(number);
   }
-  for (const Number number : consumers) put_greeting(number, FrameKind::floor, 0);
+  for (const Number number : consumers) {
+    Connection& connection = connections_.at(number);
+    // Consumers that were accepted without a floor can believe what follows this one.
+    std::uint64_t cookie = 0;
+    if (!takes_plain() && !connection.is_proved) {
+      // They have to say a sealed hello in time.
+      cookie = connection.cookie = random_number();
+      connection.until = now() + stranger_patience;
+    } else if (!seals_newly) {
+      continue;
+    }
+    put_greeting(number, FrameKind::floor, cookie);
+  }
+  set_deadline();
+}
+
+void TcpOutlet::prove(Connection& connection, const ReadFrame& read) {
+  if (connection.is_proved || read.form == FrameForm::plain || read.life != connection.life) return;
+  const auto opened = open_frame(read, *keys_, Direction::back, opened_);
+  const auto greeting = opened ? read_greeting(opened->payload) : std::nullopt;
+  const Greeting wanted{life_, connection.challenge, connection.cookie};
+  if (!greeting || opened->kind != FrameKind::hello || greeting != wanted || wanted.cookie == 0) return;
+  connection.is_proved = true;
+  connection.counter = seal_fields(read).counter;
+  connection.until = base::never;
 }
 
 Counterparts::Carrier TcpOutlet::carrier_of(Counterparts::Number consumer) const {
@@ -224,7 +240,8 @@ bool TcpOutlet::read(Number number) {
 
 bool TcpOutlet::take(Number number, const ReadFrame& read) {
   Connection& connection = connections_.at(number);
-  if (connection.role != Role::stranger) return true;  // a consumer has nothing more to say
+  if (connection.role == Role::consumer) prove(connection, read);
+  if (connection.role != Role::stranger) return true;  // it has nothing more to say
   bool is_believed = false;
   if (read.form == FrameForm::plain) {
     is_believed = takes_plain() && greet(number, read, std::nullopt);

@@ -71,6 +71,8 @@ class TcpOutlet : public PublisherChannel {
   bool take(Number connection, const ReadFrame& frame);
   /// Takes the hello of a stranger. False if it is none that is believed.
   bool greet(Number connection, const Frame& hello, std::optional<std::uint64_t> counter);
+  /// Takes the sealed hello of a consumer that was asked for it, because its first one was plain.
+  void prove(Connection& connection, const ReadFrame& hello);
   bool write(Number connection);
   bool become_consumer(Number connection);
   /// Queues a floor, a full or an end.

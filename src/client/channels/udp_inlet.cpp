@@ -60,8 +60,15 @@ void UdpInlet::join(Number provider, Life life, const PeerAddress& address, cons
 void UdpInlet::set_keys(Number provider, const ChannelKeys& keys) {
   const auto found = sources_.find(provider);
   if (found == sources_.end()) return;
-  found->second.intake.set_keys(keys);
-  if (!found->second.group.is_open()) begin_handshake(found->second);
+  Source& source = found->second;
+  const FrameForm form = source.intake.keys().form();
+  source.intake.set_keys(keys);
+  if (source.group.is_open()) return;
+  begin_handshake(source);
+  // The publisher learns at once that hellos are sealed.
+  if (!source.handshake || source.intake.keys().form() == form) return;
+  say_hello(source);
+  set_timer();
 }
 
 void UdpInlet::begin_handshake(Source& source) {
@@ -143,7 +150,7 @@ void UdpInlet::take(std::span<const std::byte> bytes, const PeerAddress& from, s
   if (number && sources_.at(*number).life == no_life) return told_.plain(*number, bytes);
   const auto frame = read_frame(bytes);
   if (frame && number && frame->life == sources_.at(*number).life) {
-    // What answers a hello to the sender of a group comes to the own socket, its messages to the group.
+    // Answers to a hello come to the own socket, messages of a group to the group.
     const bool is_answer = frame->kind == FrameKind::floor || frame->kind == FrameKind::full;
     const bool is_place = !sources_.at(*number).group.is_open() || group.has_value() != is_answer;
     if (!is_place || !take_frame(*number, *frame, from)) told_.dropped();

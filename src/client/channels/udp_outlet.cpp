@@ -83,7 +83,6 @@ void UdpOutlet::count_reachable() {
 }
 
 void UdpOutlet::on_keys(bool seals_newly) {
-  if (!takes_plain()) forget_unproved();
   count_reachable();
   if (group_ && seals() && !hello_socket_.is_open()) open_hello_socket();
   if (!seals_newly) return;
@@ -95,15 +94,6 @@ void UdpOutlet::on_keys(bool seals_newly) {
     const Life life = counterparts_.at(number).life;
     if (consumer.has_greeted) say(FrameKind::floor, consumer.address, {life, consumer.challenge, 0});
   }
-}
-
-void UdpOutlet::forget_unproved() {
-  std::vector<PeerAddress> unproved;
-  for (const auto& [address, listener] : listeners_.all()) {
-    if (listener.counter == 0) unproved.push_back(address);
-  }
-  for (const PeerAddress& address : unproved) listeners_.end(address);
-  for (auto& [number, consumer] : consumers_) consumer.has_greeted = consumer.has_greeted && consumer.counter != 0;
 }
 
 void UdpOutlet::open_hello_socket() {
@@ -246,21 +236,22 @@ bool UdpOutlet::take_hello(const Word& word) {
   if (mode_ != ChannelMode::one_to_many_stream && !keys_->has_ring()) return false;
   if (mode_ == ChannelMode::one_to_many_stream) {
     auto* known = listeners_.find(word.from);
-    if (known != nullptr && (!word.counter || known->life == life)) {
+    // One that has said plain hellos has to show a cookie when it seals them.
+    if (known != nullptr && (!word.counter || (known->life == life && known->counter != 0))) {
       if (word.counter && *word.counter <= known->counter) return false;
       known->until = now() + listener_patience;
+      if (known->life != life) known->counter = 0;
       known->life = life;
       known->challenge = word.greeting.challenge;
-      known->counter = word.counter.value_or(0);
+      known->counter = word.counter.value_or(known->counter);
       renew(word.from, accepted);
       return true;
     }
-  } else if (const auto counterpart = counterparts_.find(life);
-             counterpart && consumers_.at(*counterpart).has_greeted) {
+  } else if (const auto counterpart = counterparts_.find(life); counterpart && renews(*counterpart, word)) {
     Consumer& known = consumers_.at(*counterpart);
     if (word.counter && *word.counter <= known.counter) return false;
     known.challenge = word.greeting.challenge;
-    known.counter = word.counter.value_or(0);
+    known.counter = word.counter.value_or(known.counter);
     renew(word.from, accepted);
     return true;
   }
@@ -268,6 +259,11 @@ bool UdpOutlet::take_hello(const Word& word) {
   answer(FrameKind::floor, word.from,
          {life, word.greeting.challenge, cookies_.make(word.from, life, word.greeting.challenge, now())});
   return true;
+}
+
+bool UdpOutlet::renews(Counterparts::Number number, const Word& word) const {
+  const Consumer& known = consumers_.at(number);
+  return known.has_greeted && (!word.counter || known.counter != 0);
 }
 
 bool UdpOutlet::accept(const Word& word) {

@@ -46,8 +46,6 @@ class UdpOutlet : public PublisherChannel {
   std::expected<void, std::string> open_socket();
   void open_socket_of_first();
   void open_hello_socket();
-  /// Forgets those that said no sealed hello; they come again.
-  void forget_unproved();
   /// Counts the consumers that messages are sent to.
   void count_reachable();
   /// Whether messages are sent to the consumer, from its hello on where they are sealed.
@@ -62,6 +60,8 @@ class UdpOutlet : public PublisherChannel {
   bool take(std::span<const std::byte> datagram, const PeerAddress& from);
   bool take_end(const Word& word);
   bool take_hello(const Word& word);
+  /// Whether the hello of a consumer needs no cookie, because it said one of the same kind.
+  [[nodiscard]] bool renews(Counterparts::Number number, const Word& word) const;
   bool accept(const Word& word);
   /// Says a floor or a full, as long as the budget of answers allows it.
   void answer(FrameKind kind, const PeerAddress& to, const Greeting& greeting);

@@ -53,7 +53,7 @@ class ChannelKeys {
   std::vector<Key> ring_;
 };
 
-/// What a line `N pub keys life=L mode=M ring=ID:FORWARD:BACK,...` says.
+/// The content of a line `N pub keys life=L mode=M ring=ID:FORWARD:BACK,...`.
 struct StatedKeys {
   Life life = no_life;
   ChannelKeys keys;

@@ -16,7 +16,7 @@ namespace geminga::client {
 /// Knows when to say hello, and with which payload. Pure: the caller sends, and gives what was opened.
 class Handshake {
  public:
-  /// What is to be done after a floor.
+  /// The next step after a floor.
   enum class Next : std::uint8_t {
     nothing,
     say_hello,  ///< at once, with the new cookie

@@ -1,4 +1,4 @@
-// What a consumer believes of the frames of one publisher, by the mode and the keys of this host.
+// The frames of one publisher that a consumer believes, by the mode and the keys of this host.
 #ifndef GEMINGA_CLIENT_PROTOCOL_INTAKE_HPP
 #define GEMINGA_CLIENT_PROTOCOL_INTAKE_HPP
 

@@ -18,7 +18,7 @@ enum class Direction : std::uint8_t {
   back,     ///< from a consumer
 };
 
-/// What a sealed header says beside the plain one.
+/// The fields of a sealed header that the plain one has not.
 struct SealFields {
   KeyId key = 0;
   std::uint16_t hello_port = 0;

@@ -1,4 +1,4 @@
-// Sealed channels between publishers and subscribers, and what strangers and recordings cannot do to them.
+// Sealed channels between publishers and subscribers, and a subscriber among strangers and recordings.
 #include <gmock/gmock.h>
 
 #include "client/channels/channel_rig.hpp"
@@ -6,7 +6,6 @@
 namespace geminga::client {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -124,8 +123,6 @@ TEST(SealedChannel, LosesNothingWhenKeysAndModesChange) {
       pair.subscriber->set_keys(pair.publisher->life(), keys);
       pair.rig.pass(1s);
       pair.publisher->set_keys(keys);
-      // Over TCP those that did not say a sealed hello are closed by a publisher that becomes strict, and come again.
-      if (std::string(one.protocol) == "tcp" && !keys.takes_plain()) pair.rig.pass(1s);
       pair.send();
       pair.send();
       sent += 2;
@@ -133,6 +130,34 @@ TEST(SealedChannel, LosesNothingWhenKeysAndModesChange) {
     EXPECT_EQ(received(*pair.subscriber).size(), is_group ? sent - 1 : sent)
         << one.protocol << ' ' << one.address << ' ' << static_cast<int>(one.mode);
     EXPECT_EQ(pair.rig.changes<ProviderChange>(), std::vector<std::string>{"added"});
+  }
+}
+
+TEST(SealedChannel, LosesNothingWhoeverChangesItsModeFirst) {
+  using enum SealingMode;
+  for (const auto& one : all_cases()) {
+    if (std::string(one.address) != "127.0.0.1") continue;  // what is sent before the floor is not delivered there
+    for (const bool is_publisher_first : {false, true}) {
+      Pair pair(one, prepared, prepared);
+      pair.rig.pass(1s);
+      pair.send();
+      std::size_t sent = 1;
+      for (const auto mode : {mixed, encrypted, authenticated, encrypted}) {
+        for (const bool is_publishers_turn : {is_publisher_first, !is_publisher_first}) {
+          if (is_publishers_turn) pair.publisher->set_keys(keys_of(mode));
+          if (!is_publishers_turn) pair.subscriber->set_keys(pair.publisher->life(), keys_of(mode));
+          for (int i = 0; i < 5; ++i, ++sent) {
+            pair.send();
+            pair.rig.pass(50ms);
+          }
+        }
+      }
+      pair.rig.pass(6s);
+      pair.send();
+      EXPECT_EQ(received(*pair.subscriber).size(), sent + 1)
+          << one.protocol << ' ' << static_cast<int>(one.mode) << ' ' << is_publisher_first;
+      EXPECT_THAT(pair.rig.changes<ProviderChange>(), ElementsAre("added"));
+    }
   }
 }
 
@@ -285,136 +310,6 @@ TEST_F(SealedSubscriber, IsNotConnectedToAServiceWithoutALifeAndSaysSo) {
   subscriber_->on_mode();
   provider_.send(to_, octets_of("here"));
   EXPECT_THAT(received(*subscriber_), ElementsAre("0:0"));
-}
-
-/// A sealed publisher over UDP, and a consumer, which the test speaks for.
-class SealedPublisher : public testing::Test {
- protected:
-  void open(ChannelMode mode) {
-    auto offer = rig_offer(mode, "udp");
-    publisher_ = *PublisherChannel::open(rig_, 1, offer);
-    publisher_->set_keys(keys_);
-    to_ = *peer_address("127.0.0.1", offer.port);
-  }
-  std::vector<std::byte> hello_octets(std::uint64_t cookie) {
-    return *sealer_.frame(keys_, FrameKind::hello, 0, greeting_payload({publisher_->life(), 5, cookie}));
-  }
-  /// The frames that the consumer has heard, opened.
-  std::vector<Frame> heard(std::vector<Greeting>* greetings = nullptr) {
-    std::vector<Frame> all;
-    for (const auto& octets : consumer_.hear()) {
-      const auto frame = read_frame(octets);
-      const auto opened = frame ? open_frame(*frame, keys_, Direction::forward, room_) : std::nullopt;
-      if (!opened) continue;
-      if (greetings != nullptr && opened->payload.size() == greeting_bytes) {
-        greetings->push_back(*read_greeting(opened->payload));
-      }
-      all.push_back(*opened);
-    }
-    return all;
-  }
-  std::uint64_t cookie() {
-    std::vector<Greeting> greetings;
-    heard(&greetings);
-    return greetings.empty() ? 0 : greetings.back().cookie;
-  }
-  /// How many messages arrive of one that is sent.
-  std::size_t sent_one() {
-    EXPECT_TRUE(publisher_->send(octets_of("here")));
-    return heard().size();
-  }
-
-  static constexpr Life life{78};
-  ChannelRig rig_;
-  Speaker consumer_{rig_};
-  ChannelKeys keys_ = keys_of(SealingMode::encrypted);
-  Sealer sealer_{life, Direction::back};
-  std::vector<std::byte> room_;
-  std::unique_ptr<PublisherChannel> publisher_;
-  PeerAddress to_;
-};
-
-TEST_F(SealedPublisher, AcceptsNoRecordedHelloOnceItsCookieIsOld) {
-  open(ChannelMode::one_to_many_stream);
-  consumer_.send(to_, hello_octets(0));
-  const auto recorded = hello_octets(cookie());
-  EXPECT_EQ(sent_one(), 0U);
-  rig_.pass(16s);
-  consumer_.send(to_, recorded);
-  EXPECT_NE(cookie(), 0U) << "it is asked again";
-  EXPECT_EQ(sent_one(), 0U);
-}
-
-TEST_F(SealedPublisher, TakesNoHelloAndNoEndTwice) {
-  open(ChannelMode::one_to_many_stream);
-  consumer_.send(to_, hello_octets(0));
-  const auto given = cookie();
-  const auto end = *sealer_.frame(keys_, FrameKind::end, 0, greeting_payload({publisher_->life(), 5, given}));
-  const auto hello = hello_octets(given);
-  consumer_.send(to_, hello);
-  EXPECT_EQ(cookie(), 0U);
-  EXPECT_EQ(sent_one(), 1U);
-  const auto dropped = publisher_->count().dropped;
-  consumer_.send(to_, end);
-  consumer_.send(to_, hello);
-  EXPECT_EQ(publisher_->count().dropped, dropped + 2) << "both were said before";
-  EXPECT_EQ(sent_one(), 1U);
-  rig_.pass(2s);
-  consumer_.send(to_, hello);
-  rig_.pass(1s);
-  EXPECT_EQ(sent_one(), 0U) << "a recording renews nothing";
-}
-
-TEST_F(SealedPublisher, AnswersNobodyWithoutTheKey) {
-  open(ChannelMode::one_to_many_stream);
-  const auto greeting = greeting_payload({publisher_->life(), 5, 0});
-  consumer_.send(to_, {FrameKind::hello, life, 0, greeting});
-  const auto other = keys_of(SealingMode::encrypted, 9);
-  consumer_.send(to_, *sealer_.frame(other, FrameKind::hello, 0, greeting));
-  EXPECT_THAT(consumer_.hear(), IsEmpty());
-  EXPECT_EQ(publisher_->count().dropped, 2U);
-}
-
-TEST_F(SealedPublisher, OfPubsubSendsWhenTheHelloOfItsConsumerIsAccepted) {
-  open(ChannelMode::one_to_many_pubsub);
-  auto wish = rig_wish(ChannelMode::one_to_many_pubsub);
-  wish.port = consumer_.address().port;
-  wish.attributes[std::string(channel_attribute)] = to_string(life);
-  publisher_->on_event(consumer_event(wish));
-  EXPECT_THAT(rig_.changes<ConsumerChange>(), IsEmpty());
-  EXPECT_EQ(sent_one(), 0U);
-  consumer_.send(to_, hello_octets(0));
-  consumer_.send(to_, hello_octets(cookie()));
-  EXPECT_THAT(rig_.changes<ConsumerChange>(), ElementsAre("added"));
-  EXPECT_EQ(heard().size(), 1U) << "the floor";
-  EXPECT_EQ(sent_one(), 1U);
-}
-
-TEST_F(SealedPublisher, OfPubsubDoesNotAnswerAGoodCookieBeforeItKnowsTheConsumer) {
-  open(ChannelMode::one_to_one);
-  consumer_.send(to_, hello_octets(0));
-  const auto given = cookie();
-  EXPECT_NE(given, 0U);
-  consumer_.send(to_, hello_octets(given));
-  EXPECT_THAT(consumer_.hear(), IsEmpty());
-  auto wish = rig_wish(ChannelMode::one_to_one);
-  wish.port = consumer_.address().port;
-  wish.attributes[std::string(channel_attribute)] = to_string(life);
-  publisher_->on_event(consumer_event(wish));
-  consumer_.send(to_, hello_octets(given));
-  EXPECT_EQ(heard().size(), 1U);
-  EXPECT_EQ(sent_one(), 1U);
-}
-
-TEST_F(SealedPublisher, SendsNothingToAConsumerWithoutALifeAndSaysSo) {
-  open(ChannelMode::one_to_many_pubsub);
-  auto wish = rig_wish(ChannelMode::one_to_many_pubsub);
-  wish.port = consumer_.address().port;
-  publisher_->on_event(consumer_event(wish));
-  publisher_->on_event(consumer_event(wish));
-  EXPECT_THAT(rig_.problems(), ElementsAre("00000007/1/2 states no life, so its channel cannot be sealed"));
-  EXPECT_TRUE(publisher_->send(octets_of("here")));
-  EXPECT_THAT(consumer_.hear(), IsEmpty());
 }
 
 }  // namespace
