@@ -29,6 +29,8 @@ class ChannelHost {
   virtual void state_attribute(ChannelNumber channel, const std::string& key, const std::string& value) = 0;
   /// The mode of this host, as far as the daemon has told it.
   [[nodiscard]] virtual std::optional<SealingMode> sealing_mode() const = 0;
+  /// Whether the daemon is back for so short a time that it may not have heard of everything yet.
+  [[nodiscard]] virtual bool is_settling() const = 0;
   /// Whether this is the process that opened the node, which alone may seal and send.
   [[nodiscard]] virtual bool is_own_process() const = 0;
   /// Room for one datagram of any size. Its content is void after the call.

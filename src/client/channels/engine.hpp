@@ -91,6 +91,7 @@ class Engine final : public ChannelHost {
   void state_port(ChannelNumber channel, std::uint16_t port) override;
   void state_attribute(ChannelNumber channel, const std::string& key, const std::string& value) override;
   [[nodiscard]] std::optional<SealingMode> sealing_mode() const override { return mode_; }
+  [[nodiscard]] bool is_settling() const override { return settle_.at() != base::never; }
   [[nodiscard]] bool is_own_process() const override { return reactor_.is_own_process(); }
   [[nodiscard]] std::span<std::byte> datagram_room() override { return room_; }
 

@@ -80,6 +80,11 @@ void PublisherChannel::on_event(const ConsumerEvent& event) {
   const auto known = counterparts_.find(event.subscription);
   if (event.change == Change::del) {
     if (!known) return;
+    // A daemon that is just back may have heard only of the choice of this publisher under its former number.
+    if (event.reason == "outranked" && host_.is_settling()) {
+      if (!counterparts_.lose_sight(*known, event.reason, carrier_of(*known), now())) remove(*known, event.reason);
+      return set_timer();
+    }
     // A consumer sends nothing, so there is nothing to wait for.
     const auto parted = counterparts_.del(event.subscription, event.reason, carrier_of(*known), now());
     const bool is_final = counterparts_.at(*known).state != Counterparts::State::orphaned;

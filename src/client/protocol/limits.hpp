@@ -13,6 +13,8 @@ inline constexpr std::size_t max_datagram_payload = 65'000;
 inline constexpr std::size_t max_stream_payload = 16 * 1024 * 1024;
 /// Octets of frames that may wait for one TCP consumer; one message may always wait.
 inline constexpr std::size_t max_waiting_for_consumer = 4 * 1024 * 1024;
+/// Frames that may wait for one TCP consumer, since each costs more than its octets where they are few.
+inline constexpr std::size_t max_frames_for_consumer = 16'384;
 /// Octets of frames that may wait for all TCP consumers of one publisher, each frame counted once.
 inline constexpr std::size_t max_waiting_for_consumers = 64 * 1024 * 1024;
 /// Listeners of one `otm/stream` over UDP.

@@ -44,7 +44,8 @@ class SendQueue {
 
   /// Whether a message of this size may wait: one that fits into the limit, or one alone.
   [[nodiscard]] bool has_room(std::size_t payload_bytes) const {
-    return frames_.empty() || waiting_ + frame_header_bytes + payload_bytes <= max_waiting_for_consumer;
+    return frames_.empty() || (frames_.size() < max_frames_for_consumer &&
+                               waiting_ + frame_header_bytes + payload_bytes <= max_waiting_for_consumer);
   }
   [[nodiscard]] bool is_empty() const { return frames_.empty(); }
   /// Appends a frame, of which so many octets have been written already.

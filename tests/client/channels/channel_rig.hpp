@@ -43,6 +43,7 @@ class ChannelRig final : public ChannelHost {
     stated.push_back(key + '=' + value);
   }
   std::optional<SealingMode> sealing_mode() const override { return mode; }
+  bool is_settling() const override { return settles; }
   bool is_own_process() const override { return true; }
   std::span<std::byte> datagram_room() override { return room_; }
 
@@ -80,6 +81,7 @@ class ChannelRig final : public ChannelHost {
   std::vector<ChannelEvent> told;
   std::vector<std::string> stated;
   std::optional<SealingMode> mode = SealingMode::plain;
+  bool settles = false;
   base::Instant now{1000s};
 
  private:

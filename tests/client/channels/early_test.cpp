@@ -82,6 +82,7 @@ class Host final : public ChannelHost {
   void state_port(ChannelNumber, std::uint16_t) override {}
   void state_attribute(ChannelNumber, const std::string&, const std::string&) override {}
   std::optional<SealingMode> sealing_mode() const override { return SealingMode::plain; }
+  bool is_settling() const override { return false; }
   bool is_own_process() const override { return true; }
   std::span<std::byte> datagram_room() override { return room_; }
 

@@ -105,6 +105,32 @@ TEST_F(PlainSubscriber, KeepsAChannelWhoseServiceHasGotAnotherLife) {
   EXPECT_THAT(rig_.changes<ProviderChange>(), ElementsAre("added", "added"));
 }
 
+TEST(PlainPublisher, GoesOnWhereADaemonThatIsJustBackSaysThatItIsOutranked) {
+  for (const bool settles : {false, true}) {
+    ChannelRig rig;
+    rig.settles = settles;
+    Speaker consumer(rig);
+    auto offer = rig_offer(ChannelMode::one_to_many_pubsub, "udp");
+    auto publisher = *PublisherChannel::open(rig, 1, offer);
+    publisher->set_keys(ChannelKeys());
+    auto wish = rig_wish(ChannelMode::one_to_many_pubsub);
+    wish.port = consumer.address().port;
+    wish.attributes[std::string(channel_attribute)] = to_string(Life{8});
+    publisher->on_event(consumer_event(wish));
+    ConsumerEvent gone = consumer_event(wish);
+    gone.change = Change::del;
+    gone.reason = "outranked";
+    publisher->on_event(gone);
+    EXPECT_TRUE(publisher->send({}));
+    EXPECT_EQ(consumer.hear().size(), settles ? 1U : 0U);
+    publisher->on_event(consumer_event(wish, 3));
+    rig.pass(orphan_patience);
+    EXPECT_TRUE(publisher->send({}));
+    EXPECT_EQ(consumer.hear().size(), 1U);
+    EXPECT_EQ(rig.changes<ConsumerChange>().size(), settles ? 1U : 3U);
+  }
+}
+
 /// A publisher of a stream, and listeners, which the test speaks for.
 class PlainStream : public testing::Test {
  protected:

@@ -197,6 +197,17 @@ TEST(WaitingFrames, CountEachFrameOnceAsLongAsAnybodyWaitsForIt) {
   EXPECT_EQ(waiting.octets(), 0U);
 }
 
+TEST(SendQueue, TakesALimitedNumberOfSmallFrames) {
+  SendQueue queue;
+  const auto frame = std::make_shared<const std::vector<std::byte>>(frame_header_bytes);
+  for (std::size_t i = 0; i + 1 < max_frames_for_consumer; ++i) queue.put(frame);
+  EXPECT_TRUE(queue.has_room(0));
+  queue.put(frame);
+  EXPECT_FALSE(queue.has_room(0));
+  queue.wrote(frame_header_bytes);
+  EXPECT_TRUE(queue.has_room(0));
+}
+
 TEST(SendQueue, GoesOnBehindWhatIsWritten) {
   SendQueue queue;
   queue.put(std::make_shared<const std::vector<std::byte>>(10), 4);
