@@ -127,7 +127,12 @@ Result<Node, ClientError> open(const Pipe& pipe) {
   ClientOptions probe = pipe.connection;
   probe.name.clear();
   if (auto client = Client::connect(probe); !client) return std::unexpected(client.error());
-  return Node::open(pipe.connection);
+  ClientOptions options = pipe.connection;
+  // Events tell of everything else.
+  options.log = [program = pipe.program](std::string_view line) {
+    if (line.starts_with("no daemon at ") || line.starts_with("the daemon at ")) complain(program, line);
+  };
+  return Node::open(options);
 }
 
 /// One descriptor for standard input and a node.
