@@ -1,13 +1,10 @@
-// Real daemons for which memory or descriptors end: they say so, shed strangers, try again, and go on.
+// Real daemons for which memory or descriptors end: they say so, shed strangers, and go on.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <string>
-#include <vector>
 
 #include "base/text.hpp"
 #include "discovery/announcement/codec.hpp"
@@ -30,14 +27,6 @@ rlim_t address_space(const Process& process) {
 void limit(const Process& process, __rlimit_resource resource, rlim_t value) {
   const rlimit both{.rlim_cur = value, .rlim_max = value};
   ASSERT_EQ(::prlimit(process.pid(), resource, &both, nullptr), 0);
-}
-
-std::vector<int> descriptors(const Process& process) {
-  std::vector<int> open;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/" + std::to_string(process.pid()) + "/fd")) {
-    open.push_back(base::parse_number<int>(entry.path().filename().string()).value_or(0));
-  }
-  return open;
 }
 
 /// A state of a participant that nobody has heard of, with as many services as a datagram holds.
@@ -113,30 +102,6 @@ TEST(Shortage, OfDescriptorsAtTheStartIsSaid) {
       EXPECT_THAT(ran.said, HasSubstr("may open " + std::to_string(count) + " files and sockets, and needs 32"));
     }
   }
-}
-
-TEST(Shortage, OfDescriptorsWhileAnInterfaceComesBackIsSaidAndMended) {
-  Lab lab(2);
-  if (!lab.has_namespaces()) GTEST_SKIP() << "the loopback interface does not go";
-  lab.start_all({"--interval", "0.1"});
-  ASSERT_TRUE(lab.wait_for_participants(0, 2)) << lab.way();
-  Process& daemon = lab.daemon(0);
-  lab.cut(0);
-  ASSERT_TRUE(daemon.wait_for("interfaces: none"));
-  const std::vector<int> open = descriptors(daemon);
-  const int greatest = std::ranges::max(open);
-  limit(daemon, RLIMIT_NOFILE, static_cast<rlim_t>(greatest) + 1);
-  {
-    std::vector<Talk> talks;
-    for (int count = 0; count <= greatest; ++count) talks.push_back(lab.talk(0));
-    ASSERT_TRUE(talks.front().wait_until("status", [&](const auto&) {
-      return descriptors(daemon).size() > static_cast<std::size_t>(greatest);
-    })) << daemon.said();
-    lab.join(0);
-    EXPECT_TRUE(daemon.wait_for("trying each second")) << daemon.said();
-    EXPECT_THAT(daemon.said(), HasSubstr("Too many open files"));
-  }
-  EXPECT_TRUE(lab.wait_for_participants(0, 2)) << "there is room again";
 }
 
 }  // namespace
