@@ -18,7 +18,7 @@ using std::chrono::seconds;
 
 constexpr int statements = 42;
 
-/// What three hosts send when each of them is told so many statements, one after the other in this pace.
+/// The octets that three hosts send when each of them is told so many statements, one after the other in this pace.
 struct Burst {
   double octets = 0;  ///< of a host
   double state = 0;   ///< octets of its whole state
@@ -28,7 +28,7 @@ Burst burst(double loss, base::Duration pace, std::uint64_t seed) {
   World world(World::seed_or(seed), {.loss = loss, .longest_delay = milliseconds(5)});
   Team team(world, {.missing = seconds(30), .surplus = seconds(30)});
   for (int i = 1; i <= 3; ++i) world.add_host("robot" + std::to_string(i)).switch_on();
-  // What is lost is known by then.
+  // The loss is known by then.
   world.run_for(seconds(40));
   Burst measured;
   world.on_transmit = [&](const Host&, std::string_view datagram) {
@@ -63,7 +63,7 @@ TEST(Burst, OfStatementsTakesAtMostTwiceTheOctetsOfOneStateAndItsCopies) {
       const auto copies = static_cast<double>(membership::state_copies(loss));
       std::cerr << "loss " << loss << ", one statement each " << pace / milliseconds(1) << " ms: " << one.octets
                 << " octets a host, a state has " << one.state << " and " << copies << " copies\n";
-      // What goes on for most of a second is told meanwhile.
+      // A burst that goes on for most of a second is told meanwhile.
       const double times = pace < milliseconds(5) ? 2 : 4;
       EXPECT_LE(one.octets, times * copies * one.state);
     }

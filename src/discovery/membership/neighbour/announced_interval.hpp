@@ -31,13 +31,13 @@ class AnnouncedInterval {
   /// and the present one is held.
   void say(base::Duration interval, base::Instant now, base::Duration hold, bool is_contested) {
     believed_ = lasting(now);
+    if (interval != value() || is_contested) longer_since_.reset();
     if (interval == value()) {
       interval_.affirm(now);
     } else if (!is_contested || !interval_.is_held(now, hold)) {
       interval_.replace(interval, now, hold);
-      longer_since_.reset();
     }
-    if (value() > believed_) grow(now);
+    if (interval > believed_ && !is_contested) grow(now);
   }
   /// Undoes what was said less than `hold` ago.
   void roll_back(base::Instant now, base::Duration hold) {

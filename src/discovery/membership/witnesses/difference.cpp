@@ -74,7 +74,7 @@ Difference explain(std::uint16_t difference, const Folded& self, std::span<const
   if (one != one_of.end()) return difference_by(std::span(&*one, 1));
   if (!are_few) return {.unknown = Unknown::unclear};
   const auto two_of = causes(self, others, true, few_revisions);
-  // What is about us comes first: we are the one who can mend it.
+  // Causes that are about us come first: we are the one who can mend them.
   for (auto first = two_of.begin(); first != two_of.end(); ++first) {
     const auto rest = static_cast<std::uint16_t>(difference ^ first->fold);
     const auto second = std::ranges::find_if(

@@ -1,4 +1,4 @@
-// What somebody must say, and for how long, before another interval counts.
+// An interval that somebody says, and the time for which it is said before it counts.
 #include "discovery/membership/neighbour/announced_interval.hpp"
 
 #include <gtest/gtest.h>
