@@ -57,7 +57,7 @@ test('a TCP stream that holds no frame is closed, and tried again with back-off'
 test('a TCP consumer is one when both its hello and its sub add are there, whichever comes first', async (t) => {
   const { daemon, node, clock } = await lab(t);
   const publisher = await node.publish({ mode: 'oto', text: 'x', protocol: 'tcp' });
-  const early = await consumerSocket(t, publisher.port, ours);
+  const early = await consumerSocket(t, publisher, ours);
   await until(() => early.bytesWritten === 24);
   publisher.send(Buffer.from('nobody'));
   assert.equal(publisher.statistics.sent, 0);
@@ -67,7 +67,7 @@ test('a TCP consumer is one when both its hello and its sub add are there, which
   publisher.send(Buffer.from('one'));
   await until(() => early.frames.length === 1);
   // A second connection with the same life takes the place of the first; nobody is told.
-  const second = await consumerSocket(t, publisher.port, ours);
+  const second = await consumerSocket(t, publisher, ours);
   await once(early, 'close');
   publisher.send(Buffer.from('two'));
   await until(() => second.frames.length === 1);
@@ -76,11 +76,11 @@ test('a TCP consumer is one when both its hello and its sub add are there, which
   second.destroy();
   assert.deepEqual([(await lost).change, (await lost).reason], ['removed', 'lost']);
   const again = event(publisher, 'consumer');
-  const third = await consumerSocket(t, publisher.port, ours);
+  const third = await consumerSocket(t, publisher, ours);
   assert.equal((await again).change, 'added');
   // A connection without a sub add is closed after 5 s.
-  const stranger = await consumerSocket(t, publisher.port, 0xbbn);
-  const silent = await consumerSocket(t, publisher.port);
+  const stranger = await consumerSocket(t, publisher, 0xbbn);
+  const silent = await consumerSocket(t, publisher);
   await until(() => clock.running >= 2);
   clock.advance(limits.strangerPatience);
   await Promise.all([once(stranger, 'close'), once(silent, 'close')]);
@@ -93,13 +93,13 @@ test('a TCP consumer is one when both its hello and its sub add are there, which
 test('of 17 TCP strangers the oldest is closed, and what they say is no more than hello', async (t) => {
   const { node } = await lab(t);
   const publisher = await node.publish({ mode: 'oto', text: 'x', protocol: 'tcp' });
-  const talker = await consumerSocket(t, publisher.port);
+  const talker = await consumerSocket(t, publisher);
   talker.write(encodeFrame(kinds.message, 1n, 1n, Buffer.from('x')).subarray(0, 24));
   await once(talker, 'close');
   const strangers = [];
-  for (let i = 0; i < limits.maxStrangers; ++i) strangers.push(await consumerSocket(t, publisher.port));
+  for (let i = 0; i < limits.maxStrangers; ++i) strangers.push(await consumerSocket(t, publisher));
   await until(() => publisher.statistics.dropped === 1);
-  const last = await consumerSocket(t, publisher.port);
+  const last = await consumerSocket(t, publisher);
   await once(strangers[0], 'close');
   assert.equal(strangers[1].destroyed || last.destroyed, false);
 });
@@ -108,8 +108,8 @@ test('a 257th TCP consumer is closed', async (t) => {
   const { node } = await lab(t);
   const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
   const sockets = [];
-  for (let i = 1; i <= limits.maxConsumers; ++i) sockets.push(await consumerSocket(t, publisher.port, BigInt(i)));
-  const more = await consumerSocket(t, publisher.port, 1000n);
+  for (let i = 1; i <= limits.maxConsumers; ++i) sockets.push(await consumerSocket(t, publisher, BigInt(i)));
+  const more = await consumerSocket(t, publisher, 1000n);
   await once(more, 'close');
   publisher.send(Buffer.from('x'));
   await until(() => sockets.every(({ frames }) => frames.length === 1));
@@ -118,8 +118,8 @@ test('a 257th TCP consumer is closed', async (t) => {
 test('who does not read is left out once 4 MiB wait, and holds nobody up', async (t) => {
   const { node } = await lab(t);
   const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
-  const slow = await consumerSocket(t, publisher.port, 1n);
-  const quick = await consumerSocket(t, publisher.port, 2n);
+  const slow = await consumerSocket(t, publisher, 1n);
+  const quick = await consumerSocket(t, publisher, 2n);
   publisher.send(Buffer.from('x'));
   await until(() => {
     if (slow.frames.length === 0 || quick.frames.length === 0) publisher.send(Buffer.from('x'));
