@@ -51,8 +51,8 @@ export const helloOf = (life, publisher, challenge = 1n, cookie = 0n) =>
   encodeFrame(kinds.hello, life, 0n, writeHandshake(publisher.life, challenge, cookie));
 
 /** A socket that has connected and says hello to a publisher with this life, if there is one. Its frames are kept. */
-export async function consumerSocket(t, publisher, life) {
-  const socket = dial(publisher.port, '127.0.0.1');
+export async function consumerSocket(t, publisher, life, localAddress = '127.0.0.1') {
+  const socket = dial({ port: publisher.port, host: '127.0.0.1', localAddress });
   socket.on('error', () => {});
   t.after(() => socket.destroy());
   await once(socket, 'connect');

@@ -7,7 +7,8 @@ import { test } from 'node:test';
 import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
 import { lifeOf } from '../../../src/client/javascript/lib/protocol/life.js';
 import { limits, MessageTooLargeError } from '../../../src/client/javascript/lib/index.js';
-import { added, consumer, consumerSocket, lab, message, ours } from './lab.mjs';
+import { readHandshake, writeHandshake } from '../../../src/client/javascript/lib/protocol/handshake.js';
+import { added, consumer, consumerSocket, helloOf, lab, message, ours } from './lab.mjs';
 import { event, until, valueOf } from './support.mjs';
 
 test('over TCP a full queue holds the provider back, and nothing is lost up to its end', async (t) => {
@@ -58,7 +59,7 @@ test('a TCP consumer is one when both its hello and its sub add are there, which
   const { daemon, node, clock } = await lab(t);
   const publisher = await node.publish({ mode: 'oto', text: 'x', protocol: 'tcp' });
   const early = await consumerSocket(t, publisher, ours);
-  await until(() => early.bytesWritten === 24);
+  await until(() => early.bytesWritten === 48);
   publisher.send(Buffer.from('nobody'));
   assert.equal(publisher.statistics.sent, 0);
   const come = event(publisher, 'consumer');
@@ -90,29 +91,122 @@ test('a TCP consumer is one when both its hello and its sub add are there, which
   await closed;
 });
 
-test('of 17 TCP strangers the oldest is closed, and what they say is no more than hello', async (t) => {
-  const { node } = await lab(t);
-  const publisher = await node.publish({ mode: 'oto', text: 'x', protocol: 'tcp' });
-  const talker = await consumerSocket(t, publisher);
-  talker.write(encodeFrame(kinds.message, 1n, 1n, Buffer.from('x')).subarray(0, 24));
-  await once(talker, 'close');
-  const strangers = [];
-  for (let i = 0; i < limits.maxStrangers; ++i) strangers.push(await consumerSocket(t, publisher));
-  await until(() => publisher.statistics.dropped === 1);
-  const last = await consumerSocket(t, publisher);
-  await once(strangers[0], 'close');
-  assert.equal(strangers[1].destroyed || last.destroyed, false);
-});
-
-test('a 257th TCP consumer is closed', async (t) => {
+test('a hello that is none is closed at once: a wrong payload, another life, no challenge, a message', async (t) => {
   const { node } = await lab(t);
   const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
-  const sockets = [];
-  for (let i = 1; i <= limits.maxConsumers; ++i) sockets.push(await consumerSocket(t, publisher, BigInt(i)));
-  const more = await consumerSocket(t, publisher, 1000n);
+  const { life } = publisher;
+  const bad = [encodeFrame(kinds.message, 1n, 1n, Buffer.from('x')), encodeFrame(kinds.hello, 1n, 0n), encodeFrame(kinds.hello, 1n, 0n, Buffer.alloc(8)),
+    encodeFrame(kinds.hello, 1n, 0n, Buffer.alloc(25)).subarray(0, 24), helloOf(1n, { life: life ^ 1n }), helloOf(1n, publisher, 0n),
+    encodeFrame(kinds.end, 1n, 0n, writeHandshake(life, 1n, 0n)), encodeFrame(kinds.message, 1n, 1n, writeHandshake(life, 1n, 0n))];
+  for (const octets of bad) {
+    const socket = await consumerSocket(t, publisher);
+    socket.write(octets);
+    await once(socket, 'close');
+    assert.deepEqual(socket.frames, []);
+  }
+  assert.deepEqual([publisher.statistics.dropped, publisher.hasConsumer], [bad.length, false]);
+});
+
+test('64 TCP strangers of one host have places, one more is refused, and one of another host takes the place of the newest', async (t) => {
+  const { node } = await lab(t);
+  const publisher = await node.publish({ mode: 'oto', text: 'x', protocol: 'tcp' });
+  const strangers = [];
+  for (let i = 0; i < limits.maxStrangers; ++i) strangers.push(await consumerSocket(t, publisher));
+  const more = await consumerSocket(t, publisher);
   await once(more, 'close');
+  assert.equal(publisher.statistics.dropped, 1);
+  const other = await consumerSocket(t, publisher, undefined, '127.0.0.2');
+  await once(strangers.at(-1), 'close');
+  assert.equal(strangers.slice(0, -1).some(({ destroyed }) => destroyed) || other.destroyed, false);
+});
+
+test('a 257th TCP consumer is refused and told so, and one of another host takes a place', async (t) => {
+  const { daemon, node, logged } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  const sockets = [];
+  for (let i = 1; i <= limits.maxConsumers; ++i) {
+    const socket = await consumerSocket(t, publisher, BigInt(i));
+    sockets.push(socket);
+    if (i % 32 === 0) await until(() => socket.bytesWritten === 48);
+  }
+  const isFull = ({ frames }) => frames.length === 1 && frames[0].kind === kinds.full && frames[0].life === publisher.life;
+  for (const life of [1000n, 1001n]) {
+    const more = await consumerSocket(t, publisher, life);
+    await once(more, 'close');
+    assert.ok(isFull(more));
+    assert.deepEqual(readHandshake(more.frames[0].payload), { life, challenge: 1n, cookie: 0n });
+  }
+  assert.deepEqual(logged, ['all 256 places for consumers are taken']);
+  assert.equal(await daemon.line(/ pub modify/), '1 pub modify channel.full=256');
+  const other = await consumerSocket(t, publisher, 2000n, '127.0.0.2');
+  await once(sockets.at(-1), 'close');
+  assert.ok(isFull(sockets.pop()));
   publisher.send(Buffer.from('x'));
-  await until(() => sockets.every(({ frames }) => frames.length === 1));
+  await until(() => [other, ...sockets].every(({ frames }) => frames.length === 1));
+  for (const socket of sockets.splice(0, 64)) socket.destroy();
+  assert.equal(await daemon.line(/ pub modify/), '1 pub modify channel.full=0');
+});
+
+test('64 MiB wait for all consumers, each frame counted once; then the one that took nothing for the longest time is closed', async (t) => {
+  const { node, clock, daemon } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/pubsub', text: 'x', protocol: 'tcp' });
+  const id = /^[0-9]+/.exec(await daemon.line(/ pub create/))[0];
+  const told = [];
+  publisher.on('consumer', ({ change, reason, life }) => told.push([change, reason, life]));
+  const add = async (life) => {
+    const text = life.toString(16).padStart(16, '0');
+    daemon.say(consumer(id, Number(life), text, 'otm/pubsub'));
+    const socket = await consumerSocket(t, publisher, life);
+    socket.pause();
+    await until(() => told.some((one) => one[0] === 'added' && one[2] === life));
+    return socket;
+  };
+  const payload = Buffer.alloc(limits.maxStreamMessage - 24, 1); // four frames are 64 MiB
+  const sockets = [await add(1n)];
+  clock.advance(1);
+  publisher.send(payload); // it waits alone
+  sockets.push(await add(2n));
+  clock.advance(1);
+  for (let life = 2n; life <= 5n; ++life) {
+    clock.advance(1);
+    publisher.send(payload); // to the newest one, since no other has room
+    if (life < 5n) sockets.push(await add(life + 1n));
+    if (life === 4n) assert.equal(told.filter(([change]) => change === 'removed').length, 0);
+  }
+  await until(() => told.some(([change]) => change === 'removed'));
+  assert.deepEqual(told.filter(([change]) => change === 'removed'), [['removed', 'slow', 1n]]);
+  assert.equal(publisher.statistics.leftOut, 1 + 2 + 3 + 4);
+  await until(() => publisher.consumers.length === 4);
+  for (const socket of sockets) socket.destroy();
+});
+
+test('256 connections that read nothing share the frames that wait for them', async (t) => {
+  const { node } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  const wrong = [];
+  for (let i = 0; i < 60; ++i) wrong.push(await consumerSocket(t, { port: publisher.port, life: 5n }, BigInt(i + 1)));
+  await until(() => wrong.every(({ destroyed }) => destroyed));
+  assert.equal(publisher.hasConsumer, false);
+  const sockets = [];
+  for (let i = 0; i < limits.maxConsumers - 1; ++i) {
+    const socket = await consumerSocket(t, publisher, BigInt(i + 1));
+    socket.pause();
+    sockets.push(socket);
+  }
+  const reader = await consumerSocket(t, publisher, 1000n);
+  const before = process.memoryUsage().arrayBuffers;
+  let sent = 0;
+  while (publisher.statistics.leftOut < sockets.length) {
+    publisher.send(Buffer.alloc(64 * 1024, 1));
+    ++sent;
+    if (sent === 1) await until(() => reader.frames.length > 0 || (publisher.send(Buffer.alloc(1)) && ++sent && false));
+    await until(() => reader.frames.at(-1).sequence === BigInt(sent));
+    reader.frames.splice(0, reader.frames.length - 1);
+  }
+  globalThis.gc?.();
+  const grown = process.memoryUsage().arrayBuffers - before;
+  for (const socket of sockets) socket.destroy();
+  assert.ok(grown < limits.maxWaitingForAll, `${grown} octets for ${sent} messages`);
 });
 
 test('who does not read is left out once 4 MiB wait, and holds nobody up', async (t) => {
