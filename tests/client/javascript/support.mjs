@@ -28,6 +28,11 @@ export class ManualClock {
     return this.#timers.length === 0 ? undefined : Math.min(...this.#timers.map(({ due }) => due)) - this.#now;
   }
 
+  /** Milliseconds until each timer. */
+  get waits() {
+    return this.#timers.map(({ due }) => due - this.#now);
+  }
+
   get running() {
     return this.#timers.length;
   }

@@ -38,8 +38,9 @@ export class Node extends EventEmitter {
    * 127.0.0.1:4717 and [::1]:4717; `log`: the function that takes a line for each cause that a person should know of, else lines
    * go to standard error. Throws StatementError and TypeError.
    */
-  constructor({ name, daemon, log, clock, random } = {}) {
+  constructor({ name, daemon, log, clock, random, ...others } = {}) {
     super();
+    for (const key of Object.keys(others)) throw new StatementError(`${key} is no option: there are name, daemon, log`);
     checkName(name);
     this.#log = logHook(log);
     this.#io = new Io({ clock, random });
@@ -89,12 +90,12 @@ export class Node extends EventEmitter {
   }
 
   /** Offers a service with a channel. Fulfilled when the daemon has accepted it. */
-  async publish(options) {
+  async publish(options = {}) {
     return Publisher.open(this.#context(), options);
   }
 
   /** Asks for services and receives from them. `ready()` of the subscriber tells whether the daemon has accepted it. */
-  subscribe(options) {
+  subscribe(options = {}) {
     return new Subscriber(this.#context(), options);
   }
 
