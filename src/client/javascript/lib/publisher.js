@@ -87,6 +87,7 @@ export class Publisher extends EventEmitter {
         this.#out.delete(counterpart.key);
         this.#lose(counterpart, reason);
       },
+      isOfPublisher: true,
       endPatience: () => 0,
       isHeld: () => false,
       orphanPatience: (counterpart) => (isTcp ? (this.#out.isConnected(counterpart.key) ? Infinity : 0) : limits.orphanPatience),

@@ -1,5 +1,4 @@
 // The outlet of `otm/stream` over UDP to a unicast address: it sends to each listener that has shown by a cookie to receive there.
-import { kinds } from '../protocol/frame.js';
 import { maxListeners } from '../protocol/limits.js';
 import { Listeners } from '../protocol/listeners.js';
 import { DatagramPort } from './datagram_port.js';
@@ -56,9 +55,8 @@ export class ListenersOutlet {
   set() {}
   delete() {}
 
-  /** Other keys are in force, or another mode. Listeners that said no sealed hello leave where that is needed. */
+  /** Other keys are in force, or another mode. Listeners that said no sealed hello are forgotten after their time where that is needed. */
   rekey(beginsToSeal) {
-    if (this.#frames.keys && !this.#frames.takesPlain) this.#listeners.endPlain();
     if (!beginsToSeal) return;
     for (const one of this.#listeners.values()) this.#reception.floor(one, one.life, one.challenge);
   }
@@ -72,7 +70,7 @@ export class ListenersOutlet {
 
   async end() {
     const out = this.#out;
-    const octets = this.hasConsumer ? this.#frames.other(kinds.end) : undefined;
+    const octets = this.hasConsumer ? this.#frames.end() : undefined;
     const targets = octets ? [...this.#listeners.values()] : [];
     this.#out = undefined;
     this.#reception.rest();
@@ -92,13 +90,14 @@ export class ListenersOutlet {
     const heard = this.#io.clock.now();
     const counter = counterOf(frame);
     let known = this.#listeners.get(from.address, from.port);
-    // The port may belong to another subscriber by now. Where it was sealed, that one has to show a cookie.
-    if (known && known.life !== frame.life && (counter > 0n || known.counter > 0n)) known = undefined;
+    if (known?.life === frame.life && known.counter > 0n && counter <= known.counter) {
+      ++this.#reception.dropped; // a recording, or a plain hello, which anybody may have said
+      return;
+    }
+    // A seal is shown to be no recording by a cookie. The port may also belong to another subscriber by now.
+    if (known && (known.counter === 0n) !== (counter === 0n)) known = undefined;
+    if (known && known.life !== frame.life && counter > 0n) known = undefined;
     if (known) {
-      if (known.counter > 0n && counter <= known.counter) {
-        ++this.#reception.dropped;
-        return;
-      }
       Object.assign(known, { life: frame.life, challenge: said.challenge, heard, counter });
     } else if (!this.#reception.hasCookie(from, frame, said)) {
       this.#reception.ask(from, frame, said);

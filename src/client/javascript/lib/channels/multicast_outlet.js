@@ -1,7 +1,6 @@
 // The outlet of `otm/stream` over UDP to a multicast address: it sends on each interface, whether anybody listens or not.
 import { isIPv6 } from 'node:net';
 
-import { kinds } from '../protocol/frame.js';
 import { interfaceInterval } from '../protocol/limits.js';
 import { DatagramPort } from './datagram_port.js';
 import { groupInterfaces } from './interfaces.js';
@@ -29,9 +28,7 @@ export class MulticastOutlet {
     this.#hooks = hooks;
     this.port = port ?? 0;
     this.#reception = new Reception(io, frames, {
-      onHello: (from, frame, said) => {
-        if (frame.isSealed) this.#reception.accept(from, frame, said, false);
-      },
+      onHello: (from, frame, said) => this.#reception.accept(from, frame, said, false),
       onEnd: () => {}, // nothing is kept of the consumers of a group
     }, true);
   }
@@ -90,7 +87,7 @@ export class MulticastOutlet {
   async end() {
     this.#io.forget(this.#timers);
     const outs = [...this.#outs.values()];
-    const octets = this.hasConsumer ? this.#frames.other(kinds.end) : undefined;
+    const octets = this.hasConsumer ? this.#frames.end() : undefined;
     const targets = octets ? [{ address: this.#address, port: this.port }] : [];
     this.#outs.clear();
     this.#isOpen = false;

@@ -28,6 +28,8 @@ class Client {
   /** That of its last sealed frame, 0n if it says hello plainly. */
   counter = 0n;
   isLeftOut = false;
+  /** The timer until it is asked for a sealed hello again, while it is. */
+  asking;
 
   constructor(connection, address) {
     this.connection = connection;
@@ -120,11 +122,11 @@ export class TcpOutlet {
     this.#leave(client);
   }
 
-  /** Other keys are in force, or another mode. Consumers that said no sealed hello leave where that is needed, and come again. */
+  /** Other keys are in force, or another mode. Consumers that said no sealed hello have some time for it where that is needed. */
   rekey(beginsToSeal) {
     if (!this.#frames.keys) return;
     for (const client of [...this.#consumers.values(), ...this.#ready.values()]) {
-      if (!this.#frames.takesPlain && client.counter === 0n) client.connection.close();
+      if (!this.#frames.takesPlain && client.counter === 0n) this.#askSealed(client, limits.strangerPatience);
       else if (beginsToSeal && this.#consumers.get(client.key) === client) this.#answer(client, kinds.floor, 0n);
     }
     for (const client of [...this.#strangers]) {
@@ -162,9 +164,9 @@ export class TcpOutlet {
     for (const client of [...this.#strangers]) this.#dismiss(client);
     const consumers = [...this.#consumers.values()];
     this.#consumers.clear();
-    const octets = consumers.length > 0 ? this.#frames.other(kinds.end) : undefined;
+    const octets = consumers.length > 0 ? this.#frames.end() : undefined;
     const gone = consumers.map(({ connection }) => {
-      connection.append(octets);
+      if (octets) connection.append(octets);
       return connection.finish();
     });
     const closed = server && new Promise((resolve) => server.close(resolve));
@@ -221,9 +223,36 @@ export class TcpOutlet {
     }
     const frame = this.#frames.take(read);
     const said = frame && readHandshake(frame.payload);
-    if (frame?.kind !== kinds.hello || said?.life !== this.#frames.life || said.challenge === 0n) this.#refuse(client);
-    else if (client.key !== undefined) ++this.dropped; // a hello that is not needed
-    else this.#onHello(client, frame, said);
+    if (!frame && client.asking !== undefined) ++this.dropped; // it is asked again
+    else if (frame?.kind !== kinds.hello || said?.life !== this.#frames.life || said.challenge === 0n) this.#refuse(client);
+    else if (client.key === undefined) this.#onHello(client, frame, said);
+    else this.#onSealedHello(client, frame, said);
+  }
+
+  /** A consumer that said a plain hello says another one, sealed, which is no recording if it has the cookie of this connection. */
+  #onSealedHello(client, frame, said) {
+    const isRight = said.cookie === client.cookie && said.challenge === client.challenge && frame.life === client.life;
+    if (client.asking === undefined || !frame.isSealed || !isRight) {
+      ++this.dropped; // a hello that is not needed
+      return;
+    }
+    this.#timers.clear(client.asking);
+    Object.assign(client, { asking: undefined, counter: frame.counter });
+    if (this.#consumers.get(client.key) === client) this.#answer(client, kinds.floor, 0n);
+  }
+
+  /** Asks a consumer for a sealed hello, again and again until its time is over. */
+  #askSealed(client, patience) {
+    this.#timers.clear(client.asking);
+    client.asking = undefined;
+    if (this.#frames.takesPlain || !this.#frames.keys) return;
+    if (patience <= 0) {
+      client.connection.close();
+      return;
+    }
+    client.cookie = newLife();
+    this.#answer(client, kinds.floor, client.cookie);
+    client.asking = this.#timers.after(limits.askInterval, () => this.#askSealed(client, patience - limits.askInterval));
   }
 
   #onHello(client, frame, said) {
@@ -315,13 +344,14 @@ export class TcpOutlet {
     if (this.#ready.get(client.key) === client) this.#ready.delete(client.key);
   }
 
-  #onClose(client, reason = 'lost') {
+  #onClose(client) {
     this.#forgetStranger(client);
+    this.#timers.clear(client.asking);
     this.#leaving.delete(client);
     this.#places.leave(client);
     if (this.#consumers.get(client.key) === client) {
       this.#consumers.delete(client.key);
-      this.#hooks.onGone(client.key, reason);
+      this.#hooks.onGone(client.key, 'lost');
     }
     this.#look();
   }

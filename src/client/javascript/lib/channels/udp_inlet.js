@@ -24,7 +24,7 @@ export class UdpInlet {
   #senders = new Senders();
   #early = new EarlyFrames();
   #groups;
-  /** By channel: `{address, port, timer}`, where hello is said. */
+  /** By channel: `{address, port, form, timer}`, where hello is said and in which form. */
   #greeted = new Map();
   /** Channels from groups that are asked for a floor, by their lives. */
   #asked = new Map();
@@ -164,14 +164,22 @@ export class UdpInlet {
   /** Asks a provider over multicast for a floor, unless it is being asked. */
   #ask(channel, address, port) {
     this.#asked.set(channel.life, channel);
-    this.#greet(channel, address, port);
+    // Where a host has no route for the group, its own datagrams come from no address.
+    this.#greet(channel, { '0.0.0.0': '127.0.0.1', '::': '::1' }[address] ?? address, port);
   }
 
   #greet(channel, address, port) {
     const known = this.#greeted.get(channel);
-    if (known?.address === address && known.port === port) return;
+    const { form } = channel.belief.keys;
+    if (known?.address === address && known.port === port) {
+      // Another form is said at once, so that nothing is lost where the former one is not taken any more.
+      if (known.form === form) return;
+      known.form = form;
+      this.#hello(channel, known);
+      return;
+    }
     this.#ungreet(channel);
-    const greeted = { address, port, timer: undefined };
+    const greeted = { address, port, form, timer: undefined };
     this.#greeted.set(channel, greeted);
     this.#hello(channel, greeted);
   }

@@ -1,8 +1,8 @@
 // The outlet of `oto` and `otm/pubsub` over UDP: it sends to each consumer that the daemon has named.
 import { canonicalAddress } from '../protocol/address.js';
 import { PortError } from '../protocol/errors.js';
-import { kinds } from '../protocol/frame.js';
 import { lifeText } from '../protocol/life.js';
+import * as limits from '../protocol/limits.js';
 import { DatagramPort } from './datagram_port.js';
 import { counterOf, Reception } from './reception.js';
 
@@ -23,11 +23,15 @@ export class UdpOutlet {
   #consumers = new Map();
   #targets = [];
   #leftOut = 0;
+  #timers;
+  /** The time that consumers have for a sealed hello. */
+  #grace;
   port;
 
   constructor(io, frames, { address, port, isLazy, hooks }) {
     this.#io = io;
     this.#frames = frames;
+    this.#timers = io.timers();
     this.#options = { address };
     this.#isLazy = isLazy;
     this.#hooks = hooks;
@@ -80,14 +84,13 @@ export class UdpOutlet {
     if (this.#consumers.size === 0 && this.#isLazy && this.#out) this.#close();
   }
 
-  /** Other keys are in force, or another mode. */
+  /** Other keys are in force, or another mode. Consumers that said no sealed hello have some time for it where that is needed. */
   rekey(beginsToSeal) {
-    for (const consumer of this.#consumers.values()) {
-      if (!this.#frames.takesPlain && consumer.counter === 0n) consumer.counter = undefined;
-      if (beginsToSeal && consumer.counter !== undefined) {
-        this.#reception.floor(consumer.source, consumer.life, consumer.challenge);
-      }
+    this.#timers.clear(this.#grace);
+    for (const { counter, source, life, challenge } of this.#consumers.values()) {
+      if (beginsToSeal && counter !== undefined) this.#reception.floor(source, life, challenge);
     }
+    if (this.#frames.keys && !this.#frames.takesPlain) this.#grace = this.#timers.after(limits.strangerPatience, () => this.#endPlain());
     this.#change();
   }
 
@@ -100,14 +103,20 @@ export class UdpOutlet {
   }
 
   async end() {
-    const targets = this.#targets.filter(({ isPlain }) => !isPlain);
     const out = this.#out;
-    const octets = targets.length > 0 ? this.#frames.other(kinds.end) : undefined;
+    const octets = this.hasConsumer ? this.#frames.end() : undefined;
+    const targets = octets ? this.#targets.filter(({ isPlain }) => !isPlain) : [];
     this.#consumers.clear();
     this.#targets = [];
     this.#out = undefined;
     this.#reception.rest();
+    this.#io.forget(this.#timers);
     await out?.end(octets, targets);
+  }
+
+  #endPlain() {
+    for (const consumer of this.#consumers.values()) if (consumer.counter === 0n) consumer.counter = undefined;
+    this.#change();
   }
 
   #reaches({ life, counter }) {
@@ -128,21 +137,18 @@ export class UdpOutlet {
       ++this.#reception.dropped;
       return;
     }
-    const isKnown = consumer?.counter !== undefined;
-    if (isKnown && counter !== 0n && counter <= consumer.counter) {
+    // Anybody may have said a plain hello where there was a sealed one; a sealed one behind a plain one may be a recording.
+    if (consumer?.counter > 0n && counter <= consumer.counter) {
       ++this.#reception.dropped;
       return;
     }
+    const isKnown = consumer?.counter !== undefined && (counter === 0n || consumer.counter > 0n);
     if (!isKnown && !this.#reception.hasCookie(from, frame, said)) {
       this.#reception.ask(from, frame, said);
       return;
     }
     // A hello that comes before its `sub add` is accepted when it is said again.
     if (!consumer) return;
-    if (isKnown && counter === 0n && consumer.counter > 0n) {
-      ++this.#reception.dropped; // anybody may have said it
-      return;
-    }
     Object.assign(consumer, { counter, challenge: said.challenge, source: from });
     if (!isKnown) this.#change();
     this.#reception.accept(from, frame, said, isKnown);

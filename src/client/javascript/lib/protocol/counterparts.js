@@ -56,7 +56,7 @@ function isSame(a, b) {
  * `modified(counterpart, before, isTold)` and `removed(counterpart, reason)`. `reasonOf(counterpart, reason)` gives the reason
  * of a `del` as it counts. `orphanPatience(counterpart)` gives the milliseconds that an orphan goes on, Infinity for as long as
  * its connection. `endPatience(counterpart)` gives the milliseconds of waiting for more of a withdrawn one, which is not over
- * while `isHeld(counterpart)`.
+ * while `isHeld(counterpart)`. `isOfPublisher` tells whether they are consumers.
  */
 export class Counterparts {
   #counterparts = new Map();
@@ -67,10 +67,19 @@ export class Counterparts {
   #confirmation;
   /** The largest number of counterparts; 0: all. */
   limit = 0;
+  #backAt = -Infinity;
 
   constructor(timers, hooks) {
     this.#timers = timers;
     this.#hooks = hooks;
+  }
+
+  /**
+   * Whether a consumer that is outranked may still be there. When daemons have come back, its own one may still name the provider
+   * by its former word, so that the word of today seems to be outranked by it.
+   */
+  get #doubtsOutranked() {
+    return this.#hooks.isOfPublisher && this.#timers.now() - this.#backAt < limits.confirmPatience;
   }
 
   get size() {
@@ -107,6 +116,7 @@ export class Counterparts {
   /** The own daemon is back. Counterparts that it does not confirm in time become orphans. */
   onDaemonBack() {
     this.#timers.clear(this.#confirmation);
+    this.#backAt = this.#timers.now();
     if (this.#counterparts.size === 0) return;
     this.#confirmation = this.#timers.after(limits.confirmPatience, () => {
       for (const counterpart of this) {
@@ -182,7 +192,8 @@ export class Counterparts {
       return;
     }
     const why = isDel ? this.#hooks.reasonOf?.(counterpart, reason) ?? reason : reason;
-    if (isDel && closing.has(why)) this.remove(counterpart, why);
+    const isFinal = isDel && closing.has(why) && !(why === 'outranked' && this.#doubtsOutranked);
+    if (isFinal) this.remove(counterpart, why);
     else if (isDel && why === 'withdrawn') this.#withdraw(counterpart, why);
     else if (!counterpart.isEnding) this.#orphan(counterpart, why);
   }

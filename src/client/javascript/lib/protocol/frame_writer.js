@@ -126,6 +126,16 @@ export class PublisherFrames {
     return octets;
   }
 
+  /** The end; undefined where the counter is used up, because then nothing can be said any more. */
+  end() {
+    try {
+      return this.other(kinds.end);
+    } catch (error) {
+      if (error instanceof ClosedError) return undefined;
+      throw error;
+    }
+  }
+
   /** A frame of a consumer as this host takes it, opened; undefined if it does not. */
   take(frame) {
     return this.keys?.takeBack(frame);

@@ -64,7 +64,9 @@ export const helloInterval = 1000;
 export const interfaceInterval = 2000;
 /** Milliseconds without a hello after which a listener is forgotten. */
 export const listenerPatience = 3000;
-/** Milliseconds that a TCP connection has to become a consumer's. */
+/** Milliseconds until a consumer is asked again for a sealed hello. */
+export const askInterval = 500;
+/** Milliseconds that a TCP connection has to become a consumer's, and a consumer for a sealed hello where plain ones are taken no more. */
 export const strangerPatience = 5000;
 /** Milliseconds that a subscriber waits for more of a provider that was withdrawn over TCP. */
 export const endPatience = 2000;

@@ -48,9 +48,4 @@ export class Listeners {
   expire(now) {
     for (const listener of this.#heard.values()) if (now - listener.heard >= limits.listenerPatience) this.end(listener);
   }
-
-  /** Forgets those that did not say a sealed hello. */
-  endPlain() {
-    for (const listener of this.#heard.values()) if (listener.counter === 0n) this.end(listener);
-  }
 }
