@@ -57,6 +57,7 @@ export class ListenersOutlet {
 
   /** Other keys are in force, or another mode. Listeners that said no sealed hello are forgotten after their time where that is needed. */
   rekey(beginsToSeal) {
+    if (!this.#frames.hasRing) for (const one of this.#listeners.values()) one.counter = 0n; // nobody has keys any more
     if (!beginsToSeal) return;
     for (const one of this.#listeners.values()) this.#reception.floor(one, one.life, one.challenge);
   }

@@ -126,6 +126,7 @@ export class TcpOutlet {
   rekey(beginsToSeal) {
     if (!this.#frames.keys) return;
     for (const client of [...this.#consumers.values(), ...this.#ready.values()]) {
+      if (!this.#frames.hasRing) client.counter = 0n; // nobody has keys any more
       if (!this.#frames.takesPlain && client.counter === 0n) this.#askSealed(client, limits.strangerPatience);
       else if (beginsToSeal && this.#consumers.get(client.key) === client) this.#answer(client, kinds.floor, 0n);
     }

@@ -87,6 +87,8 @@ export class UdpOutlet {
   /** Other keys are in force, or another mode. Consumers that said no sealed hello have some time for it where that is needed. */
   rekey(beginsToSeal) {
     this.#timers.clear(this.#grace);
+    // Without keys nobody is known by a seal.
+    if (!this.#frames.hasRing) for (const consumer of this.#consumers.values()) consumer.counter = undefined;
     for (const { counter, source, life, challenge } of this.#consumers.values()) {
       if (beginsToSeal && counter !== undefined) this.#reception.floor(source, life, challenge);
     }
