@@ -209,6 +209,87 @@ test('256 connections that read nothing share the frames that wait for them', as
   assert.ok(grown < limits.maxWaitingForAll, `${grown} octets for ${sent} messages`);
 });
 
+test('a flood of forged providers over TCP holds places that an honest one gets', async (t) => {
+  const { daemon, node, clock, logged } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  await subscriber.ready();
+  // Nobody listens at port 1, so these never connect.
+  const forged = (i, address) => added(1, 1, { protocol: 'tcp', mode: 'otm/stream', channel: (i + 4096).toString(16).padStart(16, '0') })
+    .replace('0000000b/1/1', `0000000c/1/${i}`).replace('127.0.0.1', address);
+  const told = [];
+  subscriber.on('provider', ({ service }) => told.push(service));
+  for (let i = 1; i <= limits.maxTcpProviders; ++i) daemon.say(forged(i, '127.0.0.3'));
+  await until(() => told.length === limits.maxTcpProviders);
+  assert.deepEqual(logged, []);
+  const server = createServer().listen(0, '127.0.0.2');
+  t.after(() => server.close());
+  await once(server, 'listening');
+  const connected = once(server, 'connection');
+  daemon.say(added(1, server.address().port, { protocol: 'tcp', mode: 'otm/stream' }).replace('127.0.0.1', '127.0.0.2'));
+  const [socket] = await connected;
+  assert.deepEqual(logged, ['all 256 places for providers over TCP are taken']);
+  socket.write(message(1));
+  assert.equal((await subscriber.receive()).sequence, 1n);
+  // A second honest one of the flooding host waits until one that does not connect has lost its place.
+  const late = createServer().listen(0, '127.0.0.3');
+  t.after(() => late.close());
+  await once(late, 'listening');
+  daemon.say(added(1, late.address().port, { protocol: 'tcp', mode: 'otm/stream', channel: '00000000000000ff' })
+    .replace('0000000b/1/1', '0000000d/1/1').replace('127.0.0.1', '127.0.0.3'));
+  await until(() => told.includes('0000000d/1/1'));
+  let isLate = false;
+  late.once('connection', () => {
+    isLate = true;
+  });
+  for (let passed = 0; passed <= 4 * limits.unconnectedPatience && !isLate; passed += 100) {
+    clock.advance(100);
+    await new Promise((resolve) => setImmediate(resolve));
+    await new Promise((resolve) => setImmediate(resolve));
+  }
+  await until(() => isLate);
+  assert.equal(logged.length, 1);
+  socket.destroy();
+});
+
+test('a provider that has ended although its match lasts is connected to again after 10 s', async (t) => {
+  const { daemon, node, clock } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x', protocol: 'tcp' });
+  await subscriber.ready();
+  const server = createServer().listen(0, '127.0.0.1');
+  t.after(() => server.close());
+  await once(server, 'listening');
+  daemon.say(added(1, server.address().port, { protocol: 'tcp' }));
+  const [socket] = await once(server, 'connection');
+  const removed = event(subscriber, 'provider', ({ change }) => change === 'removed');
+  socket.end(encodeFrame(kinds.end, ours, 0n));
+  assert.equal((await removed).reason, 'withdrawn');
+  daemon.say(added(1, server.address().port, { protocol: 'tcp', change: 'modify' }));
+  const again = event(subscriber, 'provider', ({ change }) => change === 'added');
+  const next = once(server, 'connection');
+  await until(() => clock.waits.includes(limits.endHintPatience));
+  clock.advance(limits.endHintPatience);
+  await again;
+  (await next)[0].destroy();
+});
+
+test('a slow consumer is told of once, until it has taken some', async (t) => {
+  const { node, logged } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  const slow = await consumerSocket(t, publisher, 5n);
+  await until(() => publisher.hasConsumer);
+  slow.pause();
+  for (const expected of [1, 2]) {
+    const before = publisher.statistics.leftOut;
+    while (publisher.statistics.leftOut < before + 3) publisher.send(Buffer.alloc(1024 * 1024));
+    await until(() => logged.length === expected);
+    slow.resume();
+    await publisher.drained();
+    slow.pause();
+  }
+  assert.equal(logged[1], 'the consumer 0000000000000005 is slow: messages to it are left out until it has taken some');
+  slow.destroy();
+});
+
 test('who does not read is left out once 4 MiB wait, and holds nobody up', async (t) => {
   const { node } = await lab(t);
   const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });

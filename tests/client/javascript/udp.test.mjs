@@ -212,6 +212,148 @@ test('a listener of an otm/stream says the life of the publisher, and is sent to
   await until(() => !publisher.hasConsumer);
 });
 
+/** A socket of an address of the loopback interface. */
+async function socketOf(t, address) {
+  const socket = createSocket('udp4');
+  t.after(() => socket.close());
+  socket.bind(0, address);
+  await once(socket, 'listening');
+  return socket;
+}
+
+test('1100 listeners of one host find 1024 places, another host finds one, and all are told', async (t) => {
+  const { daemon, node, clock, logged } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x' });
+  const add = async (life, address) => {
+    const socket = await socketOf(t, address);
+    const heard = heardBy(socket);
+    await sendTo(socket, helloOf(life, publisher), publisher.port);
+    await until(() => heard.length === 1);
+    await sendTo(socket, helloOf(life, publisher, 1n, heard[0].said.cookie), publisher.port);
+    await until(() => heard.length === 2);
+    if (Number(life) % 64 === 0) clock.advance(250); // answers are allowed again
+    return { socket, heard, kind: heard[1].kind, life };
+  };
+  const listeners = [];
+  for (let i = 1; i <= limits.maxListeners; ++i) {
+    listeners.push(await add(BigInt(i), '127.0.0.1'));
+    if (i !== limits.maxListeners / 2) continue;
+    for (const one of listeners) await sendTo(one.socket, helloOf(one.life, publisher), publisher.port); // else they are forgotten
+  }
+  assert.ok(listeners.every(({ kind }) => kind === kinds.floor));
+  assert.deepEqual(logged, []);
+  for (let i = 1; i <= 4; ++i) {
+    const { kind, heard } = await add(BigInt(2000 + i), '127.0.0.1');
+    assert.equal(kind, kinds.full);
+    assert.deepEqual(heard[1].said, { life: BigInt(2000 + i), challenge: 1n, cookie: 0n });
+  }
+  const other = await add(3000n, '127.0.0.2');
+  assert.equal(other.kind, kinds.floor);
+  const loser = listeners.at(-1);
+  await until(() => loser.heard.at(-1).kind === kinds.full);
+  assert.deepEqual(logged, ['all 1024 places for listeners are taken']);
+  assert.equal(await daemon.line(/ pub modify/), '1 pub modify channel.full=1024');
+  publisher.send(Buffer.from('x'));
+  await until(() => [other, listeners[0]].every(({ heard }) => heard.at(-1).kind === kinds.message));
+  assert.equal(loser.heard.at(-1).kind, kinds.full);
+  clock.advance(limits.listenerPatience);
+  publisher.send(Buffer.from('x'));
+  assert.equal(await daemon.line(/ pub modify/), '1 pub modify channel.full=0');
+});
+
+test('hellos of strangers are answered by no more octets than they have, and by 512 answers a second', async (t) => {
+  const { node, clock } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x' });
+  const socket = await datagramSocket(t);
+  const sizes = [];
+  socket.on('message', ({ length }) => sizes.push(length));
+  const hello = helloOf(7n, publisher);
+  for (let i = 0; i < limits.maxAnswers; ++i) {
+    await sendTo(socket, hello, publisher.port);
+    await until(() => sizes.length === i + 1);
+  }
+  for (let i = 0; i < 10; ++i) await sendTo(socket, hello, publisher.port);
+  await sendTo(socket, Buffer.from('x'), publisher.port);
+  await until(() => publisher.statistics.dropped === 1);
+  clock.advance(1000 / limits.maxAnswers);
+  await sendTo(socket, hello, publisher.port);
+  await until(() => sizes.length === limits.maxAnswers + 1);
+  assert.ok(sizes.every((size) => size === hello.length));
+  assert.equal(publisher.hasConsumer, false);
+});
+
+test('a forged sequence mutes a channel for 2 s and one message, a forged end not at all', async (t) => {
+  const { daemon, node, clock } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+  const provider = await datagramSocket(t);
+  daemon.say(added(1, provider.address().port));
+  await event(subscriber, 'provider');
+  const told = [];
+  subscriber.on('provider', ({ change, reason }) => told.push([change, reason]));
+  const send = (octets) => sendTo(provider, octets, subscriber.port);
+  const got = async () => {
+    const { sequence, missed } = await subscriber.receive();
+    return [Number(sequence), missed];
+  };
+  await send(message(1));
+  assert.deepEqual(await got(), [1, 0]);
+  await send(message(2n ** 64n - 1n, 'forged'));
+  await send(encodeFrame(kinds.end, ours, 2n ** 64n - 1n));
+  await send(message(2));
+  assert.deepEqual(await got(), [2, 0]);
+  await send(message(60_000, 'forged'));
+  assert.deepEqual(await got(), [60_000, 59_997]);
+  for (let i = 3; i <= 5; ++i) await send(message(i));
+  await until(() => subscriber.statistics.dropped === 4);
+  clock.advance(limits.stragglerPatience);
+  for (const i of [6, 7]) await send(message(i));
+  assert.deepEqual(await got(), [6, 0]);
+  assert.deepEqual(await got(), [7, 0]);
+  // The end is forgotten after 10 s. What the daemon says then has its own reason.
+  clock.advance(limits.endHintPatience);
+  daemon.say('1 pub del service=0000000b/1/1 reason=outranked');
+  await until(() => told.length === 1);
+  assert.deepEqual(told, [['removed', 'outranked']]);
+});
+
+test('a withdrawn provider ends with its end, which may come before the word of the daemon or behind it', async (t) => {
+  for (const isBefore of [true, false]) {
+    const { daemon, node } = await lab(t);
+    const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+    const provider = await datagramSocket(t);
+    daemon.say(added(1, provider.address().port));
+    await event(subscriber, 'provider');
+    await sendTo(provider, message(1), subscriber.port);
+    await subscriber.receive();
+    const removed = event(subscriber, 'provider');
+    const end = () => sendTo(provider, encodeFrame(kinds.end, ours, 4n), subscriber.port);
+    const del = () => daemon.say('1 pub del service=0000000b/1/1 reason=withdrawn');
+    for (const say of isBefore ? [end, del] : [del, end]) await say();
+    assert.deepEqual([(await removed).reason, subscriber.statistics.missed], ['withdrawn', 3]);
+  }
+});
+
+test('a refused listener is told once, and goes on asking', async (t) => {
+  const { daemon, node, clock, logged } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'otm/stream', text: 'x' });
+  const provider = await datagramSocket(t);
+  const heard = heardBy(provider);
+  const { port } = provider.address();
+  daemon.say(added(1, port, { mode: 'otm/stream' }));
+  const text = `the provider 127.0.0.1:${port} has no place for another consumer`;
+  for (let i = 1; i <= 2; ++i) {
+    await until(() => heard.length >= i);
+    await sendTo(provider, encodeFrame(kinds.full, ours, 0n, writeHandshake(subscriber.life, heard[0].said.challenge, 0n)), subscriber.port);
+    await until(() => logged.length === 1);
+    clock.advance(limits.helloInterval);
+  }
+  await until(() => heard.length >= 3);
+  assert.deepEqual(logged, [text]);
+  // A full without the challenge is nothing.
+  await sendTo(provider, encodeFrame(kinds.full, ours, 0n, writeHandshake(subscriber.life, 1n, 0n)), subscriber.port);
+  await until(() => subscriber.statistics.dropped === 1);
+});
+
 test('one port is spoken by each family that the host has', async (t) => {
   const addresses = Object.values(networkInterfaces()).flat().map(({ address }) => address);
   const loopbacks = ['127.0.0.1', '::1'].filter((address) => addresses.includes(address));
