@@ -142,7 +142,7 @@ export class TcpOutlet {
     for (const client of this.#consumers.values()) {
       const { connection } = client;
       if (connection.send(octets)) {
-        client.isLeftOut = false;
+        if (connection.waiting <= limits.maxWaiting / 2) client.isLeftOut = false;
       } else {
         ++this.leftOut;
         this.#tellLeftOut(client);
