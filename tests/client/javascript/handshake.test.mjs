@@ -1,4 +1,4 @@
-// What a handshake and a seal are made of, without sockets: keys, counters, beliefs, cookies, and the frames that wait.
+// The parts of handshakes and seals, without sockets: keys, counters, beliefs, cookies, and the frames that wait.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

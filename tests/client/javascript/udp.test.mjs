@@ -5,7 +5,7 @@ import { once } from 'node:events';
 import { networkInterfaces } from 'node:os';
 import { test } from 'node:test';
 
-import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { encodeFrame, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
 import { lifeOctets } from '../../../src/client/javascript/lib/protocol/life.js';
 import { limits, PortError } from '../../../src/client/javascript/lib/index.js';
 import { DatagramPort } from '../../../src/client/javascript/lib/channels/datagram_port.js';

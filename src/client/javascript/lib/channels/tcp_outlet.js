@@ -327,7 +327,7 @@ export class TcpOutlet {
     connection.append(this.#frames.other(kind, writeHandshake(life, challenge, cookie)));
   }
 
-  /** What came is no hello of a consumer. */
+  /** A frame came that is no hello of a consumer. */
   #refuse(client) {
     ++this.dropped;
     client.connection.close();

@@ -75,7 +75,7 @@ class Heard {
   }
 }
 
-/** What a subscriber delivered of each life, for the `maxRemembered` lives that were heard last. Time is milliseconds. */
+/** The messages that a subscriber delivered of each life, for the `maxRemembered` lives that were heard last. Time is milliseconds. */
 export class Sequence {
   #lives = new Map();
 
