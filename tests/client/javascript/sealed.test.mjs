@@ -289,6 +289,45 @@ test('a team goes from plain to sealed and back, whichever side goes first, and 
   }
 });
 
+test('where plain frames are taken no more, a TCP consumer proves itself by a sealed hello with the cookie of its connection, in 5 s', async (t) => {
+  const { daemon, node, clock } = await lab(t, { sealing: 'mixed' });
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  const id = /^[0-9]+/.exec(await daemon.line(/ pub create/))[0];
+  const say = async (mode) => {
+    daemon.say(keyLine(id, lifeText(publisher.life), mode, [key]));
+    await heardAll(daemon, node);
+  };
+  await say('prepared');
+  const keys = keysOf('encrypted', [key]);
+  const frames = new ConsumerFrames(7n);
+  const hello = (cookie, challenge = 1n) => frames.write(keys, kinds.hello, writeHandshake(publisher.life, challenge, cookie));
+  const recorded = hello(5n);
+  const [good, silent] = [await consumerSocket(t, publisher, 7n), await consumerSocket(t, publisher, 8n)];
+  const other = await consumerSocket(t, publisher, 9n);
+  await until(() => [good, silent, other].every(({ bytesWritten }) => bytesWritten === 48) && publisher.hasConsumer);
+  await pass({ clock, daemon, node }, 1);
+  await say('mixed');
+  await until(() => good.frames.length === 1);
+  assert.equal(readFloor(keys, good.frames[0]).cookie, 0n);
+  await say('encrypted');
+  await until(() => good.frames.length === 2);
+  const { cookie } = readFloor(keys, good.frames[1]);
+  assert.notEqual(cookie, 0n);
+  const before = publisher.statistics.dropped;
+  for (const octets of [recorded, hello(cookie ^ 1n), hello(cookie, 2n), helloOf(7n, publisher, 1n, cookie)]) good.write(octets);
+  await until(() => publisher.statistics.dropped === before + 4);
+  good.write(hello(cookie));
+  await until(() => good.frames.length === 3);
+  assert.equal(readFloor(keys, good.frames[2]).cookie, 0n);
+  publisher.send(Buffer.from('x'));
+  await pass({ clock, daemon, node }, limits.strangerPatience - 1);
+  assert.deepEqual([good, silent, other].map(({ destroyed }) => destroyed), [false, false, false]);
+  assert.ok(silent.frames.length > 8); // it was asked again and again
+  await pass({ clock, daemon, node }, limits.askInterval);
+  await until(() => silent.destroyed && other.destroyed);
+  assert.equal(good.destroyed, false);
+});
+
 test('a rotation of keys loses nothing', async (t) => {
   for (const [mode, protocol] of channels) {
     const met = await meet(t, { mode, protocol, sealing: 'encrypted' });

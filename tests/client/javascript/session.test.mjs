@@ -174,7 +174,7 @@ test('lines that mean nothing are counted and cost nothing else', async () => {
 });
 
 /** Counterparts, and in words what happened to them. `tcp` holds the keys of the peers that have a live connection. */
-function book({ limit = 0 } = {}) {
+function book({ limit = 0, isOfPublisher = false } = {}) {
   const clock = new ManualClock();
   const told = [];
   const tcp = new Set();
@@ -187,6 +187,7 @@ function book({ limit = 0 } = {}) {
     endPatience: () => limits.endPatience,
     orphanPatience: (peer) => (peer.event.protocol === 'udp' ? limits.orphanPatience : tcp.has(peer.key) ? Infinity : 0),
     isHeld: (peer) => held.has(peer.key),
+    isOfPublisher,
   });
   made.limit = limit;
   const say = (line) => made.onEvent(readEvent(parseStatement(line)));
@@ -277,6 +278,23 @@ test('what was withdrawn and only drains ends while the own daemon is away, and 
     if (isAdded) say(add('t/1/1', a));
     clock.advance(limits.endPatience);
     assert.deepEqual(take(), isAdded ? [`added ${a}`] : [`added ${a}`, `removed ${a} withdrawn`]);
+  }
+});
+
+test('a consumer that is outranked when daemons have come back is lost sight of for 10 s, a provider ends', () => {
+  for (const isOfPublisher of [true, false]) {
+    const { made, say, take, clock } = book({ isOfPublisher });
+    say(add('s/1/1', a));
+    made.onDaemonLost();
+    made.onDaemonBack();
+    say(add('t/1/1', a));
+    clock.advance(limits.confirmPatience - 1);
+    say(del('t/1/1', 'outranked'));
+    say(add('t/1/1', a));
+    assert.deepEqual(take(), isOfPublisher ? [`added ${a}`] : [`added ${a}`, `removed ${a} outranked`, `added ${a}`]);
+    clock.advance(1);
+    say(del('t/1/1', 'outranked'));
+    assert.deepEqual(take(), [`removed ${a} outranked`]);
   }
 });
 
