@@ -125,6 +125,25 @@ test('a daemon that does not answer the hello is not waited for', async (t) => {
   await node.close();
 });
 
+test('a daemon that refuses the hello again and again is one line', async (t) => {
+  const server = createServer((socket) => {
+    socket.on('error', () => {});
+    socket.once('data', () => socket.end('0 400 keys is no key of sys hello\r\n'));
+  }).listen(0, '127.0.0.1');
+  t.after(() => server.close());
+  await once(server, 'listening');
+  const clock = new ManualClock();
+  const logged = [];
+  const node = new Node({ daemon: `127.0.0.1:${server.address().port}`, clock, random: () => 0, log: (line) => logged.push(line) });
+  for (const wait of [100, 200, 400]) {
+    await until(() => clock.waits.includes(wait));
+    clock.advance(wait);
+  }
+  await until(() => clock.waits.includes(800));
+  assert.deepEqual(logged, ['keys is no key of sys hello']);
+  await node.close();
+});
+
 test('what the application is told as a problem is a line of the log, too; without a hook it goes to standard error', async (t) => {
   const { daemon, node, logged } = await lab(t);
   const subscriber = node.subscribe({ mode: 'oto', text: 'x' });

@@ -28,6 +28,8 @@ export class Node extends EventEmitter {
   #services = new Set();
   #hello;
   #log;
+  /** Problems that were said since no daemon is there. */
+  #saidAway = new Set();
   /** How this host seals. `hasKeys` is undefined until a daemon has said so. */
   #sealing = { hasKeys: undefined, takesPlain: false };
   #closing;
@@ -139,6 +141,7 @@ export class Node extends EventEmitter {
   #onConnected(hello) {
     if (this.#hello) return;
     this.#hello = hello;
+    this.#saidAway.clear();
     this.#link.settle();
     const mode = sealingOf(hello);
     this.#sealing.hasKeys = mode !== 'plain';
@@ -155,7 +158,9 @@ export class Node extends EventEmitter {
 
   /** Tells the application of a problem of the node, or of a publisher or subscriber. */
   #onProblem(owner, error) {
-    this.#log(error.message);
+    // What a daemon refuses whenever it is tried again is one cause.
+    if (this.#hello || !this.#saidAway.has(error.message)) this.#log(error.message);
+    if (!this.#hello) this.#saidAway.add(error.message);
     owner.emit('problem', error);
   }
 
