@@ -26,7 +26,10 @@ int main(int argc, char** argv) {
   }
   while (ball->count().sent < count) {  // only what reaches somebody is counted
     const auto number = std::to_string(ball->count().sent + 1);
-    if (!ball->send(R"({"x": 1.5, "y": -0.2, "number": )" + number + "}")) return 3;
+    if (const auto sent = ball->send(R"({"x": 1.5, "y": -0.2, "number": )" + number + "}"); !sent) {
+      std::cerr << "hello_publisher: " << sent.error().text << '\n';
+      return 3;
+    }
     node->run_for(std::chrono::milliseconds(100));
   }
   return 0;

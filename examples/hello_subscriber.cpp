@@ -31,8 +31,11 @@ int main(int argc, char** argv) {
   });
   for (std::uint64_t number = 0; number < count;) {
     const auto ball = balls->receive(std::chrono::hours(1));
-    if (balls->has_ended()) return 3;  // the daemon took the request back
-    if (!ball) continue;               // an hour of silence
+    if (balls->has_ended()) {
+      std::cerr << "hello_subscriber: the daemon took the request back\n";
+      return 3;
+    }
+    if (!ball) continue;  // an hour of silence
     std::cout.write(reinterpret_cast<const char*>(ball->payload.data()),
                     static_cast<std::streamsize>(ball->payload.size()))
         << '\n'

@@ -14,13 +14,17 @@ int main(int argc, char** argv) {
     geminga_close(node);
     return 2;
   }
-  while (geminga_sent(ball) < count) { /* only what reaches somebody is counted */
+  int status = 0;
+  while (status == 0 && geminga_sent(ball) < count) { /* only what reaches somebody is counted */
     char text[64];
     const int size = snprintf(text, sizeof text, "{\"x\": 1.5, \"y\": -0.2, \"number\": %lu}",
                               (unsigned long)geminga_sent(ball) + 1);
-    if (geminga_send(ball, text, (size_t)size, &error) < 0) break;
+    if (geminga_send(ball, text, (size_t)size, &error) < 0) {
+      fprintf(stderr, "hello_publisher: %s\n", error.text);
+      status = 3;
+    }
     geminga_run(node, 100);
   }
   geminga_close(node);
-  return 0;
+  return status;
 }

@@ -21,12 +21,17 @@ int main(int argc, char** argv) {
     return 2;
   }
   geminga_on_event(node, told, NULL);
+  int status = 0;
   for (unsigned long number = 0; number < count; ++number) {
     const geminga_message* ball = geminga_receive(balls, -1);
-    if (ball == NULL) break; /* the daemon took the request back */
+    if (ball == NULL) {
+      fprintf(stderr, "hello_subscriber: the daemon took the request back\n");
+      status = 3;
+      break;
+    }
     printf("%.*s\n", (int)ball->size, (const char*)ball->payload);
     fflush(stdout);
   }
   geminga_close(node);
-  return 0;
+  return status;
 }

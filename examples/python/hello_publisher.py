@@ -11,6 +11,8 @@ import geminga
 def told(what: geminga.Happening) -> None:
     if isinstance(what, geminga.ConsumerChanged):
         print(f"{what.consumer.name} {what.change} {what.reason}", file=sys.stderr)
+    elif isinstance(what, geminga.Connected):
+        print(f"the daemon of {what.participant_name} answers; waiting for consumers", file=sys.stderr)
 
 
 async def main(count: int) -> None:

@@ -10,6 +10,8 @@ import geminga.blocking
 def told(what: geminga.Happening) -> None:
     if isinstance(what, geminga.ProviderChanged):
         print(f"{what.provider.name} on {what.provider.participant_name} {what.change} {what.reason}", file=sys.stderr)
+    elif isinstance(what, geminga.Connected):
+        print(f"the daemon of {what.participant_name} answers; waiting for providers", file=sys.stderr)
 
 
 def main(count: int) -> None:

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,9 @@ struct ClientOptions {
   /// The number of subscriptions to streams that the program needs beside the 256 of every client
   /// (src/discovery/gcnp/GCNP.md, Room); at most 16384. 0: none.
   std::uint32_t room = 0;
+  /// Of a Node: takes each line that says what it waits for and what was refused, without an end. Empty: lines go to
+  /// standard error, with `geminga: ` before them. Called within the calls of the node.
+  std::function<void(std::string_view line)> log{};
 };
 
 /// The reason why a call failed. `text` is one line that says what is wrong and what to do.

@@ -127,6 +127,11 @@ typedef struct geminga_event {
 typedef void (*geminga_on_event_call)(void* context, const geminga_event* event);
 void geminga_on_event(geminga_node* node, geminga_on_event_call call, void* context);
 
+/* Gives every further line that says what the node waits for and what was refused to this function, without an end.
+ * Until then, and for a null function, lines go to standard error with "geminga: " before them. */
+typedef void (*geminga_on_log_call)(void* context, const char* line);
+void geminga_on_log(geminga_node* node, geminga_on_log_call call, void* context);
+
 uint32_t geminga_publisher_number(const geminga_publisher* publisher);
 uint32_t geminga_subscriber_number(const geminga_subscriber* subscriber);
 uint64_t geminga_publisher_life(const geminga_publisher* publisher);

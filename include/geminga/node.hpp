@@ -130,6 +130,9 @@ class Node {
   /// may call everything that does not wait.
   void on_event(std::function<void(const ChannelEvent&)> tell);
 
+  /// Gives further lines of the log to this function in the place of ClientOptions::log.
+  void on_log(std::function<void(std::string_view line)> write);
+
   [[nodiscard]] bool is_connected() const;
   /// A descriptor for poll(2): readable when process() has something to do, and when another call has read messages or
   /// events that the program has not taken. Messages that were here when process() was called do not make it readable:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/harmless.hpp"
 #include "base/utf8.hpp"
 
 namespace geminga::base {
@@ -57,9 +58,7 @@ std::string joined(std::span<const std::string> words, std::string_view separato
 }
 
 std::string printable(std::string_view bytes, std::size_t max_bytes) {
-  std::string text;
-  utf8::replace_invalid(bytes.begin(), bytes.end(), std::back_inserter(text));
-  std::ranges::replace_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  std::string text = harmless(bytes, "?");
   if (text.size() <= max_bytes) return text;
   return std::string(first_characters(text, max_bytes)) + "...";
 }

@@ -54,8 +54,8 @@ template <std::integral Number>
 /// The words with `separator` between them.
 [[nodiscard]] std::string joined(std::span<const std::string> words, std::string_view separator);
 
-/// A text from outside, made fit to be shown in one line: bad UTF-8 is replaced, control characters become `?`, and a
-/// text over `max_bytes` is cut at a character and ends in `...`.
+/// A text from outside, made fit to be shown in one line: bad UTF-8 is replaced, what a terminal could obey
+/// (base/harmless.hpp) becomes `?`, and a text over `max_bytes` is cut at a character and ends in `...`.
 [[nodiscard]] std::string printable(std::string_view bytes, std::size_t max_bytes = 120);
 
 }  // namespace geminga::base

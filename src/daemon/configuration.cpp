@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/harmless.hpp"
 #include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
@@ -23,6 +24,9 @@ constexpr std::array<std::pair<std::string_view, base::LogLevel>, 4> log_levels{
                                                                                  {"info", base::LogLevel::info},
                                                                                  {"warning", base::LogLevel::warning},
                                                                                  {"error", base::LogLevel::error}}};
+
+constexpr std::array<std::pair<std::string_view, CageWish>, 3> cage_wishes{
+    {{"wanted", CageWish::wanted}, {"required", CageWish::required}, {"none", CageWish::none}}};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -47,6 +51,7 @@ class Resolver {
   std::expected<Configuration, std::vector<std::string>> resolve(const std::string& host_name) {
     refuse_unusable_keys();
     read_texts(host_name);
+    read_strict();
     read_prefixes();
     read_gcnp();
     read_air();
@@ -54,6 +59,7 @@ class Resolver {
     admit_guests();
     read_interval();
     read_logging();
+    read_cage();
     if (!errors_.empty()) return std::unexpected(std::move(errors_));
     return std::move(result_);
   }
@@ -114,6 +120,13 @@ class Resolver {
       if (folder->text.empty()) fail(*folder, "an empty path: name a folder");
       result_.state_folder = folder->text;
     }
+  }
+
+  void read_strict() {
+    const Stated* strict = single("strict");
+    if (strict == nullptr) return;
+    if (strict->text != "true" && strict->text != "false") refuse(*strict, "is no truth value: use true or false");
+    result_.is_strict = strict->text == "true";
   }
 
   void read_prefixes() {
@@ -247,6 +260,7 @@ class Resolver {
       fail(*word, word->text + " without a key: give --key-file, too");
     } else {
       result_.sealing.mode = *mode;
+      result_.says_plain = *mode == sealing::Mode::plain;
     }
   }
 
@@ -291,6 +305,14 @@ class Resolver {
     }
   }
 
+  void read_cage() {
+    const Stated* wish = single("cage");
+    if (wish == nullptr) return;
+    const auto* const found = std::ranges::find(cage_wishes, wish->text, [](const auto& pair) { return pair.first; });
+    if (found == cage_wishes.end()) return refuse(*wish, "is no wish for a cage: use wanted, required or none");
+    result_.cage = found->second;
+  }
+
   const std::vector<const Layer*>& layers_;
   Configuration result_;
   std::optional<Stated> any_peer_;
@@ -298,7 +320,7 @@ class Resolver {
 };
 
 /// A TOML basic string (TOML 1.0, "String").
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     const auto octet = static_cast<unsigned char>(c);
@@ -311,12 +333,12 @@ std::string quoted(std::string_view text) {
       result += c;
     }
   }
-  return result + '"';
+  return base::harmless_json(result + '"');  // TOML has the escapes of JSON
 }
 
-std::string quoted(const std::vector<std::string>& texts) {
+std::string in_quotes(const std::vector<std::string>& texts) {
   std::string result = "[";
-  for (const std::string& text : texts) result += (result.size() > 1 ? ", " : "") + quoted(text);
+  for (const std::string& text : texts) result += (result.size() > 1 ? ", " : "") + in_quotes(text);
   return result + ']';
 }
 
@@ -342,24 +364,29 @@ std::string to_toml(const Configuration& configuration) {
   const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(configuration.interval).count();
   const std::string fraction = std::to_string(1000 + milliseconds % 1000).substr(1);
   std::string text;
-  text += line("ontology", quoted(configuration.ontologies));
-  text += line("group", quoted(configuration.group));
-  text += line("interface", quoted(configuration.air.interfaces));
-  text += line("peer", quoted(peers));
-  if (!configuration.name.empty()) text += line("name", quoted(configuration.name));
+  text += line("ontology", in_quotes(configuration.ontologies));
+  text += line("strict", configuration.is_strict ? "true" : "false");
+  text += line("group", in_quotes(configuration.group));
+  text += line("interface", in_quotes(configuration.air.interfaces));
+  text += line("peer", in_quotes(peers));
+  if (!configuration.name.empty()) text += line("name", in_quotes(configuration.name));
   if (gcnp.empty()) gcnp.emplace_back("none");
-  text += line("gcnp", quoted(gcnp));
-  if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", quoted(configuration.gcnp_socket));
+  text += line("gcnp", in_quotes(gcnp));
+  if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", in_quotes(configuration.gcnp_socket));
   text += line("port", std::to_string(configuration.air.port));
-  text += line("multicast", quoted(configuration.air.groups));
-  if (!configuration.state_folder.empty()) text += line("state-folder", quoted(configuration.state_folder));
-  text += line("key-file", quoted(configuration.key_files));
-  text += line("sealing", quoted(to_string(configuration.sealing.mode)));
+  text += line("multicast", in_quotes(configuration.air.groups));
+  if (!configuration.state_folder.empty()) text += line("state-folder", in_quotes(configuration.state_folder));
+  text += line("key-file", in_quotes(configuration.key_files));
+  const bool is_default = configuration.key_files.empty() && !configuration.says_plain;
+  text += (is_default ? "# " : "") + line("sealing", in_quotes(to_string(configuration.sealing.mode)));
   text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);
-  text += line("log-level", quoted(to_string(configuration.log_level)));
-  text += line("log-format", quoted(configuration.log_format == LogFormat::json ? "json" : "text"));
+  text += line("log-level", in_quotes(to_string(configuration.log_level)));
+  text += line("log-format", in_quotes(configuration.log_format == LogFormat::json ? "json" : "text"));
+  const auto* const wish =
+      std::ranges::find(cage_wishes, configuration.cage, [](const auto& pair) { return pair.second; });
+  text += line("cage", in_quotes(wish->first));
   if (!configuration.prefixes.empty()) text += "\n[prefixes]\n";
-  for (const auto& [name, iri] : configuration.prefixes) text += line(name, quoted(iri));
+  for (const auto& [name, iri] : configuration.prefixes) text += line(name, in_quotes(iri));
   return text;
 }
 

@@ -26,6 +26,9 @@ inline constexpr std::size_t max_addresses = 16;
 
 enum class LogFormat { text, json };
 
+/// Whether the daemon closes a cage around itself: where the kernel can, or not at all without it, or never.
+enum class CageWish { wanted, required, none };
+
 struct GcnpAddress {
   env::Endpoint endpoint;
   bool may_be_missing = false;  ///< a default address: a host without IPv6 goes on with IPv4
@@ -34,6 +37,7 @@ struct GcnpAddress {
 
 struct Configuration {
   std::vector<std::string> ontologies;
+  bool is_strict = false;  ///< one file of a folder that cannot be read refuses all ontologies at a start, too
   std::map<std::string, std::string> prefixes;  ///< of names, beside those of the ontologies
   std::string group = "default";
   std::string name;
@@ -45,9 +49,11 @@ struct Configuration {
   std::vector<std::string> key_files;
   /// The mode, which is plain where there are no key files and only there. main() reads the files and adds the keys.
   sealing::Policy sealing;
+  bool says_plain = false;  ///< `sealing = "plain"` is stated, and not only the default
   base::Duration interval = std::chrono::seconds(2);
   base::LogLevel log_level = base::LogLevel::info;
   LogFormat log_format = LogFormat::text;
+  CageWish cage = CageWish::wanted;
   friend bool operator==(const Configuration&, const Configuration&) = default;
 };
 

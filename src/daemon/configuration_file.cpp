@@ -36,6 +36,8 @@ std::string_view wanted(ValueType type) {
       return "a whole number";
     case ValueType::seconds:
       return "a number of seconds";
+    case ValueType::truth:
+      return "true or false, without quotes";
   }
   return "";
 }
@@ -43,6 +45,10 @@ std::string_view wanted(ValueType type) {
 /// The value as a flag would write it, or nothing where it has another type.
 std::optional<std::string> as_text(const toml::node& node, ValueType type) {
   if (type == ValueType::text || type == ValueType::texts) return node.value_exact<std::string>();
+  if (type == ValueType::truth) {
+    const auto truth = node.value_exact<bool>();
+    return truth ? std::optional<std::string>(*truth ? "true" : "false") : std::nullopt;
+  }
   if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
   if (type == ValueType::seconds) {
     if (const auto seconds = node.value_exact<double>()) {

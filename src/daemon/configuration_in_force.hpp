@@ -15,7 +15,7 @@ namespace geminga::daemon {
 struct ConfigurationChange {
   bool air = false;             ///< interfaces, groups, peers or port
   bool sealing = false;         ///< keys or mode
-  bool awaits_a_start = false;  ///< one of name, group, gcnp, gcnp-socket, interval and state-folder
+  bool awaits_a_start = false;  ///< one of name, group, gcnp, gcnp-socket, interval, state-folder and cage
 };
 
 class ConfigurationInForce {
@@ -28,13 +28,16 @@ class ConfigurationInForce {
   [[nodiscard]] const Configuration& current() const { return current_; }
 
   /// Reads the configuration and puts it in force, but for the settings that only a start can change: these stay as
-  /// they are. A configuration with errors changes nothing.
+  /// they are. A configuration with errors changes nothing; nor does one that has lost its key files, unless it says
+  /// that announcements shall be plain.
   [[nodiscard]] std::expected<ConfigurationChange, std::vector<std::string>> reload();
 
   /// The first error of the last reload(); empty where that found none.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:
+  [[nodiscard]] std::expected<Configuration, std::vector<std::string>> read_to_go_on() const;
+
   Configuration current_;
   Reader read_;
   std::string failure_;

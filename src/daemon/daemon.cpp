@@ -1,8 +1,13 @@
 #include "daemon/daemon.hpp"
 
+#include <malloc.h>
+
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +24,9 @@ using base::LogLevel;
 constexpr std::chrono::milliseconds max_stop_wait{400};
 /// The wait at the start for the ontology. After it the daemon serves without one.
 constexpr std::chrono::milliseconds max_start_wait{500};
+
+/// The time between two looks at the memory in use, and between two attempts to keep some back again.
+constexpr std::chrono::seconds memory_look_interval{1};
 
 /// One line for each file or folder that does not exist. They end the start, so that a mistyped flag is seen at once.
 Lines missing_files(const std::vector<std::string>& paths) {
@@ -59,7 +67,13 @@ std::expected<void, Lines> Daemon::run() {
 }
 
 std::expected<void, Lines> Daemon::run_loop() {
-  context_.run();
+  try {
+    context_.run();
+  } catch (const std::bad_alloc&) {
+    // One event has used up the reserve as well, and was left half done. Nothing can rely on what is there.
+    std::fputs("gemingad: memory has ended, and so has what was kept back: ending at once\n", stderr);
+    std::_Exit(exit_wrong);
+  }
   if (!failure_.empty()) return std::unexpected(failure_);
   return {};
 }
@@ -69,8 +83,8 @@ void Daemon::fail(Lines lines) {
   context_.stop();
 }
 
-/// Listens, and begins to load. Clients wait in the backlog until the ontology is there, so that with a small one no
-/// client sees a daemon without it. The wait for a large or hard one is bounded.
+/// Listens, closes the cage, and begins to load. Clients wait in the backlog until the ontology is there, so that with
+/// a small one no client sees a daemon without it. The wait for a large or hard one is bounded.
 void Daemon::open() {
   const Configuration& configuration = configuration_.current();
   for (const GcnpAddress& address : configuration.gcnp) {
@@ -81,6 +95,9 @@ void Daemon::open() {
     const auto listening = env_.listen(configuration.gcnp_socket);
     if (!listening) return fail({listening.error()});
   }
+  lasting_ = lasting();
+  // Before any other thread begins, which the cage would not hold.
+  if (const auto closed = cage_.close(configuration, log_); !closed) return fail({closed.error()});
   start_patience_.expires_after(max_start_wait);
   start_patience_.async_wait([this](const boost::system::error_code& error) {
     if (!error && participant_ == nullptr) begin();
@@ -99,10 +116,10 @@ void Daemon::begin() {
   settings.interval = configuration.interval;
   settings.sealing = configuration.sealing;
   settings.version = GEMINGA_VERSION;
-  settings.lasting = lasting();
+  settings.lasting = lasting_;
   env_.event([&] {
     participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.vocabulary());
-    participant_->set_status_source([this] { return status_fields(configuration_, env_, ontology_, log_); });
+    participant_->set_status_source([this] { return status_fields(configuration_, cage_, env_, ontology_, log_); });
     ontology_.serve(*participant_);
     participant_->start();
   });
@@ -117,7 +134,10 @@ std::uint32_t Daemon::lasting() {
   const std::string& folder = configuration_.current().state_folder;
   if (folder.empty()) return 0;
   const auto identity = lasting_identity(folder, [this] { return env_.random_bits(); });
-  if (identity) return *identity;
+  if (identity) {
+    if (!identity->remark.empty()) log_.write(LogLevel::warning, identity->remark);
+    return identity->number;
+  }
   log_.write(LogLevel::warning, identity.error() + ": going on without an identity that lasts");
   return 0;
 }
@@ -141,6 +161,7 @@ void Daemon::on_stream_bytes(env::StreamId stream, std::string_view bytes) {
 /// Logs that the participant is ready, and leaves the loop when it has stopped.
 void Daemon::after_event() {
   log_.catch_up();
+  watch_memory();
   ontology_.prepare_if_wanted();
   if (!is_announced_ && participant_->is_ready()) {
     is_announced_ = true;
@@ -149,6 +170,21 @@ void Daemon::after_event() {
   if (!participant_->is_stopped()) return;
   if (!is_stopping_) return fail({participant_->failure()});
   if (!env_.is_writing()) context_.stop();  // the clients have their last lines; else stop_patience_ bounds the wait
+}
+
+void Daemon::watch_memory() {
+  bool must_shed = MemoryReserve::take_shortage();
+  is_memory_short_ = is_memory_short_ || must_shed;
+  if (env_.now() >= next_memory_look_) {
+    next_memory_look_ = env_.now() + memory_look_interval;
+    // Seven eighths: the kernel ends a process at its limit without a word.
+    if (memory_of_group_ && memory_in_use() > *memory_of_group_ / 8 * 7) must_shed = true;
+    if (is_memory_short_ || must_shed) {
+      ::malloc_trim(0);
+      is_memory_short_ = !reserve_.refill();
+    }
+  }
+  if (must_shed) env_.event([this] { participant_->shed(); });
 }
 
 void Daemon::await_signal() {
@@ -187,7 +223,7 @@ void Daemon::reload() {
   log_.set(configuration.log_level, configuration.log_format);
   if (change->awaits_a_start) {
     log_.write(LogLevel::warning,
-               "name, group, gcnp, gcnp-socket, interval and state-folder take effect at the next start");
+               "name, group, gcnp, gcnp-socket, interval, state-folder and cage take effect at the next start");
   }
   if (change->air) env_.open_air(configuration.air);
   if (change->sealing) {

@@ -8,11 +8,14 @@
 #include <cstdint>
 #include <expected>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "daemon/cage_in_force.hpp"
 #include "daemon/configuration_in_force.hpp"
 #include "daemon/log.hpp"
+#include "daemon/memory_reserve.hpp"
 #include "daemon/ontology_in_force.hpp"
 #include "discovery/participant/participant.hpp"
 #include "env/asio/asio_env.hpp"
@@ -48,6 +51,8 @@ class Daemon final : private env::EventSink {
   void begin();
   [[nodiscard]] std::uint32_t lasting();
   void after_event();
+  /// Has room made where memory was short in the last event, or where its control group has little left.
+  void watch_memory();
   void await_signal();
   void reload();
   void stop();
@@ -66,8 +71,13 @@ class Daemon final : private env::EventSink {
   void on_stream_drained(env::StreamId stream) override { participant_->on_stream_drained(stream); }
   void on_stream_closed(env::StreamId stream) override { participant_->on_stream_closed(stream); }
 
+  MemoryReserve reserve_;
+  const std::optional<std::uint64_t> memory_of_group_ = memory_of_group();
+  base::Instant next_memory_look_{};
+  bool is_memory_short_ = false;  ///< the reserve has been used and is not whole yet
   ConfigurationInForce configuration_;
   Log& log_;
+  CageInForce cage_;
   boost::asio::io_context context_{1};
   boost::asio::signal_set signals_;
   boost::asio::steady_timer start_patience_;
@@ -75,6 +85,7 @@ class Daemon final : private env::EventSink {
   env::AsioEnv env_;
   std::unique_ptr<participant::Participant> participant_;  ///< null until begin()
   OntologyInForce ontology_;
+  std::uint32_t lasting_ = 0;         ///< the identity that the daemon keeps across restarts; 0: it keeps none
   std::vector<std::string> failure_;  ///< lines for the user
   bool is_announced_ = false;         ///< the log says that the daemon is ready
   bool is_stopping_ = false;

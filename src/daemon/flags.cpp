@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "manual/describe.hpp"
+#include "manual/mistake.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -45,9 +46,18 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
                "Check configuration and ontologies, print the resulting configuration, and end");
   app.add_option("--generate-key", flags.key_to_generate, "Write a new key for a team into this file, and end")
       ->type_name("FILE");
-  std::list<std::pair<const Key*, std::vector<std::string>>> given;  // a list, because CLI11 keeps references
+  struct Given {
+    const Key* key;
+    std::vector<std::string> values;
+    bool truth;
+  };
+  std::list<Given> given;  // a list, because CLI11 keeps references
   for (const Key& key : keys) {
-    auto& [owner, values] = given.emplace_back(&key, std::vector<std::string>{});
+    auto& [owner, values, truth] = given.emplace_back(&key, std::vector<std::string>{}, false);
+    if (key.type == ValueType::truth) {
+      app.add_flag("--" + std::string(key.name), truth, std::string(key.help));
+      continue;
+    }
     CLI::Option* option = app.add_option("--" + std::string(key.name), values, std::string(key.help));
     option->type_size(1)->allow_extra_args(false)->type_name(std::string(key.placeholder));
     if (key.type == ValueType::texts) {
@@ -72,11 +82,11 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
     flags.answer = "gemingad " GEMINGA_VERSION "\n";
     return flags;
   } catch (const CLI::ParseError& error) {
-    return std::unexpected(std::string(error.what()) + ": see gemingad --help");
+    return std::unexpected(manual::mistake(app, error));
   }
-  for (const auto& [key, values] : given) {
-    if (values.empty()) continue;
+  for (auto& [key, values, truth] : given) {
     const std::string name(key->name);
+    if (key->type == ValueType::truth && app.count("--" + name) > 0) values = {truth ? "true" : "false"};
     for (const std::string& value : values) flags.layer.values[name].push_back({value, "--" + name});
   }
   return flags;

@@ -6,6 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "base/text.hpp"
@@ -15,7 +19,12 @@
 namespace geminga::daemon {
 namespace {
 
+namespace fs = std::filesystem;
+
 std::string last_error() { return std::generic_category().message(errno); }
+
+/// This process's user, as chown(1) takes it.
+std::string user() { return std::to_string(::geteuid()); }
 
 /// A text that the destructor wipes. It never grows, so that no copy is left behind.
 class SecretText {
@@ -30,6 +39,54 @@ class SecretText {
   std::string text_;
 };
 
+/// The path of an open file after all symbolic links; empty where the system does not tell.
+fs::path real_path(const env::Descriptor& file) {
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/fd/" + std::to_string(file.get()), ignored);
+}
+
+/// Whether the file lies in $CREDENTIALS_DIRECTORY. systemd keeps others out of it, and gives files that belong to root
+/// to the service's user by an access list, which looks like a right of their group.
+bool is_credential(const fs::path& real) {
+  const char* folder = std::getenv("CREDENTIALS_DIRECTORY");
+  if (folder == nullptr || *folder == '\0') return false;
+  std::error_code error;
+  const fs::path credentials = fs::canonical(folder, error);
+  return !error && real.parent_path() == credentials;
+}
+
+bool is_ours_or_roots(const struct stat& status) { return status.st_uid == ::geteuid() || status.st_uid == 0; }
+
+/// The harm that others can do to the files in a folder, with the remedy; nothing where they can do none. In a folder
+/// with the sticky bit, such as /tmp, they can neither rename nor remove what is not theirs.
+std::optional<std::string> fault_of_folder(const fs::path& folder) {
+  const std::string name = base::printable(folder.string(), 4096);
+  struct stat status{};
+  if (::stat(folder.c_str(), &status) != 0) return name + ": " + last_error();
+  if (!is_ours_or_roots(status)) {
+    return "its folder " + name + " belongs to another user, who may put another key there: chown " + user() + ' ' +
+           name;
+  }
+  if ((status.st_mode & (S_IWGRP | S_IWOTH)) == 0 || (status.st_mode & S_ISVTX) != 0) return std::nullopt;
+  return "others may write into its folder " + name + " and put another key there: chmod go-w " + name;
+}
+
+/// The reason why the key in this file is no secret, or not the owner's, with the remedy.
+std::optional<std::string> fault_of(const struct stat& status, const fs::path& path, const fs::path& real) {
+  if (!S_ISREG(status.st_mode)) return "is not a regular file: name a key file";
+  const std::string name = base::printable(path.string(), 4096);
+  const ::mode_t open = status.st_mode & (is_credential(real) ? S_IWGRP | S_IRWXO : S_IRWXG | S_IRWXO);
+  if (open != 0) return "its group or others may read or change it, so the key is no secret: chmod 600 " + name;
+  if (is_credential(real)) return std::nullopt;
+  if (!is_ours_or_roots(status)) return "belongs to another user, who knows the key: chown " + user() + ' ' + name;
+  for (const fs::path& file : {path, real}) {
+    if (file.empty()) continue;
+    const fs::path folder = file.parent_path();
+    if (auto fault = fault_of_folder(folder.empty() ? "." : folder)) return fault;
+  }
+  return std::nullopt;
+}
+
 std::expected<sealing::Key, std::string> read_key_file(const std::string& path) {
   const std::string name = base::printable(path, 4096);
   // Without O_NONBLOCK, open() of a FIFO would wait for a writer.
@@ -37,11 +94,7 @@ std::expected<sealing::Key, std::string> read_key_file(const std::string& path) 
   if (file.get() < 0) return std::unexpected(name + ": " + last_error() + ": name a key file");
   struct stat status{};
   if (::fstat(file.get(), &status) != 0) return std::unexpected(name + ": " + last_error());
-  if (!S_ISREG(status.st_mode)) return std::unexpected(name + ": is not a regular file: name a key file");
-  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-    return std::unexpected(name + ": its group or others may read or change it, so the key is no secret: chmod 600 " +
-                           name);
-  }
+  if (const auto fault = fault_of(status, path, real_path(file))) return std::unexpected(name + ": " + *fault);
   // Of a longer file one octet more than a key file may have is read, so that it is refused.
   SecretText secret(std::string(sealing::max_key_file_bytes + 1, '\0'));
   if (!env::read_all(file.get(), secret.text())) return std::unexpected(name + ": " + last_error());

@@ -11,7 +11,9 @@
 namespace geminga::daemon {
 
 /// Reads key files in their order. The errors are lines that begin with the file and hold nothing of a key. A file that
-/// its group or others may read or change is an error, because its key is no secret.
+/// its group or others may read or change is an error, because its key is no secret; so is one that belongs to another
+/// user than this one or root, or lies in a folder where others may replace it. A file in $CREDENTIALS_DIRECTORY may
+/// belong to anybody, and its group may read it (systemd.exec(5), Credentials).
 [[nodiscard]] std::expected<sealing::Keyring, std::vector<std::string>> read_keys(
     const std::vector<std::string>& paths);
 

@@ -2,12 +2,19 @@
 
 #include <algorithm>
 
+#include "base/edit_distance.hpp"
+#include "base/text.hpp"
+
 namespace geminga::daemon {
 namespace {
 
+constexpr std::string_view variable_prefix = "GEMINGA_";
+/// Variables of the other programs and of the tests.
+constexpr std::array<std::string_view, 3> other_variables{"GEMINGA_CONNECT", "GEMINGA_SEED", "GEMINGA_TEST_DATA"};
+
 /// GEMINGA_LOG_LEVEL for log-level.
 std::string variable_of(std::string_view key) {
-  std::string name = "GEMINGA_";
+  std::string name(variable_prefix);
   for (const char c : key) name += c == '-' ? '_' : static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
   return name;
 }
@@ -41,6 +48,25 @@ Layer read_service(const char* const* environment) {
     break;
   }
   return layer;
+}
+
+std::vector<std::string> mistyped_variables(const char* const* environment) {
+  std::vector<std::string> lines;
+  for (const char* const* entry = environment; *entry != nullptr; ++entry) {
+    const std::string_view assignment(*entry);
+    const std::string_view name = assignment.substr(0, assignment.find('='));
+    if (!name.starts_with(variable_prefix) || std::ranges::find(other_variables, name) != other_variables.end())
+      continue;
+    const std::string_view rest = name.substr(variable_prefix.size());
+    const std::size_t limit = base::tolerated_slips(rest);
+    const auto distance = [&](const Key& key) {
+      return base::edit_distance(rest, std::string_view(variable_of(key.name)).substr(variable_prefix.size()), limit);
+    };
+    const auto* const nearest = std::ranges::min_element(keys, {}, distance);
+    if (variable_of(nearest->name) == name || distance(*nearest) > limit) continue;
+    lines.push_back(base::printable(name) + ": unknown: did you mean " + variable_of(nearest->name) + '?');
+  }
+  return lines;
 }
 
 Layer read_environment(const char* const* environment) {

@@ -15,6 +15,7 @@ enum class ValueType {
   texts,   ///< any number of texts; a stronger source replaces all of them
   number,  ///< a whole number
   seconds,
+  truth,  ///< true or false; the flag alone means true
 };
 
 /// One thing that can be configured: the flag `--KEY`, the variable GEMINGA_KEY, and KEY in the file.
@@ -26,9 +27,12 @@ struct Key {
   std::string_view refused;  ///< not empty: the key is known but cannot be used yet, and this says why
 };
 
-inline constexpr std::array<Key, 17> keys{{
+inline constexpr std::array<Key, 18> keys{{
     {"ontology", ValueType::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
+    {"strict", ValueType::truth, "true|false",
+     "Start without any ontology where one file of a folder cannot be read (default: false: start with the others)",
+     ""},
     {"group", ValueType::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
     {"interface", ValueType::texts, "NAME",
      "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo",
@@ -56,15 +60,19 @@ inline constexpr std::array<Key, 17> keys{{
      "Seal announcements with the key in this file, and hear only what is sealed; may be given many times: the first "
      "one seals, all of them open",
      ""},
-    {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed",
+    {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed|plain",
      "Mode of sealing, where there is a key: encrypted, authenticated, or, to introduce keys in a team, prepared and "
-     "then mixed (default: encrypted)",
+     "then mixed (default: encrypted). plain: a reload may give up the keys",
      ""},
     {"state-folder", ValueType::text, "FOLDER",
      "Keep the daemon's identity there across restarts, so that the team recognizes it at once (default: "
      "$STATE_DIRECTORY, as systemd sets it; else no identity is kept)",
      ""},
     {"http", ValueType::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
+    {"cage", ValueType::text, "wanted|required|none",
+     "Give up all rights that serving does not need: where the kernel can; required: or do not start; none: never "
+     "(default: wanted)",
+     ""},
     {"log-level", ValueType::text, "debug|info|warning|error", "debug, info, warning or error (default: info)", ""},
     {"log-format", ValueType::text, "text|json", "text or json (default: text)", ""},
     {"config", ValueType::text, "FILE", "Configuration file in TOML; a flag beats the environment beats the file", ""},
@@ -87,6 +95,9 @@ struct Layer {
 
 /// Reads the variables GEMINGA_..., whose lists are separated by commas. `environment` is as main() gets it.
 [[nodiscard]] Layer read_environment(const char* const* environment);
+/// A line for each variable whose name is similar to that of a setting, and is no other variable of this project:
+/// "GEMINGA_INTERVL: unknown: did you mean GEMINGA_INTERVAL?".
+[[nodiscard]] std::vector<std::string> mistyped_variables(const char* const* environment);
 /// Reads the state folder that systemd gives a service: the first folder of $STATE_DIRECTORY (systemd.exec(5),
 /// StateDirectory=). The weakest layer.
 [[nodiscard]] Layer read_service(const char* const* environment);

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/system/system_error.hpp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <string>
 
+#include "base/harmless.hpp"
 #include "daemon/configuration.hpp"
 #include "daemon/configuration_file.hpp"
 #include "daemon/daemon.hpp"
@@ -17,6 +20,7 @@
 #include "daemon/key_files.hpp"
 #include "daemon/layer.hpp"
 #include "daemon/log.hpp"
+#include "daemon/memory_reserve.hpp"
 
 namespace {
 
@@ -36,7 +40,9 @@ std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& 
   for (const Layer* layer : {&flags, &environment}) {
     const auto path = layer->values.find("config");
     if (path == layer->values.end()) continue;
-    auto read = geminga::daemon::read_configuration_file(path->second.front().text);
+    const auto& [file_name, origin] = path->second.front();
+    if (file_name.empty()) return std::unexpected(Errors{origin + ": an empty path: name a file"});
+    auto read = geminga::daemon::read_configuration_file(file_name);
     if (!read) return std::unexpected(std::move(read.error()));
     file = std::move(*read);
     break;
@@ -62,11 +68,13 @@ void hold_standard_descriptors() {
 }
 
 int refuse(const Errors& errors) {
-  for (const std::string& error : errors) std::fprintf(stderr, "gemingad: %s\n", error.c_str());
+  for (const std::string& error : errors)
+    std::fprintf(stderr, "gemingad: %s\n", geminga::base::harmless(error).c_str());
   return geminga::daemon::exit_wrong;
 }
 
 int make_key(const std::string& path) {
+  if (path.empty()) return refuse({"--generate-key: an empty path: name a file"});
   const auto id = geminga::daemon::generate_key(path);
   if (!id) return refuse({id.error()});
   std::printf("%s: key %s: copy it to each host of the team, and keep it secret\n", path.c_str(), id->c_str());
@@ -81,6 +89,7 @@ int serve(int argc, char** argv) {
     return geminga::daemon::exit_done;
   }
   if (flags->key_to_generate) return make_key(*flags->key_to_generate);
+  if (const Errors errors = geminga::daemon::mistyped_variables(environ); !errors.empty()) return refuse(errors);
   const Layer environment = geminga::daemon::read_environment(environ);
   const Layer service = geminga::daemon::read_service(environ);
   const auto reread = [&] { return configure(flags->layer, environment, service); };
@@ -89,11 +98,16 @@ int serve(int argc, char** argv) {
   geminga::daemon::Log log(configuration->log_level, configuration->log_format);
   int status = geminga::daemon::exit_done;
   bool is_at_work = false;
-  {
+  if (const auto shortage = geminga::daemon::check_descriptors()) return refuse({*shortage});
+  try {
     geminga::daemon::Daemon daemon(*configuration, reread, log);
     const auto done = flags->is_check_only ? daemon.check() : daemon.run();
     if (!done) status = refuse(done.error());
     is_at_work = daemon.is_at_work();
+  } catch (const boost::system::system_error& error) {  // no epoll, no timer, no pipe for signals
+    return refuse({std::string("the system refuses what is needed: ") + error.what()});
+  } catch (const std::bad_alloc&) {
+    return refuse({"there is not enough memory to start"});
   }
   if (flags->is_check_only && status == geminga::daemon::exit_done) {
     std::fputs(geminga::daemon::to_toml(*configuration).c_str(), stdout);

@@ -19,28 +19,34 @@ OntologyInForce::Loaded without_contradiction(OntologyInForce::Loaded loaded, co
 
 }  // namespace
 
-void OntologyInForce::load_consistent(const Configuration& configuration, std::function<void(Loaded)> done) {
-  load(configuration, [done = std::move(done), files = configuration.ontologies](Loaded loaded) {
+void OntologyInForce::load_consistent(const Configuration& configuration, std::function<void(Loaded)> done,
+                                      bool leaves_out_refused) {
+  load(configuration, leaves_out_refused, [done = std::move(done), files = configuration.ontologies](Loaded loaded) {
     done(without_contradiction(std::move(loaded), files));
   });
 }
 
 void OntologyInForce::start(const Configuration& configuration, std::function<void()> done) {
-  load(configuration, [this, done = std::move(done)](Loaded loaded) {
+  load(configuration, !configuration.is_strict, [this, done = std::move(done)](Loaded loaded) {
     if (is_stopped_) return;
     if (participant_ != nullptr) return change_to(std::move(loaded));
     if (loaded) vocabulary_ = vocabulary::Vocabulary(std::move(loaded->ontology));
     done();
-    if (!loaded) change_to(std::move(loaded));
+    if (!loaded) return change_to(std::move(loaded));
+    if (!loaded->left_out.empty()) env_.event([&] { participant_->ontology_failed(loaded->left_out); });
   });
 }
 
 void OntologyInForce::reload(const Configuration& configuration) {
   if (std::exchange(is_next_in_preparation_, false)) preparation_.cancel();  // what is read now is newer
   env_.event([&] { participant_->ontology_begun(); });
-  load_consistent(configuration, [this](Loaded loaded) {
-    if (!is_stopped_) change_to(std::move(loaded));
-  });
+  const bool leaves_out_refused = !configuration.is_strict && !vocabulary_.is_loaded();
+  load_consistent(
+      configuration,
+      [this](Loaded loaded) {
+        if (!is_stopped_) change_to(std::move(loaded));
+      },
+      leaves_out_refused);
 }
 
 void OntologyInForce::serve(participant::Participant& participant) {
@@ -59,15 +65,18 @@ void OntologyInForce::prepare_if_wanted() {
 }
 
 /// A load that is under way is given up.
-void OntologyInForce::load(const Configuration& configuration, std::function<void(Loaded)> done) {
+void OntologyInForce::load(const Configuration& configuration, bool leaves_out_refused,
+                           std::function<void(Loaded)> done) {
   const auto began = std::chrono::steady_clock::now();
-  loader_.load(configuration.ontologies, configuration.prefixes, [this, done = std::move(done), began](Loaded loaded) {
+  const auto take = [this, done = std::move(done), began](Loaded loaded) {
     if (loaded) {
       load_time_ = std::chrono::steady_clock::now() - began;
+      for (const std::string& line : loaded->left_out) log_.write(LogLevel::error, "ontology: " + line);
       for (const std::string& remark : loaded->remarks) log_.write(LogLevel::warning, "ontology: " + remark);
     }
     done(std::move(loaded));
-  });
+  };
+  loader_.load(configuration.ontologies, configuration.prefixes, take, leaves_out_refused);
 }
 
 void OntologyInForce::change_to(Loaded loaded) {
@@ -76,14 +85,15 @@ void OntologyInForce::change_to(Loaded loaded) {
   } else if (loaded->ontology != nullptr && participant_->uses_expressions()) {
     // The one in force stays until this one can place expressions, so that no match is lost meanwhile.
     is_next_in_preparation_ = true;
-    preparation_.start(vocabulary::Vocabulary(std::move(loaded->ontology)), [this](vocabulary::Vocabulary prepared) {
-      if (is_stopped_) return;
-      is_next_in_preparation_ = false;
-      put_in_force(std::move(prepared));
-      after_event_();
-    });
+    preparation_.start(vocabulary::Vocabulary(std::move(loaded->ontology)),
+                       [this, left_out = std::move(loaded->left_out)](vocabulary::Vocabulary prepared) {
+                         if (is_stopped_) return;
+                         is_next_in_preparation_ = false;
+                         put_in_force(std::move(prepared), left_out);
+                         after_event_();
+                       });
   } else {
-    put_in_force(vocabulary::Vocabulary(std::move(loaded->ontology)));
+    put_in_force(vocabulary::Vocabulary(std::move(loaded->ontology)), loaded->left_out);
   }
   after_event_();
 }
@@ -94,10 +104,10 @@ void OntologyInForce::report_failure(const std::vector<std::string>& lines) {
   env_.event([&] { participant_->ontology_failed(lines); });
 }
 
-void OntologyInForce::put_in_force(vocabulary::Vocabulary vocabulary) {
+void OntologyInForce::put_in_force(vocabulary::Vocabulary vocabulary, const std::vector<std::string>& left_out) {
   preparation_.cancel();
   vocabulary_ = std::move(vocabulary);
-  env_.event([&] { participant_->set_vocabulary(vocabulary_); });
+  env_.event([&] { participant_->set_vocabulary(vocabulary_, left_out); });
   log_.write(LogLevel::info, "ontology: " + digest_of(vocabulary_) + " is in force");
 }
 

@@ -33,11 +33,14 @@ class OntologyInForce {
         preparation_(context) {}
 
   /// Loads the ontologies of this configuration and gives them to `done` alone. A contradiction in them is an error.
-  void load_consistent(const Configuration& configuration, std::function<void(Loaded)> done);
-  /// Loads the ontologies of this configuration for the first time, whether they contradict themselves or not. When
-  /// that has ended before serve() was called, calls `done`, which has to call serve().
+  void load_consistent(const Configuration& configuration, std::function<void(Loaded)> done,
+                       bool leaves_out_refused = false);
+  /// Loads the ontologies of this configuration for the first time, whether they contradict themselves or not, and
+  /// unless it is strict without those files of folders that cannot be read. When that has ended before serve() was
+  /// called, calls `done`, which has to call serve().
   void start(const Configuration& configuration, std::function<void()> done);
-  /// Loads them again. What fails, or contradicts itself, leaves the ontology in force as it is. Requires serve().
+  /// Loads them again. What fails, or contradicts itself, leaves the ontology in force as it is. Where none is in
+  /// force, files are left out as at a start. Requires serve().
   void reload(const Configuration& configuration);
 
   /// Tells `participant` of each change from now on. It has been made with vocabulary(), and is borrowed for the life
@@ -56,10 +59,10 @@ class OntologyInForce {
   [[nodiscard]] bool is_at_work() const { return preparation_.is_at_work() || loader_.is_at_work(); }
 
  private:
-  void load(const Configuration& configuration, std::function<void(Loaded)> done);
+  void load(const Configuration& configuration, bool leaves_out_refused, std::function<void(Loaded)> done);
   void change_to(Loaded loaded);
   void report_failure(const std::vector<std::string>& lines);
-  void put_in_force(vocabulary::Vocabulary vocabulary);
+  void put_in_force(vocabulary::Vocabulary vocabulary, const std::vector<std::string>& left_out);
 
   env::AsioEnv& env_;
   Log& log_;

@@ -13,6 +13,7 @@
 
 #include "base/private_file.hpp"
 #include "base/text.hpp"
+#include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/mapped_file.hpp"
 
 namespace geminga::daemon {
@@ -85,11 +86,19 @@ Loaded map_current(const std::string& path, bool is_first) {
   return loaded;
 }
 
+/// Adds the lines of a compiler that succeeded.
+void add_lines(std::vector<std::string> lines, LoadedOntology& loaded) {
+  const auto others = std::ranges::stable_partition(
+      lines, [](const std::string& line) { return line.starts_with(compiled::left_out_words); });
+  loaded.left_out.assign(lines.begin(), others.begin());
+  loaded.remarks.insert(loaded.remarks.begin(), others.begin(), others.end());
+}
+
 Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::PrivateFile& output) {
   std::vector<std::string> lines = lines_of(end.words);
   if (end.has_succeeded || end.exit_status == limit_reached) {
     auto mapped = map("/proc/self/fd/" + std::to_string(output.descriptor()), "the compiled ontology");
-    if (mapped) mapped->remarks.insert(mapped->remarks.begin(), lines.begin(), lines.end());
+    if (mapped) add_lines(std::move(lines), *mapped);
     // Where the limit came before there was any output, the compiler's words say more than that the output is empty.
     if (mapped || end.has_succeeded) return mapped;
   }
@@ -97,8 +106,10 @@ Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::
   return std::unexpected(std::move(lines));
 }
 
-std::vector<std::string> compiler_arguments(const std::vector<std::string>& files, const Prefixes& prefixes) {
+std::vector<std::string> compiler_arguments(const std::vector<std::string>& files, const Prefixes& prefixes,
+                                            bool leaves_out_refused) {
   std::vector<std::string> arguments{"compile"};
+  if (leaves_out_refused) arguments.emplace_back("--leave-out-refused");
   for (const auto& [name, iri] : prefixes) {
     arguments.emplace_back("--prefix");
     arguments.push_back(name);
@@ -144,7 +155,8 @@ OntologyLoader::OntologyLoader(boost::asio::io_context& context, std::string com
       alive_(std::make_shared<int>(0)) {}
 OntologyLoader::~OntologyLoader() = default;
 
-void OntologyLoader::load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done) {
+void OntologyLoader::load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done,
+                          bool leaves_out_refused) {
   child_.reset();
   background_.cancel();
   ++generation_;
@@ -157,8 +169,8 @@ void OntologyLoader::load(const std::vector<std::string>& files, const Prefixes&
   if (!output) return answer_later(failure(output.error()));
   output_ = std::make_shared<base::PrivateFile>(std::move(*output));
   auto started = Child::start(
-      context_, compiler_, compiler_arguments(files, prefixes), limits_, [this](const ChildEnd& end) { finish(end); },
-      output_->descriptor());
+      context_, compiler_, compiler_arguments(files, prefixes, leaves_out_refused), limits_,
+      [this](const ChildEnd& end) { finish(end); }, output_->descriptor());
   if (!started) return answer_later(failure("cannot start " + compiler_ + ": " + started.error()));
   child_ = std::move(*started);
 }

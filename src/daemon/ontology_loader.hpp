@@ -24,6 +24,7 @@ namespace geminga::daemon {
 struct LoadedOntology {
   std::unique_ptr<compiled::Ontology> ontology;  ///< null: there are no files
   std::vector<std::string> remarks;              ///< lines that the compiler wrote although it succeeded
+  std::vector<std::string> left_out;             ///< lines of those about files that it left out
 };
 
 /// An error where the ontology of these files contradicts itself: every class is empty then, and no pair matches.
@@ -54,8 +55,10 @@ class OntologyLoader {
   /// Loads these files and folders, and calls `done` once from the event loop. Names may use `prefixes` beside those of
   /// the files. A load that is under way is given up, and its `done` never called. A single file that ends in
   /// `.geminga` is taken as compiled already, and knows no prefixes but its own. The first load verifies only what
-  /// matching needs; once an ontology was loaded, all of it is verified.
-  void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done);
+  /// matching needs; once an ontology was loaded, all of it is verified. `leaves_out_refused`: files of folders that
+  /// cannot be read are left out (rdf/load.hpp).
+  void load(const std::vector<std::string>& files, const Prefixes& prefixes, Done done,
+            bool leaves_out_refused = false);
   [[nodiscard]] bool is_loading() const { return static_cast<bool>(done_); }
   /// Whether the thread is at work, even for a load that was given up. Until it is done, the process must not destroy
   /// what the thread uses.

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -44,21 +45,40 @@ std::optional<std::uint32_t> identity_in(std::string_view text) {
   return identity;
 }
 
-/// Writes a draft beside the file and renames it, so that the file is never half written. False with errno.
+bool is_blank(std::string_view text) {
+  return text.size() <= max_identity_file_bytes && std::ranges::all_of(text, [](char octet) { return octet == 0; });
+}
+
+/// Writes a draft beside the file and renames it, so that the file is never half written. False with errno, and without
+/// a draft.
 bool write_whole(const std::string& path, std::string_view text) {
   const std::string draft = path + ".new";
   {
     const env::Descriptor file(::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644));
     if (file.get() < 0) return false;
-    if (!env::write_all(file.get(), text)) return false;
+    if (env::write_all(file.get(), text) && ::rename(draft.c_str(), path.c_str()) == 0) return true;
   }
-  return ::rename(draft.c_str(), path.c_str()) == 0;
+  const int error = errno;
+  ::unlink(draft.c_str());
+  errno = error;
+  return false;
+}
+
+/// Draws an identity and writes it.
+std::expected<LastingIdentity, std::string> draw(const std::string& path, const std::string& shown,
+                                                 const std::function<std::uint64_t()>& random_bits) {
+  LastingIdentity identity;
+  while (identity.number == 0) identity.number = static_cast<std::uint32_t>(random_bits());
+  const std::string digits = base::to_hex(identity.number, identity_digits);
+  if (!write_whole(path, std::string(file_comment) + std::string(file_keyword) + digits + '\n'))
+    return std::unexpected(shown + ": " + errno_words());
+  return identity;
 }
 
 }  // namespace
 
-std::expected<std::uint32_t, std::string> lasting_identity(const std::string& folder,
-                                                           const std::function<std::uint64_t()>& random_bits) {
+std::expected<LastingIdentity, std::string> lasting_identity(const std::string& folder,
+                                                             const std::function<std::uint64_t()>& random_bits) {
   const std::string path = folder + '/' + identity_file;
   const std::string shown = base::printable(path, 4096);
   // Without O_NONBLOCK, open() of a FIFO would wait for a writer.
@@ -66,18 +86,17 @@ std::expected<std::uint32_t, std::string> lasting_identity(const std::string& fo
   if (file.get() >= 0) {
     std::string text(max_identity_file_bytes + 1, '\0');
     if (!env::read_all(file.get(), text)) return std::unexpected(shown + ": " + errno_words());
-    if (const auto identity = identity_in(text)) return *identity;
+    if (const auto identity = identity_in(text)) return LastingIdentity{*identity, ""};
+    if (is_blank(text)) {
+      auto identity = draw(path, shown, random_bits);
+      if (identity) identity->remark = shown + ": was empty: another identity is drawn";
+      return identity;
+    }
     return std::unexpected(shown + ": is no identity: remove it, and another one is drawn");
   }
   if (errno != ENOENT) return std::unexpected(shown + ": " + errno_words());
   if (::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) return std::unexpected(shown + ": " + errno_words());
-  std::uint32_t identity = 0;
-  while (identity == 0) identity = static_cast<std::uint32_t>(random_bits());
-  const std::string digits = base::to_hex(identity, identity_digits);
-  if (!write_whole(path, std::string(file_comment) + std::string(file_keyword) + digits + '\n')) {
-    return std::unexpected(shown + ": " + errno_words());
-  }
-  return identity;
+  return draw(path, shown, random_bits);
 }
 
 }  // namespace geminga::daemon

@@ -14,10 +14,16 @@ namespace geminga::daemon {
 inline constexpr const char* identity_file = "identity";
 inline constexpr std::size_t max_identity_file_bytes = 4096;
 
-/// Reads the lasting identity in this folder, which is never 0. Where there is none, makes the folder (its parent must
-/// exist), draws an identity and writes it, whole or not at all. A file with anything else is left alone and is an
+struct LastingIdentity {
+  std::uint32_t number = 0;  ///< never 0
+  std::string remark;        ///< a line for the log; empty: there is nothing to say
+};
+
+/// Reads the lasting identity in this folder. Where there is none, makes the folder (its parent must exist), draws an
+/// identity and writes it, whole or not at all. So it does with a remark where the file is empty or has no octet but
+/// zeros, which is what a power cut or a full disk leaves of a file. A file with anything else is left alone and is an
 /// error: a line that begins with the path.
-[[nodiscard]] std::expected<std::uint32_t, std::string> lasting_identity(
+[[nodiscard]] std::expected<LastingIdentity, std::string> lasting_identity(
     const std::string& folder, const std::function<std::uint64_t()>& random_bits);
 
 }  // namespace geminga::daemon

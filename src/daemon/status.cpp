@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "base/text.hpp"
+#include "daemon/memory_reserve.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -77,15 +78,17 @@ std::string sealing_line(const sealing::Policy& sealing) {
   return "announcements: " + std::string(to_string(sealing.mode)) + ", keys " + base::joined(ids, ", ");
 }
 
-std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configuration, const env::AsioEnv& env,
-                                           const OntologyInForce& ontology, const Log& log) {
+std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configuration, const CageInForce& cage,
+                                           const env::AsioEnv& env, const OntologyInForce& ontology, const Log& log) {
   const Usage usage = read_usage();
   std::vector<gcnp::Parameter> fields{
       {"memory", std::to_string(usage.resident_bytes)},
       {"peak_memory", std::to_string(usage.peak_resident_bytes)},
       {"cpu", decimal(usage.processor_seconds)},
       {"ontology_load", decimal(std::chrono::duration<double>(ontology.load_time()).count())},
-      {"log_dropped", std::to_string(log.dropped())}};
+      {"log_dropped", std::to_string(log.dropped())},
+      {"cage", cage.words()},
+      {"memory_kept_back", std::to_string(MemoryReserve::size())}};
   const env::AirCounts& dropped = env.air_counts();
   const env::UnicastCounts unicast = env.unicast_counts();
   const std::pair<const char*, std::uint64_t> counts[] = {

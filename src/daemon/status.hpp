@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/cage_in_force.hpp"
 #include "daemon/configuration_in_force.hpp"
 #include "daemon/log.hpp"
 #include "daemon/ontology_in_force.hpp"
@@ -19,10 +20,10 @@ namespace geminga::daemon {
 [[nodiscard]] std::string interfaces_line(const env::AsioEnv& env);
 [[nodiscard]] std::string sealing_line(const sealing::Policy& sealing);
 
-/// Memory, processor time, what was dropped, peers, and why the configuration could not be read again.
+/// Memory, processor time, the cage, what was dropped, peers, and why the configuration could not be read again.
 [[nodiscard]] std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configuration,
-                                                         const env::AsioEnv& env, const OntologyInForce& ontology,
-                                                         const Log& log);
+                                                         const CageInForce& cage, const env::AsioEnv& env,
+                                                         const OntologyInForce& ontology, const Log& log);
 
 }  // namespace geminga::daemon
 

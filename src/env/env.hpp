@@ -58,6 +58,8 @@ class Env {
 
   /// The interfaces in use, ordered by index. A change is told by on_interfaces_changed().
   [[nodiscard]] virtual const std::vector<Interface>& interfaces() const = 0;
+  /// The names of further interfaces that could be used, and for which there is no room.
+  [[nodiscard]] virtual std::vector<std::string> ignored_interfaces() const { return {}; }
   /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
   virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;
 

@@ -1,6 +1,7 @@
 // Reloads: settings that change at once, settings that await the next start, and errors.
 #include "daemon/configuration_in_force.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace geminga::daemon {
@@ -33,9 +34,13 @@ TEST(ConfigurationInForce, AwaitsAStartUntilTheSettingIsBackAsItWas) {
   const std::vector<std::pair<const char*, void (*)(Configuration&)>> changes{
       {"name", [](Configuration& file) { file.name = "robot3"; }},
       {"group", [](Configuration& file) { file.group = "red"; }},
-      {"gcnp", [](Configuration& file) { file.gcnp.push_back({{"127.0.0.1", 4718}, false}); }},
+      {"gcnp",
+       [](Configuration& file) {
+         file.gcnp.push_back({{"127.0.0.1", 4718}, false});
+       }},
       {"gcnp-socket", [](Configuration& file) { file.gcnp_socket = "/run/geminga/gcnp"; }},
       {"interval", [](Configuration& file) { file.interval = std::chrono::seconds(3); }},
+      {"cage", [](Configuration& file) { file.cage = CageWish::required; }},
       {"state-folder", [](Configuration& file) { file.state_folder = "/var/lib/geminga"; }},
   };
   for (const auto& [setting, change] : changes) {
@@ -66,6 +71,26 @@ TEST(ConfigurationInForce, ChangesAllOtherSettingsAtOnceAndTellsOfThemOnce) {
   EXPECT_EQ(in_force.current(), in_force.file);
   const ConfigurationChange again = in_force.reload();
   EXPECT_FALSE(again.air || again.sealing || again.awaits_a_start);
+}
+
+TEST(ConfigurationInForce, IsNotPlainOnlyBecauseNoKeyIsNamedAnyMore) {
+  Configuration sealed;
+  sealed.key_files = {"team.key"};
+  sealed.sealing.mode = sealing::Mode::encrypted;
+  Configuration file;
+  ConfigurationInForce in_force(sealed, [&] { return file; });
+  const auto refused = in_force.reload();
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error(), testing::ElementsAre(testing::HasSubstr("say sealing = \"plain\"")));
+  EXPECT_EQ(in_force.failure(), refused.error().front());
+  EXPECT_EQ(in_force.current(), sealed);
+  file.says_plain = true;
+  const auto change = in_force.reload();
+  ASSERT_TRUE(change);
+  EXPECT_TRUE(change->sealing);
+  EXPECT_EQ(in_force.failure(), "");
+  file.says_plain = false;
+  EXPECT_TRUE(in_force.reload()) << "it is plain already";
 }
 
 TEST(ConfigurationInForce, StaysWhereTheNewOneHasErrorsAndNamesTheFirst) {

@@ -131,6 +131,25 @@ TEST(Configuration, SealsWhereThereIsAKeyAndEncryptsUnlessTold) {
               ElementsAre(HasSubstr("plain with a key")));
 }
 
+TEST(Configuration, KnowsWhetherPlainIsSaidOrOnlyTheDefault) {
+  EXPECT_FALSE(resolved(layer_of({}))->says_plain);
+  EXPECT_THAT(to_toml(*resolved(layer_of({}))), HasSubstr("# sealing = \"plain\"\n"));
+  const auto said = resolved(layer_of({{"sealing", "plain"}}));
+  EXPECT_TRUE(said->says_plain);
+  EXPECT_THAT(to_toml(*said), HasSubstr("\nsealing = \"plain\"\n"));
+}
+
+TEST(Configuration, WantsACageUnlessToldOtherwise) {
+  EXPECT_EQ(resolved(layer_of({}))->cage, CageWish::wanted);
+  for (const auto& [word, wish] : {std::pair("wanted", CageWish::wanted), std::pair("required", CageWish::required),
+                                   std::pair("none", CageWish::none)}) {
+    const auto configuration = resolved(layer_of({{"cage", word}}));
+    EXPECT_EQ(configuration->cage, wish);
+    EXPECT_THAT(to_toml(*configuration), HasSubstr("cage = \"" + std::string(word) + "\"\n"));
+  }
+  EXPECT_THAT(resolved(layer_of({{"cage", "gold"}})).error(), ElementsAre(HasSubstr("use wanted, required or none")));
+}
+
 TEST(Configuration, TakesIntervalsWithinTheRangeOfTheAnnouncement) {
   EXPECT_EQ(resolved(layer_of({{"interval", "0.05"}}))->interval, announcement::min_interval);
   EXPECT_EQ(resolved(layer_of({{"interval", "60"}}))->interval, announcement::max_interval);
@@ -189,6 +208,7 @@ TEST(Configuration, PrintedAsTomlConfiguresTheSame) {
                                 {"peer", "[fd00::1]:9"},
                                 {"interface", "wlan0"},
                                 {"ontology", "/a b/c.ttl"},
+                                {"strict", "true"},
                                 {"log-level", "warning"},
                                 {"log-format", "json"}});
   const auto result = resolved(layer);
@@ -196,6 +216,26 @@ TEST(Configuration, PrintedAsTomlConfiguresTheSame) {
   const auto file = read_configuration_text(to_toml(*result), "/printed.toml");
   ASSERT_TRUE(file) << file.error()[0];
   EXPECT_EQ(resolve({&*file}, "other"), result);
+}
+
+TEST(Configuration, IsStrictWhereItIsTold) {
+  EXPECT_FALSE(resolved({})->is_strict);
+  EXPECT_TRUE(resolved(layer_of({{"strict", "true"}}))->is_strict);
+  EXPECT_FALSE(resolved(layer_of({{"strict", "false"}}))->is_strict);
+  EXPECT_THAT(resolved(layer_of({{"strict", "yes"}})).error(),
+              ElementsAre("--strict: 'yes' is no truth value: use true or false"));
+  const auto file = read_configuration_text("strict = true\n", "f.toml");
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(resolve({&*file}, "host")->is_strict);
+}
+
+TEST(Configuration, PrintedForATerminalIsHarmlessAndMeansTheSame) {
+  const auto result = resolved(layer_of({{"ontology", "/a\u009b31m\u202e.ttl"}}));
+  ASSERT_TRUE(result);
+  EXPECT_THAT(to_toml(*result), HasSubstr("ontology = [\"/a\\u009b31m\\u202e.ttl\"]"));
+  const auto file = read_configuration_text(to_toml(*result), "/f.toml");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(resolve({&*file}, "host")->ontologies, result->ontologies);
 }
 
 TEST(ConfigurationFile, IsReadWithItsPlaces) {
@@ -217,6 +257,8 @@ TEST(ConfigurationFile, IsRefusedWithFileAndLine) {
       {"port = 1.5", "f.toml:1: port must be a whole number"},
       {"\nport = true", "f.toml:2: port must be a whole number"},
       {"port = [1]", "f.toml:1: port must be a whole number"},
+      {"strict = \"true\"", "f.toml:1: strict must be true or false"},
+      {"strict = 1", "f.toml:1: strict must be true or false"},
       {"interval = \"2\"", "f.toml:1: interval must be a number of seconds"},
       {"name = 7", "f.toml:1: name must be a text in quotes"},
       {"name = [\"a\"]", "f.toml:1: name must be a text in quotes"},
@@ -276,6 +318,16 @@ TEST(Environment, IsReadByTheNamesOfTheFlags) {
   EXPECT_THAT(layer.values.at("ontology"), SizeIs(2));
   EXPECT_THAT(layer.values.at("interface"), SizeIs(2));
   EXPECT_EQ(layer.values.at("log-level")[0].text, "debug");
+  EXPECT_THAT(mistyped_variables(variables), IsEmpty());
+}
+
+TEST(Environment, NamesTheVariableThatMayBeMeant) {
+  const char* const variables[] = {
+      "GEMINGA_INTERVL=1",   "GEMINGA_LOGLEVEL=debug", "GEMINGA_INTERVAL=2", "GEMINGA_SEED=7",  "GEMINGA_CONNECT=x:1",
+      "GEMINGA_TEST_DATA=/", "GEMINGA_COLOUR=red",     "INTERVL=1",          "GEMINGA_ONTOLGY", nullptr};
+  EXPECT_THAT(mistyped_variables(variables), ElementsAre("GEMINGA_INTERVL: unknown: did you mean GEMINGA_INTERVAL?",
+                                                         "GEMINGA_LOGLEVEL: unknown: did you mean GEMINGA_LOG_LEVEL?",
+                                                         "GEMINGA_ONTOLGY: unknown: did you mean GEMINGA_ONTOLOGY?"));
 }
 
 }  // namespace

@@ -40,6 +40,24 @@ TEST(Flags, ThatAreUnknownOrWithoutValueAreRefused) {
   }
 }
 
+TEST(Flags, ThatAreMistypedNameTheOneThatMayBeMeant) {
+  EXPECT_EQ(read({"--ontolgy", "a.ttl"}).error(),
+            "'--ontolgy' is no flag: did you mean --ontology? see gemingad --help");
+  EXPECT_EQ(read({"--intervall=2"}).error(), "'--intervall' is no flag: did you mean --interval? see gemingad --help");
+  EXPECT_EQ(read({"--generate-keys", "x"}).error(),
+            "'--generate-keys' is no flag: did you mean --generate-key? see gemingad --help");
+  EXPECT_EQ(read({"--colour"}).error(), "'--colour' is no flag: see gemingad --help");
+  EXPECT_THAT(read({"--http"}).error(), Not(HasSubstr("did you mean"))) << "it is known and has no value";
+}
+
+TEST(Flags, OfTruthMayStandAlone) {
+  EXPECT_EQ(read({"--strict"})->layer.values.at("strict")[0].text, "true");
+  EXPECT_EQ(read({"--strict=true"})->layer.values.at("strict")[0].text, "true");
+  EXPECT_EQ(read({"--strict=false"})->layer.values.at("strict")[0].text, "false");
+  EXPECT_FALSE(read({"--strict=perhaps"}));
+  EXPECT_FALSE(read({"--port", "1"})->layer.values.contains("strict"));
+}
+
 TEST(Flags, HaveAHelpWithExamplesAndWithoutWhatIsNotThereYet) {
   const auto flags = read({"--help"});
   ASSERT_TRUE(flags);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -55,7 +57,7 @@ TEST_F(KeyFiles, AreMadeForTheirOwnerAloneWhateverTheMask) {
   const auto id = generate_key(path("key"));
   ::umask(before);
   ASSERT_TRUE(id) << id.error();
-  struct stat status{};
+  struct stat status {};
   ASSERT_EQ(::stat(path("key").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 07777U, 0600U);
   EXPECT_EQ(to_string(read_keys({path("key")})->first().id()), *id);
@@ -92,6 +94,71 @@ TEST_F(KeyFiles, ThatGroupOrOthersMayReadOrChangeAreRefused) {
     ASSERT_EQ(::chmod(file.c_str(), mode), 0);
     EXPECT_TRUE(read_keys({file})) << mode;
   }
+}
+
+TEST_F(KeyFiles, InAFolderWhereOthersMayReplaceThemAreRefused) {
+  const std::string file = made("key");
+  for (const ::mode_t mode : {0777U, 0770U, 0720U, 0702U}) {
+    ASSERT_EQ(::chmod(folder.c_str(), mode), 0);
+    const auto keys = read_keys({file});
+    ASSERT_FALSE(keys) << mode;
+    EXPECT_THAT(keys.error(), ElementsAre(AllOf(StartsWith(file + ": "), HasSubstr("chmod go-w " + folder.string()))));
+  }
+  for (const ::mode_t mode : {0700U, 0755U, 0750U, 01777U}) {
+    ASSERT_EQ(::chmod(folder.c_str(), mode), 0);
+    EXPECT_TRUE(read_keys({file})) << mode;
+  }
+}
+
+TEST_F(KeyFiles, AreLookedForWhereTheirLinksLieAndWhereTheyPoint) {
+  for (const char* name : {"links", "keys"}) std::filesystem::create_directory(folder / name);
+  const std::string file = made("keys/key");
+  const std::string link = path("links/key");
+  std::filesystem::create_symlink("../keys/key", link);
+  EXPECT_TRUE(read_keys({link}));
+  for (const char* name : {"links", "keys"}) {
+    ASSERT_EQ(::chmod((folder / name).c_str(), 0777), 0);
+    EXPECT_THAT(read_keys({link}).error(), ElementsAre(HasSubstr("chmod go-w " + path("")))) << name;
+    ASSERT_EQ(::chmod((folder / name).c_str(), 0755), 0);
+  }
+}
+
+TEST_F(KeyFiles, OfAnotherUserAreRefusedUnlessThatIsRoot) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give files away";
+  constexpr ::uid_t another = 12345;
+  const std::string file = made("key");
+  ASSERT_EQ(::chown(file.c_str(), another, 0), 0);
+  EXPECT_THAT(read_keys({file}).error(),
+              ElementsAre(AllOf(StartsWith(file + ": belongs to another user"), HasSubstr("chown 0 " + file))));
+  ASSERT_EQ(::chown(file.c_str(), 0, 0), 0);
+  ASSERT_EQ(::chown(folder.c_str(), another, 0), 0);
+  EXPECT_THAT(read_keys({file}).error(), ElementsAre(HasSubstr("chown 0 " + folder.string())));
+  // Another user reads keys of root and of its own.
+  ASSERT_EQ(::chown(folder.c_str(), 0, 0), 0);
+  ASSERT_EQ(::chmod(folder.c_str(), 0755), 0);
+  ASSERT_EQ(::chown(file.c_str(), another, 0), 0);
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(::setuid(another) == 0 && read_keys({file}) ? 0 : 1);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+TEST_F(KeyFiles, OfTheServiceManagerAreTakenAsItGivesThem) {
+  const std::string file = made("key");
+  ASSERT_EQ(::chmod(file.c_str(), 0440), 0);
+  ASSERT_EQ(::chmod(folder.c_str(), 0770), 0);
+  EXPECT_FALSE(read_keys({file}));
+  ASSERT_EQ(::setenv("CREDENTIALS_DIRECTORY", folder.c_str(), 1), 0);
+  EXPECT_TRUE(read_keys({file})) << "an access list looks like a right of the group";
+  for (const ::mode_t mode : {0444U, 0460U, 0442U}) {
+    ASSERT_EQ(::chmod(file.c_str(), mode), 0);
+    EXPECT_FALSE(read_keys({file})) << mode;
+  }
+  ASSERT_EQ(::chmod(file.c_str(), 0440), 0);
+  ASSERT_EQ(::setenv("CREDENTIALS_DIRECTORY", path("other").c_str(), 1), 0);
+  EXPECT_FALSE(read_keys({file})) << "another folder";
+  ::unsetenv("CREDENTIALS_DIRECTORY");
 }
 
 TEST_F(KeyFiles, ThatAreWrongAreAllToldOfWithTheirLines) {

@@ -126,6 +126,19 @@ TEST_F(OntologyLoaderTest, UsesWhatIsSettledWhereTheCompilerReachedItsLimit) {
   EXPECT_THAT(nothing.error(), ElementsAre("a limit"));
 }
 
+TEST_F(OntologyLoaderTest, TellsLeftOutFilesFromOtherRemarks) {
+  owl::Ontology source;
+  (void)source.add_file("a.ttl");
+  const std::vector<std::byte> bytes = compiled::compile(source, el::classify(source).value());
+  const std::string path = folder / "settled";
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  const Result loaded =
+      load("echo a remark >&2; echo 'geminga-ontology: left out: b.ttl: is broken' >&2; exec cat " + path, {"/folder"});
+  ASSERT_TRUE(loaded) << testing::PrintToString(loaded.error());
+  EXPECT_THAT(loaded->remarks, ElementsAre("a remark"));
+  EXPECT_THAT(loaded->left_out, ElementsAre("left out: b.ttl: is broken"));
+}
+
 TEST_F(OntologyLoaderTest, RefusesACompiledOntologyThatIsOlderThanItsSources) {
   const std::string source_path = folder / "a.ttl";
   const std::string compiled_path = folder / "a.geminga";

@@ -14,7 +14,9 @@ namespace {
 TEST(MulticastLink, ForgetsAFailureThatItWasAskedFor) {
   boost::asio::io_context context;
   AirCounts counts;
-  const auto links = scan_links({"lo"});
+  const auto scan = scan_links({"lo"});
+  ASSERT_TRUE(scan);
+  const auto& links = scan->links;
   ASSERT_FALSE(links.empty());
   MulticastLink link(context, links.front(), {boost::asio::ip::make_address("239.192.47.17")}, 4717, counts,
                      [](const auto&, auto) {});

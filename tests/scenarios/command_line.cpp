@@ -76,6 +76,12 @@ void Flags::add_to(CLI::App& app) {
       ->type_name("N");
   app.add_option("--lies", counts.lies, "Forged datagrams in the name of others")->type_name("N");
   app.add_flag("--faults", has_random_faults, "A small team, an air and faults of all kinds that the seed chooses");
+  app.add_flag(
+      "--start", is_start,
+      "Switch the team on at one instant, and measure until all know all; with --seeds: print how that is spread");
+  app.add_option("--spread", spread, "With --start: the milliseconds within which the daemons begin")
+      ->type_name("MS")
+      ->check(CLI::Range(0.0, 60'000.0));
   app.add_flag("--json", is_json, "Print one JSON document");
   app.add_flag("--quiet", is_quiet, "Print the table only");
 }
@@ -103,6 +109,7 @@ Conditions Flags::conditions() const {
   if (services != 0) conditions.services = services;
   if (changes) conditions.changes_per_minute = *changes;
   if (interval) conditions.interval = milliseconds(*interval * 1000);
+  conditions.start_spread = milliseconds(spread);
   if (drift > 0) conditions.drift = static_cast<std::int64_t>(drift);
   if (!loss.empty()) conditions.air.loss = share("--loss", loss);
   if (!burst.empty()) {
@@ -153,6 +160,7 @@ std::string Flags::replay(std::uint64_t one) const {
   };
   word("--scenario", scenario);
   if (has_random_faults) command += " --faults";
+  if (is_start) command += " --start";
   if (participants) count("--participants", *participants);
   decimal("--minutes", minutes);
   count("--services", services);
@@ -164,6 +172,7 @@ std::string Flags::replay(std::uint64_t one) const {
   word("--late", late);
   word("--flip", flip);
   word("--delay", delay);
+  if (spread > 0) decimal("--spread", spread);
   if (drift > 0) decimal("--drift", drift);
   count("--restarts", counts.restarts);
   count("--crashes", counts.crashes);

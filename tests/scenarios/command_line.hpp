@@ -29,11 +29,13 @@ struct Flags {
   std::string flip;
   std::string delay;
   std::optional<double> interval;
+  double spread = 0;
   std::size_t services = 0;
   std::optional<unsigned> changes;
   double drift = 0;
   Counts counts;
   bool has_random_faults = false;
+  bool is_start = false;
   bool is_list = false;
   bool is_json = false;
   bool is_quiet = false;

@@ -29,6 +29,8 @@ struct Conditions {
   std::size_t services = 0;
   /// Services that begin somewhere in the team in a minute. Each is withdrawn again after 5 to 30 s.
   unsigned changes_per_minute = 6;
+  /// Of a start that is measured (starts.hpp): daemons begin within this time, and their modules within twice as long.
+  base::Duration start_spread{};
   /// Each clock gains or loses up to so many millionths.
   std::int64_t drift = 0;
   /// Writes what goes wrong and when; empty: nothing does but the air.

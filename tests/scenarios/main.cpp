@@ -6,12 +6,15 @@
 #include <iostream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "scenarios/command_line.hpp"
+#include "scenarios/moment.hpp"
 #include "scenarios/report.hpp"
 #include "scenarios/scenarios.hpp"
 #include "scenarios/seeds.hpp"
 #include "scenarios/simulation.hpp"
+#include "scenarios/starts.hpp"
 #include "shell/options.hpp"
 #include "shell/report.hpp"
 
@@ -24,6 +27,7 @@ constexpr const char* examples = R"(Examples:
   tools/simulate --scenario tunnel --seed 3
   tools/simulate --participants 12 --minutes 20 --loss 30% --burst 10%x300 --restarts 5 --partitions 2
   tools/simulate --seeds 1..10000 --faults
+  tools/simulate --seeds 1..200 --start --loss 30%
 
 The same command prints the same trace on every machine. Each run is watched by checkers (tests/scenarios/README.md); what one
 of them finds is printed, and with the command that runs the seed again.
@@ -64,6 +68,13 @@ int run_one(const Flags& flags) {
   return 1;
 }
 
+/// "0.2 s / 0.4 s / 1.1 s of 90"
+std::string spread(const std::vector<base::Duration>& all) {
+  if (all.empty()) return "-";
+  return in_words(quantile(all, 50)) + " / " + in_words(quantile(all, 95)) + " / " + in_words(quantile(all, 100)) +
+         " of " + std::to_string(all.size());
+}
+
 int run_many(const Flags& flags, const Seeds& seeds) {
   const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
   const auto began = RealClock::now();
@@ -78,16 +89,39 @@ int run_many(const Flags& flags, const Seeds& seeds) {
     one.seed = seed;
     return one.conditions();
   };
-  const auto failure = run_seeds(seeds, flags.threads == 0 ? processors : flags.threads, conditions, progress);
+  Tally tally;
+  const auto failure = run_seeds(seeds, flags.threads == 0 ? processors : flags.threads, conditions, progress, &tally);
   const Cost cost = cost_since(began);
   if (!failure) {
     std::cout << seeds.last - seeds.first + 1 << " seeds in " << static_cast<int>(cost.real_seconds)
-              << " s: nothing was found\n";
+              << " s: nothing was found\n"
+              << std::chrono::duration<double, std::ratio<3600>>(tally.simulated).count()
+              << " hours of a team: " << tally.false_departures << " living ones told to be gone, "
+              << tally.octets_per_host_second
+              << " octets a second a host; deaths told, p50 / p95 / max: " << spread(tally.deaths) << "\n";
     return 0;
   }
   shell::complain(program, "seed " + std::to_string(failure->seed) + ": " + failure->violation);
   shell::complain(program, "run it again: " + flags.replay(failure->seed));
   return 1;
+}
+
+int run_starts(const Flags& flags, const Seeds& seeds) {
+  std::vector<base::Duration> times;
+  Start worst;
+  double octets = 0;
+  for (Flags one = flags; one.seed <= seeds.last; ++one.seed) {
+    if (one.seed < seeds.first) one.seed = seeds.first;
+    const bool is_told = seeds.first == seeds.last && !flags.is_quiet;
+    const Start start =
+        measure_start(one.conditions(), is_told ? [](const std::string& line) { std::cout << line << "\n"; } : Tell());
+    times.push_back(start.took);
+    octets += static_cast<double>(start.octets);
+    if (start.took > worst.took) worst = start;
+  }
+  std::cout << "all know all, p50 / p95 / max: " << spread(times) << ", the last with seed " << worst.seed << "; "
+            << octets / static_cast<double>(times.size()) << " octets a host in " << in_words(settled_after) << "\n";
+  return 0;
 }
 
 int run(int argc, char** argv) {
@@ -102,6 +136,7 @@ int run(int argc, char** argv) {
   }
   try {
     const auto seeds = flags.range();
+    if (flags.is_start) return run_starts(flags, seeds.value_or(Seeds{.first = flags.seed, .last = flags.seed}));
     return seeds ? run_many(flags, *seeds) : run_one(flags);
   } catch (const CLI::ValidationError& error) {
     shell::complain(program, std::string(error.what()) + ": see tools/simulate --help");

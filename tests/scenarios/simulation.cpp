@@ -15,7 +15,6 @@
 namespace geminga::scenarios {
 namespace {
 
-constexpr std::uint64_t header_octets = 42;  // Ethernet, IPv4 and UDP
 constexpr std::size_t most_violations = 100;
 constexpr base::Duration step = std::chrono::milliseconds(100);
 

@@ -15,6 +15,9 @@ namespace geminga::scenarios {
 inline constexpr base::Duration traffic_window = std::chrono::seconds(10);
 inline constexpr std::uint64_t most_datagrams = 600;
 
+/// Of each datagram on the air: Ethernet, IPv4 and UDP.
+inline constexpr std::uint64_t header_octets = 42;
+
 class Traffic {
  public:
   /// Looks at all hosts at the end of each window, for as long as the world runs.

@@ -11,6 +11,7 @@ Liar::Liar(World& world) : world_(world) {
     datagrams_[sender.name()].emplace_back(datagram);
     auto heard = announcement::decode(std::as_bytes(std::span(datagram)));
     if (!heard) return;
+    if (heard->kind == announcement::Kind::presence) presences_.insert_or_assign(sender.name(), *heard);
     if (heard->kind == announcement::Kind::state) {
       states_.insert_or_assign(sender.name(), std::move(*heard));
     } else if (const auto state = states_.find(sender.name()); state != states_.end()) {

@@ -21,6 +21,8 @@ class Liar {
   [[nodiscard]] bool has_heard(const Host& host) const { return states_.contains(host.name()); }
   /// The last state that this host has announced, a part of it as it was sent.
   [[nodiscard]] announcement::Announcement last_state(const Host& host) const { return states_.at(host.name()); }
+  /// The last presence that this host has sent.
+  [[nodiscard]] announcement::Announcement last_presence(const Host& host) const { return presences_.at(host.name()); }
   [[nodiscard]] static std::string address_of(const Host& host) { return host.ports().front().address; }
 
   /// Says it to everybody, from a source address.
@@ -31,6 +33,7 @@ class Liar {
  private:
   World& world_;
   std::map<std::string, announcement::Announcement> states_;  ///< by the name of the host
+  std::map<std::string, announcement::Announcement> presences_;
   std::map<std::string, std::vector<std::string>> datagrams_;
 };
 

@@ -214,10 +214,17 @@ TEST(OneWay, WhoseMulticastsAreFilteredIsToldSo) {
   robots.world.run_for(seconds(30));
   EXPECT_EQ(deaf(robots.host(0)), 3) << "they do not even know it any more";
   EXPECT_THAT(ask(robots.host(0), "status"), testing::Contains(testing::HasSubstr(" unheard_by=3 ")));
+  const auto logged = [&](Host& host, const std::string& words) {
+    return std::ranges::count_if(host.logged, [&](const std::string& line) { return line.contains(words); });
+  };
+  EXPECT_EQ(logged(robots.host(0), "does not hear us"), 3) << "each once";
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(logged(robots.host(i), "does not hear us"), 0);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(deaf(robots.host(i)), 0);
   for (std::size_t i = 1; i < 4; ++i) robots.world.mend(robots.host(0), robots.host(i));
   robots.world.run_for(seconds(10));
   EXPECT_EQ(deaf(robots.host(0)), 0);
+  EXPECT_EQ(logged(robots.host(0), "does not hear us"), 3);
+  EXPECT_EQ(logged(robots.host(0), "hears us again"), 3);
 }
 
 /// The same when it comes back with another name and a folder in which it kept who it is.

@@ -48,6 +48,59 @@ TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
   EXPECT_EQ(refused({"--ontology", broken, "--check-config"}).status, 2) << "a check says that it will not do";
 }
 
+/// A folder with one file that can be read, and one that cannot.
+struct HalfGood {
+  HalfGood() {
+    fs::create_directory(files.path("team"));
+    files.write("team/good.ttl", animals);
+    bad = files.write("team/bad.ttl", ":Dog a owl:Class\n");
+    team = files.path("team");
+  }
+  Folder files;
+  std::string team;
+  std::string bad;
+};
+
+constexpr const char* offers_a_cat = "1 pub create mode=otm/stream concept=<http://zoo.example/#Cat> port=5001";
+
+TEST(Start, TakesTheGoodFilesOfAFolderAndNamesTheOneThatCannotBeRead) {
+  const HalfGood half;
+  Lab lab(1);
+  lab.start(0, {"--ontology", half.team});
+  EXPECT_TRUE(lab.daemon(0).wait_for("left out: " + half.bad)) << lab.daemon(0).said();
+  Talk talk = lab.talk(0);
+  talk.say(offers_a_cat);
+  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
+  EXPECT_TRUE(talk.wait_until("status", [&](const auto& lines) {
+    return lines.size() == 1 && lines[0].find("ontology_failed=\"left out: " + half.bad) != std::string::npos;
+  }));
+  EXPECT_THAT(talk.query("ontology"), Contains(AllOf(HasSubstr("failed="), HasSubstr(half.bad))));
+
+  // A reload leaves the ontology in force as it is while a file is broken.
+  half.files.write("team/worse.ttl", ":Fox a owl:Class\n");
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the ontology in force is kept")) << lab.daemon(0).said();
+  talk.say("2" + std::string(offers_a_cat).substr(1));
+  EXPECT_THAT(talk.lines_until_pong(), IsEmpty());
+
+  fs::remove(half.bad);
+  fs::remove(half.files.path("team/worse.ttl"));
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the failure is mended")) << lab.daemon(0).said();
+  EXPECT_THAT(talk.query("status")[0], Not(HasSubstr("ontology_failed")));
+}
+
+TEST(Start, TakesNoFileOfAFolderWhereItIsStrictAndOneCannotBeRead) {
+  const HalfGood half;
+  Lab lab(1);
+  lab.start(0, {"--ontology", half.team, "--strict"});
+  ASSERT_TRUE(lab.daemon(0).wait_for("serving without an ontology")) << lab.daemon(0).said();
+  Talk talk = lab.talk(0);
+  talk.say(offers_a_cat);
+  EXPECT_THAT(talk.lines_until_pong(), testing::ElementsAre(AllOf(StartsWith("1 422 "), HasSubstr(half.bad))));
+  EXPECT_EQ(refused({"--ontology", half.team, "--check-config"}).status, 2) << "a check takes everything";
+}
+
 /// An instance of two classes that exclude each other.
 constexpr const char* contradiction = R"(@prefix : <http://zoo.example/#> .
 @prefix owl: <http://www.w3.org/2002/07/owl#> .

@@ -88,6 +88,29 @@ TEST(Sealed, DaemonsRotateTheirKeyWithoutLosingAService) {
   EXPECT_TRUE(lab.wait_for_participants(0, 3));
 }
 
+TEST(Sealed, ADaemonThatLosesItsKeyFileStaysSealedUntilPlainIsSaid) {
+  const Folder folder;
+  const std::string key = make_key(folder.path("team.key"));
+  const std::string file = folder.write("geminga.toml", "key-file = \"team.key\"\ninterval = 0.1\n");
+  Lab lab(2);
+  lab.start_all({"--config", file});
+  ASSERT_TRUE(lab.wait_for_participants(0, 2)) << lab.way();
+  (void)folder.write("geminga.toml", "interval = 0.1\n");
+  lab.daemon(0).forget();
+  lab.daemon(0).signal(SIGHUP);
+  EXPECT_TRUE(lab.daemon(0).wait_for("key-file: no key is named any more")) << lab.daemon(0).said();
+  EXPECT_TRUE(lab.daemon(0).wait_for("the configuration in force is kept"));
+  Talk talk = lab.talk(0);
+  EXPECT_THAT(talk.query("security"), Contains(HasSubstr("mode=encrypted keys=" + key)));
+  EXPECT_THAT(talk.query("status"), Contains(HasSubstr("configuration_failed=")));
+  EXPECT_TRUE(lab.wait_for_participants(0, 2));
+  (void)folder.write("geminga.toml", "interval = 0.1\nsealing = \"plain\"\n");
+  lab.daemon(0).forget();
+  lab.daemon(0).signal(SIGHUP);
+  EXPECT_TRUE(lab.daemon(0).wait_for("announcements are not sealed")) << lab.daemon(0).said();
+  EXPECT_TRUE(lab.wait_for_participants(0, 1)) << "the other one is sealed still";
+}
+
 TEST(Sealed, DaemonsAreNotToldTwiceByWhoRepeatsThem) {
   const Folder folder;
   (void)make_key(folder.path("team.key"));

@@ -69,7 +69,7 @@ TEST(Start, RefusesWhatItDoesNotUnderstand) {
       {{"--multicast", "10.0.0.1"}, "--multicast: 10.0.0.1 is no multicast group"},
       {{"--key-file", "no-such.key"}, "no-such.key: No such file or directory: name a key file"},
       {{"--http", "127.0.0.1:80"}, "--http: the HTTP side is not there yet"},
-      {{"--surprise"}, "--surprise: see gemingad --help"},
+      {{"--surprise"}, "'--surprise' is no flag: see gemingad --help"},
       {{"surprise"}, "surprise: see gemingad --help"},
       {{"--config", "/nowhere/geminga.toml"}, "/nowhere/geminga.toml: No such file or directory"},
   };
@@ -125,6 +125,16 @@ TEST(Start, RefusesAnOntologyThatIsNotThere) {
   const Ran ran = refused({"--ontology", folder.write("good.ttl", animals), "--ontology", missing});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.said, "gemingad: " + missing + ": cannot be opened: No such file or directory\n");
+}
+
+TEST(Start, DrawsAnotherIdentityWhereTheFileIsEmptyAndSaysSo) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path("state"));
+  const std::string file = folder.write("state/identity", "");
+  Lab lab(1);
+  lab.start(0, {"--state-folder", folder.path("state")});
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr(file + ": was empty: another identity is drawn"));
+  EXPECT_NE(std::filesystem::file_size(file), 0U);
 }
 
 TEST(Start, IsNotHeldUpByAFifo) {

@@ -198,7 +198,10 @@ void add_check(CLI::App& program, Choice& choice) {
                     "list every axiom that was left out, not only " + std::to_string(max_shown) + " a construct");
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status 1: a broken file, a contradiction, a class that can have no instance, a hash collision, a name "
+      "\nExit status 2: a file that cannot be read (it is not there, its packing is damaged, it is in no known "
+      "syntax).\n"
+      "Exit status 1: an error in what a file says, a contradiction, a class that can have no instance, a hash "
+      "collision, a name "
       "that\n"
       "RDF, RDFS, OWL or XSD do not have, or one that nothing declares although the files declare others of its\n"
       "namespace. Names of a namespace of which nothing is declared are summed up, and are no problem.\n"

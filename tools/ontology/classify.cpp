@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
-#include <cstdio>
 #include <fstream>
 #include <memory>
 
@@ -26,8 +25,6 @@ struct ClassifyRequest {
   std::string stats;
 };
 
-bool to_output(std::string_view text) { return std::fwrite(text.data(), 1, text.size(), stdout) == text.size(); }
-
 bool write_stats(const ClassifiedFiles& classified, unsigned threads, const std::string& path) {
   std::uint64_t left_out = 0;
   for (const owl::LeftOut& entry : taxonomy::left_out(classified.loaded.source, classified.classification))
@@ -43,7 +40,7 @@ bool write_stats(const ClassifiedFiles& classified, unsigned threads, const std:
                                      {"peak_rss_kib", usage.ru_maxrss},
                                      {"threads", threads}};
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << boost::json::serialize(document) << '\n';
+  file << json_text(document) << '\n';
   file.close();
   return file.good();
 }
@@ -76,7 +73,7 @@ bool write_json(const Taxonomies& written, bool are_properties) {
     document["object_properties"] = nodes_of(written.object_properties, "properties");
     document["data_properties"] = nodes_of(written.data_properties, "properties");
   }
-  return to_output(boost::json::serialize(document) + '\n');
+  return print_more(json_text(document) + '\n');
 }
 
 bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& request) {
@@ -91,7 +88,7 @@ bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& 
   }
   if (request.as_json) return write_json(written, request.are_properties);
   const auto write_one = [&, short_name = short_names(source)](const Hierarchy& hierarchy) {
-    return request.as_closure ? write_closure(hierarchy, to_output) : write_tree(hierarchy, short_name, to_output);
+    return request.as_closure ? write_closure(hierarchy, print_more) : write_tree(hierarchy, short_name, print_more);
   };
   if (!request.as_closure && !classification.is_consistent)
     say_error("the ontology contradicts itself, so that everything follows from it: see geminga-ontology check");
@@ -104,7 +101,7 @@ Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   const auto classified =
       classify_or_say(request.files, {.threads = request.threads, .as_json = request.as_json, .budget = &budget});
   if (!classified) return Exit::usage;
-  if (!write_taxonomies(*classified, request) || std::fflush(stdout) != 0) return say_unwritten();
+  if (!write_taxonomies(*classified, request) || !print("")) return say_unwritten();
   if (!request.stats.empty() && !write_stats(*classified, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
   // Imports that no file answers may have more to say.

@@ -25,6 +25,7 @@ struct CompileRequest {
   std::vector<std::string> files;
   std::vector<std::string> prefixes;  ///< NAME=IRI
   std::string out;
+  bool leaves_out_refused = false;
 };
 
 /// Adds a line for each sort of doubtful names: their number, and the first.
@@ -78,8 +79,9 @@ Exit compile(const CompileRequest& request, const WorkLimits& limits) {
   constexpr std::size_t max_remarks = 20;
   base::Budget budget = budget_of(limits);
   // The daemon reads standard output, and logs each line on standard error as a warning.
-  auto classified =
-      classify_or_say(request.files, {.says_files = request.out != to_standard_output, .budget = &budget});
+  auto classified = classify_or_say(request.files, {.says_files = request.out != to_standard_output,
+                                                    .leaves_out_refused = request.leaves_out_refused,
+                                                    .budget = &budget});
   if (!classified) return Exit::usage;
   if (const auto problem = add_prefixes(request.prefixes, classified->loaded.source)) return say_error(*problem);
   if (would_destroy_source(request.out, request.files, classified->loaded.source)) return Exit::usage;
@@ -113,6 +115,9 @@ void add_compile(CLI::App& program, Choice& choice) {
       ->type_name("NAME=IRI")
       ->type_size(1)
       ->allow_extra_args(false);
+  command->add_flag("--leave-out-refused", request->leaves_out_refused,
+                    "leave out the files of folders that cannot be read, at most " +
+                        std::to_string(syntax::max_left_out) + ", with a line on standard error for each");
   add_number(*command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000,
              "most address space to use, in MiB; more memory is a longer start, less refuses large ontologies");
   add_work_limits(*command, choice.limits);

@@ -24,7 +24,7 @@ struct ConsistentRequest {
 std::string as_json(const Answer& answer) {
   boost::json::object document{{"consistent", verdict_as_json(answer.verdict)}};
   if (!answer.reason.empty()) document["reason"] = answer.reason;
-  return boost::json::serialize(document) + '\n';
+  return json_text(document) + '\n';
 }
 
 std::string as_text(const Answer& answer) {

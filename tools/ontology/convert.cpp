@@ -1,5 +1,6 @@
 // `geminga-ontology convert` and `merge`: an ontology in another syntax, and many files as one.
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -50,7 +51,7 @@ Exit convert(const ConvertRequest& request, const WorkLimits&) {
   if (!request.merges && loaded->syntaxes.size() != 1)
     return say_error("these are " + std::to_string(loaded->syntaxes.size()) +
                      " files, and convert writes one: geminga-ontology merge makes one of many");
-  graph::Graph graph;
+  graph::Graph graph({.octets = std::numeric_limits<std::size_t>::max()});  // it holds what the files hold
   if (const auto problem = add_asserted(*loaded, graph)) return say_error(*problem);
   graph.sort();
   const auto text = graph.write(*format, prefixes_of(loaded->source));

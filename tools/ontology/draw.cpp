@@ -10,6 +10,7 @@
 #include <csignal>
 #include <memory>
 
+#include "base/harmless.hpp"
 #include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
@@ -84,7 +85,7 @@ Exit draw(const DrawRequest& request, const Graphviz& graphviz) {
   Picture picture = make_picture(classified->loaded.source, classified->classification, *ontology, root, depth);
   if (request.is_compact) picture = with_lists_of_leaves(std::move(picture));
   if (request.format == "svg") {
-    return graphviz.draw(as_dot(picture))
+    return graphviz.draw(base::harmless_lines(as_dot(picture)))
                ? Exit::yes
                : say_error("the program dot failed: ask for --format dot, or draw less with --root");
   }

@@ -75,7 +75,7 @@ std::string as_json(const std::vector<Finding>& findings, const Answer& all) {
     if (!finding.answer.reason.empty()) entry["reason"] = finding.answer.reason;
     axioms.push_back(std::move(entry));
   }
-  return boost::json::serialize(document) + '\n';
+  return json_text(document) + '\n';
 }
 
 std::string as_text(const std::vector<Finding>& findings, const Answer& all) {

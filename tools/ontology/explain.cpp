@@ -180,7 +180,7 @@ std::string as_json(const compiled::Ontology& ontology, const Explained& explain
     for (const explanation::Proof& proof : explained.proofs) proofs.push_back(as_object(proof, *explainer));
   }
   if (explained.why_not) document["why_not"] = as_object(ontology, *explained.why_not);
-  return boost::json::serialize(document) + '\n';
+  return json_text(document) + '\n';
 }
 
 Exit explain(const ExplainRequest& request, const WorkLimits& limits) {

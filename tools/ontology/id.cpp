@@ -76,7 +76,7 @@ Exit print_id(const IdRequest& request, const WorkLimits&) {
                                        {"canonical", canonical_form(identity)},
                                        {"concept", identity.concept_iri},
                                        {"representation", identity.representation_iri}};
-    text = boost::json::serialize(document) + '\n';
+    text = json_text(document) + '\n';
   }
   return print_or_say(text);
 }

@@ -41,21 +41,25 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   auto loaded = load(request.files, progress, {.keeps_annotations = true});
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
-  graph::Graph asserted;
-  if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem);
+  const graph::GraphLimits graph_limits{.octets = graph_octets(limits)};
+  graph::Graph asserted(graph_limits);
+  if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem, exit_of(asserted));
   base::Budget budget = budget_of(limits);
   const auto classified = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
   progress.clear();
   if (const Exit exit = judge(classified); exit != Exit::yes) return exit;
-  graph::Graph alone;
+  graph::Graph alone(graph_limits);
   graph::Graph& graph = request.only_inferred ? alone : asserted;
-  add_inferred(*classified, request.as_closure, graph);
-  if (graph.problem()) return say_error(*graph.problem());
+  base::Budget writing(WorkLimits::default_steps);  // its own: what a search has settled within its limits is written
+  if (const auto problem = add_inferred(*classified, request.as_closure, writing, graph))
+    return say_error(*problem, Exit::timed_out);
+  if (graph.problem()) return say_error(*graph.problem(), exit_of(graph));
   graph.sort();
   if (request.only_inferred) {
     asserted.sort();
     alone.remove(asserted);
     add_declarations(*classified, alone);
+    if (alone.problem()) return say_error(*alone.problem(), exit_of(alone));
     alone.sort();
   }
   const auto text = graph.write(*format, prefixes_of(classified->loaded.source));
@@ -80,7 +84,9 @@ void add_infer(CLI::App& program, Choice& choice) {
       "\nWritten are rdfs:subClassOf and owl:equivalentClass, rdfs:subPropertyOf and owl:equivalentProperty, rdf:type\n"
       "and owl:sameAs, between names. Exit status 1 if the ontology contradicts itself; 4 if a limit was reached: "
       "what\n"
-      "is written follows, and standard error says what is not decided.\n"
+      "is written follows, and standard error says what is not decided. Nothing is written where the triples take "
+      "more\n"
+      "than 1 GiB, or half of --memory-limit: the closure grows with the square of a chain of classes.\n"
       "\nExamples:\n  geminga-ontology infer team/ -o inferred.owl\n"
       "  geminga-ontology infer team/ --only-inferred --closure -o - --to ntriples");
   run_when_named(*command, choice, request, infer);

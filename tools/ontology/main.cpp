@@ -1,13 +1,12 @@
 // geminga-ontology: checks, classifies, explains, draws and compiles ontologies; needs no daemon.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 
-#include "base/text.hpp"
 #include "manual/describe.hpp"
+#include "manual/mistake.hpp"
 #include "ontology/cage.hpp"
 #include "ontology/command/limits.hpp"
 #include "ontology/command/words.hpp"
@@ -40,20 +39,6 @@ FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester synt
 files that are named. Names are prefix:Name, <IRI>, a label, or, where it is unique, Name alone.
 Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 a limit was reached.)";
 
-/// Joins the lines of a message of CLI11.
-std::string in_one_line(std::string words) {
-  while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
-  for (char& c : words) {
-    if (c == '\n') c = ' ';
-  }
-  return words;
-}
-
-bool is_command(const CLI::App& program, const std::string& name) {
-  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
-  return std::ranges::any_of(commands, [&](const CLI::App* command) { return command->get_name() == name; });
-}
-
 int run(int argc, char** argv) {
   CLI::App program("Checks, classifies, explains, draws and compiles ontologies.", "geminga-ontology");
   program.set_version_flag("--version", "geminga-ontology " GEMINGA_VERSION);
@@ -69,16 +54,14 @@ int run(int argc, char** argv) {
   }
   try {
     program.parse(argc, argv);
+    if (const auto empty = geminga::manual::empty_text(program)) return static_cast<int>(say_error(*empty));
   } catch (const CLI::Success& wanted) {  // --help and --version
     return program.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    const std::string first = argc > 1 ? argv[1] : "";
-    if (!first.empty() && first.front() != '-' && !is_command(program, first))
-      return static_cast<int>(
-          say_error(geminga::base::printable(first) + " is no command: see geminga-ontology --help"));
-    return static_cast<int>(say_error(in_one_line(error.what()) + ": see geminga-ontology --help"));
+    return static_cast<int>(say_error(geminga::manual::mistake(program, error)));
   }
   limit_memory(choice.memory_limit_mib);
+  choice.limits.memory_mib = choice.memory_limit_mib;
   limit_time(choice.limits.seconds);
   if (choice.prepare) {
     if (const Exit prepared = choice.prepare(); prepared != Exit::yes) return static_cast<int>(prepared);
@@ -101,7 +84,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("geminga-ontology: there is not enough memory: raise --memory-limit, or split the ontology\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "geminga-ontology: something unexpected went wrong: %s\n", error.what());
+    say_error("something unexpected went wrong: " + std::string(error.what()));
   }
   return static_cast<int>(Exit::usage);
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/harmless.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "ontology/command/options.hpp"
@@ -35,6 +36,7 @@ struct QueryRequest {
   bool as_json = false;
   bool only_asserted = false;
   unsigned most_rows = 100'000;
+  unsigned most_steps = 50'000'000;  ///< some ten seconds
 };
 
 /// The query itself, or that in the file that the word names.
@@ -58,8 +60,8 @@ constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string
 /// The greatest width of a column that is aligned.
 constexpr std::size_t max_column_width = 80;
 
-/// Writes a node as N-Triples and TSV do.
-std::string as_ntriples(const Node& node) {
+/// Writes a node as N-Triples do.
+std::string raw_ntriples(const Node& node) {
   if (node.kind == Node::Kind::iri) return '<' + node.text + '>';
   if (node.kind == Node::Kind::blank) return "_:" + node.text;
   std::string text = "\"";
@@ -87,6 +89,9 @@ std::string as_ntriples(const Node& node) {
   if (!node.language.empty()) return text + '@' + node.language;
   return node.datatype.empty() || node.datatype == xsd_string ? text : text + "^^<" + node.datatype + '>';
 }
+
+/// Writes a node as N-Triples and TSV do, with escapes (RDF 1.1 N-Triples, section 4) for what a terminal could obey.
+std::string as_ntriples(const Node& node) { return base::harmless_json(raw_ntriples(node)); }
 
 /// Quotes a text with a comma, a quotation mark or a line end (RFC 4180).
 std::string as_csv(const Node& node) {
@@ -116,7 +121,7 @@ std::string json(const graph::Answer& answer) {
   if (answer.kind == graph::Answer::Kind::truth) {
     document["head"] = head;
     document["boolean"] = answer.is_true;
-    return boost::json::serialize(document) + '\n';
+    return json_text(document) + '\n';
   }
   head["vars"] = boost::json::value_from(answer.variables);
   document["head"] = head;
@@ -129,7 +134,7 @@ std::string json(const graph::Answer& answer) {
     bindings.push_back(std::move(binding));
   }
   document["results"] = boost::json::object{{"bindings", std::move(bindings)}};
-  return boost::json::serialize(document) + '\n';
+  return json_text(document) + '\n';
 }
 
 std::string separated(const graph::Answer& answer, bool by_commas) {
@@ -198,6 +203,8 @@ std::string written(const graph::Answer& answer, Rows rows,
 
 /// The graph that is asked, and the short forms of its names.
 struct Asked {
+  explicit Asked(const graph::GraphLimits& limits) : graph(limits) {}
+
   graph::Graph graph;
   graph::Prefixes prefixes;
   std::function<std::string(std::string_view)> short_name;
@@ -209,7 +216,8 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, ba
   Progress progress(!request.as_json);
   auto loaded = load(files, progress, {.keeps_annotations = true});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
-  if (const auto problem = add_asserted(*loaded, asked.graph)) return say_failure(*problem, request.as_json);
+  if (const auto problem = add_asserted(*loaded, asked.graph))
+    return say_failure(*problem, request.as_json, exit_of(asked.graph));
   asked.prefixes = prefixes_of(loaded->source);
   if (request.only_asserted) {
     classified.emplace(std::move(*loaded), reasoner::Classified{}, 0, 0);
@@ -222,13 +230,15 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, ba
           "the ontology contradicts itself, so that everything follows from it: ask --asserted only, or "
           "see geminga-ontology check",
           request.as_json);
-    add_inferred(*classified, true, asked.graph);
+    base::Budget writing(WorkLimits::default_steps);
+    if (const auto problem = add_inferred(*classified, true, writing, asked.graph))
+      return say_failure(*problem, request.as_json, Exit::timed_out);
     // exit_of() tells of a limit that was reached.
     const auto why = why_incomplete(*classified);
     if (why && !classified->classification.is_cut_off) say_error("more may follow: " + *why);
   }
   progress.clear();
-  if (asked.graph.problem()) return say_failure(*asked.graph.problem(), request.as_json);
+  if (asked.graph.problem()) return say_failure(*asked.graph.problem(), request.as_json, exit_of(asked.graph));
   asked.graph.sort();
   asked.short_name = short_names(classified->loaded.source);
   return Exit::yes;
@@ -237,10 +247,13 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, ba
 /// Writes the answer. The exit status says whether there are rows, or whether the answer is yes.
 Exit write(const graph::Answer& answer, const QueryRequest& request, Rows rows, const Asked& asked) {
   const bool are_triples = answer.kind == graph::Answer::Kind::triples;
-  if (!print(are_triples ? answer.text : written(answer, rows, asked.short_name))) return say_unwritten();
+  const std::string text = are_triples ? answer.text : written(answer, rows, asked.short_name);
+  const bool is_data = are_triples || rows == Rows::csv || rows == Rows::tsv;
+  if (!(is_data ? print_data(text) : print(text))) return say_unwritten();
   if (answer.is_cut)
     return say_error("there are more than " + std::to_string(request.most_rows) +
-                     " rows, which were written: raise --rows, or write LIMIT");
+                     " rows, or more octets than a query may take; the first were written: raise --rows or "
+                     "--memory-limit, or write LIMIT");
   if (answer.kind == graph::Answer::Kind::truth) return answer.is_true ? Exit::yes : Exit::no;
   return are_triples || !answer.rows.empty() ? Exit::yes : Exit::no;
 }
@@ -253,13 +266,18 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   if (request.words.size() < 2) return say_failure("name the files, and behind them the query", request.as_json);
   const auto text = query_of(request.words.back());
   if (!text) return say_failure(text.error(), request.as_json);
-  Asked asked;
+  const graph::GraphLimits graph_limits{
+      .octets = graph_octets(limits), .query_octets = graph_octets(limits), .rows = request.most_rows};
+  Asked asked(graph_limits);
   std::optional<ClassifiedFiles> classified;
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
   base::Budget budget = budget_of(limits);
   if (const Exit exit = fill(files, request, budget, asked, classified); exit != Exit::yes) return exit;
-  const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, {.rows = request.most_rows});
-  if (!answer) return say_failure(answer.error(), request.as_json);
+  base::Budget asking(request.most_steps);
+  limit_asking(limits);
+  const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking);
+  if (!answer)
+    return say_failure(answer.error().text, request.as_json, answer.error().is_limit ? Exit::timed_out : Exit::usage);
   const Exit exit = write(*answer, request, *rows, asked);
   return exit == Exit::usage ? exit : exit_of(*classified, exit);
 }
@@ -279,6 +297,8 @@ void add_query(CLI::App& program, Choice& choice) {
       ->type_name(format_choices);
   command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
   add_number(*command, "--rows", request->most_rows, 1, 10'000'000, "most rows to write; 100000 where it is not given");
+  add_number(*command, "--query-steps", request->most_steps, 1, 4'000'000'000,
+             "most triples that the query looks at; 50000000 where it is not given");
   add_memory_limit(*command, choice);
   add_work_limits(*command, choice.limits);
   command->footer(
@@ -286,8 +306,9 @@ void add_query(CLI::App& program, Choice& choice) {
       "files\n"
       "need no declaration. Nothing is fetched: FROM and SERVICE are refused. What follows are all relations between\n"
       "named classes and properties, and all types of named individuals.\n"
-      "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no; 4 a limit was reached, and\n"
-      "the answer is that of what is settled by then.\n"
+      "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no; 4 a limit was reached: of\n"
+      "the search, and the answer is that of what is settled by then; or of the query, which then has no answer\n"
+      "(--query-steps; 300 s of processor time where there is no --time-limit; 1 GiB, or half of --memory-limit).\n"
       "\nExamples:\n"
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"

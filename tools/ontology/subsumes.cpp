@@ -71,7 +71,7 @@ reasoner::Answer decide(ClassifiedFiles& classified, const compiled::Ontology& o
 std::string as_json(const std::string& sub, const std::string& super, const reasoner::Answer& answer) {
   boost::json::object document{{"sub", sub}, {"super", super}, {"subsumed", verdict_as_json(answer.verdict)}};
   if (!answer.reason.empty()) document["reason"] = answer.reason;
-  return boost::json::serialize(document) + '\n';
+  return json_text(document) + '\n';
 }
 
 /// The exit status of an answer. Yes is certain whatever limit was reached.

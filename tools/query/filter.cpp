@@ -1,5 +1,6 @@
 #include "query/filter.hpp"
 
+#include <CLI/Error.hpp>
 #include <algorithm>
 #include <array>
 #include <regex>
@@ -54,6 +55,7 @@ Filter read_filter(const std::vector<std::string>& words) {
   for (const auto& word : words) {
     if (auto pair = shell::key_and_value(word)) {
       const bool is_for_daemon = std::ranges::find(keys_of_the_daemon, pair->first) != keys_of_the_daemon.end();
+      if (is_for_daemon && pair->second.empty()) throw CLI::ValidationError(word, std::string(shell::nothing_behind));
       (is_for_daemon ? filter.parameters : filter.values).push_back(std::move(*pair));
     } else {
       (std::regex_match(word, name) ? filter.names : filter.texts).push_back(word);

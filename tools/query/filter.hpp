@@ -32,6 +32,7 @@ struct Filter {
   [[nodiscard]] std::string unknown_key(const std::vector<Record>& records) const;
 };
 
+/// Throws CLI::ValidationError for a key of the daemon without a value.
 [[nodiscard]] Filter read_filter(const std::vector<std::string>& words);
 
 /// Whether the text occurs in a column or attribute.

@@ -58,6 +58,7 @@ void read_words(Flags& flags) {
           "attributes are asked for with --where '" +
               pair->first + " = " + pair->second + "'");
     }
+    if (pair && pair->second.empty()) throw CLI::ValidationError(word, std::string(shell::nothing_behind));
     if (!flags.concept_name.empty()) {
       throw CLI::ValidationError(word, "is a second concept: write a class expression in quotes, e.g. 'A or B'");
     }

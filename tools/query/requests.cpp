@@ -64,8 +64,9 @@ void add_requests(CLI::App& app, Run& selected) {
       "Examples:\n  geminga-query requests\n  geminga-query requests --unmatched\n  geminga-query requests --unused "
       "robot2");
   command->callback([flags, &selected] {
-    selected = [flags](const Context& context, Client& client) {
-      return show(context, client, listing_of_requests(*flags));
+    auto listing = listing_of_requests(*flags);  // throws where a word cannot be read
+    selected = [listing = std::move(listing)](const Context& context, Client& client) {
+      return show(context, client, listing);
     };
   });
 }

@@ -87,8 +87,9 @@ void add_services(CLI::App& app, Run& selected) {
       "  geminga-query services robot2 mode=otm/stream\n"
       "  geminga-query services concept=soccer:TrackedObject protocol=udp\n  geminga-query services --unused");
   command->callback([flags, &selected] {
-    selected = [flags](const Context& context, Client& client) {
-      return show(context, client, services_listing(flags->words, flags->unused));
+    auto listing = services_listing(flags->words, flags->unused);  // throws where a word cannot be read
+    selected = [listing = std::move(listing)](const Context& context, Client& client) {
+      return show(context, client, listing);
     };
   });
 }

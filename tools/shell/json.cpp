@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "base/harmless.hpp"
 #include "base/text.hpp"
 #include "shell/terminal.hpp"
 #include "shell/timestamp.hpp"
@@ -163,25 +164,12 @@ json::object stamped(const json::object& event) {
 
 namespace {
 
-/// A string in JSON. Boost.JSON escapes the characters that RFC 8259 names (C0); this escapes all others that a
-/// terminal could obey, too.
+/// A string in JSON. Boost.JSON escapes the characters that RFC 8259 names (C0); harmless_json() escapes all others
+/// that a terminal could obey, too.
 std::string quoted(const json::string& text) {
   std::string valid;
   utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
-  const std::string escaped = json::serialize(json::string(valid));
-  std::string safe;
-  for (auto at = escaped.begin(); at != escaped.end();) {
-    const auto begin = at;
-    const char32_t c = utf8::next(at, escaped.end());
-    if (!is_harmful(c)) {
-      safe.append(begin, at);
-      continue;
-    }
-    std::array<char, 8> escape{};
-    std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(c));
-    safe += escape.data();
-  }
-  return safe;
+  return base::harmless_json(json::serialize(json::string(valid)));
 }
 
 /// Writes 0.25 as such; Boost.JSON would write 2.5E-1.

@@ -1,12 +1,16 @@
 #include "shell/options.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <iostream>
 
+#include "base/edit_distance.hpp"
 #include "base/text.hpp"
 #include "manual/describe.hpp"
+#include "manual/mistake.hpp"
 #include "shell/report.hpp"
 #include "shell/terminal.hpp"
 
@@ -51,6 +55,7 @@ bool IdentityOptions::takes(const std::string& word) {
   const bool is_id = key == "id";
   const bool is_text = key == "text";
   if (!is_id && !is_text && key != "representation") return false;
+  if (value.empty()) throw CLI::ValidationError(key + '=', std::string(nothing_behind));
   if (is_id ? id.has_value() : is_text ? text.has_value() : !representation.empty()) {
     throw CLI::ValidationError("--" + key, "is given twice: give it once");
   }
@@ -133,6 +138,23 @@ void add_degree(CLI::App& app, Degree& degree) {
       ->type_name("exact|equivalent|narrower|broader|overlapping");
 }
 
+namespace {
+
+/// The name of a variable that may mean GEMINGA_CONNECT, the only one that the programs read; empty where there is
+/// none.
+/// `--exec` sets GEMINGA_CONVERT.
+std::string mistyped_variable() {
+  constexpr std::string_view known = "GEMINGA_CONNECT";
+  for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+    const std::string_view name = std::string_view(*variable).substr(0, std::string_view(*variable).find('='));
+    if (name != known && name.starts_with("GEMINGA_") && base::edit_distance(name, known, 1) <= 1)
+      return std::string(name);
+  }
+  return {};
+}
+
+}  // namespace
+
 std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv) {
   if (const auto description = manual::described(app, argc, argv)) {
     std::cout << *description;
@@ -140,16 +162,17 @@ std::optional<ExitStatus> parse(CLI::App& app, int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
-    return std::nullopt;
+    const std::string variable = mistyped_variable();
+    const auto empty = manual::empty_text(app);
+    if (variable.empty() && !empty) return std::nullopt;
+    complain(app.get_name(), empty ? *empty : variable + ": unknown: did you mean GEMINGA_CONNECT?");
+    return ExitStatus::wrong_use;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
       app.exit(error, std::cout, std::cerr);  // --help and --version
       return ExitStatus::found;
     }
-    const auto words = app.remaining();
-    const bool is_no_command = !words.empty() && error.get_name() == "RequiredError" && app.get_subcommands().empty();
-    const std::string wrong = is_no_command ? "'" + printable(words.front()) + "' is no command" : error.what();
-    complain(app.get_name(), wrong + ": see " + app.get_name() + " --help");
+    complain(app.get_name(), manual::mistake(app, error));
     return ExitStatus::wrong_use;
   }
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "geminga/client.hpp"
@@ -32,6 +33,10 @@ struct CommonOptions {
   [[nodiscard]] std::chrono::milliseconds timeout_or(std::chrono::milliseconds usual) const;
 };
 
+/// The error of a word `KEY=` of an identity.
+inline constexpr std::string_view nothing_behind =
+    "has nothing behind it: see whether the variable that it comes from is set";
+
 /// --id, --text, --representation, or the same as words (`text=camera`); a concept comes as a positional word.
 struct IdentityOptions {
   std::optional<std::string> id;
@@ -40,7 +45,7 @@ struct IdentityOptions {
 
   void add_to(CLI::App& app);
   /// Takes a word `id=N`, `text=NAME` or `representation=R` as the flag of that name; false where it is none of these.
-  /// Throws CLI::ValidationError where it was given already.
+  /// Throws CLI::ValidationError where it was given already, or is empty.
   bool takes(const std::string& word);
   /// The identity with this concept (empty: none); nothing where no identity is given. Throws CLI::ValidationError
   /// where two are given or one cannot be read.

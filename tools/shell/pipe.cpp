@@ -9,10 +9,13 @@
 #include <expected>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "base/harmless.hpp"
 #include "shell/report.hpp"
 #include "shell/stop_signals.hpp"
+#include "shell/terminal.hpp"
 
 namespace geminga::shell {
 namespace {
@@ -124,7 +127,12 @@ Result<Node, ClientError> open(const Pipe& pipe) {
   ClientOptions probe = pipe.connection;
   probe.name.clear();
   if (auto client = Client::connect(probe); !client) return std::unexpected(client.error());
-  return Node::open(pipe.connection);
+  ClientOptions options = pipe.connection;
+  // Events tell of everything else.
+  options.log = [program = pipe.program](std::string_view line) {
+    if (line.starts_with("no daemon at ") || line.starts_with("the daemon at ")) complain(program, line);
+  };
+  return Node::open(options);
 }
 
 /// One descriptor for standard input and a node.
@@ -170,15 +178,19 @@ ExitStatus listen(const Pipe& pipe, const std::vector<NamedSubscription>& subscr
     if (!subscriber) return report(pipe.program, subscriber.error());
     subscribers.push_back(std::move(*subscriber));
   }
+  const bool is_terminal = Terminal::of_standard_output().is_terminal;
   while (!piping.ended()) {
     bool has_come = false;
     for (Subscriber& subscriber : subscribers) {
       while (!piping.ended()) {
         const auto message = subscriber.poll();
         if (!message) break;
-        std::cout.write(reinterpret_cast<const char*>(message->payload.data()),
-                        static_cast<std::streamsize>(message->payload.size()))
-            << '\n';
+        const std::string_view payload(reinterpret_cast<const char*>(message->payload.data()), message->payload.size());
+        if (is_terminal) {
+          std::cout << base::harmless_lines(payload) << '\n';
+        } else {
+          std::cout << payload << '\n';  // data, as it came
+        }
         piping.count();
         has_come = true;
       }

@@ -6,8 +6,8 @@
 
 #include <array>
 #include <cstdlib>
-#include <iterator>
 
+#include "base/harmless.hpp"
 #include "base/text.hpp"
 
 namespace geminga::shell {
@@ -39,24 +39,7 @@ bool locale_has_utf8() {
 
 }  // namespace
 
-bool is_harmful(char32_t c) {
-  const bool is_control = c < 0x20 || (c >= 0x7f && c < 0xa0);
-  const bool turns_direction =
-      c == 0x061c || c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
-  const bool breaks_line = c == 0x2028 || c == 0x2029;
-  return is_control || turns_direction || breaks_line;
-}
-
-std::string printable(std::string_view text) {
-  std::string valid;
-  utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
-  std::string harmless;
-  for (auto at = valid.begin(); at != valid.end();) {
-    const char32_t c = utf8::next(at, valid.end());
-    utf8::append(is_harmful(c) ? U'\ufffd' : c, std::back_inserter(harmless));
-  }
-  return harmless;
-}
+std::string printable(std::string_view text) { return base::harmless(text); }
 
 std::size_t width(std::string_view text) { return static_cast<std::size_t>(utf8::distance(text.begin(), text.end())); }
 

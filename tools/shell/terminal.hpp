@@ -8,11 +8,7 @@
 
 namespace geminga::shell {
 
-/// Whether a terminal could obey this character: control characters (C0, DEL, C1), those that turn the direction of
-/// writing, and those that end a line.
-[[nodiscard]] bool is_harmful(char32_t character);
-
-/// Makes a text from the network one harmless line: bad UTF-8 and harmful characters become U+FFFD.
+/// Makes a text from the network one harmless line (base/harmless.hpp): bad UTF-8 and harmful characters become U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// The columns of a printable text, one for each character.

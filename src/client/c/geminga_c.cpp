@@ -291,6 +291,11 @@ void geminga_on_event(geminga_node* node, geminga_on_event_call call, void* cont
       [teller = Teller(call, context)](const geminga::ChannelEvent& event) { std::visit(teller, event); });
 }
 
+void geminga_on_log(geminga_node* node, geminga_on_log_call call, void* context) {
+  if (call == nullptr) return node->node.on_log(nullptr);
+  node->node.on_log([call, context](std::string_view line) { call(context, std::string(line).c_str()); });
+}
+
 uint32_t geminga_publisher_number(const geminga_publisher* publisher) { return publisher->publisher.number(); }
 uint32_t geminga_subscriber_number(const geminga_subscriber* subscriber) { return subscriber->subscriber.number(); }
 uint64_t geminga_publisher_life(const geminga_publisher* publisher) {

@@ -4,9 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "client/channels/reactor.hpp"
+#include "client/protocol/channel_keys.hpp"
 #include "geminga/channel.hpp"
 
 namespace geminga::client {
@@ -22,6 +25,14 @@ class ChannelHost {
   virtual void on_message(ChannelNumber channel) = 0;
   /// States the port of a publisher that had to change it.
   virtual void state_port(ChannelNumber channel, std::uint16_t port) = 0;
+  /// States an attribute of a publisher that is the library's own.
+  virtual void state_attribute(ChannelNumber channel, const std::string& key, const std::string& value) = 0;
+  /// The mode of this host, as far as the daemon has told it.
+  [[nodiscard]] virtual std::optional<SealingMode> sealing_mode() const = 0;
+  /// Whether the daemon is back for so short a time that it may not have heard of everything yet.
+  [[nodiscard]] virtual bool is_settling() const = 0;
+  /// Whether this is the process that opened the node, which alone may seal and send.
+  [[nodiscard]] virtual bool is_own_process() const = 0;
   /// Room for one datagram of any size. Its content is void after the call.
   [[nodiscard]] virtual std::span<std::byte> datagram_room() = 0;
 };

@@ -65,10 +65,11 @@ std::optional<std::expected<gcnp::Reply, Error>> DaemonConnection::next() {
   return gcnp::read_reply(line->text);
 }
 
-gcnp::Statement hello_statement(const std::string& name, std::uint32_t room) {
+gcnp::Statement hello_statement(const std::string& name, std::uint32_t room, bool asks_for_keys) {
   gcnp::Hello hello;
   if (!name.empty()) hello.name = name;
   if (room > 0) hello.room = room;
+  if (asks_for_keys) hello.keys = true;
   return gcnp::to_statement(0, hello);
 }
 

@@ -45,8 +45,9 @@ class DaemonConnection {
   gcnp::LineReader reader_;
 };
 
-/// The statement that opens a conversation. `name` may be empty; `room` is that of ClientOptions, 0 for none.
-[[nodiscard]] gcnp::Statement hello_statement(const std::string& name, std::uint32_t room);
+/// The statement that opens a conversation. `name` may be empty; `room` is that of ClientOptions, 0 for none; only a
+/// client with channels asks for their keys.
+[[nodiscard]] gcnp::Statement hello_statement(const std::string& name, std::uint32_t room, bool asks_for_keys = false);
 /// The text for an endpoint where something else than a daemon answers.
 [[nodiscard]] std::string no_daemon_text(const std::string& where, const Error& error);
 /// The system's words for an error number.

@@ -56,7 +56,7 @@ void DaemonLink::on_ready(Reactor::Ready ready) {
 
 void DaemonLink::greet() {
   state_ = State::greeting;
-  connection_->put(hello_statement(options_.name, options_.room));
+  connection_->put(hello_statement(options_.name, options_.room, true));
   watch_.want(true, false);
   write();
 }
@@ -122,8 +122,15 @@ void DaemonLink::take(std::expected<gcnp::Reply, Error> reply) {
   told_.up(message);
 }
 
+std::string DaemonLink::all_endpoints() const {
+  std::string all;
+  for (const Endpoint& endpoint : options_.endpoints) all += (all.empty() ? "" : " and ") + to_string(endpoint);
+  return all;
+}
+
 void DaemonLink::fail(const std::string& reason) {
   const bool was_up = state_ == State::up;
+  const std::string gone = where();
   stop();
   has_failed_ = true;
   state_ = State::waiting;
@@ -133,6 +140,7 @@ void DaemonLink::fail(const std::string& reason) {
   } else {
     endpoint_ = 0;
     timer_.set(reactor_.now() + backoff_.next(chance_()));
+    told_.missing(was_up ? gone : all_endpoints(), reason);
   }
   if (was_up) told_.down(reason);
 }

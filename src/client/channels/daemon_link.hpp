@@ -27,6 +27,8 @@ class DaemonLink {
     std::function<void(const std::string& reason)> down;   ///< the daemon is gone
     std::function<void(gcnp::Reply)> reply;                ///< any other reply
     std::function<void(const std::string& text)> refused;  ///< the program that listens there does not accept us
+    /// The daemon was not reached where these endpoints are, or it is gone from there.
+    std::function<void(const std::string& where, const std::string& reason)> missing;
   };
   struct Options {
     std::vector<Endpoint> endpoints;
@@ -42,6 +44,8 @@ class DaemonLink {
   [[nodiscard]] bool is_up() const { return state_ == State::up; }
   /// Whether an attempt has failed since it was up, or since the start.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
+  /// The endpoint of the attempt under way, or of the daemon.
+  [[nodiscard]] std::string where() const { return to_string(options_.endpoints[endpoint_]); }
   /// Says a line, if the daemon is there.
   void say(const gcnp::Statement& statement);
   /// Says goodbye. `down` is called when the daemon has read everything, or has taken too long for that.
@@ -64,6 +68,7 @@ class DaemonLink {
   void write();
   /// Closes our half if everything is written.
   void end_if_leaving();
+  [[nodiscard]] std::string all_endpoints() const;
   /// The attempt has failed, or the daemon is gone: tries again later.
   void fail(const std::string& reason);
 

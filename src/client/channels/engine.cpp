@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "client/protocol/life.hpp"
+#include "discovery/gcnp/channel_keyring.hpp"
 
 namespace geminga {
 
@@ -61,11 +62,14 @@ Welcome welcome_of(const gcnp::Statement& hello) {
   return welcome;
 }
 
-Engine::Engine(DaemonLink::Options options)
-    : reactor_([this](std::string text) { tell(Problem{0, std::move(text)}); }),
+Engine::Engine(DaemonLink::Options options, Log::Write log, Reactor::Clock clock)
+    : reactor_([this](std::string text) { tell(Problem{0, std::move(text)}); }, std::move(clock)),
+      log_(reactor_, std::move(log)),
       room_(largest_datagram),
       link_(reactor_, std::move(options), told()),
-      session_([this](const gcnp::Statement& statement) { link_.say(statement); }),
+      session_([this](const gcnp::Statement& statement) {
+        if (is_own_process()) link_.say(statement);
+      }),
       settle_(reactor_,
               [this] {
                 for (const auto& [number, publisher] : publishers_) publisher->on_settled();
@@ -89,6 +93,7 @@ DaemonLink::Told Engine::told() {
   told.refused = [this](const std::string& text) {
     if (std::exchange(last_refusal_, text) != text) tell(Problem{0, text});
   };
+  told.missing = [this](const std::string& where, const std::string& reason) { log_.on_no_daemon(where, reason); };
   return told;
 }
 
@@ -104,6 +109,7 @@ Result<ChannelNumber, ClientError> Engine::publish(NamedPublication publication)
   auto opened = PublisherChannel::open(*this, number, publication);
   if (!opened) return Failure(wrong_use(std::move(opened.error())));
   if (auto fault = Session::fault(publication)) return Failure(wrong_use(std::move(fault->text)));
+  if (mode_ == SealingMode::plain && link_.is_up()) (*opened)->set_keys(ChannelKeys());
   publishers_.emplace(number, std::move(*opened));
   session_.create(number, std::move(publication));
   return number;
@@ -115,6 +121,7 @@ Result<ChannelNumber, ClientError> Engine::subscribe(NamedSubscription subscript
   auto opened = SubscriberChannel::open(*this, number, subscription, std::move(conversions));
   if (!opened) return Failure(wrong_use(std::move(opened.error())));
   if (auto fault = Session::fault(subscription)) return Failure(wrong_use(std::move(fault->text)));
+  if (mode_) (*opened)->on_daemon_keys(*mode_ != SealingMode::plain);
   subscribers_.emplace(number, std::move(*opened));
   session_.create(number, std::move(subscription));
   return number;
@@ -145,6 +152,10 @@ void Engine::withdraw(ChannelNumber number) {
   }
   const auto found = publishers_.find(number);
   if (found == publishers_.end() || is_finishing(number)) return;
+  if (!is_own_process()) {
+    publishers_.erase(found);
+    return session_.remove(number);
+  }
   found->second->finish();
   finishing_.push_back(number);
   end_finished();
@@ -161,6 +172,12 @@ void Engine::end_finished() {
 
 void Engine::withdraw_all() {
   is_ending_ = true;
+  if (!is_own_process()) {
+    subscribers_.clear();
+    publishers_.clear();
+    finishing_.clear();
+    return;
+  }
   while (!subscribers_.empty()) withdraw(subscribers_.begin()->first);
   std::vector<ChannelNumber> numbers;
   for (const auto& [number, publisher] : publishers_) numbers.push_back(number);
@@ -169,7 +186,7 @@ void Engine::withdraw_all() {
 
 bool Engine::has_ended() {
   if (!is_ending_ || !publishers_.empty()) return false;
-  if (!link_.is_up()) return true;
+  if (!link_.is_up() || !is_own_process()) return true;
   link_.leave();
   return !link_.is_up();
 }
@@ -186,6 +203,10 @@ SubscriberChannel* Engine::subscriber(ChannelNumber number) const {
 
 void Engine::on_up(const gcnp::Statement& hello) {
   last_refusal_.clear();
+  log_.on_daemon(link_.where());
+  const auto mode =
+      hello.value("keys") == "yes" ? client::sealing_mode(hello.value("sealing").value_or("")) : std::nullopt;
+  on_mode(mode.value_or(SealingMode::plain));
   tell(Connected{welcome_of(hello)});
   settle_.set(reactor_.now() + settle_patience);
   session_.on_up();
@@ -200,12 +221,40 @@ void Engine::on_down(const std::string& reason) {
   if (is_ending_) link_.stop();
 }
 
-void Engine::on_reply(gcnp::Reply reply) {
-  if (const auto* message = std::get_if<gcnp::Statement>(&reply)) {
-    if (message->command != "msg" || message->subcommand != "pong") return;
-    for (const auto& settled : session_.on_pong()) on_settled(settled);
-    return;
+void Engine::on_mode(SealingMode mode) {
+  mode_ = mode;
+  const bool is_plain = mode == SealingMode::plain;
+  for (const auto& [number, publisher] : publishers_) {
+    if (is_plain) publisher->set_keys(ChannelKeys());
   }
+  for (const auto& [number, subscriber] : subscribers_) {
+    subscriber->on_daemon_keys(!is_plain);
+    subscriber->on_mode();
+  }
+}
+
+void Engine::on_keys(const gcnp::Statement& statement) {
+  const auto stated = read_keys(statement);
+  if (!stated) return tell(Problem{statement.id, "the daemon's keys of a channel cannot be read"});
+  if (auto* known = publisher(statement.id); known != nullptr && known->life() == stated->life) {
+    known->set_keys(stated->keys);
+  } else if (auto* one = subscriber(statement.id)) {
+    one->set_keys(stated->life, stated->keys);
+  }
+}
+
+void Engine::on_statement(const gcnp::Statement& statement) {
+  if (statement.command == "pub" && statement.subcommand == gcnp::keys_subcommand) return on_keys(statement);
+  if (statement.command != "msg") return;
+  if (statement.subcommand == "sealing") {
+    if (const auto mode = client::sealing_mode(statement.value("mode").value_or(""))) on_mode(*mode);
+  } else if (statement.subcommand == "pong") {
+    for (const auto& settled : session_.on_pong()) on_settled(settled);
+  }
+}
+
+void Engine::on_reply(gcnp::Reply reply) {
+  if (const auto* statement = std::get_if<gcnp::Statement>(&reply)) return on_statement(*statement);
   const Event& event = std::get<Event>(reply);
   if (const auto* service = std::get_if<ServiceEvent>(&event.what)) {
     if (auto* known = subscriber(event.request)) known->on_event(*service);
@@ -222,6 +271,7 @@ void Engine::on_settled(const Session::Settled& settled) {
     return link_.drop(settled.error->text);
   }
   if (settled.error) {
+    if (const auto* request = session_.find(settled.number)) log_.on_refused(request->stated, settled.error->text);
     tell(Refused{settled.number, *settled.error});
     close_refused(settled.number);
   } else if (settled.is_news) {
@@ -246,7 +296,15 @@ void Engine::state_port(ChannelNumber channel, std::uint16_t port) {
   [[maybe_unused]] const auto asked = session_.modify(channel, change);
 }
 
+void Engine::state_attribute(ChannelNumber channel, const std::string& key, const std::string& value) {
+  PublicationChange change;
+  change.attributes[key] = value;
+  if (session_.find(channel) == nullptr) return;
+  [[maybe_unused]] const auto asked = session_.modify(channel, change);
+}
+
 void Engine::tell(ChannelEvent event) {
+  if (const auto* problem = std::get_if<Problem>(&event)) log_.line(problem->text);
   if (events_.size() == max_waiting_events) {
     events_.pop_front();
     ++lost_events_;
@@ -259,7 +317,9 @@ void Engine::tell(ChannelEvent event) {
 std::optional<ChannelEvent> Engine::next_event() {
   has_looked(events_only);
   if (const auto lost = std::exchange(lost_events_, 0); lost > 0) {
-    return Problem{0, std::to_string(lost) + " events were thrown away, the eldest first"};
+    Problem problem{0, std::to_string(lost) + " events were thrown away: take them more often"};
+    log_.line(problem.text);
+    return problem;
   }
   if (events_.empty()) return std::nullopt;
   std::optional<ChannelEvent> event(std::move(events_.front()));

@@ -17,6 +17,7 @@
 
 #include "client/channels/channel_host.hpp"
 #include "client/channels/daemon_link.hpp"
+#include "client/channels/log.hpp"
 #include "client/channels/publisher_channel.hpp"
 #include "client/channels/subscriber_channel.hpp"
 #include "client/protocol/session.hpp"
@@ -32,7 +33,7 @@ class Engine final : public ChannelHost {
   using OnMessage = std::function<void(Message)>;
 
   /// Begins to look for the daemon.
-  explicit Engine(DaemonLink::Options options);
+  explicit Engine(DaemonLink::Options options, Log::Write log = {}, Reactor::Clock clock = Reactor::system_time);
   ~Engine() override;
 
   [[nodiscard]] int descriptor() const { return reactor_.descriptor(); }
@@ -78,6 +79,9 @@ class Engine final : public ChannelHost {
     if (has_news()) reminder_.set(reactor_.now());
   }
 
+  /// Gives further lines of the log to this function; to standard error if it is empty.
+  void on_log(Log::Write write) { log_.set(std::move(write)); }
+
   [[nodiscard]] Reactor& reactor() override { return reactor_; }
   void tell(ChannelEvent event) override;
   void on_message(ChannelNumber channel) override {
@@ -85,6 +89,10 @@ class Engine final : public ChannelHost {
     news_.insert(channel);
   }
   void state_port(ChannelNumber channel, std::uint16_t port) override;
+  void state_attribute(ChannelNumber channel, const std::string& key, const std::string& value) override;
+  [[nodiscard]] std::optional<SealingMode> sealing_mode() const override { return mode_; }
+  [[nodiscard]] bool is_settling() const override { return settle_.at() != base::never; }
+  [[nodiscard]] bool is_own_process() const override { return reactor_.is_own_process(); }
   [[nodiscard]] std::span<std::byte> datagram_room() override { return room_; }
 
  private:
@@ -92,6 +100,11 @@ class Engine final : public ChannelHost {
   void on_up(const gcnp::Statement& hello);
   void on_down(const std::string& reason);
   void on_reply(gcnp::Reply reply);
+  void on_statement(const gcnp::Statement& statement);
+  /// Takes the keys of one life for a request.
+  void on_keys(const gcnp::Statement& statement);
+  /// Takes the mode of this host; plain: the daemon has no keys.
+  void on_mode(SealingMode mode);
   void on_settled(const Session::Settled& settled);
   [[nodiscard]] bool is_finishing(ChannelNumber number) const {
     return std::ranges::find(finishing_, number) != finishing_.end();
@@ -102,7 +115,9 @@ class Engine final : public ChannelHost {
   bool hand_out();
 
   Reactor reactor_;
+  Log log_;
   std::vector<std::byte> room_;
+  std::optional<SealingMode> mode_;  ///< nothing: no daemon has told it yet
   DaemonLink link_;
   Session session_;
   std::map<ChannelNumber, std::unique_ptr<PublisherChannel>> publishers_;

@@ -22,14 +22,15 @@ constexpr std::uint64_t clock_token = 0;
 
 }  // namespace
 
-Reactor::Reactor(OnFailure on_failure)
+Reactor::Reactor(OnFailure on_failure, Clock clock)
     : on_failure_(std::move(on_failure)),
+      clock_(std::move(clock)),
       poll_(::epoll_create1(EPOLL_CLOEXEC)),
-      clock_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)) {
+      alarm_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)) {
   epoll_event event{};
   event.events = EPOLLIN;
   event.data.u64 = clock_token;
-  if (!poll_.is_open() || !clock_.is_open() || ::epoll_ctl(poll_.get(), EPOLL_CTL_ADD, clock_.get(), &event) != 0) {
+  if (!poll_.is_open() || !alarm_.is_open() || ::epoll_ctl(poll_.get(), EPOLL_CTL_ADD, alarm_.get(), &event) != 0) {
     throw std::system_error(errno, std::generic_category(), "no descriptor is left for a node");
   }
 }
@@ -46,7 +47,7 @@ Reactor::Watch& Reactor::Watch::operator=(Watch&& other) noexcept {
 }
 
 void Reactor::Watch::want(bool reads, bool writes) {
-  if (reactor_ == nullptr) return;
+  if (reactor_ == nullptr || !reactor_->is_own_process()) return;
   const std::uint32_t events = (reads ? EPOLLIN : 0U) | (writes ? EPOLLOUT : 0U);
   if (events == events_) return;
   events_ = events;
@@ -58,7 +59,7 @@ void Reactor::Watch::want(bool reads, bool writes) {
 
 void Reactor::Watch::stop() {
   if (reactor_ == nullptr) return;
-  ::epoll_ctl(reactor_->poll_.get(), EPOLL_CTL_DEL, socket_, nullptr);
+  if (reactor_->is_own_process()) ::epoll_ctl(reactor_->poll_.get(), EPOLL_CTL_DEL, socket_, nullptr);
   reactor_->watched_.erase(token_);
   reactor_ = nullptr;
 }
@@ -90,11 +91,12 @@ Reactor::Watch Reactor::watch(const Socket& socket, OnReady on_ready) {
 
 void Reactor::fail() { on_failure_("a socket cannot be watched: " + std::generic_category().message(errno)); }
 
-base::Instant Reactor::now() const {
+base::Instant Reactor::system_time() {
   return base::Instant(std::chrono::duration_cast<base::Duration>(std::chrono::steady_clock::now().time_since_epoch()));
 }
 
 void Reactor::process() {
+  if (!is_own_process()) return;
   std::array<epoll_event, events_at_once> events{};
   for (int round = 0; round < rounds_at_once; ++round) {
     const int count = ::epoll_wait(poll_.get(), events.data(), events_at_once, 0);
@@ -102,7 +104,7 @@ void Reactor::process() {
       const epoll_event& event = events[static_cast<std::size_t>(i)];
       if (event.data.u64 == clock_token) {
         std::uint64_t times = 0;
-        [[maybe_unused]] const auto read = ::read(clock_.get(), &times, sizeof times);
+        [[maybe_unused]] const auto read = ::read(alarm_.get(), &times, sizeof times);
         armed_ = base::never;
         continue;
       }
@@ -134,7 +136,7 @@ void Reactor::run_timers() {
 
 void Reactor::arm() {
   const auto next = timers_.empty() ? base::never : timers_.begin()->first;
-  if (next == armed_) return;
+  if (next == armed_ || !is_own_process()) return;
   armed_ = next;
   itimerspec when{};
   if (next != base::never) {
@@ -143,7 +145,7 @@ void Reactor::arm() {
     when.it_value.tv_sec = static_cast<time_t>(seconds.count());
     when.it_value.tv_nsec = static_cast<long>((since - seconds).count());
   }
-  ::timerfd_settime(clock_.get(), TFD_TIMER_ABSTIME, &when, nullptr);
+  ::timerfd_settime(alarm_.get(), TFD_TIMER_ABSTIME, &when, nullptr);
 }
 
 }  // namespace geminga::client

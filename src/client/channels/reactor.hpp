@@ -11,12 +11,13 @@
 #include <utility>
 
 #include "base/time.hpp"
+#include "client/channels/process_mark.hpp"
 #include "client/channels/socket.hpp"
 
 namespace geminga::client {
 
 /// An epoll descriptor with a timerfd in it, level-triggered. Functions are called within process() only. Not
-/// thread-safe.
+/// thread-safe. In a process that was forked from its own it does nothing, because the system's descriptors are shared.
 class Reactor {
  public:
   /// Whether a socket can be read, or written. An error of the socket counts as both.
@@ -68,7 +69,12 @@ class Reactor {
   /// Called with the system's reason when a socket cannot be watched. Nothing is read from that socket.
   using OnFailure = std::function<void(std::string)>;
 
-  explicit Reactor(OnFailure on_failure);
+  using Clock = std::function<base::Instant()>;
+  /// The system's monotonic clock.
+  [[nodiscard]] static base::Instant system_time();
+
+  /// With another clock than the system's, timers run in process() alone, and descriptor() does not know of them.
+  explicit Reactor(OnFailure on_failure, Clock clock = system_time);
 
   /// Watches a socket for reading. A failure goes to `on_failure`, and the result watches nothing.
   [[nodiscard]] Watch watch(const Socket& socket, OnReady on_ready);
@@ -76,8 +82,9 @@ class Reactor {
   [[nodiscard]] int descriptor() const { return poll_.get(); }
   /// Calls the functions of what is ready and due, a bounded number of times. Never waits.
   void process();
-  /// The present instant.
-  [[nodiscard]] base::Instant now() const;
+  /// The present instant, by `clock`.
+  [[nodiscard]] base::Instant now() const { return clock_(); }
+  [[nodiscard]] bool is_own_process() const { return process_.is_own(); }
 
  private:
   void run_timers();
@@ -86,8 +93,10 @@ class Reactor {
   void fail();
 
   OnFailure on_failure_;
+  Clock clock_;
+  ProcessMark process_;
   Socket poll_;
-  Socket clock_;
+  Socket alarm_;
   std::unordered_map<std::uint64_t, OnReady> watched_;
   std::set<std::pair<base::Instant, Timer*>> timers_;
   std::uint64_t last_token_ = 0;

@@ -173,10 +173,29 @@ std::uint16_t port_of(const Socket& socket) {
   return peer_address(own).port;
 }
 
+PeerAddress peer_of(const Socket& socket) {
+  sockaddr_storage other{};
+  socklen_t size = sizeof other;
+  if (::getpeername(socket.get(), reinterpret_cast<sockaddr*>(&other), &size) != 0) return {};
+  return peer_address(other);
+}
+
 int pending_error(const Socket& socket) {
   int error = 0;
   socklen_t size = sizeof error;
   return ::getsockopt(socket.get(), SOL_SOCKET, SO_ERROR, &error, &size) == 0 ? error : errno;
+}
+
+std::optional<std::size_t> write_some(const Socket& socket, std::span<iovec> parts) {
+  msghdr message{};
+  message.msg_iov = parts.data();
+  message.msg_iovlen = parts.size();
+  while (true) {
+    const auto count = ::sendmsg(socket.get(), &message, MSG_NOSIGNAL);
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno == EAGAIN) return 0;
+    if (errno != EINTR) return std::nullopt;
+  }
 }
 
 std::optional<Socket> accept(const Socket& listener) {

@@ -70,6 +70,8 @@ int join_group(const Socket& socket, const PeerAddress& group);
 
 /// The port that a socket is bound to.
 [[nodiscard]] std::uint16_t port_of(const Socket& socket);
+/// The address and port of the other end of a connection.
+[[nodiscard]] PeerAddress peer_of(const Socket& socket);
 /// The error of a connection, or 0.
 [[nodiscard]] int pending_error(const Socket& socket);
 /// Accepts one connection; nothing if none waits.
@@ -83,6 +85,9 @@ int join_group(const Socket& socket, const PeerAddress& group);
 [[nodiscard]] inline iovec part(std::span<const std::byte> bytes) {
   return {const_cast<std::byte*>(bytes.data()), bytes.size()};
 }
+
+/// Writes to a connection. The number of octets that it took; nothing if it is broken.
+[[nodiscard]] std::optional<std::size_t> write_some(const Socket& socket, std::span<iovec> parts);
 
 /// Sends one datagram of these parts, through `interface` unless that is 0. The system's error number, or 0 if it is
 /// sent.

@@ -12,19 +12,8 @@ namespace {
 
 /// The pause of accepting when the process has no descriptor left.
 constexpr std::chrono::milliseconds accept_pause{100};
-
-/// The number of octets that the socket took; nothing if it is broken.
-std::optional<std::size_t> write_some(const Socket& socket, std::span<iovec> parts) {
-  msghdr message{};
-  message.msg_iov = parts.data();
-  message.msg_iovlen = parts.size();
-  while (true) {
-    const auto count = ::sendmsg(socket.get(), &message, MSG_NOSIGNAL);
-    if (count >= 0) return static_cast<std::size_t>(count);
-    if (errno == EAGAIN) return 0;
-    if (errno != EINTR) return std::nullopt;
-  }
-}
+/// The reason for the end of a consumer that takes nothing while too much waits.
+constexpr std::string_view slow_reason = "slow";
 
 }  // namespace
 
@@ -37,6 +26,8 @@ std::expected<std::unique_ptr<PublisherChannel>, std::string> TcpOutlet::open(Ch
   made->listener_ = std::move(*listener);
   made->watch_ =
       host.reactor().watch(made->listener_, [publisher = made.get()](Reactor::Ready) { publisher->accept_all(); });
+  // Nobody is accepted before the keys are known: connections wait in the system until then.
+  made->watch_.want(false, false);
   publication.port = port_of(made->listener_);
   return made;
 }
@@ -51,7 +42,7 @@ TcpOutlet::TcpOutlet(ChannelHost& host, ChannelNumber number, Life life, Channel
                   for (const auto& [connection_number, connection] : connections_) {
                     if (connection.until <= at) over.push_back(connection_number);
                   }
-                  for (const Number one : over) close(one);
+                  for (const Number one : over) lose(one);
                   set_deadline();
                 }),
       retry_(host.reactor(), [this] {
@@ -65,35 +56,62 @@ bool TcpOutlet::has_room(std::size_t payload_bytes) const {
   });
 }
 
-void TcpOutlet::transmit(const FrameHeader& header, std::span<const std::byte> payload) {
+void TcpOutlet::transmit(std::span<const std::byte> payload) {
   SendQueue::Shared shared;
+  FrameHeader header{};
+  if (seals()) {
+    std::vector<std::byte> frame(sealed_size(payload.size()));
+    if (!sealer_.seal(*keys_, FrameKind::message, sequence_, payload, 0, frame.data())) return finish();
+    shared = waiting_.share(std::move(frame));
+  } else {
+    header = frame_header(FrameKind::message, life_, sequence_, payload.size());
+  }
   std::vector<Number> broken;
   for (auto& [number, connection] : connections_) {
     if (connection.role != Role::consumer) continue;
     if (!connection.queue.has_room(payload.size())) {
       ++count_.left_out;
+      if (!std::exchange(connection.was_told_slow, true)) {
+        problem("the consumer " + to_string(connection.life) +
+                " is slow: messages to it are left out until it has taken some");
+      }
       continue;
     }
     std::size_t written = 0;
     if (connection.queue.is_empty()) {
-      std::array parts{part(header), part(payload)};
+      std::array parts{shared ? part(*shared) : part(header), shared ? iovec{} : part(payload)};
       const auto taken = write_some(connection.socket, parts);
       if (!taken) {
         broken.push_back(number);
         continue;
       }
       written = *taken;
-      if (written == header.size() + payload.size()) continue;
+      if (written == (shared ? shared->size() : header.size() + payload.size())) continue;
+      connection.took = now();
     }
     if (!shared) {
       std::vector<std::byte> frame(header.size() + payload.size());
       std::ranges::copy(payload, std::ranges::copy(header, frame.begin()).out);
-      shared = std::make_shared<const std::vector<std::byte>>(std::move(frame));
+      shared = waiting_.share(std::move(frame));
     }
     connection.queue.put(shared, written);
     connection.watch.want(true, true);
   }
   for (const Number number : broken) lose(number);
+  shared.reset();
+  relieve();
+}
+
+void TcpOutlet::relieve() {
+  while (waiting_.octets() > max_waiting_for_consumers) {
+    auto slowest = connections_.end();
+    for (auto one = connections_.begin(); one != connections_.end(); ++one) {
+      if (one->second.queue.is_empty()) continue;
+      if (slowest == connections_.end() || one->second.took < slowest->second.took) slowest = one;
+    }
+    if (slowest == connections_.end()) return;
+    lose(slowest->first, slow_reason);
+  }
 }
 
 Counterparts::Carrier TcpOutlet::carrier_of(Counterparts::Number consumer) const {
@@ -117,9 +135,13 @@ void TcpOutlet::on_consumer(Counterparts::Number consumer) {
   // Its connections may have come before the event; the last one counts.
   std::vector<Number> waiting;
   for (const auto& [number, connection] : connections_) {
-    if (connection.role == Role::stranger && connection.life == life) waiting.push_back(number);
+    if (connection.role == Role::stranger && connection.has_greeted && connection.life == life) {
+      waiting.push_back(number);
+    }
   }
-  for (const Number number : waiting) become_consumer(number);
+  for (const Number number : waiting) {
+    if (connections_.contains(number)) become_consumer(number);
+  }
 }
 
 void TcpOutlet::on_consumer_gone(Counterparts::Number consumer, bool is_final) {
@@ -134,25 +156,28 @@ void TcpOutlet::on_consumer_gone(Counterparts::Number consumer, bool is_final) {
 }
 
 void TcpOutlet::accept_all() {
-  while (auto socket = accept(listener_)) {
-    const auto is_stranger = [](const auto& one) { return one.second.role == Role::stranger; };
-    if (static_cast<std::size_t>(std::ranges::count_if(connections_, is_stranger)) == max_strangers) {
-      ++count_.dropped;
-      close(std::ranges::find_if(connections_, is_stranger)->first);
-    }
-    const Number number = ++last_;
-    Connection& connection = connections_[number];
-    connection.socket = std::move(*socket);
-    connection.until = now() + stranger_patience;
-    connection.watch =
-        host_.reactor().watch(connection.socket, [this, number](Reactor::Ready ready) { on_ready(number, ready); });
-  }
+  while (auto socket = accept(listener_)) add(std::move(*socket));
   if (errno == EMFILE || errno == ENFILE) {
     // To try again at once would only spin.
     watch_.want(false, false);
     retry_.set(now() + accept_pause);
   }
   set_deadline();
+}
+
+void TcpOutlet::add(Socket socket) {
+  const Number number = ++last_;
+  const PeerAddress from = peer_of(socket);
+  const auto given = strangers_.take(number, from);
+  if (given.loser) close(*given.loser);
+  if (given.loser || !given.is_taken) ++count_.dropped;
+  if (!given.is_taken) return;
+  Connection& connection = connections_[number];
+  connection.socket = std::move(socket);
+  connection.from = from;
+  connection.until = now() + stranger_patience;
+  connection.watch =
+      host_.reactor().watch(connection.socket, [this, number](Reactor::Ready ready) { on_ready(number, ready); });
 }
 
 void TcpOutlet::on_ready(Number connection, Reactor::Ready ready) {
@@ -179,35 +204,6 @@ bool TcpOutlet::read(Number number) {
   return false;
 }
 
-bool TcpOutlet::take(Number number, const Frame& frame) {
-  Connection& connection = connections_.at(number);
-  if (connection.role != Role::stranger) return true;  // a consumer has nothing more to say
-  if (frame.kind != FrameKind::hello || frame.life == no_life || connection.life != no_life) {
-    ++count_.dropped;
-    close(number);
-    return false;
-  }
-  connection.life = frame.life;
-  if (mode_ == ChannelMode::one_to_many_stream || counterparts_.find(frame.life)) return become_consumer(number);
-  return true;
-}
-
-bool TcpOutlet::become_consumer(Number number) {
-  Connection& connection = connections_.at(number);
-  if (const auto other = consumer_of(connection.life)) close(*other);
-  if (consumer_connections_ == max_tcp_consumers) {
-    ++count_.dropped;
-    close(number);
-    return false;
-  }
-  connection.role = Role::consumer;
-  connection.until = base::never;
-  ++consumer_connections_;
-  set_deadline();
-  if (const auto counterpart = counterparts_.find(connection.life)) appear(*counterpart);
-  return true;
-}
-
 bool TcpOutlet::write(Number number) {
   Connection& connection = connections_.at(number);
   while (!connection.queue.is_empty()) {
@@ -219,9 +215,11 @@ bool TcpOutlet::write(Number number) {
     }
     if (*written == 0) break;
     connection.queue.wrote(*written);
+    connection.took = now();
     if (connection.role == Role::leaving) connection.until = now() + leaving_patience;
   }
   connection.watch.want(true, !connection.queue.is_empty());
+  if (connection.queue.is_empty()) connection.was_told_slow = false;
   if (connection.role != Role::leaving) return true;
   if (connection.queue.is_empty() && !std::exchange(connection.has_ended, true)) {
     ::shutdown(connection.socket.get(), SHUT_WR);
@@ -230,17 +228,25 @@ bool TcpOutlet::write(Number number) {
   return true;
 }
 
-void TcpOutlet::lose(Number number) {
+void TcpOutlet::lose(Number number, std::string_view reason) {
   const Life life = connections_.at(number).life;
   const bool was_consumer = connections_.at(number).role == Role::consumer;
   close(number);
   if (!was_consumer) return;
-  if (const auto counterpart = counterparts_.find(life)) vanish(*counterpart);
+  if (const auto counterpart = counterparts_.find(life)) vanish(*counterpart, reason);
+}
+
+void TcpOutlet::leave_place(Number number) {
+  Connection& connection = connections_.at(number);
+  if (connection.role == Role::consumer) --consumer_connections_;
+  strangers_.leave(number);
+  consumer_places_.leave(std::exchange(connection.place, 0));
+  tell_crowding(crowding_.on_left(consumer_places_), consumer_places_, "consumers");
 }
 
 void TcpOutlet::leave(Number number) {
+  leave_place(number);
   Connection& connection = connections_.at(number);
-  if (connection.role == Role::consumer) --consumer_connections_;
   connection.role = Role::leaving;
   connection.until = now() + leaving_patience;
   write(number);
@@ -249,7 +255,7 @@ void TcpOutlet::leave(Number number) {
 void TcpOutlet::close(Number number) {
   const auto found = connections_.find(number);
   if (found == connections_.end()) return;
-  if (found->second.role == Role::consumer) --consumer_connections_;
+  leave_place(number);
   found->second.watch.stop();
   connections_.erase(found);
 }
@@ -266,7 +272,6 @@ void TcpOutlet::finish() {
   watch_.stop();
   retry_.set(base::never);
   listener_.close();
-  const auto end = std::make_shared<const std::vector<std::byte>>(frame_bytes({FrameKind::end, life_, sequence_, {}}));
   std::vector<Number> all;
   for (const auto& [number, connection] : connections_) all.push_back(number);
   for (const Number number : all) {
@@ -274,7 +279,7 @@ void TcpOutlet::finish() {
     if (connection.role == Role::stranger) {
       close(number);
     } else if (connection.role == Role::consumer) {
-      connection.queue.put(end);
+      put(number, FrameKind::end, {});
       leave(number);
     }
   }

@@ -1,5 +1,6 @@
 #include "client/channels/udp_inlet.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -15,16 +16,16 @@ constexpr int datagrams_at_end = 16'384;
 
 }  // namespace
 
-UdpInlet::UdpInlet(ChannelHost& host, Life own, Told told)
+UdpInlet::UdpInlet(ChannelHost& host, Sealer& sealer, Told told)
     : host_(host),
-      own_(own),
+      sealer_(sealer),
       told_(std::move(told)),
-      hello_(host.reactor(), [this] { say_hello_to_all(); }),
+      hello_(host.reactor(), [this] { say_due_hellos(); }),
       interfaces_(host.reactor(), [this] { join_all(); }) {}
 
 UdpInlet::~UdpInlet() {
   for (const auto& [number, source] : sources_) {
-    if (source.says_hello) say(source, FrameKind::end);
+    if (source.is_stream) say(source, FrameKind::end);
   }
 }
 
@@ -36,17 +37,18 @@ std::expected<std::uint16_t, std::string> UdpInlet::open(const std::string& addr
   return port_of(socket_);
 }
 
-void UdpInlet::hear(Number provider, Life life, const PeerAddress& address, bool says_hello) {
-  sources_[provider] = {life, address, says_hello};
+void UdpInlet::hear(Number provider, Life life, const PeerAddress& address, const ChannelKeys& keys, bool is_stream) {
+  Source& source = sources_.insert_or_assign(provider, Source{life, address, Intake(keys), is_stream}).first->second;
   by_address_[address] = provider;
-  if (says_hello) say_hello_to_all();
+  source.greeted = address;
+  begin_handshake(source);
 }
 
-void UdpInlet::join(Number provider, Life life, const PeerAddress& address) {
+void UdpInlet::join(Number provider, Life life, const PeerAddress& address, const ChannelKeys& keys) {
   auto group = open_group(address);
   if (!group) return told_.problem("the group " + to_string(address) + " cannot be joined: " + group.error().text);
-  Source& source = sources_[provider];
-  source = {life, address, false, std::move(*group)};
+  Source& source = sources_.insert_or_assign(provider, Source{life, address, Intake(keys)}).first->second;
+  source.group = std::move(*group);
   source.group_watch = host_.reactor().watch(source.group, [this, provider](Reactor::Ready) {
     if (const auto found = sources_.find(provider); found != sources_.end()) {
       read(found->second.group, provider, datagrams_a_turn);
@@ -55,23 +57,62 @@ void UdpInlet::join(Number provider, Life life, const PeerAddress& address) {
   interfaces_.set(now() + interfaces_interval);
 }
 
+void UdpInlet::set_keys(Number provider, const ChannelKeys& keys) {
+  const auto found = sources_.find(provider);
+  if (found == sources_.end()) return;
+  Source& source = found->second;
+  const FrameForm form = source.intake.keys().form();
+  source.intake.set_keys(keys);
+  if (source.group.is_open()) return;
+  begin_handshake(source);
+  // The publisher learns at once that hellos are sealed.
+  if (!source.handshake || source.intake.keys().form() == form) return;
+  say_hello(source);
+  set_timer();
+}
+
+void UdpInlet::begin_handshake(Source& source) {
+  const bool is_wanted = source.life != no_life && (source.is_stream || source.intake.keys().has_ring());
+  if (is_wanted == source.handshake.has_value()) return;
+  source.handshake.reset();
+  source.due = base::never;
+  if (is_wanted) {
+    source.handshake.emplace(source.life, sealer_.life(), random_number());
+    say_hello(source);
+  }
+  set_timer();
+}
+
+void UdpInlet::greet(Number number, const PeerAddress& at) {
+  Source& source = sources_.at(number);
+  if ((source.greeted == at && source.handshake) || (by_address_.contains(at) && by_address_.at(at) != number)) return;
+  if (source.greeted) by_address_.erase(*source.greeted);
+  source.greeted = at;
+  by_address_[at] = number;
+  if (!source.handshake) source.handshake.emplace(source.life, sealer_.life(), random_number());
+  say_hello(source);
+  set_timer();
+}
+
 void UdpInlet::forget(Number provider) {
   const auto found = sources_.find(provider);
   if (found == sources_.end()) return;
   Source& source = found->second;
-  if (source.says_hello) say(source, FrameKind::end);
-  const auto address = by_address_.find(source.address);
-  if (address != by_address_.end() && address->second == provider) by_address_.erase(address);
+  if (source.is_stream) say(source, FrameKind::end);
+  if (source.greeted) {
+    const auto address = by_address_.find(*source.greeted);
+    if (address != by_address_.end() && address->second == provider) by_address_.erase(address);
+  }
   source.group_watch.stop();
   sources_.erase(found);
 }
 
 void UdpInlet::deliver_early(Number provider) {
   const auto source = sources_.find(provider);
-  if (source == sources_.end() || source->second.group.is_open()) return;
+  if (source == sources_.end()) return;
   for (const auto& kept : early_.take(source->second.address, source->second.life, now())) {
     told_.found();
-    told_.frame(provider, kept.frame());
+    if (!take_frame(provider, kept.frame(), kept.from)) told_.dropped();
     if (!sources_.contains(provider)) return;  // it has ended already
   }
 }
@@ -98,37 +139,109 @@ void UdpInlet::read(const Socket& socket, std::optional<Number> group, int most)
   }
 }
 
+std::optional<UdpInlet::Number> UdpInlet::source_of(const PeerAddress& from, std::optional<Number> group) const {
+  if (group) return from.port == sources_.at(*group).address.port ? group : std::nullopt;
+  const auto found = by_address_.find(from);
+  return found == by_address_.end() ? std::nullopt : std::optional(found->second);
+}
+
 void UdpInlet::take(std::span<const std::byte> bytes, const PeerAddress& from, std::optional<Number> group) {
-  std::optional<Number> number;
-  if (group) {
-    if (from.port == sources_.at(*group).address.port) number = group;
-  } else if (const auto found = by_address_.find(from); found != by_address_.end()) {
-    number = found->second;
-  }
+  const auto number = source_of(from, group);
   if (number && sources_.at(*number).life == no_life) return told_.plain(*number, bytes);
   const auto frame = read_frame(bytes);
-  if (frame && number && (group || frame->life == sources_.at(*number).life)) return told_.frame(*number, *frame);
-  told_.dropped();
-  if (frame && !group && frame->kind != FrameKind::hello) early_.put(from, *frame, now());
-}
-
-void UdpInlet::say_hello_to_all() {
-  bool has_stream = false;
-  for (const auto& [number, source] : sources_) {
-    if (!source.says_hello) continue;
-    has_stream = true;
-    say(source, FrameKind::hello);
+  if (frame && number && frame->life == sources_.at(*number).life) {
+    // Answers to a hello come to the own socket, messages of a group to the group.
+    const bool is_answer = frame->kind == FrameKind::floor || frame->kind == FrameKind::full;
+    const bool is_place = !sources_.at(*number).group.is_open() || group.has_value() != is_answer;
+    if (!is_place || !take_frame(*number, *frame, from)) told_.dropped();
+    return;
   }
-  hello_.set(has_stream ? now() + hello_interval : base::never);
+  told_.dropped();
+  if (frame && !group && (frame->kind == FrameKind::message || frame->kind == FrameKind::end)) {
+    early_.put(from, *frame, now());
+  }
 }
 
-void UdpInlet::say(const Source& source, FrameKind kind) const {
-  if (!socket_.is_open()) return;
-  const auto payload = life_payload(source.life);
-  const auto bytes = frame_bytes({kind, own_, 0, payload});
-  const std::array parts{part(bytes)};
+bool UdpInlet::take_frame(Number number, const ReadFrame& read, const PeerAddress& from) {
+  Source& source = sources_.at(number);
+  const auto opened = source.intake.open(read, opened_);
+  if (!opened) return false;
+  switch (read.kind) {
+    case FrameKind::floor:
+      on_floor(number, opened->frame, opened->is_proved);
+      return true;
+    case FrameKind::full:
+      if (source.handshake && source.handshake->on_full(opened->frame)) {
+        told_.problem("the provider " + to_string(source.address) + " has no place for another consumer");
+      }
+      return true;
+    case FrameKind::hello:
+      return false;
+    case FrameKind::message:
+    case FrameKind::end:
+      break;
+  }
+  if (!opened->is_proved) {
+    told_.frame(number, opened->frame, false);
+    return true;
+  }
+  if (!source.handshake || !source.handshake->floor()) return await_floor(number, read, from);
+  if (read.kind == FrameKind::message && read.sequence <= *source.handshake->floor()) return true;
+  told_.frame(number, opened->frame, true);
+  return true;
+}
+
+bool UdpInlet::await_floor(Number number, const ReadFrame& frame, const PeerAddress& from) {
+  Source& source = sources_.at(number);
+  early_.put(source.address, frame, now());
+  if (source.group.is_open()) {
+    // A host without a route for multicasts sends them from 0.0.0.0, through its loopback.
+    PeerAddress at = from == *peer_address("0.0.0.0", from.port) ? *peer_address("127.0.0.1", 0) : from;
+    at.port = seal_fields(frame).hello_port;
+    if (at.port != 0) greet(number, at);
+  }
+  return false;  // until it is delivered
+}
+
+void UdpInlet::on_floor(Number number, const Frame& frame, bool is_proved) {
+  Source& source = sources_.at(number);
+  if (!source.handshake) return;
+  const bool had_floor = source.handshake->floor().has_value();
+  const auto next = source.handshake->on_floor(frame, is_proved);
+  if (next == Handshake::Next::say_hello) {
+    say_hello(source);
+    set_timer();
+  } else if (next == Handshake::Next::go_on && source.group.is_open()) {
+    source.due = base::never;
+  }
+  if (!had_floor && source.handshake->floor()) deliver_early(number);
+}
+
+void UdpInlet::say_due_hellos() {
+  for (auto& [number, source] : sources_) {
+    if (source.due <= now()) say_hello(source);
+  }
+  set_timer();
+}
+
+void UdpInlet::say_hello(Source& source) {
+  say(source, FrameKind::hello);
+  source.due = source.handshake->said(now());
+}
+
+void UdpInlet::set_timer() {
+  base::Instant next = base::never;
+  for (const auto& [number, source] : sources_) next = std::min(next, source.due);
+  hello_.set(next);
+}
+
+void UdpInlet::say(const Source& source, FrameKind kind) {
+  if (!socket_.is_open() || !source.handshake || !host_.is_own_process()) return;
+  const auto bytes = sealer_.frame(source.intake.keys(), kind, 0, greeting_payload(source.handshake->greeting()));
+  if (!bytes) return;
+  const std::array parts{part(*bytes)};
   // A hello that is lost is followed by the next one.
-  [[maybe_unused]] const int error = send_datagram(socket_, source.address, parts);
+  [[maybe_unused]] const int error = send_datagram(socket_, *source.greeted, parts);
 }
 
 void UdpInlet::join_all() {

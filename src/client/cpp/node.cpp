@@ -21,7 +21,7 @@ constexpr milliseconds goodbye_patience{60'000};
 
 class NodeState {
  public:
-  explicit NodeState(client::DaemonLink::Options options) : engine(std::move(options)) {}
+  NodeState(client::DaemonLink::Options options, client::Log::Write log) : engine(std::move(options), std::move(log)) {}
 
   bool process() {
     last_upkeep = Clock::now();
@@ -209,7 +209,7 @@ Result<Node, ClientError> Node::open(const ClientOptions& options) {
   auto places = client::stated_endpoints(options.connect);
   if (!places) return Failure(std::move(places.error()));
   auto state = std::make_unique<NodeState>(
-      client::DaemonLink::Options{std::move(*places), options.name, options.timeout, options.room});
+      client::DaemonLink::Options{std::move(*places), options.name, options.timeout, options.room}, options.log);
   state->timeout = options.timeout;
   return Node(std::move(state));
 }
@@ -240,6 +240,7 @@ std::optional<ChannelEvent> Node::next_event(milliseconds timeout) {
   return event;
 }
 
+void Node::on_log(std::function<void(std::string_view)> write) { state_->engine.on_log(std::move(write)); }
 void Node::on_event(std::function<void(const ChannelEvent&)> tell) { state_->engine.on_events(std::move(tell)); }
 bool Node::is_connected() const { return state_->engine.is_connected(); }
 int Node::descriptor() const {

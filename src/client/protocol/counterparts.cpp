@@ -60,10 +60,19 @@ Counterparts::Parted Counterparts::del(const ServiceKey& key, std::string_view r
   return {*number, orphan(counterpart, reason, carrier, now) ? Parting::go_on : Parting::close};
 }
 
+bool Counterparts::lose_sight(Number number, std::string_view reason, Carrier carrier, base::Instant now) {
+  Counterpart& counterpart = counterparts_.at(number);
+  if (const auto key = by_key_.find(counterpart.key); key != by_key_.end() && key->second == number) by_key_.erase(key);
+  return orphan(counterpart, reason, carrier, now);
+}
+
 void Counterparts::doubt() {
   by_key_.clear();
   for (auto& [number, counterpart] : counterparts_) {
-    if (counterpart.state == State::matched) counterpart.state = State::doubted;
+    // Nobody could confirm an orphan in time while the own daemon is away, either.
+    if (counterpart.state != State::matched && counterpart.state != State::orphaned) continue;
+    counterpart.state = State::doubted;
+    counterpart.until = base::never;
   }
 }
 

@@ -63,11 +63,14 @@ class Counterparts {
   Added add(Life life, const ServiceKey& key);
   /// `del` of an event. Forgets the counterpart where it is to be closed.
   Parted del(const ServiceKey& key, std::string_view reason, Carrier carrier, base::Instant now);
+  /// The key of a counterpart names another life, though its own life may only have got another key. False if there is
+  /// no channel that could go on.
+  bool lose_sight(Number number, std::string_view reason, Carrier carrier, base::Instant now);
   /// The number of the counterpart with this key, for the `carrier` of del().
   [[nodiscard]] std::optional<Number> find(const ServiceKey& key) const;
   [[nodiscard]] std::optional<Number> find(Life life) const;
 
-  /// The own daemon is gone: all counterparts are doubted, and their keys are void.
+  /// The own daemon is gone: all counterparts that have not ended are doubted, and their keys are void.
   void doubt();
   /// A daemon is back and has had its time: counterparts that it has not confirmed become orphans. The result is those
   /// that are over at once, by their carriers.

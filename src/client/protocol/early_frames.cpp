@@ -6,17 +6,13 @@
 
 namespace geminga::client {
 
-void EarlyFrames::put(const PeerAddress& from, const Frame& frame, base::Instant now) {
+void EarlyFrames::put(const PeerAddress& from, const ReadFrame& frame, base::Instant now) {
   drop_old(now);
   if (frame.payload.size() > max_early_octets) return;
   while (kept_.size() >= max_early_frames || octets_ + frame.payload.size() > max_early_octets) drop_first();
   octets_ += frame.payload.size();
-  kept_.push_back({now + early_patience,
-                   from,
-                   frame.kind,
-                   frame.life,
-                   frame.sequence,
-                   {frame.payload.begin(), frame.payload.end()}});
+  kept_.push_back(
+      {now + early_patience, from, frame.life, frame.payload.size(), {frame.octets.begin(), frame.octets.end()}});
 }
 
 std::vector<EarlyFrames::Kept> EarlyFrames::take(const PeerAddress& from, Life life, base::Instant now) {
@@ -25,7 +21,7 @@ std::vector<EarlyFrames::Kept> EarlyFrames::take(const PeerAddress& from, Life l
   std::deque<Kept> others;
   for (Kept& kept : kept_) {
     if (kept.from == from && kept.life == life) {
-      octets_ -= kept.payload.size();
+      octets_ -= kept.payload_bytes;
       taken.push_back(std::move(kept));
     } else {
       others.push_back(std::move(kept));
@@ -36,7 +32,7 @@ std::vector<EarlyFrames::Kept> EarlyFrames::take(const PeerAddress& from, Life l
 }
 
 void EarlyFrames::drop_first() {
-  octets_ -= kept_.front().payload.size();
+  octets_ -= kept_.front().payload_bytes;
   kept_.pop_front();
 }
 

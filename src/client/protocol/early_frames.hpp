@@ -1,9 +1,9 @@
-// Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, Early frames).
+// Frames over UDP that cannot be delivered yet: the daemon has not named their sender, or there is no floor yet
+// (src/client/CHANNELS.md, Early frames).
 #ifndef GEMINGA_CLIENT_PROTOCOL_EARLY_FRAMES_HPP
 #define GEMINGA_CLIENT_PROTOCOL_EARLY_FRAMES_HPP
 
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <vector>
 
@@ -16,19 +16,18 @@ namespace geminga::client {
 /// Keeps at most max_early_frames with max_early_octets of payload, each for early_patience. The eldest goes first.
 class EarlyFrames {
  public:
-  /// A frame that owns its payload.
+  /// A frame that owns its octets, sealed as they came.
   struct Kept {
     base::Instant until;
     PeerAddress from;
-    FrameKind kind;
     Life life;
-    std::uint64_t sequence;
-    std::vector<std::byte> payload;
+    std::size_t payload_bytes;
+    std::vector<std::byte> octets;
 
-    [[nodiscard]] Frame frame() const { return {kind, life, sequence, payload}; }
+    [[nodiscard]] ReadFrame frame() const { return frame_of(octets); }
   };
 
-  void put(const PeerAddress& from, const Frame& frame, base::Instant now);
+  void put(const PeerAddress& from, const ReadFrame& frame, base::Instant now);
   /// Removes the frames of this life from this address; the result has them in the order of arrival.
   [[nodiscard]] std::vector<Kept> take(const PeerAddress& from, Life life, base::Instant now);
 

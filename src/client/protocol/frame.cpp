@@ -7,46 +7,38 @@ namespace {
 
 constexpr std::byte first_octet{'G'};
 constexpr std::byte second_octet{'C'};
-constexpr std::byte frame_version{1};
-
-template <typename Number>
-void write(std::byte* to, Number number) {
-  for (std::size_t i = 0; i < sizeof(Number); ++i) {
-    to[i] = static_cast<std::byte>(number >> (8 * (sizeof(Number) - 1 - i)));
-  }
-}
-
-template <typename Number>
-Number read(const std::byte* from) {
-  Number number = 0;
-  for (std::size_t i = 0; i < sizeof(Number); ++i) {
-    number = static_cast<Number>((std::uint64_t{number} << 8) | std::to_integer<std::uint64_t>(from[i]));
-  }
-  return number;
-}
 
 }  // namespace
 
-std::optional<std::size_t> payload_bytes(const std::byte* header, std::size_t max_payload) {
+std::optional<std::size_t> frame_size(const std::byte* header, std::size_t max_payload) {
+  const auto form = std::to_integer<unsigned>(header[2]);
   const auto kind = std::to_integer<unsigned>(header[3]);
-  const bool is_header = header[0] == first_octet && header[1] == second_octet && header[2] == frame_version &&
-                         kind >= 1 && kind <= 3 && read<std::uint64_t>(header + 8) != 0;
-  const std::size_t bytes = read<std::uint32_t>(header + 4);
-  return is_header && bytes <= max_payload ? std::optional(bytes) : std::nullopt;
+  const bool is_header = header[0] == first_octet && header[1] == second_octet && form >= 1 && form <= 3 && kind >= 1 &&
+                         kind <= 5 && read_number<std::uint64_t>(header + 8) != 0;
+  if (!is_header) return std::nullopt;
+  const bool is_plain = FrameForm{static_cast<std::uint8_t>(form)} == FrameForm::plain;
+  const std::size_t tag = is_plain ? 0 : tag_bytes;
+  const std::size_t bytes = read_number<std::uint32_t>(header + 4);
+  if (bytes < tag || bytes > max_payload + tag) return std::nullopt;
+  return (is_plain ? frame_header_bytes : sealed_header_bytes) + bytes;
 }
 
-Frame frame_at(const std::byte* header) {
-  return {static_cast<FrameKind>(header[3]),
-          Life{read<std::uint64_t>(header + 8)},
-          read<std::uint64_t>(header + 16),
-          {header + frame_header_bytes, read<std::uint32_t>(header + 4)}};
+ReadFrame frame_of(std::span<const std::byte> octets) {
+  ReadFrame frame;
+  frame.form = static_cast<FrameForm>(octets[2]);
+  frame.kind = static_cast<FrameKind>(octets[3]);
+  frame.life = Life{read_number<std::uint64_t>(octets.data() + 8)};
+  frame.sequence = read_number<std::uint64_t>(octets.data() + 16);
+  frame.payload = octets.subspan(frame.form == FrameForm::plain ? frame_header_bytes : sealed_header_bytes);
+  frame.octets = octets;
+  return frame;
 }
 
 FrameHeader frame_header(FrameKind kind, Life life, std::uint64_t sequence, std::size_t payload_bytes) {
-  FrameHeader header{first_octet, second_octet, frame_version, static_cast<std::byte>(kind)};
-  write(header.data() + 4, static_cast<std::uint32_t>(payload_bytes));
-  write(header.data() + 8, static_cast<std::uint64_t>(life));
-  write(header.data() + 16, sequence);
+  FrameHeader header{first_octet, second_octet, static_cast<std::byte>(FrameForm::plain), static_cast<std::byte>(kind)};
+  write_number(header.data() + 4, static_cast<std::uint32_t>(payload_bytes));
+  write_number(header.data() + 8, static_cast<std::uint64_t>(life));
+  write_number(header.data() + 16, sequence);
   return header;
 }
 
@@ -57,22 +49,24 @@ std::vector<std::byte> frame_bytes(const Frame& frame) {
   return bytes;
 }
 
-std::optional<Frame> read_frame(std::span<const std::byte> datagram) {
+std::optional<ReadFrame> read_frame(std::span<const std::byte> datagram) {
   if (datagram.size() < frame_header_bytes) return std::nullopt;
-  const auto payload = payload_bytes(datagram.data(), max_datagram_payload);
-  if (payload != datagram.size() - frame_header_bytes) return std::nullopt;
-  return frame_at(datagram.data());
+  if (frame_size(datagram.data(), max_datagram_payload) != datagram.size()) return std::nullopt;
+  return frame_of(datagram);
 }
 
-std::array<std::byte, 8> life_payload(Life life) {
-  std::array<std::byte, 8> payload{};
-  write(payload.data(), static_cast<std::uint64_t>(life));
+std::array<std::byte, greeting_bytes> greeting_payload(const Greeting& greeting) {
+  std::array<std::byte, greeting_bytes> payload{};
+  write_number(payload.data(), static_cast<std::uint64_t>(greeting.life));
+  write_number(payload.data() + 8, greeting.challenge);
+  write_number(payload.data() + 16, greeting.cookie);
   return payload;
 }
 
-std::optional<Life> payload_life(std::span<const std::byte> payload) {
-  if (payload.size() != sizeof(std::uint64_t)) return std::nullopt;
-  return Life{read<std::uint64_t>(payload.data())};
+std::optional<Greeting> read_greeting(std::span<const std::byte> payload) {
+  if (payload.size() != greeting_bytes) return std::nullopt;
+  return Greeting{Life{read_number<std::uint64_t>(payload.data())}, read_number<std::uint64_t>(payload.data() + 8),
+                  read_number<std::uint64_t>(payload.data() + 16)};
 }
 
 }  // namespace geminga::client

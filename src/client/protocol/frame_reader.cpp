@@ -17,25 +17,24 @@ std::span<std::byte> FrameReader::room() {
     end_ -= begin_;
     begin_ = 0;
   }
-  buffer_.resize(std::max(wanted_, end_ + std::min(read_bytes, frame_header_bytes + max_payload_)));
+  buffer_.resize(std::max(wanted_, end_ + std::min(read_bytes, max_frame_overhead + max_payload_)));
   return std::span(buffer_).subspan(end_);
 }
 
-std::optional<Frame> FrameReader::next() {
+std::optional<ReadFrame> FrameReader::next() {
   const std::size_t there = end_ - begin_;
   if (is_broken_ || there < frame_header_bytes) return std::nullopt;
   const std::byte* at = buffer_.data() + begin_;
-  const auto payload = payload_bytes(at, max_payload_);
-  if (!payload) {
+  const auto size = frame_size(at, max_payload_);
+  if (!size) {
     is_broken_ = true;
     return std::nullopt;
   }
-  wanted_ = frame_header_bytes + *payload;
+  wanted_ = *size;
   if (there < wanted_) return std::nullopt;
-  const Frame frame = frame_at(at);
   begin_ += wanted_;
   wanted_ = frame_header_bytes;
-  return frame;
+  return frame_of({at, *size});
 }
 
 }  // namespace geminga::client

@@ -23,7 +23,7 @@ class FrameReader {
   void fed(std::size_t bytes) { end_ += bytes; }
 
   /// The next frame, borrowed until room() is called. Nothing until more is fed, or if the stream is broken.
-  [[nodiscard]] std::optional<Frame> next();
+  [[nodiscard]] std::optional<ReadFrame> next();
   /// Whether something was no frame, so that nothing behind it can be read.
   [[nodiscard]] bool is_broken() const { return is_broken_; }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "client/protocol/life.hpp"
 #include "client/protocol/named_change.hpp"
 #include "discovery/gcnp/request.hpp"
 
@@ -30,6 +31,14 @@ std::optional<Error> fault_of(const gcnp::Statement& statement) {
 }  // namespace
 
 std::optional<Error> Session::fault(const Stated& stated) { return fault_of(create_statement(1, stated)); }
+
+std::string Session::words(const Stated& stated) {
+  gcnp::Statement statement = create_statement(1, stated);
+  std::erase_if(statement.parameters, [](const auto& one) { return one.key == channel_attribute; });
+  const std::string line = gcnp::to_line(statement);
+  const std::string before = "1 " + statement.command + ' ' + statement.subcommand + ' ';
+  return line.substr(before.size(), line.size() - before.size() - 2);
+}
 
 void Session::ask(ChannelNumber number, const gcnp::Statement& statement, std::optional<Stated> changed,
                   bool has_ping) {

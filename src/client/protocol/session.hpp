@@ -50,6 +50,9 @@ class Session {
   /// The error that a daemon would find when it reads the request; nothing if it would find none.
   [[nodiscard]] static std::optional<Error> fault(const Stated& stated);
 
+  /// The words of a request for a person: `mode=M IDENTITY` and what else it states, but for its life.
+  [[nodiscard]] static std::string words(const Stated& stated);
+
   /// A number that no request has.
   [[nodiscard]] ChannelNumber next_number() { return ++last_; }
   void create(ChannelNumber number, Stated stated);

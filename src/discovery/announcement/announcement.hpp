@@ -60,7 +60,7 @@ struct PeerState {
 /// Testimony: how lately a participant has heard each one that it knows. It names none of them: a receiver that knows
 /// the same participants knows their order.
 struct Witness {
-  /// Fold of the identifiers and boot nonces of all participants that the sender knows, and of its own.
+  /// Fold of the identifiers, boot nonces and revisions of all participants that the sender knows, and of its own.
   std::uint16_t members = 0;
   /// In ascending order of identifier, its own included (as `longer`). decode() fills it up to a multiple of four with
   /// `longer`. Empty: no testimony.

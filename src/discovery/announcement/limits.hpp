@@ -54,6 +54,9 @@ inline constexpr std::size_t max_withdrawn_services = 4096;
 /// Ways on which one participant is heard (our interface and its interface); further ones are not used.
 inline constexpr std::size_t max_paths = 4;
 
+/// Addresses of one participant whose words are signs of life; the oldest gives way to a further one.
+inline constexpr std::size_t max_vouched = max_paths * max_addresses;
+
 /// Participants that one announcement says it lacks, and as many that it doubts.
 inline constexpr std::size_t max_named = 16;
 /// Octets of the testimony about so many participants (Witness).

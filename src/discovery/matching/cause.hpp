@@ -32,6 +32,8 @@ class Cause {
   Cause() {}  // NOLINT(modernize-use-equals-default)
   Cause(const Cause&) = delete;
   Cause& operator=(const Cause&) = delete;
+  Cause(Cause&&) = default;
+  Cause& operator=(Cause&&) = delete;
 
   /// Says what an entry was until it was replaced.
   void replace(const registry::StoredPublication& stored, registry::PublicationEntry&& before) {
@@ -67,6 +69,11 @@ class Cause {
     return replaces(stored) ? subscription_->before.entry : stored.entry;
   }
 
+  /// Entries may have changed since the last copies were made.
+  void forget_copies() {
+    last_publication_ = {};
+    last_subscription_ = {};
+  }
   /// A copy of an entry. Many events about it, one after the other, share one copy.
   [[nodiscard]] std::shared_ptr<const registry::PublicationEntry> copy(const registry::PublicationEntry& entry) {
     return last_publication_.copy_of(entry);

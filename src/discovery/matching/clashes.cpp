@@ -11,6 +11,9 @@ using registry::StoredSubscription;
 
 namespace {
 
+/// Subscriptions that are given in ascending order of key. More are given in the order of the index.
+constexpr std::size_t max_ordered = 1024;
+
 template <typename Table>
 void add_identities(const Table& table, Id32 number, std::vector<const Identity*>& concepts, bool& has_number) {
   for (const auto entries : table.with_number(number)) {
@@ -53,7 +56,7 @@ std::vector<const StoredSubscription*> Clashes::review(Id32 number, bool has_new
   for (const auto entries : subscriptions_.with_number(number)) {
     for (const auto& one : entries) concerned.push_back(one.stored);
   }
-  order_by_key(concerned);
+  if (concerned.size() <= max_ordered) order_by_key(concerned);
   return concerned;
 }
 

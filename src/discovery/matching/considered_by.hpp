@@ -25,6 +25,7 @@ class ConsideredBy {
   [[nodiscard]] const_iterator end() const { return ranks().end(); }
   [[nodiscard]] iterator find(std::uint32_t slot) { return ranks().find(slot); }
   [[nodiscard]] const_iterator find(std::uint32_t slot) const { return ranks().find(slot); }
+  [[nodiscard]] const_iterator lower_bound(std::uint32_t slot) const { return ranks().lower_bound(slot); }
   [[nodiscard]] bool contains(std::uint32_t slot) const { return ranks().contains(slot); }
   [[nodiscard]] bool empty() const { return ranks_ == nullptr; }
   [[nodiscard]] std::size_t size() const { return ranks().size(); }

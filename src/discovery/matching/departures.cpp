@@ -10,37 +10,43 @@ using registry::StoredSubscription;
 
 void Departures::remove(const std::vector<const StoredPublication*>& publications,
                         const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
+  const bool was_idle = agenda_.is_empty();
   Cause cause;
-  for (const auto* publication : publications) directory_.retire(*publication, reason);
+  directory_.retire(publications, reason);
   for (const auto* subscription : subscriptions) directory_.retire(*subscription);
   for (const auto* subscription : subscriptions) pairs_.end(*subscription, reason, cause);
   for (const auto* subscription : pairs_.withdraw(publications, reason)) pairs_.settle(*subscription, cause);
   std::set<Id32> numbers;
   for (const auto* publication : publications) erase(*publication, numbers);
   for (const auto* subscription : subscriptions) erase(*subscription, numbers);
-  review(numbers);
-  stale_.judge_some();
+  while (!numbers.empty()) review(numbers);
+  agenda_.relieve();
+  if (was_idle) agenda_.take_some();
 }
 
-void Departures::review(const std::set<Id32>& numbers) {
-  Cause cause;
-  for (const Id32 number : numbers) pairs_.judge_anew(clashes_.review(number, false), cause);
-  pairs_.relieve(cause);
+void Departures::review(std::set<Id32>& numbers) {
+  for (std::size_t count = 0; count < max_reviewed_in_step && !numbers.empty(); ++count) {
+    agenda_.judge_anew(clashes_.review(*numbers.begin(), false));
+    numbers.erase(numbers.begin());
+    ++passed_;
+  }
 }
 
 void Departures::begin(ParticipantId participant, Reason reason) {
-  Departure departure{directory_.publications().of_participant(participant),
-                      directory_.subscriptions().of_participant(participant),
-                      reason,
-                      {}};
-  std::erase_if(departure.publications, [&](const auto* one) { return directory_.is_going(*one); });
-  std::erase_if(departure.subscriptions, [&](const auto* one) { return directory_.is_going(*one); });
-  for (const auto* publication : departure.publications) directory_.retire(*publication, reason);
-  for (const auto* subscription : departure.subscriptions) directory_.retire(*subscription);
+  begin(directory_.publications().of_participant(participant), directory_.subscriptions().of_participant(participant),
+        reason);
+}
+
+void Departures::begin(std::vector<const StoredPublication*> publications,
+                       std::vector<const StoredSubscription*> subscriptions, Reason reason) {
+  std::erase_if(publications, [&](const auto* one) { return directory_.is_going(*one); });
+  std::erase_if(subscriptions, [&](const auto* one) { return directory_.is_going(*one); });
+  directory_.retire(publications, reason);
+  for (const auto* subscription : subscriptions) directory_.retire(*subscription);
   // Taken from the back, in ascending order of key.
-  std::ranges::reverse(departure.subscriptions);
-  std::ranges::reverse(departure.publications);
-  departures_.push_back(std::move(departure));
+  std::ranges::reverse(subscriptions);
+  std::ranges::reverse(publications);
+  departures_.push_back({std::move(publications), std::move(subscriptions), reason, {}});
 }
 
 bool Departures::next() {
@@ -52,13 +58,15 @@ bool Departures::next() {
     Cause cause;
     pairs_.end(subscription, departure.reason, cause);
     erase(subscription, departure.numbers);
-  } else if (departure.publications.empty()) {
-    const std::set<Id32> numbers = std::move(departure.numbers);
-    departures_.pop_front();
-    review(numbers);
-  } else if (!end_one_consumer(departure, *departure.publications.back())) {
+  } else if (!departure.publications.empty()) {
+    if (end_one_consumer(departure, *departure.publications.back())) return true;
     erase(*departure.publications.back(), departure.numbers);
     departure.publications.pop_back();
+  } else if (!departure.numbers.empty()) {
+    review(departure.numbers);
+  } else {
+    departures_.pop_front();
+    agenda_.relieve();
   }
   return true;
 }

@@ -6,17 +6,17 @@
 #include <set>
 #include <vector>
 
+#include "discovery/matching/agenda.hpp"
 #include "discovery/matching/clashes.hpp"
 #include "discovery/matching/directory.hpp"
 #include "discovery/matching/pairs.hpp"
-#include "discovery/matching/stale_requests.hpp"
 
 namespace geminga::matching {
 
 class Departures {
  public:
-  Departures(Directory& directory, Clashes& clashes, Pairs& pairs, StaleRequests& stale)
-      : directory_(directory), clashes_(clashes), pairs_(pairs), stale_(stale) {}
+  Departures(Directory& directory, Clashes& clashes, Pairs& pairs, Agenda& agenda)
+      : directory_(directory), clashes_(clashes), pairs_(pairs), agenda_(agenda) {}
 
   /// Removes all of these at once, so that nothing that is about to go takes another's place. None may be going yet.
   void remove(const std::vector<const registry::StoredPublication*>& publications,
@@ -25,8 +25,10 @@ class Departures {
   void remove(const registry::StoredPublication& publication, Reason reason) { remove({&publication}, {}, reason); }
   void remove(const registry::StoredSubscription& subscription, Reason reason) { remove({}, {&subscription}, reason); }
 
-  /// Matcher::begin_departure(), depart_next() and is_departing().
+  /// Matcher::begin_departure(), begin_removal(), depart_next() and is_departing().
   void begin(ParticipantId participant, Reason reason);
+  void begin(const registry::StoredPublication& publication, Reason reason) { begin({&publication}, {}, reason); }
+  void begin(const registry::StoredSubscription& subscription, Reason reason) { begin({}, {&subscription}, reason); }
   bool next();
   [[nodiscard]] bool is_any() const { return !departures_.empty(); }
   /// Ends all departures at once, because a participant comes back before its departure is over.
@@ -46,21 +48,27 @@ class Departures {
     std::set<Id32> numbers;  ///< clashing ones of those that were erased
   };
 
+  /// The numbers that are looked at in one step when entries with clashing ones were erased.
+  static constexpr std::size_t max_reviewed_in_step = 16;
+
+  void begin(std::vector<const registry::StoredPublication*> publications,
+             std::vector<const registry::StoredSubscription*> subscriptions, Reason reason);
   /// Ends the pairs of a publication with one subscription; false where there is none left.
   bool end_one_consumer(const Departure& departure, const registry::StoredPublication& publication);
   /// Erases an entry that is in no pair, and adds its number where it clashes.
   template <typename Stored>
   void erase(const Stored& stored, std::set<Id32>& numbers) {
     if (clashes_.contains(stored.identity)) numbers.insert(stored.identity);
+    agenda_.forget(stored);
     directory_.erase(stored);
   }
-  /// Judges what may be another match after entries with these clashing numbers were erased.
-  void review(const std::set<Id32>& numbers);
+  /// Has judged what may be another match after entries with these clashing numbers were erased. Takes some of them.
+  void review(std::set<Id32>& numbers);
 
   Directory& directory_;
   Clashes& clashes_;
   Pairs& pairs_;
-  StaleRequests& stale_;
+  Agenda& agenda_;
   std::deque<Departure> departures_;
   std::uint64_t passed_ = 0;
 };

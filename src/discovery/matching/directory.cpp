@@ -55,11 +55,15 @@ ReplacedSubscription Directory::replace(const StoredSubscription& stored, Subscr
   return before;
 }
 
-void Directory::retire(const StoredPublication& stored, Reason reason) {
-  known(stored).leaves = reason;
+void Directory::retire(const std::vector<const StoredPublication*>& publications, Reason reason) {
+  std::vector<ServiceKey> keys;
+  for (const auto* one : publications) {
+    known(*one).leaves = reason;
+    keys.push_back(one->entry.key);
+  }
   for (const Edition* edition : {&editions_.in_force(), &editions_.other()}) {
     if (edition->converters == nullptr || edition->converters->is_empty()) continue;
-    edition->converters->erase(stored.entry.key);
+    edition->converters->erase(keys);
     filed_ += edition->converters->take_work();
   }
 }
@@ -140,13 +144,18 @@ std::shared_ptr<const vocabulary::Chain> Directory::chain(const StoredSubscripti
                        edition.vocabulary, asked.chains);
 }
 
-std::vector<const StoredSubscription*> Directory::subscriptions_for(const StoredPublication& publication) const {
+std::vector<const StoredSubscription*> Directory::subscriptions_found_for(const StoredPublication& publication) const {
   std::vector<const StoredSubscription*> found;
   const auto add = [&](const Edition& edition) {
     add_subscriptions_for(subscriptions_, publication, classes(publication, edition), edition, found);
   };
   add(editions_.in_force());
   if (editions_.stage() == ChangeStage::rematching) add(editions_.other());
+  return found;
+}
+
+std::vector<const StoredSubscription*> Directory::subscriptions_for(const StoredPublication& publication) const {
+  auto found = subscriptions_found_for(publication);
   order_by_key(found);
   return found;
 }

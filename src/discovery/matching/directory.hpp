@@ -46,7 +46,8 @@ class Directory {
     subscriptions_.refresh(stored, updated);
   }
   /// Marks an entry as about to be erased: it meets nothing, and a publication converts nothing.
-  void retire(const registry::StoredPublication& stored, Reason reason);
+  void retire(const std::vector<const registry::StoredPublication*>& publications, Reason reason);
+  void retire(const registry::StoredPublication& stored, Reason reason) { retire(std::vector{&stored}, reason); }
   void retire(const registry::StoredSubscription& stored) { known(stored).is_leaving = true; }
   void erase(const registry::StoredPublication& stored);
   void erase(const registry::StoredSubscription& stored);
@@ -106,6 +107,11 @@ class Directory {
   /// The subscriptions that a publication may meet, each once, in ascending order of key.
   [[nodiscard]] std::vector<const registry::StoredSubscription*> subscriptions_for(
       const registry::StoredPublication& publication) const;
+  /// The same in no particular order, and perhaps more than once. Looks at none of them.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> subscriptions_found_for(
+      const registry::StoredPublication& publication) const;
+  /// Every slot of a subscription is less than this.
+  [[nodiscard]] std::size_t subscription_slots() const { return of_subscription_.size(); }
   /// Calls `visit` once for each publication that a subscription may meet, those that are about to be erased included.
   /// `visit` gives true to stop.
   template <typename Visit>

@@ -22,8 +22,8 @@ Matcher::Matcher(const vocabulary::Vocabulary& vocabulary, Placing placing, Over
       judge_(directory_, clashes_),
       events_(directory_),
       pairs_(directory_, judge_, events_),
-      stale_(editions_, directory_, pairs_),
-      departures_(directory_, clashes_, pairs_, stale_),
+      agenda_(editions_, directory_, judge_, pairs_),
+      departures_(directory_, clashes_, pairs_, agenda_),
       change_(editions_, preparation_, directory_, judge_, pairs_),
       examination_(editions_, preparation_, directory_, judge_) {}
 
@@ -41,6 +41,9 @@ const registry::Stored<Entry>* Matcher::known_before(const registry::Table<Entry
 }
 
 void Matcher::put(PublicationEntry entry) {
+  const bool is_local = entry.is_local;
+  settle_air(is_local);
+  const bool was_idle = agenda_.is_empty();
   const StoredPublication* known = known_before(directory_.publications(), entry);
   if (known != nullptr && known->entry.same_as(entry)) {
     directory_.refresh(*known, entry.updated);
@@ -53,24 +56,35 @@ void Matcher::put(PublicationEntry entry) {
     known = &directory_.add(std::move(entry));
     pairs_.add(*known);
   } else {
+    agenda_.supersede(*known);
     cause.replace(*known, directory_.replace(*known, std::move(entry)));
   }
   const auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
-  auto concerned = directory_.subscriptions_for(*known);
-  for (const auto& [slot, rank] : pairs_.considered_by(*known)) concerned.push_back(&directory_.subscription_at(slot));
-  order_by_key(concerned);
-  for (const auto* subscription : concerned) {
-    if (std::ranges::find(anew, subscription) != anew.end()) continue;
-    pairs_.judge(*subscription, *known, cause);
-    pairs_.settle(*subscription, cause);
+  auto concerned = directory_.subscriptions_found_for(*known);
+  const ConsideredBy& considered_by = pairs_.considered_by(*known);
+  const bool is_much = concerned.size() > max_judged_in_step || considered_by.size() > max_judged_in_step;
+  if (!is_local && (is_much || !anew.empty())) {
+    const bool must_look_back = is_new_identity || editions_.stage() != ChangeStage::none;
+    agenda_.judge(*known, std::make_unique<Cause>(std::move(cause)), std::move(concerned), must_look_back);
+    agenda_.judge_anew(anew);
+  } else {
+    for (const auto& [slot, rank] : considered_by) concerned.push_back(&directory_.subscription_at(slot));
+    order_by_key(concerned);
+    for (const auto* subscription : concerned) {
+      if (std::ranges::find(anew, subscription) != anew.end()) continue;
+      pairs_.judge(*subscription, *known, cause);
+      pairs_.settle(*subscription, cause);
+    }
+    pairs_.judge_anew(anew, cause);
   }
-  pairs_.judge_anew(anew, cause);
-  Cause further;
-  pairs_.relieve(further);
-  stale_.judge_some();
+  agenda_.relieve();
+  if (was_idle) agenda_.take_some();
 }
 
 void Matcher::put(SubscriptionEntry entry, Telling telling) {
+  const bool is_local = entry.is_local;
+  settle_air(is_local);
+  const bool was_idle = agenda_.is_empty();
   const StoredSubscription* known = known_before(directory_.subscriptions(), entry);
   if (known != nullptr && known->entry.same_as(entry)) {
     directory_.refresh(*known, entry.updated);
@@ -84,23 +98,36 @@ void Matcher::put(SubscriptionEntry entry, Telling telling) {
     known = &directory_.add(std::move(entry), std::move(request));
     pairs_.prepare(*known, nullptr);
   } else {
+    agenda_.supersede(*known);
     const bool was_clashing = clashes_.contains(known->identity);
     cause.replace(*known, directory_.replace(*known, std::move(entry), std::move(request)), was_clashing);
     pairs_.prepare(*known, &cause.replaced_subscription()->before.request);
   }
   auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
   std::erase(anew, known);
-  if (telling == Telling::providers) cause.untold = known;
-  pairs_.judge_all(*known, cause);
-  pairs_.settle(*known, cause);
-  Cause further;
-  pairs_.judge_anew(anew, further);
-  pairs_.relieve(further);
+  // While the vocabulary changes, the request that was replaced may be one of an edition that goes before the last
+  // step.
+  if (is_local || editions_.stage() != ChangeStage::none) {
+    if (telling == Telling::providers) cause.untold = known;
+    pairs_.judge_all(*known, cause);
+    pairs_.settle(*known, cause);
+  } else {
+    agenda_.judge(*known, std::make_unique<Cause>(std::move(cause)));
+  }
+  if (is_local) {
+    Cause further;
+    pairs_.judge_anew(anew, further);
+  } else {
+    agenda_.judge_anew(anew);
+  }
+  agenda_.relieve();
+  if (was_idle) agenda_.take_some();
 }
 
 bool Matcher::remove_publication(const ServiceKey& key, Reason reason) {
   const StoredPublication* stored = directory_.publications().find(key);
   if (stored == nullptr || directory_.is_going(*stored)) return false;
+  settle_air(stored->entry.is_local);
   departures_.remove(*stored, reason);
   return true;
 }
@@ -108,7 +135,22 @@ bool Matcher::remove_publication(const ServiceKey& key, Reason reason) {
 bool Matcher::remove_subscription(const ServiceKey& key, Reason reason) {
   const StoredSubscription* stored = directory_.subscriptions().find(key);
   if (stored == nullptr || directory_.is_going(*stored)) return false;
+  settle_air(stored->entry.is_local);
   departures_.remove(*stored, reason);
+  return true;
+}
+
+bool Matcher::begin_removal_of_publication(const ServiceKey& key, Reason reason) {
+  const StoredPublication* stored = directory_.publications().find(key);
+  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  departures_.begin(*stored, reason);
+  return true;
+}
+
+bool Matcher::begin_removal_of_subscription(const ServiceKey& key, Reason reason) {
+  const StoredSubscription* stored = directory_.subscriptions().find(key);
+  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  departures_.begin(*stored, reason);
   return true;
 }
 
@@ -121,7 +163,7 @@ void Matcher::remove_peer(ParticipantId participant, PeerId peer, Reason reason)
 }
 
 void Matcher::catch_up(const ServiceKey& subscription) {
-  if (const StoredSubscription* stored = directory_.subscriptions().find(subscription)) stale_.judge(*stored);
+  if (const StoredSubscription* stored = directory_.subscriptions().find(subscription)) agenda_.catch_up(*stored);
 }
 
 std::vector<ServiceKey> Matcher::chosen(const ServiceKey& subscription) const {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "discovery/matching/agenda.hpp"
 #include "discovery/matching/clashes.hpp"
 #include "discovery/matching/departures.hpp"
 #include "discovery/matching/directory.hpp"
@@ -22,7 +23,6 @@
 #include "discovery/matching/judge.hpp"
 #include "discovery/matching/pairs.hpp"
 #include "discovery/matching/preparation.hpp"
-#include "discovery/matching/stale_requests.hpp"
 #include "discovery/matching/standing.hpp"
 #include "discovery/matching/vocabulary_change.hpp"
 
@@ -81,17 +81,22 @@ class Matcher {
   /// anything. The events come step by step, those of one subscription together. Between the steps everything else may
   /// go on. An entry of the participant that is put ends all departures at once.
   void begin_departure(ParticipantId participant, Reason reason) { departures_.begin(participant, reason); }
+  /// Begins to remove one entry in the same way; false where there was none.
+  bool begin_removal_of_publication(const ServiceKey& key, Reason reason);
+  bool begin_removal_of_subscription(const ServiceKey& key, Reason reason);
   /// False: no departure was left to do.
   [[nodiscard]] bool depart_next() { return departures_.next(); }
   [[nodiscard]] bool is_departing() const { return departures_.is_any(); }
 
-  // Subscriptions that a converter concerns which has come or gone. More may be concerned than are judged at once; each
-  // of the others keeps what it was given until it is judged.
+  // Judging that a change leaves to steps (agenda.hpp): all that a put() of another host concerns beyond a few
+  // pairs, requests that a converter concerns, and choices that have used up their candidates. Until its step a
+  // subscription keeps what it was given. A further put() of another host, or the removal of what is another host's,
+  // takes all steps that are left first: its caller should have taken them.
 
-  [[nodiscard]] bool has_stale() const { return !stale_.is_empty(); }
-  /// Judges the next one, with its events. False: none was left.
-  [[nodiscard]] bool rejudge_next() { return stale_.judge_next(); }
-  /// Judges this one now.
+  [[nodiscard]] bool has_stale() const { return !agenda_.is_empty(); }
+  /// Takes the next step, with its events. False: none was left.
+  [[nodiscard]] bool rejudge_next() { return agenda_.next(); }
+  /// Judges this subscription now if a converter concerns it.
   void catch_up(const ServiceKey& subscription);
 
   // The vocabulary.
@@ -109,7 +114,10 @@ class Matcher {
   /// A change may begin only when the last one is over: when rematch_next() has given false, the former vocabulary is
   /// released. A subscription is judged by one vocabulary at any time, by the former one until its step. Its events
   /// come in that step; what stays matched gets none. A step costs as much as putting one publication or subscription.
-  void begin_vocabulary(const vocabulary::Vocabulary& next) { change_.begin(next); }
+  void begin_vocabulary(const vocabulary::Vocabulary& next) {
+    agenda_.finish();
+    change_.begin(next);
+  }
   /// False: everything is filed, and put_in_force() is due.
   [[nodiscard]] bool file_next() { return change_.file_next(); }
   void put_in_force() { change_.put_in_force(); }
@@ -168,7 +176,7 @@ class Matcher {
   [[nodiscard]] std::uint64_t judged() const { return judge_.judged(); }
   /// How many entries were filed, unfiled or passed in the index since the start: what filing has cost.
   [[nodiscard]] std::uint64_t filed() const {
-    return directory_.filed() + pairs_.passed() + departures_.passed() + change_.passed();
+    return directory_.filed() + pairs_.passed() + agenda_.passed() + departures_.passed() + change_.passed();
   }
 
   // Questions about one request, by the vocabulary in force.
@@ -235,6 +243,11 @@ class Matcher {
   template <typename Entry>
   const registry::Stored<Entry>* known_before(const registry::Table<Entry>& table, const Entry& entry);
 
+  /// Takes the steps that are left of what other hosts have said, before they say something else.
+  void settle_air(bool is_local) {
+    if (!is_local && !agenda_.is_empty()) agenda_.finish();
+  }
+
   // In the order in which they know each other: each knows some of those above it.
   Editions editions_;
   Preparation preparation_;
@@ -243,7 +256,7 @@ class Matcher {
   Judge judge_;
   Events events_;
   Pairs pairs_;
-  StaleRequests stale_;
+  Agenda agenda_;
   Departures departures_;
   VocabularyChange change_;
   Examination examination_;

@@ -76,12 +76,14 @@ void Pairs::judge(const StoredSubscription& subscription, const StoredPublicatio
     if (!is_incumbent && choice.passes_over(rank)) return;
     if (is_turned_away(subscription, publication)) return;
     considered.emplace(subscription.slot, rank);
+    if (&publication == watched_) takers_.insert(subscription.slot);
     choice.offer(rank, publication, is_incumbent);
   }
   forget_dropped(subscription);
 }
 
 void Pairs::judge_all(const StoredSubscription& subscription, const Cause& cause) {
+  end_refill(subscription);
   for (const auto& [rank, publication] : choice(subscription).candidates()) judge(subscription, *publication, cause);
   directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
     if (!considered_by(publication).contains(subscription.slot)) judge(subscription, publication, cause);
@@ -91,12 +93,21 @@ void Pairs::judge_all(const StoredSubscription& subscription, const Cause& cause
 
 void Pairs::refill(const StoredSubscription& subscription, const Cause& cause) {
   forget_dropped(subscription);
+  std::vector<const StoredPublication*> found;
   directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
-    const bool is_candidate =
-        !directory_.is_going(publication) && !considered_by(publication).contains(subscription.slot);
-    if (is_candidate) judge(subscription, publication, cause);
-    return false;
+    found.push_back(&publication);
+    return found.size() > max_refilled_at_once;
   });
+  if (found.size() > max_refilled_at_once) {
+    chooser_of(subscription).choice.postpone_refill();
+    postponed_.push_back(&subscription);
+    return;
+  }
+  for (const auto* publication : found) {
+    const bool is_candidate =
+        !directory_.is_going(*publication) && !considered_by(*publication).contains(subscription.slot);
+    if (is_candidate) judge(subscription, *publication, cause);
+  }
 }
 
 void Pairs::forget_dropped(const StoredSubscription& subscription) {
@@ -105,7 +116,6 @@ void Pairs::forget_dropped(const StoredSubscription& subscription) {
 }
 
 void Pairs::settle(const StoredSubscription& subscription, Cause& cause) {
-  rejudge_if_stale(subscription, cause);
   Choice& choice = chooser_of(subscription).choice;
   const auto refill_choice = [&] { refill(subscription, cause); };
   const Verdict verdict = choice.settle(std::ref(refill_choice));
@@ -116,25 +126,14 @@ void Pairs::settle(const StoredSubscription& subscription, Cause& cause) {
   announced_.update(subscription, choice, !is_same || cause.replaces(subscription));
 }
 
-void Pairs::rejudge_if_stale(const StoredSubscription& subscription, const Cause& cause) {
-  const auto& converters = directory_.edition_of(subscription).converters;
-  const ServiceKey& key = subscription.entry.key;
-  if (converters->stale().empty() || !converters->stale().contains(key)) return;
-  converters->refresh(key);
-  if (directory_.is_going(subscription)) return;
-  directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
-    ++passed_;
-    if (directory_.is_going(publication)) return false;
-    const auto& considered = considered_by(publication);
-    const auto known = considered.find(subscription.slot);
-    const auto chain = directory_.chain(subscription, publication);
-    const bool is_converted = chain != nullptr && chain->cost <= subscription.entry.subscription.convert;
-    const std::uint32_t mark = is_converted ? chain->mark : 0;
-    // The mark is 0 for a pair without a conversion, and for a publication that is no candidate.
-    const std::uint32_t was = known == considered.end() ? 0 : known->second.match.chain;
-    if (mark != was) judge(subscription, publication, cause);
-    return false;
-  });
+void Pairs::settle_all(const StoredSubscription& subscription, Cause& cause) {
+  if (cause.replaces(subscription)) chooser_of(subscription).choice.touch_all();
+  settle(subscription, cause);
+}
+
+bool Pairs::concerns(const StoredSubscription& subscription, const StoredPublication& publication) const {
+  return is_of_interest(subscription.entry, publication.entry) ||
+         considered_by(publication).contains(subscription.slot);
 }
 
 void Pairs::judge_anew(const std::vector<const StoredSubscription*>& subscriptions, Cause& cause) {
@@ -152,7 +151,8 @@ bool Pairs::is_turned_away(const StoredSubscription& subscription, const StoredP
   return true;
 }
 
-void Pairs::relieve(Cause& cause) {
+std::vector<const StoredPublication*> Pairs::take_relieved() {
+  std::vector<const StoredPublication*> relieved;
   for (auto at = crowded_.begin(); at != crowded_.end();) {
     const StoredPublication* stored = directory_.publications().find(*at);
     if (stored != nullptr && considered_by(*stored).size() > max_consumers / 2) {
@@ -160,12 +160,9 @@ void Pairs::relieve(Cause& cause) {
       continue;
     }
     at = crowded_.erase(at);
-    if (stored == nullptr) continue;
-    for (const auto* subscription : directory_.subscriptions_for(*stored)) {
-      judge(*subscription, *stored, cause);
-      settle(*subscription, cause);
-    }
+    if (stored != nullptr) relieved.push_back(stored);
   }
+  return relieved;
 }
 
 std::vector<const StoredSubscription*> Pairs::withdraw(const std::vector<const StoredPublication*>& publications,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "discovery/matching/announced_choices.hpp"
@@ -21,6 +22,10 @@ namespace geminga::matching {
 /// Consumers of other hosts without a limit that a publication of our own is told of. A further one waits until half of
 /// them have gone, so that the walk through all who ask for it is made once for many departures.
 inline constexpr std::size_t max_consumers = 1024;
+
+/// Publications that are looked at at once when a choice has used up its candidates. With more, they are looked at in
+/// steps (agenda.hpp).
+inline constexpr std::size_t max_refilled_at_once = 256;
 
 /// A pair is judged first, which changes the candidates of the subscription. To settle the subscription afterwards
 /// makes its choice and tells the events of it. Every subscription that was judged must be settled.
@@ -45,8 +50,29 @@ class Pairs {
   void settle(const registry::StoredSubscription& subscription, Cause& cause);
   /// Judges all pairs of each of these, and settles it.
   void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions, Cause& cause);
-  /// Takes up the consumers that wait for a publication which has room again.
-  void relieve(Cause& cause);
+  /// Settles a subscription of which all pairs were judged in steps, with other settlings in between: what the cause
+  /// replaced is told of every pair.
+  void settle_all(const registry::StoredSubscription& subscription, Cause& cause);
+  /// Remembers from here on which subscriptions take up this publication as a candidate; null: none is watched.
+  void watch_takers(const registry::StoredPublication* publication) {
+    watched_ = publication;
+    takers_.clear();
+  }
+  [[nodiscard]] bool has_taken(std::uint32_t slot) const { return takers_.contains(slot); }
+  /// Whether judging the pair can change anything.
+  [[nodiscard]] bool concerns(const registry::StoredSubscription& subscription,
+                              const registry::StoredPublication& publication) const;
+  /// The publications that have room again for consumers that wait. Each is given once.
+  [[nodiscard]] std::vector<const registry::StoredPublication*> take_relieved();
+
+  /// The subscriptions whose choice has used up its candidates, and to which all that they may meet must be offered.
+  /// end_refill() says that it was done.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> take_postponed() {
+    return std::exchange(postponed_, {});
+  }
+  [[nodiscard]] bool has_postponed() const { return !postponed_.empty(); }
+  void end_refill(const registry::StoredSubscription& subscription) { chooser_of(subscription).choice.end_refill(); }
+  void forget_postponed(const registry::StoredSubscription& subscription) { std::erase(postponed_, &subscription); }
 
   /// Ends all pairs of publications that are about to be erased. Gives the subscriptions that must be settled, in
   /// ascending order of key.
@@ -84,9 +110,7 @@ class Pairs {
   [[nodiscard]] Chooser& chooser_of(const registry::StoredSubscription& subscription) {
     return choosers_[subscription.slot];
   }
-  /// Judges each candidate of a subscription whose chain is not what it was, if converters have made it stale.
-  void rejudge_if_stale(const registry::StoredSubscription& subscription, const Cause& cause);
-  /// Offers every candidate that the choice does not hold.
+  /// Offers every candidate that the choice does not hold, or has that done in steps.
   void refill(const registry::StoredSubscription& subscription, const Cause& cause);
   void forget_dropped(const registry::StoredSubscription& subscription);
   /// Whether a new candidate would be dropped however well it meets the subscription, so that this need not be known.
@@ -105,6 +129,9 @@ class Pairs {
   std::vector<ConsideredBy> considered_by_;  ///< by slot of the publication
   std::vector<Chooser> choosers_;            ///< by slot
   std::set<ServiceKey> crowded_;             ///< publications that somebody waits for
+  std::vector<const registry::StoredSubscription*> postponed_;
+  const registry::StoredPublication* watched_ = nullptr;
+  std::set<std::uint32_t> takers_;  ///< slots of those that have taken up `watched_`
   std::uint64_t passed_ = 0;
 };
 

@@ -19,7 +19,7 @@ void FormerIncarnations::remember(std::unique_ptr<NeighbourRecord> record, Insta
 }
 
 void FormerIncarnations::remember_expired(std::unique_ptr<NeighbourRecord> record, Instant now) {
-  const auto until = record->heard() + announcement::contest_intervals * record->interval();
+  const auto until = record->heard() + announcement::contest_intervals * record->lasting_interval(now);
   if (until <= now || !record->standing().is_confirmed) return;
   add(Former{.record = std::move(record), .left = now, .until = until, .echo = {}, .is_expired = true});
 }
@@ -75,6 +75,13 @@ std::unique_ptr<NeighbourRecord> FormerIncarnations::take(const announcement::An
   auto record = std::move(found->second.record);
   forget(found);
   return record;
+}
+
+void FormerIncarnations::shed() {
+  for (auto next = map_.begin(); next != map_.end();) {
+    const auto one = next++;
+    if (one->second.record->standing().span() < announcement::seasoned_after) forget(one);
+  }
 }
 
 bool FormerIncarnations::give_way() {

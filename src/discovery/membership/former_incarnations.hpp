@@ -39,6 +39,8 @@ class FormerIncarnations {
   [[nodiscard]] std::unique_ptr<NeighbourRecord> take(const announcement::Announcement& announcement);
   /// Forgets the services of the youngest that has more than its reserve, to make room; false: none has.
   bool give_way();
+  /// Forgets those that were heard for less than seasoned_after, where memory is short.
+  void shed();
 
  private:
   using Incarnation = std::pair<ParticipantId, announcement::BootNonce>;

@@ -39,7 +39,9 @@ Hearing NeighbourTable::hear(const announcement::Announcement& announcement, con
 std::size_t NeighbourTable::expire(Instant now) {
   std::size_t lost = 0;
   if (timetable_.next() > now) return lost;
+  std::size_t count = 0;
   for (const auto id : timetable_.due(now)) {
+    if (++count > max_expired_at_once) break;
     const auto known = records_.find(id);
     known->second.record->ask_witnesses(now);
     if (known->second.record->deadline() <= now) {
@@ -51,6 +53,15 @@ std::size_t NeighbourTable::expire(Instant now) {
     }
   }
   return lost;
+}
+
+std::size_t NeighbourTable::shed(Instant now) {
+  const auto newest = admission_.newest_unseasoned((records_.size() - admission_.seasoned() + 3) / 4);
+  for (const auto id : newest) displace(id);
+  former_.shed();
+  room_ = records_.size();
+  room_until_ = now + memory_pause;
+  return newest.size();
 }
 
 void NeighbourTable::postpone(Instant until) {
@@ -93,6 +104,16 @@ void NeighbourTable::set_self(ParticipantId id, announcement::BootNonce boot) {
   self_ = id;
   self_boot_ = boot;
   witnesses_.set_self(id, boot);
+}
+
+Difference NeighbourTable::compare(const announcement::Announcement& presence, Instant now) {
+  const auto difference = witnesses_.compare(presence, now);
+  if (difference.newer) {
+    const auto known = records_.find(*difference.newer);
+    known->second.record->suspect();
+    update(*known, now);
+  }
+  return difference;
 }
 
 Hearing NeighbourTable::hear_short(const announcement::Announcement& announcement, const Arrival& arrival) {
@@ -173,6 +194,7 @@ Hearing NeighbourTable::hear_state(const announcement::Announcement& announcemen
     former = former_.find_alive(announcement, arrival);
     if (former == nullptr && !is_expired) return Hearing::stale;
     if (former != nullptr) since = former->since();
+    if (is_expired && !former_.find(announcement, arrival.now)->is_vouched(arrival)) return Hearing::elsewhere;
     if (is_expired) {
       // It begins anew, but keeps its right to the identifier. Its next incarnation is not looked for again so soon.
       succeeded = former_.take(announcement)->succeeded();
@@ -182,7 +204,7 @@ Hearing NeighbourTable::hear_state(const announcement::Announcement& announcemen
   if (holder != records_.end()) {
     const bool is_first = since && *since < holder->second.record->since();
     if (!is_first && !holder->second.record->yields_to(announcement, arrival)) return Hearing::rival;
-  } else if (former != nullptr && records_.size() == announcement::max_participants) {
+  } else if (former != nullptr && records_.size() >= room(arrival.now)) {
     const auto gives_way = admission_.decide_return(former->source(), former->standing(), arrival.now);
     if (!gives_way) return Hearing::full;
     displace(*gives_way);
@@ -218,7 +240,7 @@ Hearing NeighbourTable::hear_holder(Records::iterator holder, const announcement
 Hearing NeighbourTable::hear_newcomer(const announcement::Announcement& announcement, const Arrival& arrival,
                                       Turn since) {
   std::optional<Standing> standing;
-  if (records_.size() == announcement::max_participants) {
+  if (records_.size() >= room(arrival.now)) {
     const auto decision = admission_.decide(announcement, arrival.source, arrival.now);
     if (!decision.gives_way) return Hearing::full;
     standing = decision.standing;
@@ -272,7 +294,7 @@ void NeighbourTable::update(Records::value_type& known, Instant now) {
     namesakes_.update(known.first, {record.name(), record.source()}, record.lasting());
     ++roster_;
   }
-  witnesses_.update(known.first, record.heard(), record.interval());
+  witnesses_.update(known.first, record.heard(), record.lasting_interval(now), record.held_revision());
   records_.count(known.second);
   timetable_.set(known.second.slot, record.next_deadline());
 }

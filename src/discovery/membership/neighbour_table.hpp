@@ -33,6 +33,11 @@
 
 namespace geminga::membership {
 
+/// Participants that are given up in one call of expire().
+inline constexpr std::size_t max_expired_at_once = 64;
+/// For so long no further participants get a place once memory was short.
+inline constexpr base::Duration memory_pause = std::chrono::seconds(60);
+
 /// The table of one participant. Not thread-safe. Deterministic: it uses no clock, no randomness and no order of a hash
 /// map. Services are kept by (participant, peer, number). A newer revision wins over an older one. A service that is in
 /// no part of a completely heard revision is withdrawn; any datagram of the newest, complete revision keeps all
@@ -47,6 +52,8 @@ class NeighbourTable final : private ServiceRoom {
 
   /// Sets our own identity. Call again after each draw of IdentifierClaim.
   void set_self(ParticipantId id, announcement::BootNonce boot);
+  /// Sets the revision of our own state that our presence says.
+  void set_revision(std::uint64_t revision) { witnesses_.set_revision(revision); }
 
   /// Random bits that nobody else knows, so that nobody can aim a flood at the places of others. Call before anything
   /// is heard.
@@ -56,7 +63,8 @@ class NeighbourTable final : private ServiceRoom {
   /// changed (or a sixteenth of an interval has gone by) all entries of its sender. While the room for services is
   /// full, it also looks at every participant for each service that others make room for.
   [[nodiscard]] Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival);
-  /// Removes what has its deadline at or before `now`. Returns how many of the removed participants may come back into
+  /// Removes what has its deadline at or before `now`; of many participants the first max_expired_at_once, and
+  /// next_deadline() is due then. Returns how many of the removed participants may come back into
   /// reach: those heard for sought_after whose next incarnation does not seem to have begun.
   std::size_t expire(base::Instant now);
   /// When expire() has something to do, or a little before; base::never: nothing. Its cost is constant.
@@ -81,9 +89,8 @@ class NeighbourTable final : private ServiceRoom {
   /// Returns whether all that we doubt are among them.
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
   /// Takes in the fold of a known participant's presence; see Witnesses::compare().
-  Unknown compare(const announcement::Announcement& presence, base::Instant now) {
-    return witnesses_.compare(presence, now);
-  }
+  /// What it knows and we lack is asked for.
+  Difference compare(const announcement::Announcement& presence, base::Instant now);
   /// Whether a known participant may have heard nothing of us since then; see Witnesses::misses_us().
   [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,
                                base::Instant now) {
@@ -97,6 +104,13 @@ class NeighbourTable final : private ServiceRoom {
   }
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
   [[nodiscard]] std::optional<double> loss() const { return records_.loss(); }
+
+  /// Makes room where memory is short: gives up a quarter of the participants that are not seasoned, at least one, the
+  /// one that was added last first. For memory_pause no more participants than are left have a place. How many were
+  /// given up; 0: all are seasoned.
+  std::size_t shed(base::Instant now);
+  /// Whether it has said for long that it does not hear us, though we hear it.
+  [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const { return witnesses_.is_deaf_to_us(id); }
 
   [[nodiscard]] bool is_known(ParticipantId id) const { return records_.record(id) != nullptr; }
   [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;
@@ -132,6 +146,10 @@ class NeighbourTable final : private ServiceRoom {
   /// Brings everything that is derived from a record up to date, its next deadline included.
   void update(Records::value_type& known, base::Instant now);
   bool make_room(ParticipantId asks) override;
+  /// How many participants have a place.
+  [[nodiscard]] std::size_t room(base::Instant now) const {
+    return now < room_until_ ? room_ : announcement::max_participants;
+  }
 
   std::string group_;
   ParticipantId self_{};
@@ -146,6 +164,8 @@ class NeighbourTable final : private ServiceRoom {
   Records records_;
   Timetable timetable_;  ///< when expire() has something to do for which participant
   std::uint64_t roster_ = 0;
+  std::size_t room_ = announcement::max_participants;  ///< until `room_until_`, since memory was short
+  base::Instant room_until_{};
   std::vector<Change> changes_;
 };
 

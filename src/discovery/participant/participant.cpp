@@ -65,6 +65,7 @@ struct Participant::Owners {
   Phase phase = Phase::created;
   base::Instant started{};
   std::set<env::InterfaceIndex> interfaces;
+  Work before_event = 0;  ///< all work done when the event under way began
   StatusSource status_source;
 
   /// Hands each query the parts that it reads.
@@ -222,6 +223,14 @@ void Participant::on_interfaces_changed() {
   settle();
 }
 
+void Participant::shed() {
+  Owners& all = *owners_;
+  if (all.phase != Phase::claiming && all.phase != Phase::ready) return;
+  all.air.shed();
+  feed();
+  settle();
+}
+
 void Participant::set_sealing(const sealing::Policy& policy) {
   if (owners_->phase == Phase::created || is_over()) return;
   const bool is_other = owners_->air.seal().policy() != policy;
@@ -230,8 +239,8 @@ void Participant::set_sealing(const sealing::Policy& policy) {
   settle();
 }
 
-void Participant::set_vocabulary(Vocabulary vocabulary) {
-  owners_->knowledge.ontology_change.begin(std::move(vocabulary));
+void Participant::set_vocabulary(Vocabulary vocabulary, const std::vector<std::string>& left_out) {
+  owners_->knowledge.ontology_change.begin(std::move(vocabulary), {left_out, owners_->env.now()});
   change_ontology();
 }
 
@@ -310,8 +319,7 @@ void Participant::feed() {
 void Participant::proceed_feed() {
   Knowledge& knowledge = owners_->knowledge;
   Clients& clients = owners_->clients;
-  const Work begin = knowledge.work.done();
-  while (is_feed_due() && knowledge.work.done() - begin < work_in_turn) {
+  while (is_feed_due() && knowledge.work.done() - owners_->before_event < work_in_turn) {
     knowledge.overlaps.begin_step();
     if (!knowledge.continue_matching() && !clients.own().return_next()) knowledge.take_next_change();
     clients.telling().deliver_events();
@@ -324,7 +332,7 @@ void Participant::proceed_ontology_change() {
   OntologyChange& change = all.knowledge.ontology_change;
   WorkMeter& work = all.knowledge.work;
   const Work begin = work.done();
-  while (change.is_under_way() && work.done() - begin < work_in_turn) {
+  while (change.is_under_way() && work.done() - begin < work_in_change) {
     all.knowledge.overlaps.begin_step();
     switch (change.step()) {
       case OntologyChange::Due::nothing:
@@ -376,6 +384,7 @@ void Participant::settle() {
   if (all.knowledge.matcher.take_choice_change() || is_changed) all.air.announcer().changed();
   if (!is_over()) all.air.announcer().announce();
   if (all.phase == Phase::stopping && all.air.announcer().is_finished()) all.phase = Phase::stopped;
+  all.before_event = all.knowledge.work.done();
   all.env.wake_at(is_over() ? base::never : std::min(all.air.announcer().due(), deadline()));
 }
 
@@ -384,7 +393,7 @@ base::Instant Participant::deadline() const {
   if (all.phase == Phase::stopping) return base::never;
   const bool is_turn_due = all.phase == Phase::ready && all.clients.turns().is_due();
   if (is_turn_due || is_feed_due() || all.knowledge.ontology_change.is_under_way()) return all.env.now();
-  return std::min(all.air.neighbours().next_deadline(), all.clients.deadline());
+  return std::min({all.air.neighbours().next_deadline(), all.clients.deadline(), all.knowledge.next_due()});
 }
 
 }  // namespace geminga::participant

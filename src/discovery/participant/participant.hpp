@@ -63,6 +63,11 @@ class Participant {
   /// The client has read what had to wait for it.
   void on_stream_drained(env::StreamId stream);
 
+  /// Memory is short: gives up the participants that were heard last, a quarter of those that were heard for less than
+  /// seasoned_after, and gives no place to further ones for memory_pause. Their services go in later on_timer(), in
+  /// turns. To be called again where that was not enough.
+  void shed();
+
   /// Takes other keys, or another way to seal. No participant is lost that has the keys which this step of a rotation
   /// or a migration asks for (src/discovery/sealing/SEALING.md). After start().
   void set_sealing(const sealing::Policy& policy);
@@ -71,8 +76,9 @@ class Participant {
   /// whose names the new one does not know gets one error 422 and its events `del reason=changed`, and comes back by
   /// itself when a later ontology knows them. For a large team the work is done in later on_timer(), in turns; another
   /// ontology that comes meanwhile waits. Where it is not prepared for class expressions, requests for these are out of
-  /// force until on_prepared(), and their peers are told so.
-  void set_vocabulary(Vocabulary vocabulary);
+  /// force until on_prepared(), and their peers are told so. `left_out` are lines
+  /// about files that are not in it: queries show them as those of ontology_failed().
+  void set_vocabulary(Vocabulary vocabulary, const std::vector<std::string>& left_out = {});
   /// The vocabulary that is to be prepared for class expressions, because one has come; null: none. To be asked after
   /// each event. Preparing is long work: the owner of the participant does it elsewhere, and brings the result by
   /// on_prepared(). Meanwhile statements that need it wait, and so do the statements of their clients behind them.
@@ -85,8 +91,8 @@ class Participant {
   /// Where none is in force meanwhile, statements with concepts are kept without an answer. They come into force with
   /// the ontology, or get their 422 then. Queries that need an ontology are answered 503 at once.
   void ontology_begun();
-  /// The ontologies could not be read, and these lines say why. The ontology in force stays; queries show the lines
-  /// until a later reading ends in set_vocabulary().
+  /// The ontologies, or some of their files, could not be read, and these lines say why. The ontology in force stays;
+  /// queries show the lines until a later reading ends in set_vocabulary().
   void ontology_failed(const std::vector<std::string>& lines);
 
   /// Gives fields that only the owner knows (memory, processor time, files), to be appended to the answer of `query

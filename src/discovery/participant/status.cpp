@@ -119,6 +119,7 @@ Answer answer_status(const Settings& settings, Course course, const Knowledge& k
   append_over_zero(line, "overlaps_decided", overlaps.decided);
   append_over_zero(line, "overlaps_undecided", overlaps.undecided);
   append_over_zero(line, "overlaps_postponed", overlaps.postponed);
+  append_over_zero(line, "converters_postponed", knowledge.held_converters());
   append_over_zero(line, "refused_services", air.neighbours().refused_services());
   append(line, "clients_closed", sessions.counters.clients_closed);
   append(line, "lags", sessions.counters.lags);

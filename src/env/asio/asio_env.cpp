@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <chrono>
 #include <system_error>
+#include <utility>
 
 #include "base/assert.hpp"
+#include "base/text.hpp"
 #include "env/asio/families.hpp"
 
 namespace geminga::env {
 namespace {
 
 namespace net = boost::asio;
+using base::LogLevel;
 using net::ip::address;
 
 base::Instant read_clock() {
@@ -117,7 +120,20 @@ void AsioEnv::receive(InterfaceIndex interface, const address& source, std::span
 }
 
 bool AsioEnv::scan() {
-  const std::vector<Link> links = scan_links(settings_.interfaces);
+  auto scan = scan_links(settings_.interfaces);
+  if (!scan) {
+    // Only the look has failed: the interfaces in use stay.
+    if (scan_problem_ != scan.error()) {
+      log_.write(LogLevel::warning, "cannot look at the network interfaces: " + scan.error() + ": trying each second");
+    }
+    scan_problem_ = scan.error();
+    return false;
+  }
+  if (!std::exchange(scan_problem_, {}).empty()) {
+    log_.write(LogLevel::info, "looking at the network interfaces works again");
+  }
+  say_ignored(std::move(scan->ignored));
+  const std::vector<Link>& links = scan->links;
   const std::vector<Joined> found = by_family(links, groups_);
   bool is_changed =
       std::erase_if(links_, [&](const auto& entry) {
@@ -126,8 +142,8 @@ bool AsioEnv::scan() {
   for (const auto& [link, groups] : found) {
     const auto in_use = links_.find(link.interface.index);
     const bool was_open = in_use != links_.end();
-    if (was_open && in_use->second->is_sound() && in_use->second->update(link)) continue;
     const bool was_sound = was_open && in_use->second->is_sound();
+    if (was_sound && !in_use->second->is_short() && in_use->second->update(link)) continue;
     if (was_open) links_.erase(in_use);
     const bool is_sound = open(link, groups);
     is_changed = is_changed || !was_open || was_sound || is_sound;
@@ -137,7 +153,9 @@ bool AsioEnv::scan() {
   for (const Joined& one : found) seen.push_back(one.link.interface);
   say_missing(seen);
   bool is_well = missing_.empty();
-  for (const auto& [index, link] : links_) is_well = !link->take_failure() && link->is_sound() && is_well;
+  for (const auto& [index, link] : links_) {
+    is_well = !link->take_failure() && link->is_sound() && !link->is_short() && is_well;
+  }
   if (!is_changed && seen == interfaces_) return is_well;
   interfaces_ = std::move(seen);
   tell([](EventSink& sink) { sink.on_interfaces_changed(); });
@@ -150,14 +168,36 @@ bool AsioEnv::open(const Link& link, const std::vector<address>& groups) {
       [this, index = link.interface.index](const address& source, std::span<const std::byte> datagram) {
         receive(index, source, datagram);
       });
-  for (const std::string& problem : opened->problems()) {
-    if (problems_.insert(problem).second) {
-      log_.write(opened->is_sound() ? base::LogLevel::debug : base::LogLevel::warning, problem);
-    }
-  }
+  say_problems(*opened);
   const bool is_sound = opened->is_sound();
   links_.emplace(link.interface.index, std::move(opened));
   return is_sound;
+}
+
+void AsioEnv::say_problems(const MulticastLink& link) {
+  const InterfaceIndex index = link.link().interface.index;
+  const auto before = problems_.find(index);
+  if (link.problems().empty()) {
+    if (before == problems_.end()) return;
+    problems_.erase(before);
+    log_.write(LogLevel::info, "all is well on " + link.link().interface.name + " again");
+    return;
+  }
+  if (before != problems_.end() && before->second == link.problems()) return;
+  for (const std::string& problem : link.problems()) {
+    log_.write(link.is_sound() ? LogLevel::debug : LogLevel::warning,
+               problem + (link.is_sound() ? "" : ": trying each second"));
+  }
+  problems_[index] = link.problems();
+}
+
+void AsioEnv::say_ignored(std::vector<std::string> ignored) {
+  if (ignored == ignored_) return;
+  ignored_ = std::move(ignored);
+  if (ignored_.empty()) return;
+  log_.write(LogLevel::warning,
+             "no room for more than " + std::to_string(max_links) +
+                 " interfaces: name those that count with --interface; not used: " + base::joined(ignored_, ", "));
 }
 
 void AsioEnv::say_missing(const std::vector<Interface>& seen) {
@@ -166,7 +206,7 @@ void AsioEnv::say_missing(const std::vector<Interface>& seen) {
     if (is_there) {
       missing_.erase(name);
     } else if (missing_.insert(name).second) {
-      log_.write(base::LogLevel::warning, "interface " + name + " is not there or not up: waiting for it");
+      log_.write(LogLevel::warning, "interface " + name + " is not there or not up: waiting for it");
     }
   }
 }
@@ -178,11 +218,11 @@ void AsioEnv::watch_sending(const MulticastLink& link) {
   const bool is_ipv6_side = link.link().interface.ipv6_side_of.has_value();
   const std::string name = link.link().interface.name + (is_ipv6_side ? " over IPv6" : "");
   if (last == 0) {
-    log_.write(is_ipv6_side ? base::LogLevel::debug : base::LogLevel::info, "sending on " + name + " works again");
+    log_.write(is_ipv6_side ? LogLevel::debug : LogLevel::info, "sending on " + name + " works again");
   } else {
     // An IPv6 side sends one datagram, perhaps while its address is still being tried (RFC 4862, 5.4), and then nothing
     // for long.
-    log_.write(is_ipv6_side ? base::LogLevel::debug : base::LogLevel::warning,
+    log_.write(is_ipv6_side ? LogLevel::debug : LogLevel::warning,
                "cannot send on " + name + ": " + std::generic_category().message(last));
   }
 }
@@ -195,7 +235,7 @@ std::expected<void, std::string> AsioEnv::listen(const Endpoint& endpoint, bool 
     return std::unexpected(to_string(endpoint) + " is already in use: another gemingad? choose another with --gcnp");
   }
   if (error.cause == ListenError::Cause::not_available && may_be_missing) {
-    log_.write(base::LogLevel::info, to_string(endpoint) + " is not available on this host: going on without it");
+    log_.write(LogLevel::info, to_string(endpoint) + " is not available on this host: going on without it");
     return {};
   }
   return std::unexpected("cannot listen on " + to_string(endpoint) + ": " + error.text);

@@ -71,6 +71,7 @@ class AsioEnv final : public Env {
   void wake_at(base::Instant instant) override;
   [[nodiscard]] std::uint64_t random_bits() override;
   [[nodiscard]] const std::vector<Interface>& interfaces() const override { return interfaces_; }
+  [[nodiscard]] std::vector<std::string> ignored_interfaces() const override { return ignored_; }
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) override;
   [[nodiscard]] bool is_sender_unnamed() const override;
   void answer_sender(base::Duration time) override;
@@ -99,6 +100,10 @@ class AsioEnv final : public Env {
   bool open(const Link& link, const std::vector<boost::asio::ip::address>& groups);
   /// Logs an interface that was asked for by name and is not there, once until it comes.
   void say_missing(const std::vector<Interface>& seen);
+  /// Logs once what cannot be opened on an interface, and once that all can.
+  void say_problems(const MulticastLink& link);
+  /// Logs the interfaces for which there is no room, when they change.
+  void say_ignored(std::vector<std::string> ignored);
   /// Logs once that sending fails, and once that it works again.
   void watch_sending(const MulticastLink& link);
 
@@ -114,7 +119,9 @@ class AsioEnv final : public Env {
   EventSink* sink_ = nullptr;
   std::map<InterfaceIndex, std::unique_ptr<MulticastLink>> links_;
   std::map<InterfaceIndex, int> send_errors_;
-  std::set<std::string> problems_;
+  std::map<InterfaceIndex, std::vector<std::string>> problems_;
+  std::string scan_problem_;  ///< why the last look at the interfaces failed; empty: it did not
+  std::vector<std::string> ignored_;
   std::set<std::string> missing_;
   std::unique_ptr<Unicast> unicast_;
   std::unique_ptr<LinkWatch> watch_;

@@ -10,10 +10,10 @@
 namespace geminga::env {
 
 /// The time between two looks while something is wrong that a look may mend, or while the kernel reports nothing.
-inline constexpr std::chrono::seconds link_scan_period{2};
+inline constexpr std::chrono::seconds link_scan_period{1};
 /// The time between two looks without a reported change, if all is well. Shorter: an unreported change is seen sooner.
-/// Longer: less processor time; a look each two seconds takes a tenth of it. Reports are reliable on every kernel we
-/// know; this is a safeguard.
+/// Longer: less processor time; a look each two seconds takes a tenth of an idle daemon's. Reports are reliable on
+/// every kernel we know; this is a safeguard.
 inline constexpr std::chrono::seconds link_rescan_period{30};
 /// The time between two looks when many reports come: an interface that comes up causes half a dozen.
 inline constexpr std::chrono::milliseconds link_scan_pause{20};

@@ -7,8 +7,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <cstring>
 #include <memory>
+#include <system_error>
+#include <utility>
+
+#include "env/asio/virtual_links.hpp"
 
 namespace geminga::env {
 namespace {
@@ -121,32 +126,47 @@ std::optional<InterfaceIndex> link_of(const ifaddrs& entry) {
   return InterfaceIndex{static_cast<std::uint32_t>(packet.sll_ifindex)};
 }
 
-std::vector<Link> scan_links(const std::vector<std::string>& names) {
+std::vector<std::string> take_ignored(std::vector<LinkRank>& found) {
+  std::vector<std::string> ignored;
+  std::ranges::sort(found, {}, [](const LinkRank& one) { return std::pair(one.is_virtual, one.index); });
+  for (std::size_t i = max_links; i < found.size(); ++i) ignored.push_back(found[i].name);
+  if (found.size() > max_links) found.resize(max_links);
+  std::ranges::sort(found, {}, &LinkRank::index);
+  return ignored;
+}
+
+std::expected<LinkScan, std::string> scan_links(const std::vector<std::string>& names) {
   ifaddrs* raw = nullptr;
-  if (::getifaddrs(&raw) != 0) return {};
+  if (::getifaddrs(&raw) != 0) return std::unexpected(std::generic_category().message(errno));
   const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> entries(raw, &::freeifaddrs);
-  std::vector<Link> links;
+  std::vector<LinkRank> found;
   for (const ifaddrs* entry = entries.get(); entry != nullptr; entry = entry->ifa_next) {
     const auto index = link_of(*entry);
-    if (!index || !is_wanted(*entry, names)) continue;
-    Link link;
-    link.interface.index = *index;
-    link.interface.name = entry->ifa_name;
-    link.interface.is_loopback = (entry->ifa_flags & IFF_LOOPBACK) != 0;
-    links.push_back(std::move(link));
+    if (index && is_wanted(*entry, names)) found.push_back({.index = *index, .name = entry->ifa_name});
   }
-  std::ranges::sort(links, {}, [](const Link& link) { return link.interface.index; });
-  if (links.size() > max_links) links.resize(max_links);
+  LinkScan scan;
+  if (found.size() > max_links) {
+    const auto virtual_ones = virtual_links();
+    if (!virtual_ones) return std::unexpected(virtual_ones.error());
+    for (LinkRank& one : found) one.is_virtual = virtual_ones->contains(one.index);
+  }
+  scan.ignored = take_ignored(found);
+  for (LinkRank& one : found) {
+    Link link;
+    link.interface.index = one.index;
+    link.interface.name = std::move(one.name);
+    scan.links.push_back(std::move(link));
+  }
   for (const ifaddrs* entry = entries.get(); entry != nullptr; entry = entry->ifa_next) {
-    const auto prefix = prefix_of(*entry);
-    if (!prefix) continue;
     const std::string_view labelled(entry->ifa_name);  // an old-style alias is called eth0:1
     const std::string_view name = labelled.substr(0, labelled.find(':'));
-    const auto link = std::ranges::find_if(links, [&](const Link& l) { return l.interface.name == name; });
-    if (link != links.end()) link->prefixes.push_back(*prefix);
+    const auto link = std::ranges::find_if(scan.links, [&](const Link& l) { return l.interface.name == name; });
+    if (link == scan.links.end()) continue;
+    link->interface.is_loopback = (entry->ifa_flags & IFF_LOOPBACK) != 0;
+    if (const auto prefix = prefix_of(*entry)) link->prefixes.push_back(*prefix);
   }
-  for (Link& link : links) link.interface.addresses = announced_addresses(link.prefixes);
-  return links;
+  for (Link& link : scan.links) link.interface.addresses = announced_addresses(link.prefixes);
+  return scan;
 }
 
 }  // namespace geminga::env

@@ -3,6 +3,7 @@
 #define GEMINGA_ENV_ASIO_LINKS_HPP
 
 #include <boost/asio/ip/address.hpp>
+#include <expected>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +36,8 @@ struct Link {
   [[nodiscard]] bool is_on_link(const boost::asio::ip::address& source) const;
 };
 
-/// The most interfaces in use. Further ones are ignored, in order of index. A robot has two or three.
-inline constexpr std::size_t max_links = 16;
+/// The most interfaces in use. A robot has two or three, and as many virtual ones as it runs containers.
+inline constexpr std::size_t max_links = 64;
 /// The most addresses of one interface that are announced. More would only make announcements longer.
 inline constexpr std::size_t max_addresses_per_link = 4;
 
@@ -48,10 +49,28 @@ inline constexpr std::size_t max_addresses_per_link = 4;
 /// address of the link layer, or none if the link layer has none (TUN).
 [[nodiscard]] std::optional<InterfaceIndex> link_of(const ifaddrs& entry);
 
+/// The interfaces in use, and the names of those for which there is no room.
+struct LinkScan {
+  std::vector<Link> links;  ///< ordered by index
+  std::vector<std::string> ignored;
+};
+
+/// An interface as chosen among: its index, and whether it is a virtual one.
+struct LinkRank {
+  InterfaceIndex index{};
+  std::string name;
+  bool is_virtual = false;
+};
+
+/// Takes out those for which there is no room, and gives their names: virtual ones before others, and of these the
+/// greater index first. Orders the rest by index.
+[[nodiscard]] std::vector<std::string> take_ignored(std::vector<LinkRank>& found);
+
 /// The interfaces that are up and running and can multicast, without the loopback. If `names` is not empty: those with
 /// these names, of any kind, if they are up. Ordered by index. An IPv6 link-local address is announced only if there is
-/// no other address: without a scope nobody else can use it. Cost: two netlink dumps.
-[[nodiscard]] std::vector<Link> scan_links(const std::vector<std::string>& names);
+/// no other address: without a scope nobody else can use it. At most max_links. The error says why the system does not
+/// tell, as when it has no descriptor left. Cost: two netlink dumps, and one more where there are many.
+[[nodiscard]] std::expected<LinkScan, std::string> scan_links(const std::vector<std::string>& names);
 
 }  // namespace geminga::env
 

@@ -35,6 +35,8 @@ bool set_int(udp::socket& socket, int level, int option, int value) {
 
 std::string reason() { return std::generic_category().message(errno); }
 
+bool is_shortage(int error) { return error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM; }
+
 /// Joins the group on the interface, and hears only what was joined. False with errno.
 bool join(udp::socket& socket, const address& group, int index) {
   if (group.is_v4()) {
@@ -91,6 +93,7 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
   std::vector<std::string> problems;
   int send_error = 0;
   bool has_failed = false;
+  bool is_short = false;
   bool is_closed = false;
 
   /// The kernel's index.
@@ -106,11 +109,13 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
     if (!error) socket.set_option(net::socket_base::reuse_address(true), error);
     if (!error) socket.bind({scoped(group, index()), port}, error);
     if (error) {
+      is_short = is_short || is_shortage(error.value());
       problems.push_back("cannot listen to " + group.to_string() + " on " + link.interface.name + ": " +
                          error.message());
       return;
     }
     if (!join(socket, group, index())) {
+      is_short = is_short || is_shortage(errno);
       problems.push_back("cannot join " + group.to_string() + " on " + link.interface.name + ": " + reason());
       return;
     }
@@ -135,6 +140,7 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
     if (!error) own = socket.local_endpoint(error);
     if (!error && !aim(socket, on_v4, index())) error.assign(errno, boost::system::generic_category());
     if (error) {
+      is_short = is_short || is_shortage(error.value());
       problems.push_back("cannot send on " + link.interface.name + ": " + error.message());
       return;
     }
@@ -218,6 +224,7 @@ bool MulticastLink::is_sound() const {
   });
 }
 
+bool MulticastLink::is_short() const { return sockets_->is_short; }
 const Link& MulticastLink::link() const { return sockets_->link; }
 const std::vector<std::string>& MulticastLink::problems() const { return sockets_->problems; }
 int MulticastLink::last_send_error() const { return sockets_->send_error; }

@@ -50,6 +50,9 @@ class MulticastLink {
   [[nodiscard]] const std::vector<std::string>& problems() const;
   /// Whether it can send, and hears the groups of the family that it sends on. If not, it is worth another attempt.
   [[nodiscard]] bool is_sound() const;
+  /// Whether something could not be opened because the system had no descriptor or no memory left: then another attempt
+  /// is worth it, though it may be sound.
+  [[nodiscard]] bool is_short() const;
   /// The error of the last send, or 0.
   [[nodiscard]] int last_send_error() const;
   /// Whether a send has failed since the last call. A failure of long ago tells nothing: an IPv6 side may say nothing

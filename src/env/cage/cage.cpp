@@ -14,9 +14,10 @@ namespace geminga::cage {
 namespace {
 
 /// Root without these is nobody special: it may not look into other processes whatever else it is allowed.
-void drop_capabilities(bool may_write) {
+void drop_capabilities(const Freedom& freedom) {
   std::uint32_t kept = 1U << CAP_DAC_READ_SEARCH;
-  if (may_write) kept |= 1U << CAP_DAC_OVERRIDE;
+  if (!freedom.writable_folders.empty()) kept |= 1U << CAP_DAC_OVERRIDE;
+  if (freedom.may_serve) kept |= 1U << CAP_NET_BIND_SERVICE;
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   std::array<__user_cap_data_struct, 2> sets{};
   if (::syscall(SYS_capget, &header, sets.data()) != 0) return;
@@ -31,7 +32,7 @@ void drop_capabilities(bool may_write) {
 
 Held close(const Freedom& freedom) {
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  drop_capabilities(!freedom.writable_folders.empty());
+  drop_capabilities(freedom);
   Held held;
   held.by_paths = restrict_paths(freedom);
   held.by_system_calls = restrict_system_calls(freedom);

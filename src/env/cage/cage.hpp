@@ -26,18 +26,27 @@ struct Freedom {
   /// Folders in which files may be written, renamed and removed. Without Landlock any file may be, if there is such a
   /// folder.
   std::vector<std::string> writable_folders;
+  /// Allows what a server does: sockets of the network and of this host, and processes, which are in this cage, too.
+  /// It may open files for writing, but makes none that has a name and cuts none short, and removes none but in
+  /// `removable_folders`. It listens nowhere but where it listens already, and speaks TCP to name servers only
+  /// (Landlock).
+  bool may_serve = false;
+  /// For a server: the files that it may write, and folders in which it may make files without a name. Landlock.
+  std::vector<std::string> rewritable;
+  /// For a server: folders in which it may remove files. Without Landlock it may remove any, if there is such a folder.
+  std::vector<std::string> removable_folders;
 };
 
 /// The parts of the cage that hold.
 struct Held {
-  bool by_system_calls = false;  ///< seccomp: no sockets, processes, signals, traces, and no file opened for writing
+  bool by_system_calls = false;  ///< seccomp: no calls but those that the freedom needs
   bool by_paths = false;         ///< Landlock: of files, only those that are named
 };
 
-/// Closes the cage: no new privileges, no capabilities except to read and write files as before, Landlock, seccomp.
-/// What is forbidden fails with EACCES and does nothing. It does not end in a signal: a C library that is newer than
-/// the list of system calls tries a new one and takes another when that fails. Call it while the process has one
-/// thread.
+/// Closes the cage: no new privileges, no capabilities except to read and write files as before (a server: to read
+/// them, and to use ports below 1024), Landlock, seccomp. What is forbidden fails with EACCES and does nothing. It does
+/// not end in a signal: a C library that is newer than the list of system calls tries a new one and takes another when
+/// that fails. Call it while the process has one thread.
 Held close(const Freedom& freedom);
 
 }  // namespace geminga::cage

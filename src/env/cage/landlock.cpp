@@ -17,11 +17,17 @@ constexpr long add_rule = 445;
 constexpr long restrict_self = 446;
 constexpr unsigned ask_version = 1;
 constexpr int rule_path_beneath = 1;
+constexpr int rule_net_port = 2;  // version 4
 
 struct Ruleset {
   std::uint64_t handled_fs = 0;
   std::uint64_t handled_net = 0;  // version 4
   std::uint64_t scoped = 0;       // version 6
+};
+
+struct NetPort {
+  std::uint64_t allowed;
+  std::uint64_t port;
 };
 
 struct PathBeneath {
@@ -37,6 +43,9 @@ constexpr std::uint64_t read_dir = bit(3);
 constexpr std::uint64_t remove_file = bit(5);
 constexpr std::uint64_t make_regular = bit(8);
 constexpr std::uint64_t truncate = bit(14);
+constexpr std::uint64_t connect_tcp = bit(1);
+/// Names are asked for over TCP where an answer is too long for UDP. The resolver knows no other port.
+constexpr std::uint64_t name_server_port = 53;
 constexpr std::uint64_t of_files = execute | write_file | read_file | truncate | bit(15);
 
 /// Everything that a version can forbid of the file system.
@@ -61,11 +70,17 @@ class Rules {
   void allow(const std::string& path, std::uint64_t rights) {
     const int place = ::open(path.c_str(), O_PATH | O_CLOEXEC);
     if (place < 0) return;
-    struct stat status{};
+    struct stat status {};
     const bool is_folder = ::fstat(place, &status) == 0 && S_ISDIR(status.st_mode);
     const PathBeneath rule{rights & handled_ & (is_folder ? ~std::uint64_t{0} : of_files), place};
     if (rule.allowed != 0) ::syscall(add_rule, descriptor_, rule_path_beneath, &rule, 0);
     ::close(place);
+  }
+
+  /// Allows TCP to this port of any host.
+  void allow_connections_to(std::uint64_t port) {
+    const NetPort rule{connect_tcp, port};
+    ::syscall(add_rule, descriptor_, rule_net_port, &rule, 0);
   }
 
   [[nodiscard]] bool enforce() const { return descriptor_ >= 0 && ::syscall(restrict_self, descriptor_, 0) == 0; }
@@ -92,6 +107,9 @@ bool restrict_paths(const Freedom& freedom) {
   for (const std::string& path : freedom.readable) rules.allow(path, read_file | read_dir);
   for (const std::string& folder : freedom.writable_folders)
     rules.allow(folder, write_file | truncate | make_regular | remove_file);
+  for (const std::string& path : freedom.rewritable) rules.allow(path, write_file);
+  for (const std::string& folder : freedom.removable_folders) rules.allow(folder, remove_file);
+  if (freedom.may_serve && version >= 4) rules.allow_connections_to(name_server_port);
   return rules.enforce();
 }
 

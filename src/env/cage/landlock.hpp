@@ -6,7 +6,8 @@
 
 namespace geminga::cage {
 
-/// Also forbids TCP, abstract Unix sockets and signals to other processes where the kernel can. False: this kernel has
+/// Also forbids TCP, abstract Unix sockets and signals to other processes where the kernel can; a server may connect to
+/// name servers. False: this kernel has
 /// no Landlock.
 bool restrict_paths(const Freedom& freedom);
 

@@ -15,6 +15,8 @@ namespace geminga::compiled {
 
 /// How the line among the gaps begins that says which classes are undecided.
 inline constexpr std::string_view undecided_words = "undecided: ";
+/// Begins each line of `geminga-ontology compile` about a file that it left out.
+inline constexpr std::string_view left_out_words = "left out: ";
 
 /// Parts to write beside the source and its classification.
 struct CompileOptions {

@@ -19,23 +19,13 @@
 namespace geminga::compiled {
 namespace {
 
-/// The folders of a disk where the copy may lie. The original's comes first, because there the copy may share its
-/// blocks.
-std::vector<std::string> folders_for(const std::string& path) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  std::vector<std::string> folders{folder.empty() ? "." : folder};
-  if (const char* named = std::getenv("TMPDIR")) folders.emplace_back(named);
-  folders.insert(folders.end(), {"/var/tmp", "/tmp"});
-  return folders;
-}
-
 struct Closer {
   int descriptor;
   ~Closer() { ::close(descriptor); }
 };
 
 std::expected<std::size_t, std::string> size_of(int descriptor, const MappedFile::Look& look) {
-  struct stat status{};
+  struct stat status {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::unexpected("is not a regular file");
   std::array<std::byte, MappedFile::beginning_bytes> beginning;
   const ssize_t got = ::pread(descriptor, beginning.data(), beginning.size(), 0);
@@ -48,7 +38,7 @@ std::expected<std::size_t, std::string> size_of(int descriptor, const MappedFile
 
 /// Copies as many octets as the original is said to have.
 std::expected<base::PrivateFile, std::string> copy(int descriptor, std::size_t size, const std::string& path) {
-  auto copy = base::PrivateFile::on_disk(folders_for(path), size);
+  auto copy = base::PrivateFile::on_disk(MappedFile::folders_for(path), size);
   if (!copy) copy = base::PrivateFile::in_memory();
   if (!copy) return std::unexpected("cannot be copied: " + copy.error());
   const auto count = copy->copy_from(descriptor, size);
@@ -61,7 +51,7 @@ std::expected<base::PrivateFile, std::string> copy(int descriptor, std::size_t s
 
 std::expected<MappedFile, std::string> MappedFile::copy_of(const std::string& path, const Look& look) {
   const auto refuse = [&](const std::string& why) { return std::unexpected(path + ": " + why); };
-  struct stat status{};
+  struct stat status {};
   // The name is asked first: opening a device can have effects of its own.
   if (::stat(path.c_str(), &status) != 0) return refuse("cannot be opened: " + std::string(std::strerror(errno)));
   if (!S_ISREG(status.st_mode)) return refuse("is not a regular file");
@@ -78,8 +68,19 @@ std::expected<MappedFile, std::string> MappedFile::copy_of(const std::string& pa
   return MappedFile({static_cast<const std::byte*>(address), *size});
 }
 
+std::vector<std::string> MappedFile::folders_for(const std::string& path) {
+  std::vector<std::string> folders;
+  if (!path.empty()) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    folders.push_back(folder.empty() ? "." : folder);
+  }
+  if (const char* named = std::getenv("TMPDIR")) folders.emplace_back(named);
+  folders.insert(folders.end(), {"/var/tmp", "/tmp"});
+  return folders;
+}
+
 bool MappedFile::needs_memory(const std::string& path) {
-  struct stat status{};
+  struct stat status {};
   const auto size = ::stat(path.c_str(), &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
   return !base::PrivateFile::on_disk(folders_for(path), size);
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace geminga::compiled {
 
@@ -26,6 +27,9 @@ class MappedFile {
   /// is, it lies in memory. The error is one line that names the file. Linear in the file, except on file systems that
   /// share blocks.
   [[nodiscard]] static std::expected<MappedFile, std::string> copy_of(const std::string& path, const Look& look);
+  /// The folders in which the copy of this file may lie, in their order: its own comes first, because there the copy
+  /// may share its blocks. Of an empty path: those that every file has.
+  [[nodiscard]] static std::vector<std::string> folders_for(const std::string& path);
   /// Whether a copy of this file would lie in memory.
   [[nodiscard]] static bool needs_memory(const std::string& path);
 

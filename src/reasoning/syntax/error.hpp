@@ -12,7 +12,8 @@ struct LoadError {
   std::string file;
   std::uint32_t line = 0;  ///< 0: the file as a whole
   std::string text;
-  bool is_unreadable = false;  ///< nothing of it could be read: no such file, no permission, a device
+  /// Nothing of it could be read: no such file, no permission, a device, damaged packing, no known syntax.
+  bool is_unreadable = false;
 };
 
 /// "soccer.ttl:17: what is wrong", or "soccer.ttl: what is wrong" where there is no line.

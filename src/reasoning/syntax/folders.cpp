@@ -48,8 +48,9 @@ bool is_ontology_xml(const fs::path& path) {
 /// One folder that was named, with all below it.
 class Walk {
  public:
-  Walk(std::string folder, const FileLimits& limits, std::span<const std::string_view> also, Listing& listing)
-      : folder_(std::move(folder)), limits_(limits), also_(also), listing_(listing) {}
+  Walk(std::string folder, const FileLimits& limits, std::span<const std::string_view> also, Listing& listing,
+       std::vector<LoadError>* left_out)
+      : folder_(std::move(folder)), limits_(limits), also_(also), listing_(listing), left_out_(left_out) {}
 
   std::optional<LoadError> run() {
     std::error_code error;
@@ -80,7 +81,7 @@ class Walk {
                                        " files: name the folders of the ontologies");
       if (!entries->path().filename().string().starts_with('.')) names.push_back(entries->path());
     }
-    if (error) return unreadable(folder.string(), "cannot be listed: " + error.message());
+    if (error) return refuse(unreadable(folder.string(), "cannot be listed: " + error.message()), level > 0);
     std::ranges::sort(names);
     for (const fs::path& path : names) {
       if (auto failed = take(path, level)) return failed;
@@ -103,13 +104,20 @@ class Walk {
       return std::nullopt;
     }
     const fs::path target = fs::canonical(path, error);
-    if (error) return unreadable(path.string(), "cannot be resolved: " + error.message());
+    if (error) return refuse(unreadable(path.string(), "cannot be resolved: " + error.message()));
     const auto [end, rest] = std::mismatch(inside_.begin(), inside_.end(), target.begin(), target.end());
     if (end != inside_.end())
-      return unreadable(path.string(), "is a link that leads out of its folder: name the file itself");
+      return refuse(unreadable(path.string(), "is a link that leads out of its folder: name the file itself"));
     const bool is_foreign =
         base::in_lower_case(name).ends_with(".xml") && fs::is_regular_file(target, error) && !is_ontology_xml(target);
     (is_foreign ? listing_.skipped : listing_.files).push_back(path.string());
+    return std::nullopt;
+  }
+
+  /// Leaves out what was refused, where that is wanted and possible; else the error ends the walk.
+  std::optional<LoadError> refuse(LoadError error, bool can_be_left_out = true) {
+    if (left_out_ == nullptr || !can_be_left_out || left_out_->size() >= max_left_out) return error;
+    left_out_->push_back(std::move(error));
     return std::nullopt;
   }
 
@@ -117,6 +125,7 @@ class Walk {
   const FileLimits& limits_;
   std::span<const std::string_view> also_;
   Listing& listing_;
+  std::vector<LoadError>* left_out_;  ///< null: nothing is left out
   fs::path inside_;
   std::size_t entries_ = 0;
 };
@@ -124,13 +133,13 @@ class Walk {
 }  // namespace
 
 std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const FileLimits& limits,
-                                             std::span<const std::string_view> also) {
+                                             std::span<const std::string_view> also, std::vector<LoadError>* left_out) {
   Listing listing;
   for (const std::string& argument : arguments) {
     std::error_code error;
     if (!fs::is_directory(argument, error)) {
       listing.files.push_back(argument);
-    } else if (auto failed = Walk(argument, limits, also, listing).run()) {
+    } else if (auto failed = Walk(argument, limits, also, listing, left_out).run()) {
       return std::unexpected(std::move(*failed));
     }
   }

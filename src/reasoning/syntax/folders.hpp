@@ -13,6 +13,9 @@
 
 namespace geminga::syntax {
 
+/// The most files that are left out because they cannot be read; with one more, everything is refused.
+inline constexpr std::size_t max_left_out = 16;
+
 /// The files that the arguments mean.
 struct Listing {
   std::vector<std::string> files;    ///< in the order of the arguments; of a folder, sorted by path
@@ -25,10 +28,12 @@ struct Listing {
 /// A file stands for itself. A folder stands for every ontology file in it and in the folders below (.ttl .nt .rdf .owl
 /// .xml .owx .omn .ofn .fss, also with .gz), except hidden files and Protégé's catalogues. A file that is named twice
 /// counts once. A folder without any ontology file is an error, and so is one with a link to a file outside of it.
-/// `also` are further endings of names that count, also with .gz.
+/// `also` are further endings of names that count, also with .gz. Where `left_out` is not null, what cannot be resolved
+/// or listed below a folder, and a link to a file outside of it, are left out and added there, up to max_left_out.
 [[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments,
                                                            const FileLimits& limits,
-                                                           std::span<const std::string_view> also = {});
+                                                           std::span<const std::string_view> also = {},
+                                                           std::vector<LoadError>* left_out = nullptr);
 
 }  // namespace geminga::syntax
 

@@ -43,7 +43,7 @@ class Inflating {
 
  private:
   LoadError refuse(const std::string& what) const {
-    return {base::printable(path_, 4096), 0, "cannot be unpacked: " + what + at(), false};
+    return {base::printable(path_, 4096), 0, "cannot be unpacked: " + what + at(), true};
   }
   std::string at() const { return ", at octet " + std::to_string(place_) + " of the packed file"; }
 
@@ -65,7 +65,7 @@ class Inflating {
     released_ = packed_.release(released_, place_);
     if (bytes.view().size() > most_)
       return LoadError{base::printable(path_, 4096), 0,
-                       "unpacks to more than " + std::to_string(most_) + " bytes, the most for its size" + at(), false};
+                       "unpacks to more than " + std::to_string(most_) + " bytes, the most for its size" + at(), true};
     if (result == Z_STREAM_END) return end_of_member(stretch);
     if (result == Z_BUF_ERROR || (result == Z_OK && offered == 0 && count == 0)) return refuse("it ends too early");
     if (result != Z_OK) return refuse(stream_.msg == nullptr ? "it is damaged" : base::printable(stream_.msg));

@@ -15,9 +15,9 @@ struct FileLimits {
   std::size_t folder_levels = 64;
   std::size_t file_bytes = std::size_t{1} << 30;
   /// How many times its size a packed file may unpack to, or to `inflated_free_bytes` if that is more; never to more
-  /// than file_bytes. Ontologies grow 5 to 60 times, a bomb 1000 times.
-  std::size_t inflated_growth = 200;
-  std::size_t inflated_free_bytes = std::size_t{1} << 20;
+  /// than file_bytes. Ontologies grow 5 to 60 times, a bomb 1000 times: 1 MB may take 64 MB.
+  std::size_t inflated_growth = 64;
+  std::size_t inflated_free_bytes = std::size_t{16} << 20;
   /// Not a limit: in a file larger than this, a text that is too long is found before the rest of the file is in
   /// memory.
   std::size_t watched_bytes = std::size_t{8} << 20;

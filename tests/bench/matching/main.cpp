@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "bench/matching/steps.hpp"
 #include "bench/matching/teams.hpp"
 #include "bench/matching/whole.hpp"
 #include "bench/rows.hpp"
@@ -105,5 +106,6 @@ int main(int argc, char** argv) {
       matching::register_all);
   if (status != 0) return status;
   for (const long size : bench::sizes()) matching::measure_whole(static_cast<std::uint32_t>(size));
+  matching::measure_steps();
   return 0;
 }

@@ -134,6 +134,41 @@ TEST_F(CTest, SaysWhatIsWrong) {
   EXPECT_EQ(error_.status, GEMINGA_WRONG_USE);
 }
 
+TEST_F(CTest, NamesTheParameterThatCannotBe) {
+  open([](Conversation& talk) {
+    talk.welcome();
+    talk.wait_for_end();
+  });
+  for (const auto& [parameters, named] :
+       {std::pair{"mode=oto text=a port=99999", "port"}, std::pair{"mode=oto text=a port=x", "port"},
+        std::pair{"mode=both text=a", "mode"}, std::pair{"mode=oto text=\"\"", "text"},
+        std::pair{"mode=oto concept=\"\"", "concept"}, std::pair{"mode=oto", "text"}}) {
+    EXPECT_EQ(geminga_publish(node_, parameters, &error_), nullptr) << parameters;
+    EXPECT_EQ(error_.status, GEMINGA_WRONG_USE) << parameters;
+    EXPECT_THAT(error_.text, HasSubstr(named)) << parameters;
+  }
+}
+
+TEST_F(CTest, SaysOnItsLogWhatIsRefused) {
+  open([](Conversation& talk) {
+    talk.welcome();
+    talk.hear();
+    talk.hear();
+    talk.say("1 422 concept=s:Bal is not known");
+    talk.say("0 msg pong");
+    talk.wait_for_end();
+  });
+  std::vector<std::string> lines;
+  geminga_on_log(
+      node_,
+      [](void* context, const char* line) { static_cast<std::vector<std::string>*>(context)->emplace_back(line); },
+      &lines);
+  EXPECT_EQ(geminga_publish(node_, "mode=otm/stream concept=s:Bal rate=30 port=40001", &error_), nullptr);
+  EXPECT_THAT(lines, testing::ElementsAre("the request mode=otm/stream concept=s:Bal port=40001 rate=30 is refused: "
+                                          "concept=s:Bal is not known"));
+  geminga_on_log(node_, nullptr, nullptr);
+}
+
 TEST_F(CTest, CutsALongText) {
   const std::string address(1000, 'x');
   EXPECT_EQ(geminga_open(address.c_str(), nullptr, &error_), nullptr);

@@ -23,9 +23,14 @@ Frame message(std::uint64_t sequence, std::span<const std::byte> payload = {}, L
   return {FrameKind::message, life, sequence, payload};
 }
 
+void put(EarlyFrames& early, const PeerAddress& from, const Frame& frame, base::Instant now) {
+  const auto octets = frame_bytes(frame);
+  early.put(from, frame_of(octets), now);
+}
+
 std::vector<std::uint64_t> sequences(const std::vector<EarlyFrames::Kept>& frames) {
   std::vector<std::uint64_t> all;
-  for (const auto& kept : frames) all.push_back(kept.sequence);
+  for (const auto& kept : frames) all.push_back(kept.frame().sequence);
   return all;
 }
 
@@ -33,10 +38,10 @@ TEST(EarlyFrames, AreTakenByAddressAndLife) {
   EarlyFrames early;
   const PeerAddress here{{}, 0, 1};
   const PeerAddress there{{}, 0, 2};
-  early.put(here, message(1), start);
-  early.put(there, message(2), start);
-  early.put(here, message(3, {}, other_life), start);
-  early.put(here, message(4), start);
+  put(early, here, message(1), start);
+  put(early, there, message(2), start);
+  put(early, here, message(3, {}, other_life), start);
+  put(early, here, message(4), start);
   EXPECT_EQ(sequences(early.take(here, one_life, start)), (std::vector<std::uint64_t>{1, 4}));
   EXPECT_TRUE(early.take(here, one_life, start).empty());
   EXPECT_EQ(sequences(early.take(there, one_life, start)), std::vector<std::uint64_t>{2});
@@ -44,27 +49,27 @@ TEST(EarlyFrames, AreTakenByAddressAndLife) {
 
 TEST(EarlyFrames, AreKeptForASecond) {
   EarlyFrames early;
-  early.put({}, message(1), start);
-  early.put({}, message(2), start + 1ms);
+  put(early, PeerAddress{}, message(1), start);
+  put(early, PeerAddress{}, message(2), start + 1ms);
   EXPECT_EQ(sequences(early.take({}, one_life, start + early_patience)), std::vector<std::uint64_t>{2});
 }
 
 TEST(EarlyFrames, AreTheLastOnesWhereThereAreMany) {
   EarlyFrames early;
-  for (std::size_t i = 0; i < max_early_frames + 1; ++i) early.put({}, message(i), start);
+  for (std::size_t i = 0; i < max_early_frames + 1; ++i) put(early, PeerAddress{}, message(i), start);
   const auto kept = early.take({}, one_life, start);
   EXPECT_EQ(kept.size(), max_early_frames);
-  EXPECT_EQ(kept.front().sequence, 1U);
+  EXPECT_EQ(kept.front().frame().sequence, 1U);
 }
 
 TEST(EarlyFrames, AreTheLastOnesWhereTheyAreLarge) {
   EarlyFrames early;
   const std::vector<std::byte> half(max_early_octets / 2);
-  for (const std::uint64_t sequence : {1U, 2U}) early.put({}, message(sequence, half), start);
-  early.put({}, message(3), start);
+  for (const std::uint64_t sequence : {1U, 2U}) put(early, PeerAddress{}, message(sequence, half), start);
+  put(early, PeerAddress{}, message(3), start);
   EXPECT_EQ(early.take({}, one_life, start).size(), 3U) << "at the limit";
-  for (const std::uint64_t sequence : {1U, 2U}) early.put({}, message(sequence, half), start);
-  early.put({}, message(3, std::array<std::byte, 1>{}), start);
+  for (const std::uint64_t sequence : {1U, 2U}) put(early, PeerAddress{}, message(sequence, half), start);
+  put(early, PeerAddress{}, message(3, std::array<std::byte, 1>{}), start);
   EXPECT_EQ(sequences(early.take({}, one_life, start)), (std::vector<std::uint64_t>{2, 3}));
 }
 
@@ -75,6 +80,10 @@ class Host final : public ChannelHost {
   void tell(ChannelEvent event) override { told.push_back(std::move(event)); }
   void on_message(ChannelNumber) override {}
   void state_port(ChannelNumber, std::uint16_t) override {}
+  void state_attribute(ChannelNumber, const std::string&, const std::string&) override {}
+  std::optional<SealingMode> sealing_mode() const override { return SealingMode::plain; }
+  bool is_settling() const override { return false; }
+  bool is_own_process() const override { return true; }
   std::span<std::byte> datagram_room() override { return room_; }
 
   std::vector<ChannelEvent> told;
@@ -93,6 +102,7 @@ class EarlyProvider : public testing::Test {
     wish.mode = ChannelMode::one_to_many_pubsub;
     wish.address = "127.0.0.1";
     subscriber_ = *SubscriberChannel::open(host_, 1, wish, {});
+    subscriber_->on_daemon_keys(false);
     to_ = *peer_address("127.0.0.1", wish.port);
     socket_ = *open_datagrams({"127.0.0.1", 0});
   }
@@ -157,12 +167,17 @@ TEST_F(EarlyProvider, MayBeTheNextLifeOfAnother) {
 
 TEST_F(EarlyProvider, MayHaveEndedAlready) {
   send(message(1));
-  send({FrameKind::end, one_life, 1, {}});
-  send(message(2));
+  send({FrameKind::end, one_life, 3, {}});
   add(one_life);
   EXPECT_EQ(delivered(), std::vector<std::uint64_t>{1});
-  ASSERT_EQ(host_.told.size(), 2U);
+  ASSERT_EQ(host_.told.size(), 1U) << "anybody can say that";
+  ServiceEvent gone;
+  gone.change = Change::del;
+  gone.reason = "expired";
+  subscriber_->on_event(gone);
+  ASSERT_EQ(host_.told.size(), 2U) << "but the daemon says it, too";
   EXPECT_EQ(std::get<ProviderChange>(host_.told[1]).reason, "withdrawn");
+  EXPECT_EQ(subscriber_->count().missed, 2U);
 }
 
 TEST_F(EarlyProvider, LosesItsEldestDatagramWhereTheProgramTakesNone) {

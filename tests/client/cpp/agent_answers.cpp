@@ -1,6 +1,7 @@
 #include "client/cpp/agent_answers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <set>
 
@@ -78,12 +79,10 @@ std::string identity_answer(std::string_view words) {
 std::string frame_answer(std::string_view hex) {
   const auto bytes = from_hex(hex);
   const auto frame = bytes ? client::read_frame(*bytes) : std::nullopt;
-  if (!frame) return "frame refused";
-  const char* kind = frame->kind == client::FrameKind::message ? "message"
-                     : frame->kind == client::FrameKind::hello ? "hello"
-                                                               : "end";
-  return std::string("frame ") + kind + ' ' + to_string(frame->life) + ' ' + std::to_string(frame->sequence) + ' ' +
-         to_hex(frame->payload);
+  if (!frame || frame->form != client::FrameForm::plain) return "frame refused";
+  constexpr std::array<const char*, 5> kinds{"message", "hello", "end", "floor", "full"};
+  return std::string("frame ") + kinds.at(static_cast<std::size_t>(frame->kind) - 1) + ' ' + to_string(frame->life) +
+         ' ' + std::to_string(frame->sequence) + ' ' + to_hex(frame->payload);
 }
 
 std::string line_answer(std::string_view line) {

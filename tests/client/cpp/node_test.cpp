@@ -85,14 +85,19 @@ std::string text_of(const Message& message) {
   return {reinterpret_cast<const char*>(message.payload.data()), message.payload.size()};
 }
 
+/// The same, and says that the publication is withdrawn when it is.
+void introduce_and_part(Conversation& talk) {
+  introduce(talk);
+  talk.expect("1 pub remove");
+  talk.say("2 pub del service=5e6f7a8b/2/1 reason=withdrawn");
+  talk.wait_for_end();
+}
+
 class NodeTest : public testing::TestWithParam<std::pair<ChannelMode, const char*>> {};
 
 TEST_P(NodeTest, SendsToWhoAsked) {
   const auto [mode, protocol] = GetParam();
-  ScriptedDaemon daemon([](Conversation& talk) {
-    introduce(talk);
-    talk.wait_for_end();
-  });
+  ScriptedDaemon daemon(introduce_and_part);
   Node node = node_at(daemon);
   auto publisher = node.publish(offer(mode, protocol));
   ASSERT_TRUE(publisher) << publisher.error().text;
@@ -265,7 +270,7 @@ TEST(Deadline, MayBeForEver) {
 TEST(Node, AsksForTheRoomThatItNeeds) {
   for (const std::uint32_t room : {0U, 10'000U}) {
     ScriptedDaemon daemon([room](Conversation& talk) {
-      talk.expect(room == 0 ? "0 sys hello" : "0 sys hello room=10000");
+      talk.expect(room == 0 ? "0 sys hello keys=yes" : "0 sys hello room=10000 keys=yes");
       talk.say("0 msg hello version=1 participant=1a2b3c4d peer=3 ontology=- participant_name=robot2");
       talk.wait_for_end();
     });

@@ -6,20 +6,24 @@ import geminga.protocol.Backoff;
 import geminga.protocol.Counterparts;
 import geminga.protocol.Counterparts.Entry;
 import geminga.protocol.Limits;
-import geminga.protocol.Listeners;
-import geminga.protocol.Sequence;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/** Counterparts, sequences, listeners and back-off, in given time (src/client/CHANNELS.md, "How a channel ends"). */
+/** Counterparts and back-off, in given time (src/client/CHANNELS.md, "How a channel ends"). */
 final class CounterpartsTest {
     private static final long SECOND = 1_000_000_000L;
 
     /** Writes down every call. */
     private static final class Witness implements Counterparts.Watcher<String> {
         private final List<String> told = new ArrayList<>();
+        private boolean hasConnection;
+
+        @Override
+        public boolean hasConnection(Entry<String> entry) {
+            return hasConnection;
+        }
 
         @Override
         public void opened(Entry<String> entry) {
@@ -55,25 +59,25 @@ final class CounterpartsTest {
     }
 
     private void tick(long now) {
-        all.tick(now, entry -> false);
+        all.tick(now);
     }
 
     static void aDaemonThatComesBackWithOtherNumbersChangesNothing() {
         CounterpartsTest test = new CounterpartsTest();
-        test.all.put(match("a/1/1", 7, 10));
+        test.all.put(match("a/1/1", 7, 10), 0);
         test.all.lost();
         test.tick(Long.MAX_VALUE / 2); // however long that takes
         test.all.back(0);
-        test.all.put(match("b/9/4", 7, 10));
+        test.all.put(match("b/9/4", 7, 10), 0);
         test.tick(100 * SECOND);
         test.witness.told("opened 7");
-        test.all.remove("a/1/1", "withdrawn", 0, false); // of the life before: nobody's
+        test.all.remove("a/1/1", "withdrawn", 0); // of the life before: nobody's
         test.witness.told();
     }
 
     static void whoIsNotConfirmedIsAnOrphanAfterTenSecondsAndClosedAfterTenMore() {
         CounterpartsTest test = new CounterpartsTest();
-        test.all.put(match("a/1/1", 7, 10));
+        test.all.put(match("a/1/1", 7, 10), 0);
         test.all.lost();
         test.all.back(0);
         test.tick(20 * SECOND - 1);
@@ -86,13 +90,13 @@ final class CounterpartsTest {
     static void anOrphanLivesForTenSecondsOverUdpAndComesBackWithoutAWord() {
         for (String reason : List.of("expired", "left", "lagged", "renamed", "whatever comes")) {
             CounterpartsTest test = new CounterpartsTest();
-            test.all.put(match("a/1/1", 7, 10));
-            test.all.remove("a/1/1", reason, 0, false);
+            test.all.put(match("a/1/1", 7, 10), 0);
+            test.all.remove("a/1/1", reason, 0);
             test.tick(Limits.ORPHAN - 1);
-            test.all.put(match("a/2/1", 7, 10));
+            test.all.put(match("a/2/1", 7, 10), 0);
             test.tick(Limits.ORPHAN);
             test.witness.told("opened 7");
-            test.all.remove("a/2/1", reason, 0, false);
+            test.all.remove("a/2/1", reason, 0);
             test.tick(Limits.ORPHAN);
             test.witness.told("closed 7 " + reason);
         }
@@ -100,8 +104,9 @@ final class CounterpartsTest {
 
     static void anOrphanWithAConnectionLivesAsLongAsThat() {
         CounterpartsTest test = new CounterpartsTest();
-        test.all.put(match("a/1/1", 7, 10));
-        test.all.remove("a/1/1", "expired", 0, true);
+        test.all.put(match("a/1/1", 7, 10), 0);
+        test.witness.hasConnection = true;
+        test.all.remove("a/1/1", "expired", 0);
         test.tick(1000 * SECOND);
         test.witness.told("opened 7");
         Check.that(!test.all.broke(test.all.of(7)), "it is not to be connected again");
@@ -111,29 +116,31 @@ final class CounterpartsTest {
     static void anOrphanEndsWhereTheRequestHasItsLimitOfOthers() {
         CounterpartsTest test = new CounterpartsTest();
         test.all.limit(2);
-        test.all.put(match("a/1/1", 1, 10));
-        test.all.put(match("a/1/2", 2, 10));
-        test.all.remove("a/1/1", "expired", 0, false);
+        test.all.put(match("a/1/1", 1, 10), 0);
+        test.all.put(match("a/1/2", 2, 10), 0);
+        test.all.remove("a/1/1", "expired", 0);
         test.witness.told("opened 1", "opened 2");
-        test.all.put(match("a/1/3", 3, 10));
+        test.all.put(match("a/1/3", 3, 10), 0);
         test.witness.told("opened 3", "closed 1 expired");
     }
 
     static void whoIsOutrankedOrDoesNotMatchIsClosedAtOnce() {
         for (String reason : List.of("outranked", "changed")) {
             CounterpartsTest test = new CounterpartsTest();
-            test.all.put(match("a/1/1", 7, 10));
-            test.all.remove("a/1/1", reason, 0, true);
+            test.all.put(match("a/1/1", 7, 10), 0);
+            test.witness.hasConnection = true;
+            test.all.remove("a/1/1", reason, 0);
             test.witness.told("opened 7", "closed 7 " + reason);
-            test.all.modify(match("a/1/1", 7, 10)); // what has ended is made again by an add only
+            test.all.modify(match("a/1/1", 7, 10), 0); // what has ended is made again by an add only
             test.witness.told();
         }
     }
 
     static void whoIsWithdrawnIsHeardToItsEndWhileItSpeaks() {
         CounterpartsTest test = new CounterpartsTest();
-        test.all.put(match("a/1/1", 7, 10));
-        test.all.remove("a/1/1", "withdrawn", 0, true);
+        test.all.put(match("a/1/1", 7, 10), 0);
+        test.witness.hasConnection = true;
+        test.all.remove("a/1/1", "withdrawn", 0);
         test.tick(Limits.ENDING - 1);
         test.all.extend(test.all.of(7), Limits.ENDING - 1);
         test.tick(2 * Limits.ENDING - 2);
@@ -141,91 +148,133 @@ final class CounterpartsTest {
         test.tick(2 * Limits.ENDING - 1);
         test.witness.told("closed 7 withdrawn");
         CounterpartsTest other = new CounterpartsTest();
-        other.all.put(match("a/1/1", 7, 10));
+        other.all.put(match("a/1/1", 7, 10), 0);
         other.all.ended(other.all.of(7));
-        other.all.remove("a/1/1", "withdrawn", 0, true);
+        other.witness.hasConnection = true;
+        other.all.remove("a/1/1", "withdrawn", 0);
         other.witness.told("opened 7", "closed 7 withdrawn");
     }
 
     static void aConsumerThatIsWithdrawnIsGone() {
         Witness witness = new Witness();
         Counterparts<String> consumers = new Counterparts<>(witness, false);
-        consumers.put(match("a/1/1", 7, 10));
-        consumers.remove("a/1/1", "withdrawn", 0, true);
+        consumers.put(match("a/1/1", 7, 10), 0);
+        witness.hasConnection = true;
+        consumers.remove("a/1/1", "withdrawn", 0);
         witness.told("opened 7", "closed 7 withdrawn");
     }
 
     static void oneLifeUnderTwoWordsIsOneChannel() {
         CounterpartsTest test = new CounterpartsTest();
-        test.all.put(match("a/1/1", 7, 10));
-        test.all.put(match("b/1/1", 7, 11));
-        test.all.remove("b/1/1", "left", 0, false);
-        test.all.remove("a/1/1", "outranked", 0, false);
+        test.all.put(match("a/1/1", 7, 10), 0);
+        test.all.put(match("b/1/1", 7, 11), 0);
+        test.all.remove("b/1/1", "left", 0);
+        test.all.remove("a/1/1", "outranked", 0);
         test.witness.told("opened 7", "changed 7 10>11", "changed 7 11>10", "closed 7 outranked");
     }
 
-    static void anotherLifeUnderTheSameWordIsAnotherChannel() {
+    static void anotherLifeUnderTheSameWordIsAnotherChannelAndTheFormerOneIsAnOrphan() {
         CounterpartsTest test = new CounterpartsTest();
-        test.all.put(match("a/1/1", 7, 10));
-        test.all.modify(match("a/1/1", 8, 10));
-        test.witness.told("opened 7", "closed 7 changed", "opened 8");
+        test.all.put(match("a/1/1", 7, 10), 0);
+        test.all.modify(match("a/1/1", 8, 10), 0);
+        test.witness.told("opened 7", "opened 8");
+        test.tick(Limits.ORPHAN);
+        test.witness.told("closed 7 changed");
+    }
+
+    static void livesThatHaveOneAnothersWordsAfterARestartGoOn() {
+        // A daemon with a state folder comes back with its identifier, and its clients in another order.
+        CounterpartsTest test = new CounterpartsTest();
+        test.all.put(match("a/1/1", 7, 10), 0);
+        test.all.put(match("a/2/1", 8, 11), 0);
+        test.all.put(match("a/1/1", 8, 11), SECOND);
+        test.all.put(match("a/2/1", 7, 10), 2 * SECOND);
+        test.tick(100 * SECOND);
+        test.witness.told("opened 7", "opened 8");
+    }
+
+    static void anOrphanComesNoCloserToItsEndWhileItsOwnDaemonIsDeadToo() {
+        // kill -9 of both daemons, the other one first: nobody can confirm the channel until both are back.
+        for (long between : new long[] {0, 3 * SECOND, Limits.ORPHAN - 1}) {
+            CounterpartsTest test = new CounterpartsTest();
+            test.all.put(match("a/1/1", 7, 10), 0);
+            test.all.remove("a/1/1", "expired", 0);
+            test.tick(between);
+            test.all.lost();
+            test.tick(60 * SECOND);
+            test.all.back(60 * SECOND);
+            test.tick(70 * SECOND - 1);
+            test.all.put(match("b/9/4", 7, 10), 70 * SECOND);
+            test.tick(200 * SECOND);
+            test.witness.told("opened 7");
+        }
+        CounterpartsTest alone = new CounterpartsTest(); // and ends where nobody confirms it
+        alone.all.put(match("a/1/1", 7, 10), 0);
+        alone.all.remove("a/1/1", "expired", 0);
+        alone.all.lost();
+        alone.all.back(60 * SECOND);
+        alone.tick(70 * SECOND);
+        alone.tick(80 * SECOND - 1);
+        alone.witness.told("opened 7");
+        alone.tick(80 * SECOND);
+        alone.witness.told("closed 7 expired");
+    }
+
+    static void aConsumerThatIsOutrankedByItsOwnProvidersFormerWordGoesOn() {
+        // Both daemons were killed: the consumer's one still prefers the publication of the daemon that is dead, which has the same life.
+        for (long later : new long[] {0, SECOND, Limits.CONFIRMATION - 1}) {
+            Witness witness = new Witness();
+            Counterparts<String> consumers = new Counterparts<>(witness, false);
+            consumers.put(match("b/1/1", 7, 10), 0);
+            consumers.lost();
+            consumers.back(5 * SECOND);
+            consumers.put(match("c/1/1", 7, 10), 5 * SECOND);
+            consumers.remove("c/1/1", "outranked", 5 * SECOND + later);
+            consumers.tick(5 * SECOND + later + Limits.ORPHAN - 1);
+            consumers.put(match("c/1/1", 7, 10), 5 * SECOND + later + Limits.ORPHAN - 1);
+            consumers.tick(100 * SECOND);
+            witness.told("opened 7");
+            consumers.remove("c/1/1", "outranked", 100 * SECOND); // the daemon knows by now
+            witness.told("closed 7 outranked");
+        }
+        Witness witness = new Witness();
+        Counterparts<String> consumers = new Counterparts<>(witness, false);
+        consumers.put(match("b/1/1", 7, 10), 0);
+        consumers.lost();
+        consumers.back(0);
+        consumers.put(match("b/1/1", 7, 10), 1);
+        consumers.remove("b/1/1", "outranked", Limits.CONFIRMATION - 1);
+        consumers.tick(Limits.CONFIRMATION + Limits.ORPHAN - 2);
+        witness.told("opened 7");
+        consumers.tick(Limits.CONFIRMATION + Limits.ORPHAN - 1);
+        witness.told("closed 7 outranked");
+    }
+
+    static void whatWasWithdrawnStillEndsWhileTheDaemonIsDead() {
+        CounterpartsTest test = new CounterpartsTest();
+        test.all.put(match("a/1/1", 7, 10), 0);
+        test.all.remove("a/1/1", "withdrawn", 0);
+        test.all.lost();
+        test.tick(Limits.ENDING);
+        test.witness.told("opened 7", "ending 7", "closed 7 withdrawn");
+    }
+
+    static void whatIsAddedAgainWhileItDrainsIsToldItsInlet() {
+        CounterpartsTest test = new CounterpartsTest();
+        test.all.put(match("a/1/1", 7, 10), 0);
+        test.all.remove("a/1/1", "withdrawn", 0);
+        test.all.put(match("a/1/1", 7, 10), 1);
+        test.witness.told("opened 7", "ending 7", "changed 7 10>10");
+        test.tick(100 * SECOND);
+        test.witness.told();
     }
 
     static void whoStatesNoLifeIsKnownByItsWord() {
         CounterpartsTest test = new CounterpartsTest();
-        test.all.put(match("a/1/1", 0, 10));
-        test.all.put(match("a/1/2", 0, 10));
+        test.all.put(match("a/1/1", 0, 10), 0);
+        test.all.put(match("a/1/2", 0, 10), 0);
         Check.equal(2, test.all.all().size());
         Check.equal(null, test.all.of(0));
-    }
-
-    static void noMessageIsDeliveredTwiceAndGapsAreCounted() {
-        Sequence sequence = new Sequence();
-        Check.equal(0L, sequence.take(7, 500)); // before the first nothing is missed
-        Check.equal(-1L, sequence.take(7, 500));
-        Check.equal(-1L, sequence.take(7, 499));
-        Check.equal(2L, sequence.take(7, 503));
-        Check.equal(0L, sequence.take(8, 1));
-        Check.equal(4L, sequence.missedAtEnd(7, 507));
-        sequence.interrupt(7); // made again: it begins anew, but nothing old is delivered
-        Check.equal(0L, sequence.missedAtEnd(7, 507));
-        Check.equal(-1L, sequence.take(7, 503));
-        Check.equal(0L, sequence.take(7, 600));
-        Check.equal(-1L, sequence.take(9, 0));
-        Check.equal(0L, sequence.take(9, -2)); // sequences are unsigned
-        Check.equal(-1L, sequence.take(9, 5));
-        Check.equal(0L, sequence.take(9, -1));
-    }
-
-    static void soManyLivesAreRemembered() {
-        for (int others = Limits.REMEMBERED_LIVES - 1; others <= Limits.REMEMBERED_LIVES + 1; ++others) {
-            Sequence sequence = new Sequence();
-            sequence.take(1, 5);
-            for (int i = 0; i < others; ++i) sequence.take(2 + i, 5);
-            Check.equal(others < Limits.REMEMBERED_LIVES ? -1L : 0L, sequence.take(1, 5));
-        }
-    }
-
-    static void soManyListenersHaveAPlace() {
-        Listeners<Integer> listeners = new Listeners<>();
-        for (int i = 0; i < Limits.LISTENERS; ++i) Check.that(listeners.heard(i, i), "listener " + i);
-        Check.that(listeners.heard(0, 100), "who has a place keeps it");
-        Check.that(!listeners.heard(99, 101), "one more");
-        listeners.remove(5);
-        Check.that(listeners.heard(99, 102), "in the place of who left");
-        Check.that(listeners.heard(98, 1 + Limits.LISTENER_SILENCE), "in the place of who fell silent");
-    }
-
-    static void aListenerIsForgottenAfterThreeSecondsOfSilence() {
-        Listeners<String> listeners = new Listeners<>();
-        listeners.heard("a", 0);
-        listeners.heard("b", 1);
-        listeners.heard("a", 2);
-        Check.equal(1 + Limits.LISTENER_SILENCE, listeners.deadline());
-        listeners.forget(Limits.LISTENER_SILENCE);
-        Check.equal(2, listeners.all().size());
-        listeners.forget(1 + Limits.LISTENER_SILENCE);
-        Check.equal(List.of("a"), List.copyOf(listeners.all()));
     }
 
     static void attemptsAreMadeLessAndLessOften() {

@@ -4,6 +4,7 @@ import geminga.Request;
 import geminga.protocol.Addresses;
 import geminga.protocol.Frame;
 import geminga.protocol.FrameReader;
+import geminga.protocol.Handshake;
 import geminga.protocol.Life;
 import geminga.protocol.Limits;
 import geminga.protocol.LineException;
@@ -11,6 +12,7 @@ import geminga.protocol.LineReader;
 import geminga.protocol.Reply;
 import geminga.protocol.Statement;
 import geminga.protocol.Told;
+import geminga.protocol.WireFrame;
 import geminga.protocol.Words;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -115,7 +117,7 @@ final class HostileTest {
     static void aFrameOfAConnectionHasSoManyOctetsAndNoMore() {
         for (int size : new int[] {Limits.TCP_MESSAGE - 1, Limits.TCP_MESSAGE}) {
             FrameReader frames = new FrameReader(Limits.TCP_MESSAGE);
-            Check.equal(size, frames.next(ByteBuffer.wrap(message(size))).payload().length);
+            Check.equal(size, frames.next(ByteBuffer.wrap(message(size))).size());
         }
         FrameReader frames = new FrameReader(Limits.TCP_MESSAGE);
         Check.equal(null, frames.next(ByteBuffer.wrap(message(Limits.TCP_MESSAGE + 1))));
@@ -125,14 +127,14 @@ final class HostileTest {
 
     static void framesThatComeInPiecesAreWhole() {
         FrameReader frames = new FrameReader(Limits.TCP_MESSAGE);
-        ByteBuffer octets = ByteBuffer.allocate(400_000).put(Frame.hello(LIFE).write()).put(message(300_000)).put(message(0)).put(Frame.end(LIFE, 2).write()).flip();
+        ByteBuffer octets = ByteBuffer.allocate(400_000).put(Frame.hello(LIFE, new Handshake(1, 2, 3)).write()).put(message(300_000)).put(message(0)).put(Frame.end(LIFE, 2).write()).flip();
         List<String> found = new ArrayList<>();
         while (octets.hasRemaining()) {
             ByteBuffer piece = octets.slice(octets.position(), Math.min(octets.remaining(), 7));
             octets.position(octets.position() + piece.remaining());
-            for (Frame frame = frames.next(piece); frame != null; frame = frames.next(piece)) found.add(frame.kind() + " " + frame.payload().length);
+            for (WireFrame frame = frames.next(piece); frame != null; frame = frames.next(piece)) found.add(frame.kind() + " " + frame.size());
         }
-        Check.equal(List.of("HELLO 0", "MESSAGE 300000", "MESSAGE 0", "END 0"), found);
+        Check.equal(List.of("HELLO 24", "MESSAGE 300000", "MESSAGE 0", "END 0"), found);
     }
 
     static void randomOctetsAreNoFrames() {

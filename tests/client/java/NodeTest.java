@@ -136,6 +136,52 @@ final class NodeTest {
         }
     }
 
+    static void withoutADaemonTheLogSaysSoOnceAndWhenItAnswers() throws Exception {
+        LinkedBlockingQueue<String> log = new LinkedBlockingQueue<>();
+        try (ScriptedDaemon daemon = new ScriptedDaemon()) {
+            daemon.die();
+            try (Node node = Node.open(options(daemon).log(log::add), Node::newThread)) {
+                for (int lives = 0; lives < 2; ++lives) {
+                    Check.equal("no daemon at " + daemon.address() + " for 1 s (Connection refused): start gemingad, or say where it is with GEMINGA_CONNECT", log.poll(30, TimeUnit.SECONDS));
+                    daemon.comeBack();
+                    daemon.greet();
+                    Check.equal("the daemon at " + daemon.address() + " answers", log.poll(30, TimeUnit.SECONDS));
+                    Check.that(node.isConnected() && log.isEmpty(), "once");
+                    daemon.die();
+                }
+            }
+        }
+    }
+
+    static void aRefusalIsWrittenToTheLog() throws Exception {
+        LinkedBlockingQueue<String> log = new LinkedBlockingQueue<>();
+        try (ScriptedDaemon daemon = new ScriptedDaemon(); Node node = Node.open(options(daemon).log(log::add), Node::newThread)) {
+            daemon.greet();
+            Subscriber bad = node.subscribe(REQUEST.where("rate >"));
+            daemon.heard();
+            daemon.heard();
+            daemon.say("1 422 where: cannot be read").say("0 msg pong");
+            Check.fails(RefusedException.class, () -> bad.awaitTaken(LONG));
+            String line = log.poll(30, TimeUnit.SECONDS);
+            Check.that(line.matches("the request mode=oto text=x where=\"rate >\" .* is refused: where: cannot be read"), line);
+        }
+    }
+
+    static void wrongArgumentsAreErrorsOfTheCallThatNameThem() throws Exception {
+        Check.equal("port: 0 to 65535, not '99999'", Check.fails(IllegalArgumentException.class, () -> OFFER.port(99999)).getMessage());
+        Check.equal("port: 0 to 65535, not '-1'", Check.fails(IllegalArgumentException.class, () -> REQUEST.port(-1)).getMessage());
+        Check.that(Check.fails(IllegalArgumentException.class, () -> Options.named("")).getMessage().startsWith("name: 1 to 64 octets"), "an empty name");
+        Check.fails(IllegalArgumentException.class, () -> Options.named("n".repeat(65)));
+        for (int size : new int[] {1, 63, 64}) Check.equal(size, Options.named("n".repeat(size)).name().length());
+        Check.equal("", Options.unnamed().name());
+        Check.that(Check.fails(IllegalArgumentException.class, () -> Offer.read("mode=oto text=x prot=1")).getMessage().contains("did you mean port"), "an unknown parameter");
+        Check.that(Check.fails(IllegalArgumentException.class, () -> Offer.read("mode=oto text=x match=exact")).getMessage().contains("match"), "a parameter of requests");
+        try (ScriptedDaemon daemon = new ScriptedDaemon(); Node node = Node.open(options(daemon))) {
+            Publisher publisher = node.publish(OFFER);
+            Check.that(Check.fails(NullPointerException.class, () -> publisher.send(null)).getMessage().startsWith("payload: "), "no payload");
+        }
+    }
+
     static void theDaemonMayStartLaterAndComeBack() throws Exception {
         LinkedBlockingQueue<Event> told = new LinkedBlockingQueue<>();
         try (ScriptedDaemon daemon = new ScriptedDaemon()) {

@@ -24,14 +24,19 @@ final class ScriptedDaemon implements AutoCloseable {
         return "127.0.0.1:" + port;
     }
 
-    /** Waits for a client and greets it. */
+    /** Waits for a client and greets it, as a daemon without keys. */
     ScriptedDaemon greet() throws IOException {
+        return greet("");
+    }
+
+    /** Waits for a client and greets it, with so much more in the answer, as {@code " keys=yes sealing=encrypted"}. */
+    ScriptedDaemon greet(String more) throws IOException {
         client = server.accept();
         client.setTcpNoDelay(true);
         lines = new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.UTF_8));
         out = client.getOutputStream();
-        Check.equal("0 sys hello name=test", heard());
-        say("0 msg hello version=1 participant=5e6f7a8b peer=1 name=test ontology=0 participant_name=host");
+        Check.equal("0 sys hello name=test keys=yes", heard());
+        say("0 msg hello version=1 participant=5e6f7a8b peer=1 name=test ontology=0 participant_name=host" + more);
         return this;
     }
 

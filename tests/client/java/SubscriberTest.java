@@ -9,6 +9,7 @@ import geminga.Publisher;
 import geminga.Request;
 import geminga.Subscriber;
 import geminga.protocol.Frame;
+import geminga.protocol.Handshake;
 import geminga.protocol.Life;
 import geminga.protocol.Limits;
 import java.io.IOException;
@@ -16,10 +17,8 @@ import java.io.OutputStream;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.Inet6Address;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.time.Duration;
@@ -35,60 +34,6 @@ final class SubscriberTest {
     private static final Duration LONG = Duration.ofSeconds(30);
     private static final String LIFE = "000000000000000a";
     private static final String WORD = "5e6f7a8b/2/1";
-
-    /** A subscriber, its daemon, a provider over TCP, and the events of the subscriber. */
-    private static final class Bench implements AutoCloseable {
-        final ScriptedDaemon daemon = new ScriptedDaemon();
-        final LinkedBlockingQueue<Event> told = new LinkedBlockingQueue<>();
-        final Node node = Node.open(Options.named("test").connect(daemon.address()).listener(told::add), Node::newThread);
-        final Subscriber subscriber;
-        final ServerSocket server = new ServerSocket(0, 8, InetAddress.getByName("127.0.0.1"));
-
-        Bench(Request request) throws Exception {
-            daemon.greet();
-            subscriber = node.subscribe(request, told::add);
-            daemon.takes();
-            Check.that(next() instanceof Event.Connected, "connected");
-        }
-
-        Event next() throws InterruptedException {
-            Event event = told.poll(30, TimeUnit.SECONDS);
-            Check.that(event != null, "nothing was told");
-            return event;
-        }
-
-        void is(String change) throws InterruptedException {
-            Event told = next();
-            Check.that(told instanceof Event.ProviderEvent, "told: " + told);
-            Event.ProviderEvent event = (Event.ProviderEvent) told;
-            Check.equal(change, event.change() + " " + event.provider().life() + " " + event.reason());
-        }
-
-        void awaitDropped(long count) {
-            while (subscriber.dropped() < count) Thread.yield();
-        }
-
-        /** The subscriber is told of the provider over TCP, connects, and says hello. */
-        Socket meet() throws Exception {
-            daemon.say(ScriptedDaemon.provider(1, WORD, server.getLocalPort(), "tcp", LIFE, ""));
-            is("ADDED 10 -");
-            return accept();
-        }
-
-        Socket accept() throws IOException {
-            Socket socket = server.accept();
-            socket.setSoTimeout(30_000);
-            Check.equal(ByteBuffer.wrap(Frame.hello(subscriber.life()).write()), ByteBuffer.wrap(socket.getInputStream().readNBytes(Frame.HEADER)));
-            return socket;
-        }
-
-        @Override
-        public void close() throws Exception {
-            daemon.close();
-            server.close();
-            node.close();
-        }
-    }
 
     private static Request request() {
         return Request.of(Mode.ONE_TO_ONE, Identity.text("x"));
@@ -108,7 +53,7 @@ final class SubscriberTest {
     }
 
     static void overUdpOnlyTheMatchedAddressAndLifeAreBelieved() throws Exception {
-        try (Bench bench = new Bench(request()); DatagramSocket provider = new DatagramSocket(); DatagramSocket stranger = new DatagramSocket()) {
+        try (SubscriberBench bench = new SubscriberBench(request()); DatagramSocket provider = new DatagramSocket(); DatagramSocket stranger = new DatagramSocket()) {
             int port = bench.subscriber.request().port();
             bench.daemon.say(ScriptedDaemon.provider(1, WORD, provider.getLocalPort(), "udp", LIFE, ""));
             bench.is("ADDED 10 -");
@@ -122,20 +67,23 @@ final class SubscriberTest {
             Check.equal("5 0 first", text(bench.subscriber));
             Check.equal("8 2 second", text(bench.subscriber));
             Check.equal(5L, bench.subscriber.dropped());
-            send(provider, port, Frame.end(10, 10).write());
+            send(provider, port, Frame.end(10, 10).write()); // a hint, since anybody can forge it
+            send(provider, port, message(10, 9, "third"));
+            Check.equal("9 0 third", text(bench.subscriber));
+            bench.daemon.say("1 pub del service=" + WORD + " reason=expired");
             bench.is("REMOVED 10 withdrawn");
-            Check.equal(4L, bench.subscriber.missed());
+            Check.equal(3L, bench.subscriber.missed());
         }
     }
 
     static void whatAProviderSendsBeforeTheDaemonTellsOfItIsDelivered() throws Exception {
         // If the machine was so busy that more than a second passed, the result means nothing: try again.
         for (boolean isInTime = false; !isInTime;) {
-            try (Bench bench = new Bench(request()); DatagramSocket provider = new DatagramSocket()) {
+            try (SubscriberBench bench = new SubscriberBench(request()); DatagramSocket provider = new DatagramSocket()) {
                 int port = bench.subscriber.request().port();
                 isInTime = tellsLate(bench, provider, 10, () -> {
                     for (int i = 1; i <= 2; ++i) send(provider, port, message(10, i, "m" + i));
-                    send(provider, port, Frame.hello(10).write());
+                    send(provider, port, Frame.hello(10, new Handshake(0, 0, 0)).write());
                 }, 3);
                 if (!isInTime) continue;
                 for (int i = 1; i <= 2; ++i) Check.equal(i + " 0 m" + i, text(bench.subscriber));
@@ -147,6 +95,7 @@ final class SubscriberTest {
                 }, 3);
                 if (!isInTime) continue;
                 Check.equal("1 0 again", text(bench.subscriber));
+                bench.daemon.say("1 pub del service=5e6f7a8b/2/11 reason=left");
                 bench.is("REMOVED 11 withdrawn");
                 Check.equal("1 2", bench.subscriber.dropped() + " " + bench.subscriber.missed());
             }
@@ -154,7 +103,7 @@ final class SubscriberTest {
     }
 
     /** Lets a provider send before the daemon tells of it; whether all that took less than a second. */
-    private static boolean tellsLate(Bench bench, DatagramSocket provider, long life, Check.Action sends, long dropped) throws Exception {
+    private static boolean tellsLate(SubscriberBench bench, DatagramSocket provider, long life, Check.Action sends, long dropped) throws Exception {
         long begin = System.nanoTime();
         sends.run();
         bench.awaitDropped(dropped);
@@ -164,7 +113,7 @@ final class SubscriberTest {
     }
 
     static void whoStatesNoLifeIsHeardAsItSpeaks() throws Exception {
-        try (Bench bench = new Bench(request()); DatagramSocket plain = new DatagramSocket()) {
+        try (SubscriberBench bench = new SubscriberBench(request()); DatagramSocket plain = new DatagramSocket()) {
             bench.daemon.say(ScriptedDaemon.provider(1, WORD, plain.getLocalPort(), "udp", "", ""));
             bench.is("ADDED 0 -");
             send(plain, bench.subscriber.request().port(), "as it is".getBytes());
@@ -175,7 +124,7 @@ final class SubscriberTest {
     }
 
     static void whatWasSentBeforeTheEndIsHeardThoughTheWordOfItComesFirst() throws Exception {
-        try (Bench bench = new Bench(request()); DatagramSocket provider = new DatagramSocket(); Socket tcp = bench.meet()) {
+        try (SubscriberBench bench = new SubscriberBench(request()); DatagramSocket provider = new DatagramSocket(); Socket tcp = bench.meet()) {
             OutputStream out = tcp.getOutputStream();
             out.write(message(10, 1, "one"));
             Check.equal("1 0 one", text(bench.subscriber));
@@ -193,7 +142,7 @@ final class SubscriberTest {
     }
 
     static void aConnectionIsMadeAgainAndTheGapIsSeen() throws Exception {
-        try (Bench bench = new Bench(request())) {
+        try (SubscriberBench bench = new SubscriberBench(request())) {
             Socket first = bench.meet();
             first.getOutputStream().write(message(10, 1, "one"));
             Check.equal("1 0 one", text(bench.subscriber));
@@ -215,7 +164,7 @@ final class SubscriberTest {
         // The loopback has no route for multicasts of IPv6.
         boolean hasSix = NetworkInterface.networkInterfaces().flatMap(NetworkInterface::inetAddresses).anyMatch(address -> address instanceof Inet6Address && !address.isLoopbackAddress());
         for (String group : hasSix ? List.of("239.66.77.1", "ff02::6677", "ff05::6677") : List.of("239.66.77.1")) {
-            try (Bench bench = new Bench(Request.of(Mode.STREAM, Identity.text("x")))) {
+            try (SubscriberBench bench = new SubscriberBench(Request.of(Mode.STREAM, Identity.text("x")))) {
                 Publisher publisher = bench.node.publish(Offer.of(Mode.STREAM, Identity.text("x")).address(group));
                 bench.daemon.takes();
                 String event = ScriptedDaemon.provider(1, WORD, publisher.offer().port(), "udp", Life.write(publisher.life()), "");
@@ -229,13 +178,14 @@ final class SubscriberTest {
                 Check.that(message.isPresent(), group + ": " + publisher.leftOut() + " left out, " + bench.subscriber.dropped() + " dropped");
                 Check.equal(group, message.get().text());
                 publisher.close();
+                bench.daemon.say("1 pub del service=" + WORD + " reason=withdrawn");
                 bench.is("REMOVED " + publisher.life() + " withdrawn");
             }
         }
     }
 
     static void aProviderThatMovesIsFollowed() throws Exception {
-        try (Bench bench = new Bench(request()); Socket first = bench.meet(); DatagramSocket provider = new DatagramSocket()) {
+        try (SubscriberBench bench = new SubscriberBench(request()); Socket first = bench.meet(); DatagramSocket provider = new DatagramSocket()) {
             bench.daemon.say(ScriptedDaemon.provider(1, WORD, provider.getLocalPort(), "udp", LIFE, "").replace("pub add", "pub modify"));
             bench.is("MODIFIED 10 -");
             Check.equal(-1, first.getInputStream().read());
@@ -245,7 +195,7 @@ final class SubscriberTest {
     }
 
     static void aTakerIsGivenAsManyAsItRequests() throws Exception {
-        try (Bench bench = new Bench(request()); Socket provider = bench.meet()) {
+        try (SubscriberBench bench = new SubscriberBench(request()); Socket provider = bench.meet()) {
             Taker taker = new Taker();
             bench.subscriber.subscribe(taker);
             Taker late = new Taker();
@@ -276,7 +226,7 @@ final class SubscriberTest {
     }
 
     static void aTakerThatThrowsIsReleasedAndTheNodeGoesOn() throws Exception {
-        try (Bench bench = new Bench(request()); Socket provider = bench.meet()) {
+        try (SubscriberBench bench = new SubscriberBench(request()); Socket provider = bench.meet()) {
             Taker taker = new Taker();
             taker.throwing = true;
             bench.subscriber.subscribe(taker);
@@ -291,7 +241,7 @@ final class SubscriberTest {
     static void conversionsAreAppliedAlongTheChainOrAtOnce() throws Exception {
         Request steps = request().conversion("a:A", "a:B", payload -> ("b" + new String(payload)).getBytes()).conversion("a:B", "a:C", payload -> ("c" + new String(payload)).getBytes());
         String chain = " convert=a:A>a:B>a:C cost=2";
-        try (Bench bench = new Bench(steps); DatagramSocket provider = new DatagramSocket()) {
+        try (SubscriberBench bench = new SubscriberBench(steps); DatagramSocket provider = new DatagramSocket()) {
             bench.daemon.say(ScriptedDaemon.provider(1, WORD, provider.getLocalPort(), "udp", LIFE, chain));
             bench.is("ADDED 10 -");
             send(provider, bench.subscriber.request().port(), message(10, 1, "x"));
@@ -313,7 +263,7 @@ final class SubscriberTest {
     static void whoWouldDoAMissingConversionIsNamed() throws Exception {
         Request request = request().conversion("a:A", "a:B", payload -> payload);
         String chain = " convert=a:A>a:B>a:C cost=2 via=-,udp://10.0.0.7:6000/9c0d1e2f/1/1";
-        try (Bench bench = new Bench(request); DatagramSocket provider = new DatagramSocket()) {
+        try (SubscriberBench bench = new SubscriberBench(request); DatagramSocket provider = new DatagramSocket()) {
             bench.daemon.say(ScriptedDaemon.provider(1, WORD, provider.getLocalPort(), "udp", LIFE, chain));
             bench.is("ADDED 10 -");
             send(provider, bench.subscriber.request().port(), message(10, 1, "x"));
@@ -324,7 +274,7 @@ final class SubscriberTest {
     }
 
     static void whoDoesNotTakeIsNotReadFor() throws Exception {
-        try (Bench bench = new Bench(request()); Socket provider = bench.meet()) {
+        try (SubscriberBench bench = new SubscriberBench(request()); Socket provider = bench.meet()) {
             int size = 1024 * 1024;
             int count = 64;
             Thread sender = new Thread(() -> {
@@ -382,7 +332,8 @@ final class SubscriberTest {
             List<String> met = new ArrayList<>();
             var said = node.publish(geminga.Offer.of(Mode.STREAM, Identity.text("x")).tcp());
             try (Socket consumer = new Socket("127.0.0.1", said.offer().port())) {
-                consumer.getOutputStream().write(Frame.hello(5).write());
+                daemon.greetInBackground();
+                consumer.getOutputStream().write(Frame.hello(5, new Handshake(said.life(), 1, 0)).write());
                 Check.that(said.awaitConsumer(LONG), "there");
                 for (int i = 0; i < 1000; ++i) said.send(Integer.toString(i).getBytes());
                 for (int i = 0; i < 1000; ++i) {

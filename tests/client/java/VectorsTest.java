@@ -2,15 +2,23 @@ import geminga.Identity;
 import geminga.Message;
 import geminga.Offer;
 import geminga.Request;
+import geminga.protocol.ChannelKeys;
 import geminga.protocol.Frame;
+import geminga.protocol.FrameReader;
 import geminga.protocol.Inbox;
 import geminga.protocol.Keys;
 import geminga.protocol.Life;
+import geminga.protocol.Limits;
 import geminga.protocol.LineException;
 import geminga.protocol.Parameter;
+import geminga.protocol.Places;
 import geminga.protocol.Reply;
+import geminga.protocol.SealedFrame;
+import geminga.protocol.SealedFrame.Direction;
+import geminga.protocol.Sequence;
 import geminga.protocol.Statement;
 import geminga.protocol.Told;
+import geminga.protocol.WireFrame;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HexFormat;
@@ -51,6 +59,67 @@ final class VectorsTest {
             Check.equal(row[2], Long.toUnsignedString(frame.sequence()));
             Check.equal(row[3], HEX.formatHex(frame.payload()));
             Check.equal(row[4], HEX.formatHex(frame.write()));
+        }
+    }
+
+    static void sealedFramesAreThoseOfTheTable() throws Exception {
+        String ring = "6208:618408bc05ef2b7c262ac0676abe39df9dfe9db66ca3fe78e3e00d4cda7f5fc8:201c6285b39c9e9b12c712d9f5045fc698f675d1d8957dbca1d05d6fbceea32b";
+        for (String[] row : Check.rows("sealed.tsv")) {
+            ChannelKeys keys = ChannelKeys.read(row[1].equals("3") ? "authenticated" : "encrypted", ring);
+            Direction direction = Direction.valueOf((row[0].equals("refused") ? row[1] : row[0]).toUpperCase());
+            if (row[0].equals("refused")) {
+                WireFrame frame = WireFrame.ofDatagram(ByteBuffer.wrap(HEX.parseHex(row[2])));
+                if (frame != null) Check.equal(null, keys.open(frame, direction));
+                continue;
+            }
+            Frame frame = new Frame(Frame.Kind.valueOf(row[2].toUpperCase()), Life.read(row[3]), Long.parseUnsignedLong(row[4]), HEX.parseHex(row[8]));
+            SealedFrame sealed = keys.seal(frame, direction, Integer.parseInt(row[6]), Long.parseUnsignedLong(row[7]));
+            Check.equal(row[9], HEX.formatHex(sealed.write()));
+            Check.equal(row[5], String.format("%04x", sealed.key()));
+            SealedFrame read = (SealedFrame) WireFrame.ofDatagram(ByteBuffer.wrap(HEX.parseHex(row[9])));
+            Check.equal(row[6] + " " + row[7], read.port() + " " + Long.toUnsignedString(read.counter()));
+            Frame opened = keys.open(read, direction);
+            Check.equal(HEX.formatHex(opened.payload()), HEX.formatHex(keys.open(read, direction).payload())); // though a cipher opens no frame twice
+            Check.equal(HEX.formatHex(frame.write()), HEX.formatHex(opened.write()));
+            WireFrame streamed = new FrameReader(Limits.TCP_MESSAGE).next(ByteBuffer.wrap(HEX.parseHex(row[9])));
+            Check.equal(HEX.formatHex(frame.write()), HEX.formatHex(keys.open(streamed, direction).write()));
+        }
+    }
+
+    static void messagesAreNewAsTheTableSays() throws Exception {
+        long begin = Long.MAX_VALUE - 1_000_000_000L; // the clock may begin anywhere
+        for (String[] row : Check.rows("sequence.tsv")) {
+            Sequence sequence = new Sequence();
+            List<String> missed = new ArrayList<>();
+            for (String word : row[0].split(" ")) {
+                if (word.equals("again")) {
+                    sequence.interrupt(7);
+                    continue;
+                }
+                String[] numbers = word.split(":");
+                long before = sequence.take(7, Long.parseUnsignedLong(numbers[1]), false, begin + 1_000_000L * Long.parseLong(numbers[0]));
+                missed.add(before < 0 ? "-" : Long.toString(before));
+            }
+            Check.equal(row[1], String.join(" ", missed));
+        }
+    }
+
+    static void placesAreSharedAsTheTableSays() throws Exception {
+        for (String[] row : Check.rows("places.tsv")) {
+            Places<Integer> places = new Places<>(Integer.parseInt(row[0]));
+            List<String> found = new ArrayList<>();
+            int newcomer = 0;
+            for (String word : row[1].split(" ")) {
+                if (word.startsWith("!")) {
+                    places.serve(Integer.parseInt(word.substring(1)));
+                } else if (word.startsWith("-")) {
+                    places.leave(Integer.parseInt(word.substring(1)));
+                } else {
+                    Places.Outcome<Integer> outcome = places.take(++newcomer, word);
+                    found.add(!outcome.isTaken() ? "refused" : outcome.loser() == null ? "taken" : "taken-" + outcome.loser());
+                }
+            }
+            Check.equal(row[2], String.join(" ", found));
         }
     }
 

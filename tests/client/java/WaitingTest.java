@@ -85,6 +85,6 @@ final class WaitingTest {
     }
 
     private static List<Long> sequences(EarlyFrames early, long now) {
-        return early.take(HERE::equals, 7, now).stream().map(Frame::sequence).toList();
+        return early.take(HERE::equals, 7, now).stream().map(kept -> kept.frame().sequence()).toList();
     }
 }

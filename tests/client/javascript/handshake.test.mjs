@@ -171,6 +171,21 @@ test('frames that wait are counted once whoever waits for them, and the rest of 
   assert.deepEqual([queues[0].isEmpty, queues[1].isEmpty, pool.octets], [true, true, 0]);
 });
 
+test('16384 frames wait for one consumer, whether they lie behind each other or not', () => {
+  const frames = Object.assign(new PublisherFrames(9n), { keys: plainKeys });
+  for (const isAlone of [true, false]) {
+    const queue = new SendQueue(new Pool());
+    const put = () => queue.put(frames.message(Buffer.alloc(1), isAlone));
+    for (let i = 0; i < limits.maxWaitingFrames - 1; ++i) put();
+    assert.equal(queue.hasRoomFor(25), true);
+    put();
+    assert.equal(queue.hasRoomFor(25), false);
+    while (!queue.isEmpty) queue.took(queue.next(1 << 20).length);
+    put();
+    assert.equal(queue.hasRoomFor(25), true);
+  }
+});
+
 test('4 MiB wait for one consumer', () => {
   for (const [octets, isRoom] of [[limits.maxWaiting - 1, true], [limits.maxWaiting, true], [limits.maxWaiting + 1, false]]) {
     const queue = new SendQueue(new Pool());

@@ -1,4 +1,4 @@
-// Counterparts, sequences, listeners, back-off, addresses and conversions, in given time.
+// Counterparts, sequences, queues, back-off, addresses and conversions, in given time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,9 +7,10 @@
 #include "client/protocol/backoff.hpp"
 #include "client/protocol/converter.hpp"
 #include "client/protocol/counterparts.hpp"
-#include "client/protocol/listeners.hpp"
+#include "client/protocol/peer_address.hpp"
 #include "client/protocol/send_queue.hpp"
 #include "client/protocol/sequence.hpp"
+#include "client/protocol/vector_file.hpp"
 
 namespace geminga::client {
 namespace {
@@ -119,6 +120,33 @@ TEST(Sequence, DeliverWhatIsNewerAndCountWhatIsMissing) {
   EXPECT_EQ(sequences.missed_at_end(one_life, 9), 0U);
 }
 
+TEST(Sequence, KnowWithoutAKeyWhatIsNewAsEveryLanguageDoes) {
+  const auto rows = vector_rows("sequence.tsv", 2);
+  ASSERT_GE(rows.size(), 15U);
+  for (const auto& row : rows) {
+    Sequence sequences;
+    std::vector<std::string> results;
+    for (const std::string& word : words_of(row[0])) {
+      if (word == "again") {
+        sequences.interrupt(one_life);
+        continue;
+      }
+      const auto colon = word.find(':');
+      const base::Instant at = start + std::chrono::milliseconds(std::stoul(word.substr(0, colon)));
+      const auto missed = sequences.take_unproved(one_life, std::stoull(word.substr(colon + 1)), at);
+      results.push_back(missed ? std::to_string(*missed) : "-");
+    }
+    EXPECT_EQ(results, words_of(row[1])) << row[0].substr(0, 100);
+  }
+}
+
+TEST(Sequence, DeliverWithAKeyWhatIsNewerHoweverFar) {
+  Sequence sequences;
+  EXPECT_EQ(sequences.take(one_life, 1), 0U);
+  EXPECT_EQ(sequences.take(one_life, 1'000'000), 999'998U);
+  EXPECT_EQ(sequences.take(one_life, 999'999), std::nullopt);
+}
+
 TEST(Sequence, DoNotMissWhatWasSentWhileTheChannelWasClosed) {
   Sequence sequences;
   EXPECT_EQ(sequences.take(one_life, 5), 0U);
@@ -138,29 +166,6 @@ TEST(Sequence, RememberTheLivesThatWereHeardLast) {
   }
 }
 
-PeerAddress at_port(std::uint16_t port) { return *peer_address("10.0.0.1", port); }
-
-TEST(Listeners, AreForgottenAfterThreeSecondsOfSilence) {
-  Listeners listeners;
-  EXPECT_TRUE(listeners.hello(at_port(1), start));
-  EXPECT_TRUE(listeners.hello(at_port(1), start + 1s));
-  listeners.expire(start + listener_patience);
-  EXPECT_EQ(listeners.all().size(), 1U);
-  EXPECT_EQ(listeners.next_end(), start + 1s + listener_patience);
-  listeners.expire(start + 1s + listener_patience);
-  EXPECT_THAT(listeners.all(), IsEmpty());
-}
-
-TEST(Listeners, AreLimited) {
-  Listeners listeners;
-  for (std::uint16_t port = 1; port < max_listeners; ++port) EXPECT_TRUE(listeners.hello(at_port(port), start));
-  EXPECT_TRUE(listeners.hello(at_port(max_listeners), start));
-  EXPECT_FALSE(listeners.hello(at_port(max_listeners + 1), start));
-  EXPECT_TRUE(listeners.hello(at_port(1), start)) << "who is heard already has its place";
-  listeners.end(at_port(1));
-  EXPECT_TRUE(listeners.hello(at_port(max_listeners + 1), start));
-}
-
 TEST(SendQueue, TakesOneMessageOfAnySizeAndElseFourMebibytes) {
   SendQueue queue;
   EXPECT_TRUE(queue.has_room(max_stream_payload));
@@ -174,6 +179,33 @@ TEST(SendQueue, TakesOneMessageOfAnySizeAndElseFourMebibytes) {
   EXPECT_FALSE(queue.has_room(left + 401));
   queue.wrote(600);
   EXPECT_TRUE(queue.is_empty());
+}
+
+TEST(WaitingFrames, CountEachFrameOnceAsLongAsAnybodyWaitsForIt) {
+  WaitingFrames waiting;
+  SendQueue one;
+  SendQueue other;
+  auto frame = waiting.share(std::vector<std::byte>(1000));
+  one.put(frame);
+  other.put(std::move(frame));
+  EXPECT_EQ(waiting.octets(), 1000U);
+  one.wrote(1000);
+  EXPECT_EQ(waiting.octets(), 1000U);
+  other.wrote(999);
+  EXPECT_EQ(waiting.octets(), 1000U);
+  other.wrote(1);
+  EXPECT_EQ(waiting.octets(), 0U);
+}
+
+TEST(SendQueue, TakesALimitedNumberOfSmallFrames) {
+  SendQueue queue;
+  const auto frame = std::make_shared<const std::vector<std::byte>>(frame_header_bytes);
+  for (std::size_t i = 0; i + 1 < max_frames_for_consumer; ++i) queue.put(frame);
+  EXPECT_TRUE(queue.has_room(0));
+  queue.put(frame);
+  EXPECT_FALSE(queue.has_room(0));
+  queue.wrote(frame_header_bytes);
+  EXPECT_TRUE(queue.has_room(0));
 }
 
 TEST(SendQueue, GoesOnBehindWhatIsWritten) {

@@ -2,24 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "client/protocol/frame_reader.hpp"
 #include "client/protocol/life.hpp"
+#include "client/protocol/vector_file.hpp"
 
 namespace geminga::client {
 namespace {
-
-std::vector<std::byte> from_hex(const std::string& hex) {
-  std::vector<std::byte> bytes;
-  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
-    bytes.push_back(static_cast<std::byte>(std::stoi(hex.substr(i, 2), nullptr, 16)));
-  }
-  return bytes;
-}
 
 struct Vector {
   std::string kind;
@@ -30,14 +21,8 @@ struct Vector {
 };
 
 std::vector<Vector> vectors() {
-  std::ifstream file(std::string(GEMINGA_SOURCE_DIR) + "/tests/client/vectors/frames.tsv");
   std::vector<Vector> all;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line.starts_with('#')) continue;
-    std::vector<std::string> fields;
-    std::istringstream row(line);
-    for (std::string field; std::getline(row, field, '\t');) fields.push_back(field);
-    fields.resize(5);
+  for (const auto& fields : vector_rows("frames.tsv", 5)) {
     Vector one{fields[0], no_life, 0, from_hex(fields[3]), from_hex(fields[4])};
     if (one.kind != "refused") {
       one.life = read_life(fields[1]).value_or(no_life);
@@ -49,7 +34,10 @@ std::vector<Vector> vectors() {
 }
 
 FrameKind kind_of(const std::string& word) {
-  return word == "message" ? FrameKind::message : word == "hello" ? FrameKind::hello : FrameKind::end;
+  if (word == "message") return FrameKind::message;
+  if (word == "hello") return FrameKind::hello;
+  if (word == "end") return FrameKind::end;
+  return word == "floor" ? FrameKind::floor : FrameKind::full;
 }
 
 /// Feeds in pieces of this size and gives the payloads' sizes.
@@ -127,10 +115,13 @@ TEST(FrameReader, BreaksAtTheHeaderOfWhatIsNoFrame) {
   EXPECT_TRUE(reader.is_broken());
 }
 
-TEST(Frame, CarriesALifeAsPayload) {
-  const auto payload = life_payload(Life{0x0123456789abcdef});
-  EXPECT_EQ(payload_life(payload), Life{0x0123456789abcdef});
-  EXPECT_EQ(payload_life(std::span(payload).first(7)), std::nullopt);
+TEST(Frame, CarriesAGreetingAsPayload) {
+  const Greeting greeting{Life{0x0123456789abcdef}, 7, 8};
+  const auto payload = greeting_payload(greeting);
+  EXPECT_EQ(read_greeting(payload), greeting);
+  for (const std::size_t size : {greeting_bytes - 1, greeting_bytes + 1}) {
+    EXPECT_EQ(read_greeting(std::vector<std::byte>(size)), std::nullopt) << size;
+  }
 }
 
 TEST(Life, IsSixteenHexadecimalDigitsThatAreNotNull) {

@@ -6,8 +6,8 @@ import asyncio
 import contextlib
 import socket
 import unittest
-from collections.abc import AsyncIterator
 
+from meeting import provider
 from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, until
 
 import geminga
@@ -15,6 +15,7 @@ from geminga.channels import multicast
 from geminga.protocol.early_frames import EarlyFrames
 from geminga.protocol.frame import Frame, Kind, write_frame
 from geminga.protocol.limits import EARLY_SECONDS, MAX_EARLY_FRAMES, MAX_EARLY_OCTETS
+from geminga.protocol.sealed_frame import AnyFrame
 
 HERE, THERE = ("10.0.0.2", 5000), ("10.0.0.2", 5001)
 
@@ -23,7 +24,7 @@ def frame(sequence: int, size: int = 0, life: int = 7) -> Frame:
     return Frame(Kind.MESSAGE, life, sequence, bytes(size))
 
 
-def sequences(frames: list[Frame]) -> list[int]:
+def sequences(frames: list[AnyFrame]) -> list[int]:
     return [one.sequence for one in frames]
 
 
@@ -61,38 +62,6 @@ class Keeping(unittest.TestCase):
             self.assertEqual(sequences(early.take(HERE, 7, later)), kept)
 
 
-class Provider:
-    """A socket that sends before the daemon has told of it, and a subscriber."""
-
-    def __init__(self, sub: geminga.Subscriber, to: tuple, sock: socket.socket, told: Told) -> None:  # type: ignore[type-arg]
-        self.sub, self.to, self.sock, self.told = sub, to, sock, told
-
-    async def send(self, *frames: bytes) -> None:
-        """Sends these frames, and waits until all of them have arrived."""
-        before = self.sub.dropped
-        for octets in frames:
-            self.sock.sendto(octets, ("127.0.0.1", self.sub._udp.port))  # type: ignore[union-attr]
-        await until(lambda: self.sub.dropped == before + len(frames))
-
-    async def add(self, life: int, word: str = "1a2b3c4d/9/1") -> None:
-        """The daemon tells of the socket as a provider."""
-        peer, line = self.to
-        port, said = self.sock.getsockname()[1], len(self.told.all)
-        peer.say(f"{line.id} pub add service={word} mode=oto address=127.0.0.1 port={port} protocol=udp channel={life:016x}")
-        await until(lambda: len(self.told.all) > said)
-
-
-@contextlib.asynccontextmanager
-async def provider(**wishes: object) -> AsyncIterator[Provider]:
-    daemon, told = Daemon(), Told()
-    await daemon.start()
-    async with geminga.connect("", daemon.address, told) as node:
-        sub = await node.subscribe(text="x", mode="otm/pubsub", **wishes)  # type: ignore[arg-type]
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-            sock.bind(("127.0.0.1", 0))
-            yield Provider(sub, await daemon.request("sub"), sock, told)
-
-
 def message(life: int, sequence: int) -> bytes:
     return write_frame(Kind.MESSAGE, life, sequence, b"%d" % sequence)
 
@@ -102,7 +71,7 @@ class Early(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 pub = await node.publish(text="x", mode="otm/pubsub")
                 sub = await node.subscribe(text="x", mode="otm/pubsub")
                 p, s = await daemon.request("pub"), await daemon.request("sub")
@@ -136,10 +105,11 @@ class Early(VirtualTestCase):
             async with provider() as one:
                 await one.send(message(5, 1), write_frame(Kind.END, 5, 3), message(5, 4))
                 await one.add(5)
+                one.to[0].say(f"{one.to[1].id} pub del service=1a2b3c4d/9/1 reason=expired")
                 await until(lambda: len(one.told.changes) == 2)
                 self.assertEqual(one.told.changes, ["added", "removed withdrawn"])
-                self.assertEqual((await one.sub.receive()).sequence, 1)
-                self.assertEqual((one.sub.received, one.sub.missed, one.sub.dropped), (1, 2, 1))
+                self.assertEqual([(await one.sub.receive()).sequence for _ in range(2)], [1, 4])
+                self.assertEqual((one.sub.received, one.sub.missed, one.sub.dropped), (2, 2, 0))
 
         self.run_async(story())
 

@@ -27,7 +27,7 @@ class Life(VirtualTestCase):
                 await pub.accepted()
                 self.assertTrue(node.is_connected)
                 self.assertEqual([type(one) for one in told.all], [geminga.Connected])
-                self.assertEqual(daemon.peers[0].heard[0].parameters, {"name": "vision"})
+                self.assertEqual(daemon.peers[0].heard[0].parameters, {"name": "vision", "keys": "yes"})
 
         self.run_async(story())
 
@@ -35,7 +35,7 @@ class Life(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 pub = await node.publish(text="x", mode="oto", attributes={"rate": 30, "port": True})
                 await node.subscribe(text="y", mode="oto", where="rate > 5")
                 await daemon.stop()
@@ -66,7 +66,7 @@ class Life(VirtualTestCase):
                     times.append(loop.time())
 
                 loop.add_reader(listener, closed_at_once)
-                async with geminga.connect("", f"127.0.0.1:{listener.getsockname()[1]}"):
+                async with geminga.connect("test", f"127.0.0.1:{listener.getsockname()[1]}"):
                     await until(lambda: len(times) == 7)
                 loop.remove_reader(listener)
             for wait, least in zip((after - before for before, after in zip(times, times[1:])), (0.1, 0.2, 0.4, 0.8, 1.0, 1.0)):
@@ -86,7 +86,7 @@ class Life(VirtualTestCase):
             daemon, told = Daemon(), Told()
             daemon.answers_hello = False
             await daemon.start()
-            async with geminga.connect("", daemon.address, told):
+            async with geminga.connect("test", daemon.address, told):
                 await until(lambda: len(daemon.peers) == 2)
                 self.assertGreaterEqual(asyncio.get_running_loop().time(), ANSWER_SECONDS)
                 self.assertEqual(told.all, [])
@@ -97,7 +97,7 @@ class Life(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 await until(lambda: node.is_connected)
                 daemon.peers[0].say("1 pub add service=\x01")
                 await until(lambda: not node.is_connected)
@@ -111,7 +111,7 @@ class Life(VirtualTestCase):
             daemon = Daemon()
             daemon.answer = lambda peer, line: peer.say(f"{line.id} 422 no such name") if line.command == "pub" else None
             await daemon.start()
-            async with geminga.connect("", daemon.address) as node:
+            async with geminga.connect("test", daemon.address) as node:
                 await until(lambda: node.is_connected)
                 with self.assertRaises(geminga.Refused) as caught:
                     await node.publish(concept="x:Y", mode="oto")
@@ -127,7 +127,7 @@ class Life(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 sub = await node.subscribe(text="x", mode="oto")
                 await until(lambda: node.is_connected)
                 await sub.accepted()
@@ -146,7 +146,7 @@ class Life(VirtualTestCase):
             daemon = Daemon()
             daemon.answer = lambda peer, line: peer.say(f"{line.id} 422 where") if line.subcommand == "modify" else None
             await daemon.start()
-            async with geminga.connect("", daemon.address) as node:
+            async with geminga.connect("test", daemon.address) as node:
                 await until(lambda: node.is_connected)
                 sub = await node.subscribe(text="x", mode="oto")
                 with self.assertRaises(geminga.Refused):
@@ -163,7 +163,7 @@ class Life(VirtualTestCase):
         async def story() -> None:
             daemon = Daemon()
             await daemon.start()
-            async with geminga.connect("", daemon.address) as node:
+            async with geminga.connect("test", daemon.address) as node:
                 await until(lambda: node.is_connected)
                 async with node.publish(text="x", mode="oto"):
                     pass
@@ -186,7 +186,7 @@ class Life(VirtualTestCase):
                 async for happening in node.events():
                     seen.append(type(happening).__name__)
 
-            async with geminga.connect("", daemon.address) as node:
+            async with geminga.connect("test", daemon.address) as node:
                 reader = asyncio.create_task(read(node))
                 sub = await node.subscribe(text="x", mode="oto")
                 peer, line = await daemon.request("sub")
@@ -202,7 +202,7 @@ class Life(VirtualTestCase):
             daemon = Daemon()
             await daemon.start()
             for count, lost in ((MAX_WAITING_EVENTS - 1, 0), (MAX_WAITING_EVENTS, 0), (MAX_WAITING_EVENTS + 1, 1)):
-                async with geminga.connect("", daemon.address) as node:
+                async with geminga.connect("test", daemon.address) as node:
                     await until(lambda: node.is_connected)  # noqa: B023
                     events = node.events()
                     first = asyncio.ensure_future(anext(events))
@@ -212,7 +212,7 @@ class Life(VirtualTestCase):
                     for number in range(count):
                         node.tell(geminga.Problem(None, str(number)))
                     if lost:
-                        self.assertEqual(await anext(events), geminga.Problem(None, "1 events were thrown away, the eldest first"))
+                        self.assertEqual(await anext(events), geminga.Problem(None, "1 events were thrown away: take them more often"))
                     self.assertEqual(await anext(events), geminga.Problem(None, str(lost)))
 
         self.run_async(story())
@@ -226,7 +226,7 @@ class Life(VirtualTestCase):
             def fails(_: geminga.Happening) -> None:
                 raise RuntimeError
 
-            async with geminga.connect("", daemon.address, fails) as node:
+            async with geminga.connect("test", daemon.address, fails) as node:
                 await until(lambda: node.is_connected)
                 await node.subscribe(text="x", mode="oto")
             self.assertEqual(len(contexts), 1)
@@ -284,7 +284,7 @@ class LifeOfChannels(VirtualTestCase):
             daemon, told = Daemon(), Told()
             await daemon.start()
             loop = asyncio.get_running_loop()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 pub = await node.publish(text="x", mode="oto")
                 sub = await node.subscribe(text="x", mode="oto")
                 p, s = await daemon.request("pub"), await daemon.request("sub")

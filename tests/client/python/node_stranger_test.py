@@ -3,31 +3,61 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import socket
 import unittest
+from unittest import mock
 
-from meeting import met
-from virtual import Daemon, Told, VirtualTestCase, add_consumer, add_provider, until
+from meeting import met, provider
+from virtual import Daemon, Told, VirtualTestCase, add_provider, until
 
 import geminga
-from geminga.protocol.frame import Kind, write_frame
-from geminga.protocol.limits import LISTENER_SECONDS, MAX_STRANGERS, MAX_TCP_CONSUMERS, STRANGER_SECONDS
+from geminga.protocol.frame import Kind, read_datagram, write_frame
+from geminga.protocol.handshake import Handshake, read_handshake
+from geminga.protocol.limits import COOKIE_SECONDS, END_SECONDS, LISTENER_SECONDS, MAX_ANSWERS, MAX_LISTENERS
+
+
+class Listener:
+    """A socket that says hello to a publisher."""
+
+    def __init__(self, pub: geminga.Publisher, life: int = 5) -> None:
+        self.pub, self.life = pub, life
+        self.sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.sock.setblocking(False)
+        self.sock.bind(("127.0.0.1", 0))
+
+    def __enter__(self) -> Listener:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.sock.close()
+
+    def send(self, octets: bytes) -> None:
+        self.sock.sendto(octets, ("127.0.0.1", self.pub.port))
+
+    def say(self, cookie: int = 0, challenge: int = 9, life: int = 0) -> bytes:
+        hello = write_frame(Kind.HELLO, self.life, 0, Handshake(life or self.pub.life, challenge, cookie).write())
+        self.send(hello)
+        return hello
+
+    async def hear(self) -> bytes:
+        return await asyncio.get_running_loop().sock_recv(self.sock, 1000)
+
+    def cookie_of(self, octets: bytes) -> int:
+        frame = read_datagram(octets)
+        said = read_handshake(frame.payload)
+        assert frame.kind is Kind.FLOOR and said is not None and (said.life, said.challenge) == (self.life, 9)
+        return said.cookie
+
+    async def cookie(self) -> int:
+        self.say()
+        return self.cookie_of(await self.hear())
+
+    async def accepted(self) -> None:
+        self.say(await self.cookie())
+        assert self.cookie_of(await self.hear()) == 0
 
 
 class Strangers(VirtualTestCase):
-    def connected(self, pub: geminga.Publisher, octets: bytes = b"") -> socket.socket:
-        sock = socket.create_connection(("127.0.0.1", pub.port))
-        self.addCleanup(sock.close)
-        sock.sendall(octets)
-        sock.setblocking(False)
-        return sock
-
-    async def is_closed(self, sock: socket.socket) -> bool:
-        with contextlib.suppress(ConnectionResetError):
-            return await asyncio.get_running_loop().sock_recv(sock, 1000) == b""
-        return True
-
     def test_datagrams_of_others_are_dropped(self) -> None:
         async def story() -> None:
             async with met() as both:
@@ -47,7 +77,7 @@ class Strangers(VirtualTestCase):
         async def story() -> None:
             daemon, told = Daemon(), Told()
             await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
+            async with geminga.connect("test", daemon.address, told) as node:
                 sub = await node.subscribe(text="x", mode="oto")
                 pub = await node.publish(text="x", mode="oto")
                 with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as raw:
@@ -73,91 +103,142 @@ class Strangers(VirtualTestCase):
             async with met("otm/stream") as both:
                 await both.sub.close()
                 await until(lambda: not both.pub.has_consumers, LISTENER_SECONDS / 2)
-                with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as raw:
-                    hello = write_frame(Kind.HELLO, 5, 0, both.pub.life.to_bytes(8, "big"))
-                    raw.sendto(hello[:-1] + b"\x00" if hello[-1] else hello[:-1] + b"\x01", ("127.0.0.1", both.pub.port))
-                    await until(lambda: both.pub.dropped == 1)
-                    self.assertFalse(both.pub.has_consumers)
-                    raw.sendto(hello, ("127.0.0.1", both.pub.port))
-                    await until(lambda: both.pub.has_consumers)
+                with Listener(both.pub) as one:
+                    one.say(life=both.pub.life ^ 1)
+                    one.send(write_frame(Kind.HELLO, 5, 0, both.pub.life.to_bytes(8, "big")))
+                    one.say(challenge=0)
+                    await until(lambda: both.pub.dropped == 3)
+                    await one.accepted()
                     begin = asyncio.get_running_loop().time()
                     await until(lambda: not both.pub.has_consumers)
                     self.assertAlmostEqual(asyncio.get_running_loop().time() - begin, LISTENER_SECONDS, delta=0.5)
 
         self.run_async(story())
 
-    def test_connections_that_say_nothing_are_closed(self) -> None:
+    def test_nothing_but_a_floor_of_its_size_is_sent_to_an_address_that_has_not_shown_to_receive(self) -> None:
         async def story() -> None:
-            async with met("oto", "tcp") as both:
-                loop = asyncio.get_running_loop()
-                begin = loop.time()
-                silent, unknown = self.connected(both.pub), self.connected(both.pub, write_frame(Kind.HELLO, 99, 0))
-                hostile = self.connected(both.pub, b"GET / HTTP/1.1\r\n\r\n        ")
-                self.assertTrue(await self.is_closed(hostile))
-                self.assertLess(loop.time() - begin, 1)
-                self.assertTrue(await self.is_closed(silent) and await self.is_closed(unknown))
-                self.assertAlmostEqual(loop.time() - begin, STRANGER_SECONDS, delta=0.5)
-                both.pub.send(b"x")
-                self.assertEqual(await both.take(1), [b"x"])
+            async with met("otm/stream") as both:
+                with Listener(both.pub) as one:
+                    for cookie in (0, 1, 2**64 - 1):
+                        hello = one.say(cookie)
+                        floor = await one.hear()
+                        self.assertEqual(len(floor), len(hello))
+                        both.pub.send(b"secret")
+                        self.assertRaises(BlockingIOError, one.sock.recv, 100)
+                    right = await one.cookie()
+                    with Listener(both.pub) as other:
+                        other.say(right)
+                        self.assertNotIn(other.cookie_of(await other.hear()), (0, right))
+                    await asyncio.sleep(2 * COOKIE_SECONDS)
+                    one.say(right)
+                    self.assertNotIn(one.cookie_of(await one.hear()), (0, right))
 
         self.run_async(story())
 
-    def test_sixteen_may_wait_and_the_oldest_is_closed_for_one_more(self) -> None:
+    def test_no_more_than_512_answers_a_second_are_given(self) -> None:
         async def story() -> None:
-            async with met("oto", "tcp") as both:
-                strangers = [self.connected(both.pub) for _ in range(MAX_STRANGERS + 1)]
-                begin = asyncio.get_running_loop().time()
-                self.assertTrue(await self.is_closed(strangers[0]))
-                self.assertLess(asyncio.get_running_loop().time() - begin, 1)
-                self.assertTrue(await self.is_closed(strangers[1]))
-                self.assertGreater(asyncio.get_running_loop().time() - begin, STRANGER_SECONDS - 1)
+            async with met("otm/stream") as both:
+                reception = both.pub._outlet._reception  # type: ignore[attr-defined]
+                hello = write_frame(Kind.HELLO, 5, 0, Handshake(both.pub.life, 9, 0).write())
+                await asyncio.sleep(1.5)
+                with mock.patch("geminga.channels.reception.sockets.send_datagram") as sent:
+                    for seconds in (0, 1, 0.5):
+                        loop = asyncio.get_running_loop()
+                        loop.passed += seconds  # type: ignore[attr-defined]
+                        before = sent.call_count
+                        for port in range(1, MAX_ANSWERS + 10):
+                            reception._heard(hello, ("127.0.0.9", port))
+                        self.assertEqual(sent.call_count - before, MAX_ANSWERS if seconds != 0.5 else MAX_ANSWERS // 2)
 
         self.run_async(story())
 
-    def test_hello_may_come_before_its_consumer(self) -> None:
+    def test_1024_listeners_of_one_host_have_a_place_and_others_take_theirs(self) -> None:
+        async def story(count: int) -> None:
+            async with met("otm/stream") as both:
+                reception, loop = both.pub._outlet._reception, asyncio.get_running_loop()  # type: ignore[attr-defined]
+                said: dict[tuple[object, ...], list[Kind]] = {}
+
+                def answer(_: object, octets: bytes, there: tuple[object, ...]) -> bool:
+                    frame = read_datagram(octets)
+                    payload = read_handshake(frame.payload)
+                    if payload is not None and payload.cookie:
+                        cookies[there] = payload.cookie
+                    else:
+                        said.setdefault(there, []).append(frame.kind)
+                    return True
+
+                cookies: dict[tuple[object, ...], int] = {}
+                listener = both.pub._outlet.targets[0]  # type: ignore[index]
+                with mock.patch("geminga.channels.reception.sockets.send_datagram", answer):
+                    for number in range(1, count + 1):
+                        loop.passed += 0.004  # type: ignore[attr-defined]
+                        here = (listener[0] if number <= MAX_LISTENERS + 1 else "10.0.0.9", number, *listener[2:])
+                        reception._heard(write_frame(Kind.HELLO, number, 0, Handshake(both.pub.life, 9, 0).write()), here)
+                        reception._heard(write_frame(Kind.HELLO, number, 0, Handshake(both.pub.life, 9, cookies[here]).write()), here)
+                refused = [there for there, kinds in said.items() if kinds == [Kind.FULL]]
+                lost = [there for there, kinds in said.items() if kinds == [Kind.FLOOR, Kind.FULL]]
+                self.assertEqual(len(both.pub._outlet.targets), min(1 + count, MAX_LISTENERS))
+                wanted = {MAX_LISTENERS - 1: (0, 0), MAX_LISTENERS: (1, 0), MAX_LISTENERS + 5: (2, 4)}[count]
+                self.assertEqual((len(refused), len(lost)), wanted)
+                full = [f"all {MAX_LISTENERS} places for listeners are taken"]
+                self.assertEqual(both.told.problems, full if refused else [])
+                peer, _ = await both.daemon.request("pub")
+                await until(lambda: len(both.pub._outlet.targets) == 1)
+                await until(lambda: len(peer.of("pub", "modify")) == 2 * bool(refused))
+                stated = [line.get("channel.full") for line in peer.of("pub", "modify")]
+                self.assertEqual(stated, [str(MAX_LISTENERS), "0"] if refused else [])
+
+        self.run_async(story(MAX_LISTENERS - 1))
+        self.run_async(story(MAX_LISTENERS))
+        self.run_async(story(MAX_LISTENERS + 5))
+
+    def test_a_subscriber_that_finds_no_place_is_told_and_goes_on_asking(self) -> None:
+        async def story(protocol: str) -> None:
+            with mock.patch("geminga.protocol.listeners.MAX_LISTENERS", 1), mock.patch("geminga.channels.tcp_outlet.MAX_TCP_CONSUMERS", 1):
+                async with met("otm/stream", protocol) as both:
+                    other = await both.node.subscribe(text="x", mode="otm/stream")
+                    (_, pub), to = await both.daemon.request("pub"), await both.daemon.request("sub", 1)
+                    add_provider(to, pub)
+                    await until(lambda: len(both.told.problems) == 2)
+                    await asyncio.sleep(10)
+                    text = f"the provider 127.0.0.1:{both.pub.port} has no place for another consumer"
+                    self.assertIn(text, both.told.problems)
+                    self.assertEqual(len(both.told.problems), 2)
+                    await both.sub.close()
+                    await asyncio.sleep(2)
+                    both.pub.send(b"x")
+                    self.assertEqual((await other.receive(5)).payload, b"x")
+
+        self.run_async(story("udp"))
+        self.run_async(story("tcp"))
+
+    def test_a_forged_sequence_mutes_for_two_seconds_and_a_forged_end_for_none(self) -> None:
         async def story() -> None:
-            daemon, told = Daemon(), Told()
-            await daemon.start()
-            async with geminga.connect("", daemon.address, told) as node:
-                pub = await node.publish(text="x", mode="oto", protocol="tcp")
-                sub = await node.subscribe(text="x", mode="oto", protocol="tcp")
-                p, s = await daemon.request("pub"), await daemon.request("sub")
-                self.assertEqual(s[1].get("port"), "")
-                add_provider(s, p[1])
-                await until(lambda: sub.providers)
+            async with provider() as one:
+                await one.add(5)
+                for octets in (write_frame(Kind.MESSAGE, 5, 10, b"10"), write_frame(Kind.MESSAGE, 5, 2**64 - 1), write_frame(Kind.END, 5, 2**64 - 1)):
+                    one.sock.sendto(octets, ("127.0.0.1", one.sub._udp.port))  # type: ignore[union-attr]
+                for number in (11, 12):
+                    one.sock.sendto(write_frame(Kind.MESSAGE, 5, number, b"%d" % number), ("127.0.0.1", one.sub._udp.port))  # type: ignore[union-attr]
+                self.assertEqual([(m.sequence, m.missed) for m in [await one.sub.receive() for _ in range(3)]], [(10, 0), (11, 0), (12, 0)])
+                await asyncio.sleep(END_SECONDS)
+                one.to[0].say(f"{one.to[1].id} pub del service=1a2b3c4d/9/1 reason=expired")
                 await asyncio.sleep(1)
-                self.assertEqual((pub.has_consumers, told.changes), (False, ["added"]))
-                add_consumer(p, s[1])
-                await until(lambda: pub.has_consumers)
-                self.assertEqual(told.changes, ["added", "added"])
+                self.assertEqual((one.told.changes, one.sub.missed), (["added"], 0))
 
         self.run_async(story())
 
-    def test_a_second_connection_takes_the_place_of_the_first(self) -> None:
+    def test_a_sequence_is_forged_first(self) -> None:
         async def story() -> None:
-            async with geminga.connect("", "127.0.0.1:1") as node:
-                pub = await node.publish(text="x", mode="otm/stream", protocol="tcp")
-                first = self.connected(pub, write_frame(Kind.HELLO, 7, 0))
-                await until(lambda: pub.has_consumers)
-                second = self.connected(pub, write_frame(Kind.HELLO, 7, 0))
-                self.assertTrue(await self.is_closed(first))
-                pub.send(b"x")
-                octets = await asyncio.get_running_loop().sock_recv(second, 100)
-                self.assertEqual(octets, write_frame(Kind.MESSAGE, pub.life, 1, b"x"))
-                second.close()
-
-        self.run_async(story())
-
-    def test_256_consumers_are_sent_to_and_one_more_is_closed(self) -> None:
-        async def story() -> None:
-            async with geminga.connect("", "127.0.0.1:1") as node:
-                pub = await node.publish(text="x", mode="otm/stream", protocol="tcp")
-                for life in range(1, MAX_TCP_CONSUMERS + 1):
-                    self.connected(pub, write_frame(Kind.HELLO, life, 0))
-                    await until(lambda: len(pub._outlet.targets) == life)  # noqa: B023
-                self.assertTrue(await self.is_closed(self.connected(pub, write_frame(Kind.HELLO, 999, 0))))
-                self.assertEqual(len(pub._outlet.targets), MAX_TCP_CONSUMERS)
-                pub.abort()
+            async with provider() as one:
+                await one.add(5)
+                one.sock.sendto(write_frame(Kind.MESSAGE, 5, 2**64 - 1, b""), ("127.0.0.1", one.sub._udp.port))  # type: ignore[union-attr]
+                await one.sub.receive()
+                await asyncio.sleep(2)
+                for number in (11, 12):
+                    one.sock.sendto(write_frame(Kind.MESSAGE, 5, number, b"%d" % number), ("127.0.0.1", one.sub._udp.port))  # type: ignore[union-attr]
+                self.assertEqual((await one.sub.receive()).sequence, 12)
+                self.assertEqual((one.sub.missed, one.sub.dropped), (0, 1))
 
         self.run_async(story())
 

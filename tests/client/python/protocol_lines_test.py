@@ -91,7 +91,7 @@ class Frames(unittest.TestCase):
 
     def test_behind_what_is_no_frame_nothing_is_read(self) -> None:
         good = write_frame(Kind.MESSAGE, 1, 1, b"x")
-        for broken in (b"GET / HTTP/1.1\r\nHost: robot", good[:3] + b"\x04" + good[4:], good[:8] + bytes(8) + good[16:]):
+        for broken in (b"GET / HTTP/1.1\r\nHost: robot", good[:3] + b"\x06" + good[4:], good[:8] + bytes(8) + good[16:]):
             with self.assertRaises(BrokenStream) as caught:
                 FrameReader().feed(good + broken + good)
             self.assertEqual(len(caught.exception.frames), 1)

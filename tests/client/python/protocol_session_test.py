@@ -37,17 +37,17 @@ class Conversation(unittest.TestCase):
     def test_begins_with_hello(self) -> None:
         session = Session("left eye")
         session.open()
-        self.assertEqual(said(session), ['0 sys hello name="left eye"'])
+        self.assertEqual(said(session), ['0 sys hello name="left eye" keys=yes'])
         self.assertEqual(told(session, HELLO), [Welcome("1a2b3c4d", "host")])
 
     def test_room_is_asked_for_and_done_without_where_there_is_none(self) -> None:
         session = Session("", 10_000)
         for _ in range(2):
             session.open()
-            self.assertEqual(said(session), ["0 sys hello room=10000"])
+            self.assertEqual(said(session), ["0 sys hello room=10000 keys=yes"])
             (report,) = told(session, "0 429 no room for 10000 subscriptions")
             self.assertIsInstance(report, Complaint)
-            self.assertEqual(said(session), ["0 sys hello"])
+            self.assertEqual(said(session), ["0 sys hello keys=yes"])
             self.assertEqual(told(session, HELLO), [Welcome("1a2b3c4d", "host")])
             told(session, "0 400 something else")
             self.assertEqual(said(session), [])
@@ -77,7 +77,7 @@ class Conversation(unittest.TestCase):
         self.assertEqual((asked.request.state, kept.request.state), (State.REFUSED, State.TAKEN))
         session.close()
         session.open()
-        self.assertEqual(said(session), ["0 sys hello name=vision", "2 sub create mode=oto text=x", "0 sys ping"])
+        self.assertEqual(said(session), ["0 sys hello name=vision keys=yes", "2 sub create mode=oto text=x", "0 sys ping"])
 
     def test_all_is_stated_again_as_it_is_now(self) -> None:
         session = met()
@@ -90,7 +90,7 @@ class Conversation(unittest.TestCase):
         session.close()
         session.open()
         self.assertEqual(
-            said(session), ["0 sys hello name=vision", "1 pub create mode=oto text=x port=1 attr.rate=30", "0 sys ping"]
+            said(session), ["0 sys hello name=vision keys=yes", "1 pub create mode=oto text=x port=1 attr.rate=30", "0 sys ping"]
         )
 
     def test_a_change_that_is_refused_leaves_the_request(self) -> None:

@@ -8,11 +8,15 @@ from typing import Any
 
 from virtual import ROOT
 
-from geminga.protocol.frame import FrameError, Kind, read_datagram, write_frame
+from geminga.protocol.channel_keys import ChannelKeys
+from geminga.protocol.frame import Form, FrameError, Kind, read_datagram, write_frame
 from geminga.protocol.identity import identity
 from geminga.protocol.inbox import Inbox, Message
 from geminga.protocol.match import read_match
+from geminga.protocol.places import Places
 from geminga.protocol.reserved import RESERVED
+from geminga.protocol.sealed_frame import SealedFrame, read_any_datagram
+from geminga.protocol.sequence import Sequence
 from geminga.protocol.statement import LineError, Statement, read_line, write_line
 from geminga.protocol.xxh32 import xxh32
 
@@ -85,6 +89,67 @@ class Vectors(unittest.TestCase):
                 kind, life, sequence, payload = Kind[row[0].upper()], int(row[1], 16), int(row[2]), bytes.fromhex(row[3])
                 self.assertEqual((frame.kind, frame.life, frame.sequence, frame.payload), (kind, life, sequence, payload))
                 self.assertEqual(write_frame(kind, life, sequence, payload), octets)
+
+    def test_sealed_frames_are_those_of_the_table(self) -> None:
+        text = (ROOT / "tests/client/vectors/sealed.tsv").read_text(encoding="utf-8")
+        forward, back = (bytes.fromhex(found) for found in re.findall(r"(?:forward|back) ([0-9a-f]{64})", text))
+        by_form = {2: ChannelKeys("encrypted", [(0x6208, forward, back)]), 3: ChannelKeys("authenticated", [(0x6208, forward, back)])}
+        for row in rows("sealed.tsv"):
+            with self.subTest(row=row):
+                if row[0] == "refused":
+                    self.assertIsNone(self.opened(by_form[2], row[1], bytes.fromhex(row[2])))
+                    continue
+                kind, keys = Kind[row[2].upper()], by_form[int(row[1])]
+                life, sequence, key, port, counter = int(row[3], 16), int(row[4]), int(row[5], 16), int(row[6]), int(row[7])
+                payload, octets = bytes.fromhex(row[8]), bytes.fromhex(row[9])
+                if row[0] == "forward":
+                    sealed = b"".join(keys.seal_forward(kind, life, sequence, counter, payload, port))
+                else:
+                    sealed = keys.seal_back(kind, life, counter, payload)
+                self.assertEqual(sealed.hex(), octets.hex())
+                read = read_any_datagram(octets)
+                assert isinstance(read, SealedFrame)
+                self.assertEqual((read.form, read.key), (Form(int(row[1])), key))
+                frame = self.opened(by_form[2], row[0], octets)
+                assert frame is not None
+                self.assertEqual((frame.kind, frame.life, frame.sequence), (kind, life, sequence))
+                self.assertEqual((frame.payload, frame.port, frame.counter), (payload, port, counter))
+
+    def opened(self, keys: ChannelKeys, direction: str, octets: bytes) -> Any:
+        try:
+            frame = read_any_datagram(octets)
+        except FrameError:
+            return None
+        return keys.take(frame, is_back=direction == "back")
+
+    def test_messages_without_a_key_are_new_where_the_table_says_so(self) -> None:
+        for words, wanted in rows("sequence.tsv"):
+            with self.subTest(words=words[:200]):
+                sequence, told = Sequence(), []
+                for word in words.split():
+                    if word == "again":
+                        sequence.interrupted(7)
+                        continue
+                    milliseconds, number = (int(one) for one in word.split(":"))
+                    missed = sequence.missed(7, number, milliseconds / 1000)
+                    told.append("-" if missed is None else str(missed))
+                self.assertEqual(told, wanted.split())
+
+    def test_places_are_shared_as_the_table_says(self) -> None:
+        for count, words, wanted in rows("places.tsv"):
+            with self.subTest(words=words):
+                places: Places[int] = Places(int(count))
+                last, told = 0, []
+                for word in words.split():
+                    if word[0] == "!":
+                        places.serve(int(word[1:]))
+                    elif word[0] == "-":
+                        places.leave(int(word[1:]))
+                    else:
+                        last += 1
+                        took, loser = places.take(last, word)
+                        told.append("refused" if not took else "taken" if loser is None else f"taken-{loser}")
+                self.assertEqual(told, wanted.split())
 
     def test_lines_of_the_specification_are_read_and_written_again(self) -> None:
         for name in ("events", "requests"):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import logging
+import hashlib
 import selectors
 import sys
 import unittest
@@ -14,12 +14,12 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "src/client/python"))
 
-logging.getLogger("geminga").disabled = True  # Tests look at problems themselves.
-
 import geminga  # noqa: E402
+import geminga.log  # noqa: E402
 from geminga.protocol.line_reader import LineReader  # noqa: E402
 from geminga.protocol.statement import ErrorLine, Statement, read_line  # noqa: E402
 
+geminga.log.to_standard_error = lambda line: None  # Tests look at problems themselves.
 
 #: Seconds after which a datagram to the own host has arrived, also where the system delivers it after the call that sends it.
 _IN_FLIGHT_SECONDS = 0.001
@@ -107,12 +107,25 @@ class Peer:
         return [line for line in self.heard if (line.command, line.subcommand) == (command, subcommand)]
 
 
+def keys_of(life: int, secret: bytes) -> tuple[int, bytes, bytes]:
+    """The id and the keys of a channel that a scripted daemon derives from a secret."""
+    forward, back = (hashlib.blake2b(b"%d %016x" % (way, life), key=secret, digest_size=32).digest() for way in (1, 2))
+    return int.from_bytes(hashlib.blake2b(secret).digest()[:2], "big"), forward, back
+
+
+def ring_of(life: int, secrets: list[bytes]) -> list[tuple[int, bytes, bytes]]:
+    return [keys_of(life, secret) for secret in secrets]
+
+
 class Daemon:
-    """Answers hello and ping. `answer` may do more with each statement."""
+    """Answers hello and ping. `answer` may do more with each statement. With a mode of `sealing` it gives keys from `secrets`."""
 
     running: list[Daemon] = []
 
-    def __init__(self) -> None:
+    def __init__(self, sealing: str = "") -> None:
+        self.sealing = sealing
+        self.secrets = [b"first secret"]
+        self.keyed: dict[tuple[Peer, int, int], None] = {}
         self.peers: list[Peer] = []
         self.port = 0
         self.answer: Callable[[Peer, Statement], None] = lambda peer, line: None
@@ -134,6 +147,25 @@ class Daemon:
         self.peers.clear()
         await self._server.wait_closed()
 
+    def give_keys(self, peer: Peer, number: int, life: str) -> None:
+        """Gives the keys of a life to the one who states it, or is about to be told of it."""
+        if self.sealing:
+            self.keyed[peer, number, int(life, 16)] = None
+            self._give(peer, number, int(life, 16))
+
+    def rekey(self, sealing: str, *secrets: bytes) -> None:
+        """Has another mode, and other secrets if there are any, and tells all who were given keys."""
+        self.sealing = sealing
+        self.secrets = list(secrets) or self.secrets
+        for peer in self.peers:
+            peer.say(f"0 msg sealing mode={sealing}")
+        for peer, number, life in self.keyed:
+            self._give(peer, number, life)
+
+    def _give(self, peer: Peer, number: int, life: int) -> None:
+        ring = ",".join(f"{key:04x}:{forward.hex()}:{back.hex()}" for key, forward, back in ring_of(life, self.secrets))
+        peer.say(f"{number} pub keys life={life:016x} mode={self.sealing}" + (f" ring={ring}" if self.sealing != "plain" else ""))
+
     @property
     def address(self) -> str:
         return f"127.0.0.1:{self.port}"
@@ -148,8 +180,11 @@ class Daemon:
                 assert not isinstance(line, ErrorLine)
                 peer.heard.append(line)
                 if line.subcommand == "hello" and self.answers_hello:
-                    peer.say("0 msg hello version=1 participant=1a2b3c4d peer=1 participant_name=host")
+                    sealing = f" keys=yes sealing={self.sealing}" if self.sealing else ""
+                    peer.say(f"0 msg hello version=1 participant=1a2b3c4d peer=1 participant_name=host{sealing}")
                 self.answer(peer, line)
+                if (line.command, line.subcommand) == ("pub", "create"):
+                    self.give_keys(peer, line.id, line.get("channel"))
                 if line.subcommand == "ping":
                     peer.say("0 msg pong")
         writer.close()
@@ -168,6 +203,7 @@ def add_provider(to: tuple[Peer, Statement], of: Statement, word: str = "1a2b3c4
     """Tells a subscriber of a publication."""
     peer, sub = to
     address = of.get("address", "127.0.0.1")
+    peer.daemon.give_keys(peer, sub.id, of.get("channel"))
     peer.say(
         f"{sub.id} pub {change} service={word} provider=1a2b3c4d/1 text=x degree=exact distance=0 mode={of.get('mode')} "
         f"address={address} port={of.get('port')} protocol={of.get('protocol')} priority=0 channel={of.get('channel')} {more}"

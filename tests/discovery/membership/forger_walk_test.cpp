@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
 #include <string>
 
+#include "base/text.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/forged_rig.hpp"
 
@@ -127,14 +131,17 @@ struct Walk {
   base::Duration longest{};
 };
 
+/// How many walks there are; GEMINGA_WALKS says another number.
+std::uint64_t walks() {
+  const char* said = std::getenv("GEMINGA_WALKS");  // NOLINT(concurrency-mt-unsafe): there is one thread
+  return said == nullptr ? 1000 : base::parse_number<std::uint64_t>(said).value_or(1000);
+}
+
 TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
-  // About one walk in 400 hides a participant for up to twice as long: see ANNOUNCEMENT.md, "Who has a place".
-  int longer = 0;
-  // In about one walk of 2000 an interval of up to a minute is believed. Then two of those intervals take the place of
-  // the two intervals above for what it added, and in one of 4000 for the hidden participant.
-  int left_behind = 0;
-  int much_longer = 0;
-  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+  // About one walk in 400 hides a participant for up to twice as long, and none for longer: see ANNOUNCEMENT.md, "Whose
+  // an identifier is".
+  std::uint64_t longer = 0;
+  for (std::uint64_t seed = 1; seed <= walks(); ++seed) {
     Walk walk(seed);
     const double rate = 0.5 + 20 * walk.random.unit() * walk.random.unit();
     auto claim = walk.air.truth();
@@ -147,24 +154,17 @@ TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
     walk.right = walk.air.now;
     walk.live(seconds(60), rate, true);
     walk.live(two_intervals, 0, true);
-    ASSERT_LE(walk.longest, 2 * announcement::max_interval) << "seed " << seed;
-    much_longer += walk.longest > 2 * two_intervals ? 1 : 0;
+    EXPECT_LE(walk.longest, 2 * two_intervals) << "seed " << seed;
     longer += walk.longest > two_intervals ? 1 : 0;
     const auto is_right = [&] {
       (void)walk.air.say();
       std::erase_if(walk.air.registry.services, [](const auto& each) { return each.first.participant != victim; });
       return walk.air.is_right();
     };
-    if (is_right()) continue;
-    ++left_behind;
-    for (const auto end = walk.air.now + 4 * announcement::max_interval; walk.air.now < end && !is_right();) {
-      walk.live(longest_interval, 0, false);
-    }
-    ASSERT_TRUE(is_right()) << "seed " << seed << "\n" << testing::PrintToString(walk.air.registry.services);
+    EXPECT_TRUE(is_right()) << "seed " << seed << "\n" << testing::PrintToString(walk.air.registry.services);
   }
-  EXPECT_LE(longer, 8);
-  EXPECT_LE(left_behind, 4);
-  EXPECT_LE(much_longer, 2);
+  std::cerr << longer << " of " << walks() << " walks hid it for longer than two intervals\n";
+  EXPECT_LE(longer, 2 + walks() / 250);
 }
 
 TEST(ForgerWalk, InATableThatIsFullHidesNobodyWhoIsKnownForLong) {

@@ -47,7 +47,7 @@ TEST(Pace, SaysSixTimesThatItWillSpeakLessOften) {
   EXPECT_LT(next(), seconds(3)) << "more often is at once";
 }
 
-TEST(Pace, IsBelievedWhenItWasSaidTwice) {
+TEST(Pace, IsBelievedDoublingByDoublingWhenItWasSaidForAnInterval) {
   TableRig rig;
   auto now = rig_start;
   for (int i = 0; i < 5; ++i) (void)rig.hear(speaker(1, 1), now += seconds(2));
@@ -57,8 +57,15 @@ TEST(Pace, IsBelievedWhenItWasSaidTwice) {
   presence.doublings = 3;
   (void)rig.hear(presence, now += seconds(2));
   EXPECT_LT(rig.table.find(ParticipantId{1})->deadline, now + seconds(6));
+  (void)rig.hear(presence, now += milliseconds(100));
+  EXPECT_LT(rig.table.find(ParticipantId{1})->deadline, now + seconds(6)) << "twice, but not for an interval";
   (void)rig.hear(presence, now += seconds(2));
   EXPECT_EQ(rig.table.find(ParticipantId{1})->interval, seconds(16));
+  EXPECT_GT(rig.table.find(ParticipantId{1})->deadline, now + seconds(8));
+  EXPECT_LT(rig.table.find(ParticipantId{1})->deadline, now + seconds(12)) << "twice the old one";
+  (void)rig.hear(presence, now += seconds(4));
+  EXPECT_GT(rig.table.find(ParticipantId{1})->deadline, now + seconds(16));
+  (void)rig.hear(presence, now += seconds(8));
   EXPECT_GT(rig.table.find(ParticipantId{1})->deadline, now + seconds(32));
 }
 

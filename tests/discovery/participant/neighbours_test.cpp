@@ -26,22 +26,37 @@ membership::PutPublication put(const ServiceKey& one, std::uint16_t port) {
   return change;
 }
 
+base::Instant at(int instant) { return base::Instant(milliseconds(1'000'000 + instant)); }
+
+membership::PutPublication put_converter(const ServiceKey& one, std::uint16_t port = 1) {
+  membership::PutPublication change = put(one, port);
+  change.publication.attributes = {{"converts", "A>B"}};
+  return change;
+}
+
+/// How many changes come out at `now`.
+int count_due(NeighbourQueue& queue, base::Instant now) {
+  int count = 0;
+  while (queue.has_due(now)) count += queue.pop(now) ? 1 : 0;
+  return count;
+}
+
 TEST(NeighbourQueue, KeepsTheOrderAndTheLastChangeOfEachService) {
   NeighbourQueue queue;
   queue.push(put(key(1, 1), 1));
   queue.push(put(key(1, 2), 2));
   queue.push(put(key(1, 1), 3));
-  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 3);
-  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 2);
-  EXPECT_TRUE(queue.is_empty());
+  EXPECT_EQ(std::get<membership::PutPublication>(*queue.pop(at(0))).publication.port, 3);
+  EXPECT_EQ(std::get<membership::PutPublication>(*queue.pop(at(0))).publication.port, 2);
+  EXPECT_FALSE(queue.has_due(at(0)));
 }
 
 TEST(NeighbourQueue, APublicationDoesNotHideThatASubscriptionOfTheSameNumberWent) {
   NeighbourQueue queue;
   queue.push(membership::RemoveSubscription{key(1, 1), membership::Departure::withdrawn});
   queue.push(put(key(1, 1), 1));
-  EXPECT_TRUE(std::holds_alternative<membership::RemoveSubscription>(queue.pop()));
-  EXPECT_TRUE(std::holds_alternative<membership::PutPublication>(queue.pop()));
+  EXPECT_TRUE(std::holds_alternative<membership::RemoveSubscription>(*queue.pop(at(0))));
+  EXPECT_TRUE(std::holds_alternative<membership::PutPublication>(*queue.pop(at(0))));
 }
 
 TEST(NeighbourQueue, ADepartureTakesThePlaceOfAllThatWaitsOfTheParticipantAndOfNoOther) {
@@ -51,11 +66,69 @@ TEST(NeighbourQueue, ADepartureTakesThePlaceOfAllThatWaitsOfTheParticipantAndOfN
   queue.push(put(key(3, 1), 3));
   queue.push(membership::RemoveParticipant{ParticipantId{2}, membership::Departure::left});
   queue.push(put(key(2, 1), 4));
-  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 1);
-  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 3);
-  EXPECT_TRUE(std::holds_alternative<membership::RemoveParticipant>(queue.pop()));
-  EXPECT_EQ(std::get<membership::PutPublication>(queue.pop()).publication.port, 4);
-  EXPECT_TRUE(queue.is_empty());
+  EXPECT_EQ(std::get<membership::PutPublication>(*queue.pop(at(0))).publication.port, 1);
+  EXPECT_EQ(std::get<membership::PutPublication>(*queue.pop(at(0))).publication.port, 3);
+  EXPECT_TRUE(std::holds_alternative<membership::RemoveParticipant>(*queue.pop(at(0))));
+  EXPECT_EQ(std::get<membership::PutPublication>(*queue.pop(at(0))).publication.port, 4);
+  EXPECT_FALSE(queue.has_due(at(0)));
+}
+
+TEST(NeighbourQueue, HoldsChangesOfConvertersBeyondTheBudgetOfTheirParticipant) {
+  for (const int count : {converter_burst - 1, converter_burst, converter_burst + 1}) {
+    NeighbourQueue queue;
+    for (int number = 0; number < count; ++number)
+      queue.push(put_converter(key(1, static_cast<std::uint32_t>(number))));
+    EXPECT_EQ(count_due(queue, at(0)), std::min(count, converter_burst)) << count;
+    EXPECT_EQ(queue.held(), static_cast<std::size_t>(std::max(0, count - converter_burst)));
+  }
+}
+
+TEST(NeighbourQueue, GivesTheLastChangeOfAConverterWhenThereIsBudgetAgain) {
+  constexpr int period = 1000 / converter_changes_per_second;
+  NeighbourQueue queue;
+  for (int count = 0; count < converter_burst; ++count) queue.push(put_converter(key(1, 1000 + count)));
+  EXPECT_EQ(count_due(queue, at(0)), converter_burst);
+  for (std::uint16_t port = 1; port <= 100; ++port) {
+    for (const std::uint32_t number : {1, 2}) queue.push(put_converter(key(1, number), port));
+    EXPECT_EQ(count_due(queue, at(0)), 0);
+  }
+  queue.push(put(key(1, 3), 7));
+  EXPECT_EQ(count_due(queue, at(0)), 1) << "what converts nothing does not wait";
+  queue.push(put_converter(key(2, 1)));
+  EXPECT_EQ(count_due(queue, at(0)), 1) << "another participant has a budget of its own";
+  EXPECT_EQ(queue.next_due(), at(period));
+  EXPECT_EQ(count_due(queue, at(period - 1)), 0);
+  EXPECT_EQ(std::get<membership::PutPublication>(*queue.pop(at(period))).publication.port, 100);
+  EXPECT_EQ(count_due(queue, at(period)), 0);
+  EXPECT_EQ(count_due(queue, at(2 * period)), 1);
+  EXPECT_EQ(queue.next_due(), base::never);
+}
+
+TEST(NeighbourQueue, DropsWhatIsHeldWhenItsServiceOrItsParticipantGoes) {
+  NeighbourQueue queue;
+  for (int count = 0; count < converter_burst; ++count) queue.push(put_converter(key(1, 1000 + count)));
+  EXPECT_EQ(count_due(queue, at(0)), converter_burst);
+  for (const std::uint32_t number : {1, 2, 3, 4}) queue.push(put_converter(key(1, number)));
+  EXPECT_EQ(count_due(queue, at(0)), 0);
+  queue.push(membership::RemovePublication{key(1, 1), membership::Departure::withdrawn});
+  queue.push(put(key(1, 2), 9));
+  EXPECT_EQ(queue.held(), 2U);
+  EXPECT_TRUE(std::holds_alternative<membership::RemovePublication>(*queue.pop(at(0))));
+  EXPECT_EQ(std::get<membership::PutPublication>(*queue.pop(at(0))).publication.port, 9);
+  queue.push(membership::RemoveParticipant{ParticipantId{1}, membership::Departure::left});
+  EXPECT_EQ(queue.held(), 0U);
+  EXPECT_EQ(count_due(queue, at(0)), 1);
+  EXPECT_FALSE(queue.has_due(at(1'000'000)));
+}
+
+TEST(NeighbourQueue, HoldsChangesOfConvertersBeyondTheBudgetOfAll) {
+  NeighbourQueue queue;
+  const int participants = converter_burst_of_all / converter_burst + 1;
+  for (int one = 1; one <= participants; ++one) {
+    for (int number = 0; number < converter_burst; ++number) queue.push(put_converter(key(one, number)));
+  }
+  EXPECT_EQ(count_due(queue, at(0)), converter_burst_of_all);
+  EXPECT_EQ(count_due(queue, at(1000)), std::min(converter_changes_per_second_of_all, converter_burst));
 }
 
 /// A neighbour that offers much, a consumer that asks for all of it many times, and somebody who pings when it is told.

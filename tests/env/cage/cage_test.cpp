@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <linux/bpf.h>
 #include <linux/perf_event.h>
+#include <poll.h>
 #include <sched.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
@@ -15,6 +16,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
+#include <sys/time.h>
 #include <sys/uio.h>
 #include <sys/un.h>
 #include <sys/wait.h>
@@ -31,33 +33,12 @@
 #include <functional>
 #include <thread>
 
+#include "env/cage/inside.hpp"
+
 namespace geminga::cage {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int no_cage = 200;  ///< the status of a child on a system without a cage
-
-/// The exit status of a child that does this, or 1000 + N if signal N ended it.
-int in_child(const std::function<int()>& deed) {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(deed());
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-}
-
-/// The same within a cage.
-int inside(const Freedom& freedom, const std::function<int()>& deed) {
-  return in_child([&] { return close(freedom).by_system_calls ? deed() : no_cage; });
-}
-
-int error_of(long result) { return result < 0 ? errno : 0; }
-
-long call(long number, long a = 0, long b = 0, long c = 0, long d = 0, long e = 0) {
-  return ::syscall(number, a, b, c, d, e);
-}
 
 struct WayOut {
   const char* name;
@@ -189,6 +170,23 @@ TEST(Cage, LeavesWhatReasoningNeeds) {
   });
   if (status == no_cage) GTEST_SKIP() << "this kernel has no seccomp";
   EXPECT_EQ(status, 0);
+}
+
+TEST(Cage, LeavesAProgramItsOwnTimeLimit) {
+  Freedom child;
+  child.may_become = true;
+  child.may_read_all = true;
+  for (const Freedom& freedom : {Freedom(), child}) {
+    const int status = inside(freedom, [] {
+      std::signal(SIGALRM, SIG_DFL);
+      itimerval timer{};
+      timer.it_value.tv_usec = 1;
+      if (::setitimer(ITIMER_REAL, &timer, nullptr) != 0) return errno;
+      while (true) ::poll(nullptr, 0, -1);
+    });
+    if (status == no_cage) GTEST_SKIP() << "this kernel has no seccomp";
+    EXPECT_EQ(status, 1000 + SIGALRM);
+  }
 }
 
 TEST(Cage, LetsAProcessEndItself) {

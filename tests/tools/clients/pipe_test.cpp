@@ -35,6 +35,18 @@ TEST(Pipe, CarriesEachLineAsOneMessageInEveryMode) {
   }
 }
 
+TEST(Pipe, ShowsATerminalNothingThatItObeys) {
+  const Bench bench;
+  const std::string service = " --text calls --mode oto";
+  const auto outcome =
+      shell(bench,
+            "printf 'red \\033[31m, turned \\342\\200\\256\\n' | $publish" + service +
+                " --protocol tcp --send & publisher=$!; script -qec \"$subscribe" + service +
+                " --listen --count 1 --timeout 30\" /dev/null < /dev/null; status=$?; wait $publisher && exit $status");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.out, testing::HasSubstr("red \ufffd[31m, turned \ufffd"));
+}
+
 TEST(Pipe, CarriesAFileWithoutLossOverTcp) {
   const Bench bench;
   const auto outcome =

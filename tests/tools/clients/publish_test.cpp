@@ -30,6 +30,31 @@ TEST(Publish, OffersUntilItIsEnded) {
   EXPECT_TRUE(consumer.line_with({"1 pub del", "reason=withdrawn"}));
 }
 
+TEST(Publish, SaysWhatToDoWhereAConceptStandsForARepresentation) {
+  Bench bench;
+  const std::vector<std::tuple<std::string, std::string, std::string>> cases{
+      {"soccer:BallInfo", "soccer:SharedBallInfo",
+       "representation=soccer:SharedBallInfo: this is a concept: name how the information is written down, a class "
+       "below "
+       "geminga:Representation, or leave the representation out"},
+      {"soccer:CartesianFieldFrame", "soccer:CartesianFieldFrame",
+       "concept=soccer:CartesianFieldFrame: this is a representation: name what the information is about as the "
+       "concept, "
+       "and this one as its representation"}};
+  for (const auto& [concept_name, representation, text] : cases) {
+    const std::vector<std::string> identity{concept_name, "--representation", representation};
+    auto words = identity;
+    words.insert(words.end(), {"--port", "5000"});
+    EXPECT_EQ(bench.run("geminga-publish", words).status, 2);
+    EXPECT_EQ(bench.run("geminga-subscribe", identity).errors, "geminga-subscribe: " + text + '\n');
+    words = identity;
+    words.insert(words.begin(), "match");
+    const auto asked = bench.query(words);
+    EXPECT_EQ(asked.status, 2);
+    EXPECT_THAT(asked.errors, HasSubstr(text));
+  }
+}
+
 TEST(Publish, PrintsItsConsumers) {
   Bench bench;
   auto publish =

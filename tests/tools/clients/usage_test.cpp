@@ -107,6 +107,77 @@ TEST(Programs, EndWithTwoOnWrongUsage) {
   }
 }
 
+TEST(Programs, NameTheFlagOrTheCommandThatMayBeMeant) {
+  const std::vector<std::tuple<std::string, std::vector<std::string>, std::string>> cases{
+      {"geminga-query", {"servces"}, "'servces' is no command: did you mean services? see "},
+      {"geminga-query", {"--json", "statsu"}, "'statsu' is no command: did you mean status? see "},
+      {"geminga-query",
+       {"doctor"},
+       "'doctor' is no command: the commands are participants, services, requests, match, explain, why, ontology, "
+       "status, "
+       "security: see "},
+      {"geminga-query", {"services", "--unsued"}, "'--unsued' is no flag: did you mean --unused? see "},
+      {"geminga-query", {"services", "--conect", "x"}, "'--conect' is no flag: did you mean --connect? see "},
+      {"geminga-query", {"match", "--limt=3"}, "'--limt' is no flag: did you mean --limit? see "},
+      {"geminga-publish", {"a", "--prot", "5"}, "'--prot' is no flag: did you mean --port? see "},
+      {"geminga-subscribe", {"a", "--wher", "rate > 3"}, "'--wher' is no flag: did you mean --where? see "},
+      {"geminga-subscribe", {"a", "--colour"}, "'--colour' is no flag: see "},
+  };
+  for (const auto& [program, words, text] : cases) {
+    const auto outcome = run(program, words);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.errors, program + ": " + text + program + " --help\n");
+  }
+}
+
+TEST(Programs, TakeNoEmptyTextOfAnEmptyVariable) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"geminga-query", {"match", ""}},
+      {"geminga-query", {"match", "--concept", ""}},
+      {"geminga-query", {"match", "--text", ""}},
+      {"geminga-query", {"match", "concept="}},
+      {"geminga-query", {"match", "text="}},
+      {"geminga-query", {"match", "soccer:BallInfo", "representation="}},
+      {"geminga-query", {"match", "soccer:BallInfo", "--representation", ""}},
+      {"geminga-query", {"match", "soccer:BallInfo", "--where", ""}},
+      {"geminga-query", {"match", "soccer:BallInfo", "--provider", ""}},
+      {"geminga-query", {"match", "soccer:BallInfo", "--convert", ""}},
+      {"geminga-query", {"services", ""}},
+      {"geminga-query", {"services", "concept="}},
+      {"geminga-query", {"requests", "text="}},
+      {"geminga-query", {"explain", "soccer:BallInfo", ""}},
+      {"geminga-query", {"why", ""}},
+      {"geminga-query", {"why", "--concept", ""}},
+      {"geminga-query", {"--connect", "", "status"}},
+      {"geminga-publish", {"", "--port", "5"}},
+      {"geminga-publish", {"--text", "", "--port", "5"}},
+      {"geminga-publish", {"--text", "a", "--port", "5", "--for", ""}},
+      {"geminga-publish", {"--text", "a", "--port", "5", "--name", ""}},
+      {"geminga-publish", {"--text", "a", "--port", "5", "--address", ""}},
+      {"geminga-subscribe", {""}},
+      {"geminga-subscribe", {"--text", ""}},
+      {"geminga-subscribe", {"text="}},
+      {"geminga-subscribe", {"--text", "a", "--where", ""}},
+      {"geminga-subscribe", {"--text", "a", "--name", ""}},
+      {"geminga-subscribe", {"soccer:BallInfo", "--representation", ""}},
+  };
+  for (const auto& [program, words] : cases) {
+    const auto outcome = run(program, words);
+    EXPECT_EQ(outcome.status, 2) << program << testing::PrintToString(words) << outcome.errors;
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+  }
+  EXPECT_THAT(run("geminga-query", {"match", ""}).errors,
+              HasSubstr("IDENTITY: is empty: leave it out, or see whether the variable that it comes from is set"));
+}
+
+TEST(Programs, NameTheVariableThatMayBeMeant) {
+  const auto ran = system::run({.words = {system::program("geminga-query"), "status"},
+                                .environment = {{"GEMINGA_CONECT", nobody()}, {"GEMINGA_CONVERT", "1"}},
+                                .before = {}});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_THAT(ran.said, HasSubstr("GEMINGA_CONECT: unknown: did you mean GEMINGA_CONNECT?"));
+}
+
 TEST(Programs, SayWhichNumbersTheyTake) {
   const std::string priority = "--priority: must be a whole number from -2147483648 to 2147483647: see ";
   const std::string limit = "--limit: must be a whole number from 0 to 4294967295: see ";

@@ -286,6 +286,21 @@ TEST(Check, EndsWhereClassesShareTheirPartsWithoutEnd) {
   EXPECT_THAT(explained.out, HasSubstr("e:Z is subsumed by e:C"));
 }
 
+TEST(Check, AFileThatCannotBeReadIsStatusTwo) {
+  const Program program;
+  program.write("cut.ttl.gz", "\x1f\x8b\x08");
+  program.write("wide.owl", "\xff\xfe<");
+  program.write("unknown.txt", "nothing that is known");
+  program.write("below/device.ttl", "");
+  std::filesystem::remove(program.folder() / "in/below/device.ttl");
+  std::filesystem::create_symlink("/dev/null", program.folder() / "in/device.ttl");
+  for (const char* file :
+       {"missing.ttl", "missing.geminga", "cut.ttl.gz", "wide.owl", "unknown.txt", "below", "device.ttl"}) {
+    EXPECT_EQ(program.run({"check", file}).status, 2) << file;
+    EXPECT_EQ(program.run({"check", file, "--json"}).status, 2) << file;
+  }
+}
+
 TEST(Check, ABrokenFileIsStatusOneAndAMissingOneTwo) {
   const Program program;
   program.turtle("bad.ttl", ":A rdfs:subClassOf\n");

@@ -328,5 +328,26 @@ TEST(Query, AnswersWithItsExitStatusAndRefusesWhatFetches) {
   EXPECT_THAT(cut.err, HasSubstr("more than 2 rows"));
 }
 
+TEST(Query, EndsAtItsLimitOfStepsWithoutAnAnswer) {
+  const Program program;
+  program.turtle("a.ttl", ":A rdfs:subClassOf :B . :B rdfs:subClassOf :C .\n");
+  const auto nested = [](int levels) {
+    std::string query = "SELECT * WHERE { ?s ?p ?o ";
+    for (int at = 0; at < levels; ++at) query += "OPTIONAL { ?s ?p ?o ";
+    return query + std::string(static_cast<std::size_t>(levels), '}') + " }";
+  };
+  program.write("nested.rq", nested(5));
+  program.write("too-deep.rq", nested(3000));
+  EXPECT_EQ(program.run({"query", "a.ttl", "nested.rq"}).status, 0);
+  EXPECT_EQ(program.run({"query", "a.ttl", "too-deep.rq"}).status, 2);
+  const Outcome ended = program.run({"query", "a.ttl", "nested.rq", "--query-steps", "100"});
+  EXPECT_EQ(ended.status, 4) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr("raise --query-steps"));
+  EXPECT_THAT(ended.out, testing::IsEmpty());
+  const Outcome json = program.run({"query", "a.ttl", "nested.rq", "--query-steps", "100", "--json"});
+  EXPECT_EQ(json.status, 4);
+  EXPECT_THAT(json.out, testing::HasSubstr("{\"error\":\"the query looks at more triples"));
+}
+
 }  // namespace
 }  // namespace geminga::ontology

@@ -3,7 +3,9 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -101,6 +103,45 @@ TEST_F(Memory, ALiteralOfTwoHundredMegabytesStaysUnder64MiB) {
           "<?xml version=\"1.0\"?>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
           "xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\"><rdf:Description rdf:about=\"http://e/A\"><rdfs:label>",
           "</rdfs:label></rdf:Description></rdf:RDF>\n");
+}
+
+TEST_F(Memory, ACycleOfTwentyThousandClassesIsRefusedWithinItsLimit) {
+  const Program program;
+  std::string text;
+  constexpr int count = 20'000;
+  for (int at = 0; at < count; ++at)
+    text += ":c" + std::to_string(at) + " rdfs:subClassOf :c" + std::to_string((at + 1) % count) + " .\n";
+  program.turtle("cycle.ttl", text);
+  EXPECT_LT(peak_kib(program, {"query", "cycle.ttl", "ASK { ?s ?p ?o }"}), 1280 * mebibyte);
+  EXPECT_LT(peak_kib(program, {"infer", "cycle.ttl", "--closure", "-o", "out.nt"}), 1280 * mebibyte);
+  const Outcome refused = program.run({"infer", "cycle.ttl", "--closure", "-o", "out.nt", "--memory-limit", "512"});
+  EXPECT_EQ(refused.status, 4) << refused.err;
+  EXPECT_NE(refused.err.find("the triples take more than 256 MiB in all"), std::string::npos) << refused.err;
+  EXPECT_EQ(program.run({"query", "cycle.ttl", "ASK { ?s ?p ?o }", "--memory-limit", "512"}).status, 4);
+  EXPECT_EQ(program.run({"query", "cycle.ttl", "ASK { ?s ?p ?o }", "--asserted"}).status, 0);
+  EXPECT_EQ(program.run({"infer", "cycle.ttl", "-o", "out.nt"}).status, 0) << "direct relations are few";
+}
+
+TEST_F(Memory, APackedFileOfOneMegabyteStaysUnder128MiB) {
+  const Program program;
+  const std::string path = (program.folder() / "in/bomb.nt.gz").string();
+  const gzFile file = gzopen(path.c_str(), "wb6");
+  ASSERT_NE(file, nullptr);
+  std::string lines;
+  for (int at = 0; at < 300; ++at) lines += "<http://e/a> <http://e/b> <http://e/c> .\n";
+  std::uint32_t number = 1;
+  for (int line = 0; line < 16'000; ++line) {
+    std::string noise = "# ";  // about 0.7 MB of it cannot be packed
+    for (int at = 0; at < 60; ++at) {
+      number = number * 1'664'525 + 1'013'904'223;
+      noise += static_cast<char>('0' + (number >> 24U) % 64);
+    }
+    gzputs(file, (noise + '\n' + lines).c_str());
+  }
+  ASSERT_EQ(gzclose(file), Z_OK);
+  EXPECT_LT(std::filesystem::file_size(path), 2'000'000U);
+  EXPECT_LT(peak_kib(program, {"check", "bomb.nt.gz"}), 192 * mebibyte);
+  EXPECT_EQ(program.run({"check", "bomb.nt.gz"}).status, 2);
 }
 
 TEST_F(Memory, PropertiesWhoseClosureIsQuadraticAreRefused) {

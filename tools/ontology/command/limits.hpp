@@ -3,6 +3,7 @@
 #define GEMINGA_ONTOLOGY_COMMAND_LIMITS_HPP
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 
 #include "base/budget.hpp"
@@ -13,14 +14,24 @@ namespace geminga::ontology {
 struct WorkLimits {
   /// More than published ontologies need; one engine takes 2 to 20 million steps in a second.
   static constexpr std::uint64_t default_steps = 2'000'000'000;
+  /// Of asking a query, in processor time.
+  static constexpr unsigned default_asking_seconds = 300;
 
   unsigned seconds = 0;  ///< from the start of the program; 0: no limit
   std::uint64_t steps = default_steps;
+  unsigned memory_mib = 0;  ///< of the whole process; 0: no limit
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
 /// The budget of a search within these limits. Reading asks no budget; limit_time() ends it.
 [[nodiscard]] base::Budget budget_of(const WorkLimits& limits);
+
+/// The limit of the triples that infer writes and query asks, in octets: 1 GiB for the triples and as much for
+/// the query, or half of --memory-limit each.
+[[nodiscard]] std::size_t graph_octets(const WorkLimits& limits);
+/// Ends this process with Exit::timed_out and a line on standard error when it has used so much processor time from now
+/// on, unless there is a limit of time already: rasqal cannot be asked to end while it computes without triples.
+void limit_asking(const WorkLimits& limits);
 
 /// Limits the address space of this process; 0: no limit.
 void limit_memory(unsigned mebibytes);

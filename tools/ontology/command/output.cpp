@@ -63,7 +63,9 @@ Exit replace(const std::string& target, std::span<const std::byte> bytes) {
 
 Exit put(const std::string& out, std::span<const std::byte> bytes) {
   if (out != to_standard_output) return replace(out, bytes);
-  return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_unwritten();
+  // The daemon reads a compiled form of any size there: it is not copied.
+  if (isatty(STDOUT_FILENO) == 0) return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_unwritten();
+  return print_or_say({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 bool would_destroy_source(const std::string& out, const std::vector<std::string>& files, const owl::Ontology& source) {

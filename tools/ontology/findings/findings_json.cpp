@@ -1,6 +1,7 @@
 // The findings as one JSON document.
 #include <boost/json.hpp>
 
+#include "ontology/command/words.hpp"
 #include "ontology/findings/axioms.hpp"
 #include "ontology/findings/findings.hpp"
 
@@ -85,7 +86,7 @@ std::string as_json(const Findings& findings) {
     collisions.push_back(
         boost::json::object{{"id", collision.id}, {"names", boost::json::value_from(collision.names)}});
   add_names(document, findings.names);
-  return boost::json::serialize(document) + '\n';
+  return json_text(document) + '\n';
 }
 
 }  // namespace geminga::ontology

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "ontology/loading/hierarchy.hpp"
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/syntax/graph/axiom_triples.hpp"
@@ -40,10 +41,14 @@ struct Predicates {
 
 class Writer {
  public:
-  Writer(bool as_closure, graph::Graph& graph) : as_closure_(as_closure), graph_(graph) {}
+  Writer(bool as_closure, base::Budget& budget, graph::Graph& graph)
+      : as_closure_(as_closure), steps_(&budget), graph_(graph) {}
+
+  /// Whether the budget ended the work.
+  [[nodiscard]] bool is_spent() const { return is_spent_; }
 
   void write(const Hierarchy& hierarchy, const Predicates& words) {
-    for (std::uint32_t node = 0; node < hierarchy.members.size() && !graph_.problem(); ++node) {
+    for (std::uint32_t node = 0; node < hierarchy.members.size() && goes_on(); ++node) {
       if (hierarchy.members[node].empty()) continue;
       if (node == hierarchy.representative[hierarchy.bottom]) {
         write_empty(hierarchy, words);
@@ -54,6 +59,12 @@ class Writer {
   }
 
  private:
+  /// Counts a step. False where a limit was reached.
+  bool goes_on() {
+    if (!steps_.spend(1)) is_spent_ = true;
+    return !is_spent_ && !graph_.problem();
+  }
+
   static bool is_individual(std::string_view name) { return name.starts_with(only_individual); }
 
   /// The names of a node: those of individuals, or all others.
@@ -72,7 +83,7 @@ class Writer {
     std::vector<std::uint32_t> found;
     std::set<std::uint32_t> seen{node};
     std::vector<std::uint32_t> stack{node};
-    while (!stack.empty()) {
+    while (!stack.empty() && goes_on()) {
       const std::uint32_t at = stack.back();
       stack.pop_back();
       for (const std::uint32_t parent : hierarchy.parents_of(at)) {
@@ -94,6 +105,7 @@ class Writer {
   void write_equal(const std::vector<std::string_view>& names, std::string_view predicate) {
     for (std::size_t a = 0; a < names.size(); ++a) {
       for (std::size_t b = 0; b < names.size(); ++b) {
+        if (!goes_on()) return;
         if (a != b && (as_closure_ || b == a + 1)) link(names[a], predicate, names[b]);
       }
     }
@@ -106,7 +118,10 @@ class Writer {
     write_equal(individuals, std::string(syntax::owl_namespace) + "sameAs");
     const auto type_all = [&](std::string_view type) {
       if (type == owl::owl_thing) return;
-      for (const std::string_view individual : individuals) link(individual, graph::rdf_type, type);
+      for (const std::string_view individual : individuals) {
+        if (!goes_on()) return;
+        link(individual, graph::rdf_type, type);
+      }
     };
     for (const std::string_view type : classes) type_all(type);
     for (const std::uint32_t parent : above(hierarchy, node)) {
@@ -114,7 +129,10 @@ class Writer {
       // Of equivalent superclasses one is enough where only direct relations are written.
       const std::size_t count = as_closure_ ? supers.size() : std::min<std::size_t>(supers.size(), 1);
       for (std::size_t at = 0; at < count; ++at) {
-        for (const std::string_view name : classes) link(name, words.below, supers[at]);
+        for (const std::string_view name : classes) {
+          if (!goes_on()) return;
+          link(name, words.below, supers[at]);
+        }
       }
       // The types of an individual include the superclasses of a class that holds it alone.
       if (classes.empty() || as_closure_) {
@@ -132,7 +150,9 @@ class Writer {
   }
 
   const bool as_closure_;
+  base::BudgetUse steps_;
   graph::Graph& graph_;
+  bool is_spent_ = false;
 };
 
 }  // namespace
@@ -150,11 +170,12 @@ std::expected<ClassifiedFiles, LoadFailure> classify_with_individuals(rdf::Loade
   return classify_files(std::move(loaded), 0, progress, how);
 }
 
-void add_inferred(const ClassifiedFiles& classified, bool as_closure, graph::Graph& graph) {
+std::optional<std::string> add_inferred(const ClassifiedFiles& classified, bool as_closure, base::Budget& budget,
+                                        graph::Graph& graph) {
   const owl::Ontology& source = classified.loaded.source;
   const taxonomy::Classification& classification = classified.classification;
   const std::string owl(syntax::owl_namespace);
-  Writer writer(as_closure, graph);
+  Writer writer(as_closure, budget, graph);
   writer.write(class_hierarchy(source, classification),
                {std::string(graph::rdfs_sub_class_of), owl + "equivalentClass"});
   const auto properties = [&](const taxonomy::PropertyTaxonomy& taxonomy) {
@@ -163,6 +184,8 @@ void add_inferred(const ClassifiedFiles& classified, bool as_closure, graph::Gra
   };
   properties(classification.object_properties);
   properties(classification.data_properties);
+  if (!writer.is_spent()) return std::nullopt;
+  return "more relations follow than can be written: give fewer files, or ask for less (without --closure)";
 }
 
 void add_declarations(const ClassifiedFiles& classified, graph::Graph& graph) {

@@ -17,8 +17,11 @@ namespace geminga::ontology {
                                                                                     Progress& progress,
                                                                                     const LoadOptions& how = {});
 
-/// Adds the relations that follow, all of them or the direct ones. Requires a consistent ontology.
-void add_inferred(const ClassifiedFiles& classified, bool as_closure, graph::Graph& graph);
+/// Adds the relations that follow, all of them or the direct ones. Requires a consistent ontology. Each relation that
+/// is looked at costs a step; where the budget ends that, returns so in one line, and relations are missing. The graph
+/// has its own limit.
+[[nodiscard]] std::optional<std::string> add_inferred(const ClassifiedFiles& classified, bool as_closure,
+                                                      base::Budget& budget, graph::Graph& graph);
 /// Adds the declaration of each name in these relations, for readers of nothing else.
 void add_declarations(const ClassifiedFiles& classified, graph::Graph& graph);
 

@@ -69,7 +69,10 @@ std::expected<rdf::Loaded, LoadFailure> load(const std::vector<std::string>& fil
   if (const std::uintmax_t octets = size_of(files); octets >= large_octets)
     progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
   Readers readers(options.keeps_annotations);
-  auto loaded = rdf::load(files, {}, &readers, options.threads);
+  std::vector<syntax::LoadError> left_out;
+  auto loaded = rdf::load(files, {}, &readers, options.threads, options.leaves_out_refused ? &left_out : nullptr);
+  for (const syntax::LoadError& error : left_out)
+    say_error(std::string(compiled::left_out_words) + syntax::to_string(error));
   if (!loaded) return std::unexpected(LoadFailure{syntax::to_string(loaded.error()), loaded.error().is_unreadable});
   if (options.says_files && !loaded->listing.folders.empty()) {
     progress.clear();

@@ -38,6 +38,9 @@ struct LoadOptions {
   bool as_json = false;    ///< errors are also printed as JSON, and no progress is shown
   bool says_files = true;  ///< says how many files the folders hold
   bool keeps_annotations = false;
+  /// Leaves out files of folders that are refused, and says so on standard error in lines that begin with
+  /// compiled::left_out_words.
+  bool leaves_out_refused = false;
   base::Budget* budget = nullptr;  ///< of the search; borrowed, null: no limit
 };
 

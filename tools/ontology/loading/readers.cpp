@@ -7,6 +7,11 @@
 
 namespace geminga::ontology {
 
+void Readers::begin() {
+  declared_ = {};
+  has_source_ = false;
+}
+
 void Readers::look_ahead(syntax::Syntax syntax, std::string_view bytes) {
   if (syntax == syntax::Syntax::manchester) frames::look_ahead(bytes, declared_);
 }

@@ -14,11 +14,12 @@
 
 namespace geminga::ontology {
 
-/// Serves one load.
+/// Serves one load at a time.
 class Readers final : public rdf::OtherReader {
  public:
   explicit Readers(bool keeps_annotations = false) : keeps_annotations_(keeps_annotations) {}
 
+  void begin() override;
   void look_ahead(syntax::Syntax syntax, std::string_view bytes) override;
   std::expected<owl::Document, owl::ReadError> read(syntax::Syntax syntax, std::string_view bytes, owl::FileId file,
                                                     owl::Ontology& source,

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/text.hpp"
+#include "ontology/command/words.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -108,7 +109,7 @@ std::string RankWriter::end() const {
   const boost::json::object rest{{"services", collection_.services().size()},
                                  {"problems", texts(collection_.problems())},
                                  {"remarks", texts(collection_.remarks())}};
-  return "]," + boost::json::serialize(rest).substr(1) + '\n';
+  return "]," + json_text(rest).substr(1) + '\n';
 }
 
 std::string RankWriter::lines(const Described& request, const std::vector<Ranked>& ranked) const {
@@ -141,11 +142,11 @@ std::string RankWriter::document(const Described& request, const std::vector<Ran
                             {"outputs", object(outputs_of(request, service, ranked[at].score), collection_.names())},
                             {"inputs", object(inputs_of(request, service, ranked[at].score), collection_.names())}});
   }
-  return boost::json::serialize(boost::json::object{{"request", request.name},
-                                                    {"file", base::printable(request.path, 4096)},
-                                                    {"inputs", texts(request.profile.inputs)},
-                                                    {"outputs", texts(request.profile.outputs)},
-                                                    {"services", std::move(services)}});
+  return json_text(boost::json::object{{"request", request.name},
+                                       {"file", base::printable(request.path, 4096)},
+                                       {"inputs", texts(request.profile.inputs)},
+                                       {"outputs", texts(request.profile.outputs)},
+                                       {"services", std::move(services)}});
 }
 
 }  // namespace geminga::ontology

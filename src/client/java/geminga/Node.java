@@ -39,7 +39,7 @@ public final class Node implements AutoCloseable {
     private final AtomicBoolean isClosing = new AtomicBoolean();
 
     private Node(Options options) throws IOException {
-        loop = new Loop(options.listener());
+        loop = new Loop(options.listener(), options.log());
         try {
             daemon = new DaemonLink(loop, Endpoint.of(options.connect()), options.name(), chance);
         } catch (RuntimeException fault) {
@@ -113,7 +113,7 @@ public final class Node implements AutoCloseable {
      */
     public Publisher publish(Offer offer, Consumer<Event.ConsumerEvent> listener) throws IOException {
         return locked(() -> {
-            PublisherChannel channel = new PublisherChannel(loop, daemon, offer, Life.draw(chance), listener);
+            PublisherChannel channel = new PublisherChannel(loop, daemon, offer, Life.draw(chance), chance, listener);
             publishers.removeIf(PublisherChannel::isClosed);
             publishers.add(channel);
             Publisher made = new Publisher(this, channel);

@@ -3,6 +3,7 @@ package geminga;
 import geminga.channels.PublisherChannel;
 import java.io.IOException;
 import java.time.Duration;
+import java.util.Objects;
 import java.util.concurrent.CompletionStage;
 import java.util.function.UnaryOperator;
 
@@ -23,12 +24,13 @@ public final class Publisher implements AutoCloseable {
      *
      * @param payload up to 65 000 octets over UDP, 16 MiB over TCP; it may be changed when this returns
      * @return whether there was a consumer
+     * @throws NullPointerException if there is no payload
      * @throws MessageTooLargeException if the payload is larger
      * @throws RefusedException if the daemon refused the offer
      * @throws java.nio.channels.ClosedChannelException if the publisher is closed
      */
     public boolean send(byte[] payload) throws IOException {
-        return channel.send(payload);
+        return channel.send(Objects.requireNonNull(payload, "payload: an array of octets, not null"));
     }
 
     /**

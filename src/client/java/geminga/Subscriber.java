@@ -83,7 +83,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
                 ++failed;
                 return unconverted.size() < 1024 && unconverted.add(message.provider().lifeText());
             });
-            if (isNew) problem("a message of " + message.provider().word() + " is not converted: " + fault.getMessage());
+            if (isNew) problem(fault.getMessage());
             return null;
         }
         node.locking(() -> ++received);

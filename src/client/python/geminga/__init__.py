@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from .errors import Closed, GemingaError, MessageTooLarge, PortTaken, Refused
 from .happening import Connected, ConsumerChanged, Disconnected, Happening, Problem, ProviderChanged
+from .log import LogHook
 from .node import Node, OnEvent
 from .protocol.identity import identity
 from .protocol.inbox import Message
@@ -25,6 +26,7 @@ __all__ = [
     "Disconnected",
     "GemingaError",
     "Happening",
+    "LogHook",
     "Match",
     "Message",
     "MessageTooLarge",
@@ -41,11 +43,18 @@ __all__ = [
 ]
 
 
-def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> Node:
+def connect(
+    name: str | None = None,
+    connect: str | None = None,
+    on_event: OnEvent | None = None,
+    room: int = 0,
+    log: LogHook | None = None,
+) -> Node:
     """A node with this name, to be entered by `async with`.
 
     `connect` is the daemon: ADDRESS:PORT, [ADDRESS]:PORT, /PATH or unix:PATH; else $GEMINGA_CONNECT or the usual port. `on_event` is called
     in the event loop with each event. `room` is for programs that need more than 256 subscriptions of `otm/stream`: how many more; if the
-    daemon has no room, that is a Problem. Raises ValueError for an address that cannot be read; a missing daemon is no error.
+    daemon has no room, that is a Problem. `log` is called with each line that a person should read, as that no daemon answers; unless told,
+    lines go to standard error. Raises ValueError for an address that cannot be read; a missing daemon is no error.
     """
-    return Node(name, connect, on_event, room)
+    return Node(name, connect, on_event, room, log)

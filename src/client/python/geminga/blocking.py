@@ -21,9 +21,11 @@ from typing import Any, Generic, TypeVar
 
 from . import node as front
 from . import publisher, subscriber
-from .errors import Closed
+from .errors import Closed, GemingaError
+from .log import LogHook
 from .node import OnEvent
 from .parameters import Attributes
+from .protocol.counter import ForkError, Process
 from .protocol.inbox import Message
 from .protocol.match import Match
 
@@ -41,9 +43,13 @@ class _Served:
         self.runner = asyncio.Runner(loop_factory=asyncio.new_event_loop)
         self.loop = self.runner.get_loop()
         self.serve_at = 0.0  #: the time of the next turn
+        self._process = Process.number
 
     def run(self, work: Coroutine[Any, Any, Result], timeout: float | None = None) -> Result:
         """Runs a coroutine to its end. Raises TimeoutError after so many seconds."""
+        if Process.number != self._process:
+            work.close()
+            raise GemingaError(str(ForkError()))
 
         async def within() -> Result:
             async with asyncio.timeout(timeout):
@@ -183,8 +189,8 @@ class Subscriber(_Channel[subscriber.Subscriber]):
 class Node:
     """Made by connect(). A context manager, which withdraws everything at its end."""
 
-    def __init__(self, name: str, connect: str | None, on_event: OnEvent | None, room: int) -> None:
-        self._front = front.Node(name, connect, on_event, room)
+    def __init__(self, name: str | None, connect: str | None, on_event: OnEvent | None, room: int, log: LogHook | None) -> None:
+        self._front = front.Node(name, connect, on_event, room, log)
         self._served: _Served | None = None
 
     def __enter__(self) -> Node:
@@ -232,6 +238,12 @@ class Node:
         return self._served
 
 
-def connect(name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> Node:
+def connect(
+    name: str | None = None,
+    connect: str | None = None,
+    on_event: OnEvent | None = None,
+    room: int = 0,
+    log: LogHook | None = None,
+) -> Node:
     """A node as that of geminga.connect(), to be entered by `with`. `on_event` is called within calls of this front."""
-    return Node(name, connect, on_event, room)
+    return Node(name, connect, on_event, room, log)

@@ -3,32 +3,33 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections import deque
 from collections.abc import AsyncIterator, Callable, Mapping
 from types import TracebackType
 
 from .channels.daemon_link import DaemonLink
 from .channels.endpoint import endpoints
-from .errors import Closed, Refused
+from .errors import Closed, GemingaError, Refused
 from .happening import Connected, ConsumerChanged, Disconnected, Happening, Problem, ProviderChanged
+from .log import Log, LogHook
 from .opening import Channel, Opening
-from .parameters import Attributes, Words, check_mode, parameters
+from .parameters import Attributes, Words, checked, parameters
+from .protocol.channel_keys import mode_takes_plain
 from .protocol.converter import Conversion
+from .protocol.counter import ForkError, Process
 from .protocol.limits import MAX_WAITING_EVENTS, MAX_WAITING_MESSAGES
 from .protocol.match import Match
-from .protocol.report import Asked, Complaint, Report, Settled, Told, Welcome
-from .protocol.request import Request
+from .protocol.report import Asked, Complaint, Keyed, Report, Sealing, Settled, Told, Welcome
+from .protocol.request import IDENTITY_KEYS, Request
 from .protocol.session import Session
 from .protocol.statement import ErrorLine
+from .providers import Providers
 from .publisher import Publisher
 from .request_owner import RequestOwner
 from .subscriber import Subscriber
 
 #: The most subscriptions of `otm/stream` for which a node may ask for room (src/discovery/gcnp/GCNP.md, "Room").
 MAX_ROOM = 16_384
-
-_log = logging.getLogger("geminga")
 
 OnEvent = Callable[[Happening], None]
 
@@ -39,12 +40,25 @@ class Node:
     The daemon may start later, end and come back: the node states its requests again, and channels go on meanwhile.
     """
 
-    def __init__(self, name: str = "", connect: str | None = None, on_event: OnEvent | None = None, room: int = 0) -> None:
+    def __init__(
+        self,
+        name: str | None = None,
+        connect: str | None = None,
+        on_event: OnEvent | None = None,
+        room: int = 0,
+        log: LogHook | None = None,
+    ) -> None:
+        if name == "":
+            raise ValueError("name is empty: leave it out, or say what the node is called")
         if not 0 <= room <= MAX_ROOM:
-            raise ValueError(f"room is 0 to {MAX_ROOM}")
+            raise ValueError(f"room is 0 to {MAX_ROOM}, not {room}")
         self._endpoints = endpoints(connect)
-        self._session = Session(name, room)
+        self._session = Session(name or "", room)
         self._on_event = on_event
+        self._log = Log(log, lambda error: self._failed("the log hook", error))
+        self._process = Process.number
+        self.has_keys: bool | None = None  #: whether the daemon has keys; None until it has said so
+        self.takes_plain = False  #: whether this host takes plain frames
         self._link: DaemonLink | None = None
         self._owners: dict[int, RequestOwner] = {}
         self._asking: dict[int, asyncio.Future[None]] = {}
@@ -64,7 +78,7 @@ class Node:
     async def open(self) -> None:
         """Looks for the daemon. Returns after the first attempt, and goes on looking if that failed. `async with` calls it."""
         self.loop = asyncio.get_running_loop()
-        self._link = DaemonLink(self.loop, self._session, self._endpoints, self._take, self._lost)
+        self._link = DaemonLink(self.loop, self._session, self._endpoints, self._take, self._lost, self._log.say)
         try:
             await self._link.attempted
         except BaseException:
@@ -94,14 +108,15 @@ class Node:
     ) -> Opening[Publisher]:
         """Offers a service: `await` the result, or enter it. The keys are those of `pub create`; port 0 means any.
 
-        Returns when the daemon has accepted it, or at once if there is no daemon. Raises Refused; PortTaken; ValueError for values that
-        cannot be stated.
+        Returns when the daemon has accepted it, or at once if there is no daemon. Raises Refused; PortTaken; ValueError and TypeError for
+        values that cannot be stated.
         """
         said = parameters(
             attributes, mode=mode, id=id, text=text, concept=concept, representation=representation, protocol=protocol,
             port=port, address=address, priority=priority, scope=scope, for_=for_,
         )  # fmt: skip
-        return Opening(self._make(lambda: Publisher(self, said), mode))
+        checked(said, 1, port=port, id=id, priority=priority)
+        return Opening(self._make(lambda: Publisher(self, said)))
 
     def subscribe(
         self,
@@ -139,7 +154,8 @@ class Node:
             provider=provider, favour=favour, prefer=prefer, rank=rank, scope=scope, where=where, convert=convert,
             protocol=protocol, limit=limit, priority=priority, port=port or None, address=address,
         )  # fmt: skip
-        return Opening(self._make(lambda: Subscriber(self, said, conversions, queue, keep), mode))
+        checked(said, 2, port=port, id=id, priority=priority, limit=limit)
+        return Opening(self._make(lambda: Subscriber(self, said, conversions, queue, keep)))
 
     async def events(self) -> AsyncIterator[Happening]:
         """The events from now on, until the node is closed.
@@ -163,6 +179,8 @@ class Node:
         """Withdraws everything, and waits until TCP consumers have all messages."""
         if self._is_closed or self._link is None:
             return
+        if Process.number != self._process:
+            raise GemingaError(str(ForkError()))
         self._is_closed = True
         try:
             await asyncio.gather(*(owner.close() for owner in list(self._owners.values())))
@@ -208,29 +226,36 @@ class Node:
         """Tells the application what became of a consumer."""
         self.tell(ConsumerChanged(publisher, change, consumer, reason))
 
-    def tell_provider(self, subscriber: Subscriber, change: str, provider: Match, reason: str) -> None:
+    def tell_provider(self, subscriber: Providers, change: str, provider: Match, reason: str) -> None:
         """Tells the application what became of a provider."""
+        assert isinstance(subscriber, Subscriber)
         self.tell(ProviderChanged(subscriber, change, provider, reason))
 
     def tell(self, happening: Happening) -> None:
-        """Tells the application. A problem is also logged, by the logger `geminga`."""
+        """Tells the application. A problem is also said on the log hook."""
         if isinstance(happening, Problem):
-            _log.warning("%s", happening.text)
+            self._log.say(happening.text)
         if self._on_event is not None:
             try:
                 self._on_event(happening)
             except Exception as error:  # An exception of the application; the channels go on.
-                self.loop.call_exception_handler({"message": "on_event failed", "exception": error})
+                self._failed("on_event", error)
         for reader in self._readers:
-            reader.put(happening)
+            if reader.put(happening):
+                self._log.say("1 events were thrown away: take them more often")
         self._wake_readers()
 
     # Inside
 
-    async def _make(self, make: Callable[[], Channel], mode: str) -> Channel:
+    def _failed(self, what: str, error: Exception) -> None:
+        """A function of the application has raised an exception."""
+        self.loop.call_exception_handler({"message": f"{what} failed", "exception": error})
+
+    async def _make(self, make: Callable[[], Channel]) -> Channel:
         if self._is_closed or self._link is None:
             raise Closed("the node is not open")
-        check_mode(mode)
+        if Process.number != self._process:
+            raise GemingaError(str(ForkError()))
         channel = make()
         if self._link.is_connected:
             try:
@@ -241,7 +266,7 @@ class Node:
         return channel
 
     def _flush(self) -> None:
-        if self._link is not None:
+        if self._link is not None and Process.number == self._process:
             self._link.flush()
 
     def _wake_readers(self) -> None:
@@ -252,18 +277,34 @@ class Node:
     def _take(self, report: Report) -> None:
         if isinstance(report, Welcome):
             self.tell(Connected(report.participant, report.participant_name))
+            self.has_keys = report.sealing != "plain"
             for owner in list(self._owners.values()):
-                owner.daemon_back()
+                owner.daemon_back(self.has_keys)
+            self._learn(report.sealing)
         elif isinstance(report, Told):
             told = self._owners.get(report.request.number)
             if told is not None:
                 told.told(report.line)
+        elif isinstance(report, Keyed):
+            keyed = self._owners.get(report.request.number)
+            if keyed is not None:
+                keyed.keyed(report.life, report.keys, report.text)
+        elif isinstance(report, Sealing):
+            self._learn(report.mode)
         elif isinstance(report, Settled):
             self._settle(report.asked, report.error)
         elif isinstance(report, Complaint):
             self._complain(report)
 
+    def _learn(self, mode: str) -> None:
+        """The daemon has said how this host seals. It counts for channels that have no line of keys."""
+        self.has_keys, self.takes_plain = mode != "plain", mode_takes_plain(mode)
+        for owner in list(self._owners.values()):
+            owner.mode_changed()
+
     def _settle(self, asked: Asked, error: ErrorLine | None) -> None:
+        if error is not None:
+            self._log.say(f"the request {_shown(asked.request)} is refused: {error.text}")
         if asked.before is None:
             owner = self._owners.get(asked.request.number)
             if owner is not None:
@@ -290,22 +331,30 @@ class Node:
             self.tell(Disconnected())
 
 
+def _shown(request: Request) -> str:
+    """The mode and the identity of a request, by which a person knows it."""
+    said = request.parameters
+    return " ".join(f"{key}={said[key]}" for key in ("mode", *IDENTITY_KEYS) if key in said)
+
+
 class _Happenings:
     """The events that wait for one reader."""
 
     def __init__(self) -> None:
         self._waiting: deque[Happening] = deque(maxlen=MAX_WAITING_EVENTS)
-        self._lost = 0
+        self.lost = 0
         self.woken: asyncio.Future[None] | None = None
 
-    def put(self, happening: Happening) -> None:
-        """Keeps a happening, in the place of the oldest where there is no other."""
-        self._lost += len(self._waiting) == MAX_WAITING_EVENTS
+    def put(self, happening: Happening) -> bool:
+        """Keeps a happening, in the place of the oldest where there is no other. Whether it is the first that is lost since take()."""
+        is_full = len(self._waiting) == MAX_WAITING_EVENTS
+        self.lost += is_full
         self._waiting.append(happening)
+        return is_full and self.lost == 1
 
     def take(self) -> Happening | None:
         """The next happening, after the news of those that were thrown away."""
-        if self._lost:
-            lost, self._lost = self._lost, 0
-            return Problem(None, f"{lost} events were thrown away, the eldest first")
+        if self.lost:
+            lost, self.lost = self.lost, 0
+            return Problem(None, f"{lost} events were thrown away: take them more often")
         return self._waiting.popleft() if self._waiting else None

@@ -6,7 +6,8 @@ import asyncio
 from typing import Protocol
 
 from .errors import Closed, Refused
-from .parameters import Attributes, parameters
+from .parameters import Attributes, changes_of
+from .protocol.channel_keys import ChannelKeys
 from .protocol.counterparts import Change, Counterparts
 from .protocol.life import KEY, draw_life, write_life
 from .protocol.match import Match, read_match
@@ -14,13 +15,12 @@ from .protocol.request import Request
 from .protocol.reserved import PREFIX
 from .protocol.statement import ErrorLine, Statement
 
-_FIXED = ("mode", "protocol", "port", "address", "limit")
-
-
 class Host(Protocol):
     """The part of a node that the owner of a request uses."""
 
     loop: asyncio.AbstractEventLoop
+    has_keys: bool | None  #: whether the daemon has keys; None until it has said so
+    takes_plain: bool  #: whether this host takes plain frames
 
     def create(self, owner: RequestOwner, command: str, said: dict[str, str]) -> Request:
         """States a request of this owner."""
@@ -46,6 +46,8 @@ class RequestOwner:
         self._request: Request | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._is_closed = False
+        self._has_no_places = False
+        self._told: set[str] = set()
         self._accepted: asyncio.Future[None] = self._loop.create_future()
         self._accepted.add_done_callback(lambda future: future.cancelled() or future.exception())
 
@@ -67,14 +69,11 @@ class RequestOwner:
         """Changes keys of `pub modify` or `sub modify` and attributes. An empty text takes a key back.
 
         Waits for the answer of the daemon if there is one. Mode, protocol, port, address and limit cannot be changed. Raises Refused,
-        ValueError or Closed.
+        ValueError, TypeError for an unknown key, or Closed.
         """
-        fixed = [key for key in keys if key in _FIXED]
-        if fixed:
-            raise ValueError(f"{fixed[0]} cannot be changed: close this one and make another")
         if self._is_closed or self._request is None:
             raise Closed("it has been closed")
-        await self._node.modify(self._request, parameters(attributes, **keys))
+        await self._node.modify(self._request, changes_of(self._request.command, attributes, keys))
 
     async def close(self) -> None:
         """Withdraws the request cleanly."""
@@ -114,26 +113,54 @@ class RequestOwner:
         """Takes an event of the daemon about this request."""
         if line.subcommand == "del":
             word = line.get("service" if line.command == "pub" else "subscription")
-            changes = self._counterparts.delete(word, line.get("reason"), self._loop.time())
+            changes = self._counterparts.delete(word, self._reason(word, line.get("reason")), self._loop.time())
         else:
             match = read_match(line)
-            changes = self._counterparts.add(match) if line.subcommand == "add" else self._counterparts.modify(match)
+            now = self._loop.time()
+            changes = self._counterparts.add(match, now) if line.subcommand == "add" else self._counterparts.modify(match, now)
         self._apply(changes)
 
     def daemon_lost(self) -> None:
         """The daemon is gone; channels go on."""
         self._counterparts.daemon_lost()
 
-    def daemon_back(self) -> None:
+    def keyed(self, life: int, keys: ChannelKeys | None, text: str) -> None:
+        """The daemon has said which keys a life has. Without keys `text` says why they cannot be used."""
+        raise NotImplementedError
+
+    def mode_changed(self) -> None:
+        """The daemon has said how this host seals, which counts for channels that have no line of keys."""
+
+    def daemon_back(self, has_keys: bool) -> None:
         """The daemon is back; counterparts that it does not confirm in time become orphans."""
         self._counterparts.daemon_back(self._loop.time())
         self._set_timer()
 
-    # Inside
+    def no_place(self, what: str, count: int) -> None:
+        """A newcomer found all places taken: tells it once, until there are places again."""
+        if not self._has_no_places:
+            self._has_no_places = True
+            self.problem(f"all {count} places for {what} are taken")
+
+    def places_again(self) -> None:
+        """Enough places are free again."""
+        self._has_no_places = False
 
     def problem(self, text: str) -> None:
         """Tells the application of a problem."""
         self._node.tell_problem(self, text)
+
+    # Inside
+
+    def problem_once(self, text: str) -> None:
+        """Tells the application of a problem that stays."""
+        if text not in self._told:
+            self._told.add(text)
+            self.problem(text)
+
+    def _reason(self, word: str, reason: str) -> str:
+        """The reason of a `del`, as the application is told it."""
+        return reason
 
     def _matches(self) -> list[Match]:
         return [counterpart.match for counterpart in self._counterparts]

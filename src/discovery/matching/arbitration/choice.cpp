@@ -13,6 +13,7 @@ void Choice::release_waiting() {
   for (const auto& [rank, candidate] : waiting_) dropped_.push_back(candidate.publication);
   waiting_.clear();
   bound_.reset();
+  awaits_refill_ = false;
 }
 
 void Choice::offer(const Rank& rank, const registry::StoredPublication& publication, bool is_incumbent) {

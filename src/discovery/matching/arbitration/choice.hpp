@@ -88,12 +88,20 @@ class Choice {
   /// Chooses, and gives what changed since the last time. Calls `refill` when dropped candidates may be chosen: it must
   /// offer() every candidate that is neither chosen nor waiting.
   [[nodiscard]] Verdict settle(const std::function<void()>& refill);
+  /// Called by `refill`: the candidates are offered later, and end_refill() is called then. Until then the choice is
+  /// among those that are there.
+  void postpone_refill() { awaits_refill_ = true; }
+  void end_refill() { awaits_refill_ = false; }
+  /// The next verdict names all that stay chosen.
+  void touch_all() {
+    for (const auto& [rank, candidate] : chosen_) touched_.push_back(rank);
+  }
 
   /// The publications dropped since the last call: no candidates until they are offered again.
   [[nodiscard]] Dropped take_dropped() { return std::exchange(dropped_, {}); }
 
   /// Whether there may be candidates that are not chosen.
-  [[nodiscard]] bool is_contested() const { return !waiting_.empty() || has_passed_over(); }
+  [[nodiscard]] bool is_contested() const { return !waiting_.empty() || has_passed_over() || awaits_refill_; }
   [[nodiscard]] bool is_chosen(const Rank& rank) const { return chosen_.contains(rank); }
   /// The chosen ones, best first.
   [[nodiscard]] std::vector<Verdict::Come> chosen() const;
@@ -122,6 +130,7 @@ class Choice {
   Dropped dropped_;
   std::size_t room_ = first_waiting;  ///< how many wait beyond the limit
   std::size_t passed_over_ = 0;       ///< how many were dropped since the last refill
+  bool awaits_refill_ = false;
   std::vector<Verdict::Gone> gone_;
   std::vector<Rank> touched_;
 };

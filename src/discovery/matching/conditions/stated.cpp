@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "base/edit_distance.hpp"
 #include "geminga/attribute.hpp"
 
 namespace geminga::matching {
@@ -83,7 +84,33 @@ Value under(const Entry& entry, std::string_view key, std::string& room) {
   return attribute_of(attributes, key);
 }
 
+template <typename Entry>
+std::string_view similar_key(const Entry& entry, std::string_view key) {
+  const bool is_attribute = key.starts_with(attribute_prefix);
+  if (is_attribute) key.remove_prefix(attribute_prefix.size());
+  std::size_t nearest = base::tolerated_slips(key) + 1;
+  std::string_view found;
+  const auto compare = [&](std::string_view name) {
+    const std::size_t distance = base::edit_distance(name, key, nearest);
+    if (distance > nearest || name == key) return;
+    if (distance == nearest && (found.empty() || found <= name)) return;
+    nearest = distance;
+    found = name;
+  };
+  for (const auto& [name, value] : service_of(entry).attributes) compare(name);
+  if (is_attribute) return found;
+  std::string room;
+  for (const auto& [name, read] : fields<Entry>) {
+    if (read(entry, room)) compare(name);
+  }
+  return found;
+}
+
 }  // namespace
+
+std::string_view Stated::similar_key(std::string_view key) const {
+  return std::visit([&](const auto* entry) { return matching::similar_key(*entry, key); }, entry_);
+}
 
 Value Stated::under(std::string_view key, std::string& room) const {
   return std::visit([&](const auto* entry) { return matching::under(*entry, key, room); }, entry_);

@@ -22,6 +22,10 @@ class Stated {
   /// other value borrows from the entry.
   [[nodiscard]] std::optional<std::string_view> under(std::string_view key, std::string& room) const;
 
+  /// The key of a field or an attribute of this entry that is most similar to `key`, of several the first by its name;
+  /// empty where none is. Borrows from the entry. O(fields and attributes).
+  [[nodiscard]] std::string_view similar_key(std::string_view key) const;
+
  private:
   std::variant<const registry::PublicationEntry*, const registry::SubscriptionEntry*> entry_;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/edit_distance.hpp"
 #include "base/text.hpp"
 #include "discovery/matching/conditions/number.hpp"
 #include "discovery/matching/conditions/pattern.hpp"
@@ -59,12 +60,25 @@ bool compares(std::string_view value, Where::Operator operation, std::string_vie
 
 /// The reason why a value cannot be compared with the wanted one at all; empty where it can.
 std::string misfit(std::string_view value, std::string_view wanted, Where::Wanted kind, const Units& declared) {
-  if (kind == Where::Wanted::number && !number(value)) return ", which is no number";
-  if (kind != Where::Wanted::quantity) return "";
+  const bool is_number = kind == Where::Wanted::number;
+  if (is_number && number(value)) return "";
+  if (!is_number && kind != Where::Wanted::quantity) return "";
   const auto stated = quantity(value, declared);
+  if (!stated) return is_number ? ", which is no number" : ", which is no number with a unit";
+  if (is_number) return ", which has a unit: compare it with a number with a unit of its kind";
   const auto sought = quantity(wanted, declared);
-  if (!stated) return ", which is no number with a unit";
-  return sought && stated->dimension == sought->dimension ? "" : ", which is in a unit of another kind";
+  if (sought && stated->dimension == sought->dimension) return "";
+  return ", which is in a unit of another kind than " + base::printable(wanted, max_shown_bytes);
+}
+
+/// Whether a stated text may be what was meant by a wanted one: it differs by a slip, or where digits make a
+/// difference, by the case of letters.
+bool is_likely_meant(std::string_view stated, std::string_view wanted) {
+  const auto has_digit = [](std::string_view text) {
+    return text.find_first_of("0123456789") != std::string_view::npos;
+  };
+  const std::size_t slips = has_digit(stated) || has_digit(wanted) ? 0 : base::tolerated_slips(wanted);
+  return stated != wanted && base::edit_distance(stated, wanted, slips) <= slips;
 }
 
 }  // namespace
@@ -150,11 +164,18 @@ std::string Where::said(const Node& leaf, const Stated& stated, const Units& dec
   std::string room;
   const auto value = stated.under(text(leaf.key), room);
   const std::string key = base::printable(text(leaf.key), max_shown_bytes);
-  if (!value) return key + " is absent";
+  if (!value) {
+    const std::string_view meant = stated.similar_key(text(leaf.key));
+    return key + " is absent" +
+           (meant.empty() ? "" : " (did you mean " + base::printable(meant, max_shown_bytes) + "?)");
+  }
   const bool is_word = !value->empty() && value->find_first_of(" ,'") == std::string_view::npos;
   const std::string shown = base::printable(*value, max_shown_bytes);
-  return key + " is " + (is_word ? shown : "'" + shown + "'") +
-         (leaf.kind == Node::Kind::comparison ? misfit(*value, text(leaf.value), leaf.wanted, declared) : "");
+  std::string words = key + " is " + (is_word ? shown : "'" + shown + "'");
+  if (leaf.kind != Node::Kind::comparison) return words;
+  const bool is_text = leaf.wanted == Wanted::text && leaf.operation == Operator::equal;
+  if (is_text && is_likely_meant(*value, text(leaf.value))) return words + " (did you mean it?)";
+  return words + misfit(*value, text(leaf.value), leaf.wanted, declared);
 }
 
 std::string_view Where::unknown_unit(const Units& declared) const {

@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "discovery/matching/conditions/number.hpp"
+#include "discovery/matching/conditions/similar_unit.hpp"
 #include "discovery/matching/conditions/unit.hpp"
 
 namespace geminga::matching {
@@ -219,10 +220,12 @@ std::string_view WhereParser::unit_word() const {
 
 std::unexpected<Error> WhereParser::wrong_unit(std::string_view sign) const {
   auto error = wrong("expected 'and', 'or', the end or a unit that is known");
-  const std::string_view meant = suggests_ ? declared_->similar_symbol(sign) : std::string_view();
-  if (meant.empty()) return error;
-  return std::unexpected(Error{error.error().code,
-                               error.error().text + ": did you mean " + base::printable(meant, max_unit_octets) + "?"});
+  if (!suggests_) return error;
+  std::string meant = similar_unit(sign);
+  if (meant.empty()) meant = declared_->similar_symbol(sign);
+  const std::string help =
+      meant.empty() ? std::string(known_units) : "did you mean " + base::printable(meant, max_unit_octets) + "?";
+  return std::unexpected(Error{error.error().code, error.error().text + ": " + help});
 }
 
 std::expected<WhereParser::Literal, Error> WhereParser::quoted() {

@@ -23,8 +23,15 @@ inline constexpr std::size_t max_converters = max_remote_converters + max_conver
 class Places {
  public:
   void insert(std::uint32_t place) { words_[place / 64] |= bit(place); }
+  void erase(std::uint32_t place) { words_[place / 64] &= ~bit(place); }
   [[nodiscard]] bool contains(std::uint32_t place) const { return (words_[place / 64] & bit(place)) != 0; }
   [[nodiscard]] bool is_empty() const { return words_ == std::array<std::uint64_t, max_converters / 64>{}; }
+  [[nodiscard]] bool meets(const Places& other) const {
+    for (std::size_t word = 0; word < words_.size(); ++word) {
+      if ((words_[word] & other.words_[word]) != 0) return true;
+    }
+    return false;
+  }
   friend auto operator<=>(const Places&, const Places&) = default;
 
  private:
@@ -53,6 +60,8 @@ struct Consumer {
   /// The converters that it takes part with, remembered by Converters for one version of them.
   mutable Places partners{};
   mutable std::uint64_t version = 0;
+  mutable std::uint64_t reviewed = 0;  ///< the version by which its pairs were judged
+  mutable bool has_changed = false;    ///< one that it takes or took part with has changed since
 };
 
 }  // namespace geminga::matching

@@ -48,14 +48,22 @@ void Converters::put(const registry::PublicationEntry& entry, const Audience& au
   }
 }
 
-void Converters::erase(const ServiceKey& key) {
-  const auto known = known_.find(key);
-  if (known == known_.end()) return;
-  const bool was_active = known->second.place.has_value();
-  if (was_active) deactivate(known->second);
-  if (!was_active) await_no_more(known->second);
-  known_.erase(known);
-  if (was_active) promote();
+void Converters::erase(std::span<const ServiceKey> keys) {
+  std::size_t freed = 0;
+  for (const bool is_active : {false, true}) {  // those that wait first: else they would be given the places
+    for (const ServiceKey& key : keys) {
+      const auto known = known_.find(key);
+      if (known == known_.end() || known->second.place.has_value() != is_active) continue;
+      if (is_active) {
+        deactivate(known->second);
+        ++freed;
+      } else {
+        await_no_more(known->second);
+      }
+      known_.erase(known);
+    }
+  }
+  while (freed-- > 0) promote();
 }
 
 bool Converters::may_have_another(ParticipantId participant) const {
@@ -106,17 +114,17 @@ void Converters::activate(Known& known) {
   active_of_[known.converter.entry.key.participant].insert(known.converter.entry.key);
   put_in_line(known.converter.entry);
   if (!known.converter.entry.is_local) ++remote_;
-  ++version_;
+  change(free);
   graph_->put(in_graph(free), known.converter.step, first_arrival + known.arrival);
   concern(known);
 }
 
 void Converters::deactivate(Known& known) {
-  concern(known);
   const std::uint32_t place = *known.place;
+  change(place);
+  concern(known);
   graph_->erase(in_graph(place));
-  std::erase_if(remembered_, [&](const auto& one) { return std::get<Places>(one.first).contains(place); });
-  ++version_;
+  outdated_.insert(place);
   if (!known.converter.entry.is_local) --remote_;
   const auto of_participant = active_of_.find(known.converter.entry.key.participant);
   of_participant->second.erase(known.converter.entry.key);
@@ -153,20 +161,20 @@ bool Converters::displace(Known& newcomer) {
   return true;
 }
 
+void Converters::change(std::uint32_t place) { changed_.at(place) = ++version_; }
+
 void Converters::concern(const Known& known) {
   const auto led_to = graph_->behind(in_graph(*known.place));
   work_ += graph_->size();
-  for (const auto& [requested, consumers] : watched_) {
-    ++work_;
-    std::optional<std::uint32_t> least;
-    for (const auto& [number, cost] : led_to) {
-      if ((!least || cost < *least) && vocabulary_.is_subsumed(number, requested)) least = cost;
-    }
-    if (!least) continue;
-    work_ += consumers.size();
-    for (const auto& [key, consumer] : consumers) {
-      if (consumer->entry.subscription.convert < *least || !consumer->takes_part(known.converter)) continue;
-      stale_.insert(key);
+  if (watched_.empty()) return;
+  for (const auto& [number, cost] : led_to) {
+    for (const ClassNumber above : vocabulary_.subsumers(number)) {
+      ++work_;
+      const auto group = watched_.find(above);
+      if (group == watched_.end()) continue;
+      group->second.concerned = version_;
+      group->second.least = std::min(group->second.least, cost);
+      stale_groups_.insert(above);
     }
   }
 }
@@ -175,28 +183,84 @@ void Converters::watch(const std::shared_ptr<const Consumer>& consumer, ClassNum
   const ServiceKey& key = consumer->entry.key;
   unwatch(key);
   requested_.emplace(key, requested);
-  watched_[requested].emplace(key, consumer);
+  watched_[requested].consumers.emplace(key, consumer);
+  refresh(key);
 }
 
 void Converters::unwatch(const ServiceKey& subscription) {
-  stale_.erase(subscription);
   const auto requested = requested_.find(subscription);
   if (requested == requested_.end()) return;
   const auto group = watched_.find(requested->second);
-  group->second.erase(subscription);
-  if (group->second.empty()) watched_.erase(group);
+  group->second.consumers.erase(subscription);
+  if (group->second.consumers.empty()) {
+    stale_groups_.erase(requested->second);
+    watched_.erase(group);
+  }
   requested_.erase(requested);
 }
 
-const Places& Converters::partners_of(const Consumer& consumer) const {
-  if (consumer.version != version_) {
-    consumer.partners = {};
-    for (const auto& [place, known] : active_) {
-      if (consumer.takes_part(known->converter)) consumer.partners.insert(place);
-    }
-    consumer.version = version_;
+void Converters::bring_up(const Consumer& consumer) const {
+  if (consumer.version == version_) return;
+  work_ += changed_.size() / 64;
+  for (std::uint32_t place = 0; place < changed_.size(); ++place) {
+    if (changed_[place] <= consumer.version) continue;
+    ++work_;
+    const bool did = consumer.partners.contains(place);
+    const auto active = active_.find(place);
+    const bool does = active != active_.end() && consumer.takes_part(active->second->converter);
+    consumer.has_changed = consumer.has_changed || did || does;
+    does ? consumer.partners.insert(place) : consumer.partners.erase(place);
   }
-  return consumer.partners;
+  consumer.version = version_;
+}
+
+bool Converters::is_stale(const Group& group, const Consumer& consumer) const {
+  if (consumer.reviewed >= group.concerned || consumer.entry.subscription.convert < group.least) return false;
+  bring_up(consumer);
+  return consumer.has_changed;
+}
+
+bool Converters::is_stale(const ServiceKey& subscription) const {
+  if (stale_groups_.empty()) return false;
+  const auto requested = requested_.find(subscription);
+  if (requested == requested_.end() || !stale_groups_.contains(requested->second)) return false;
+  const Group& group = watched_.at(requested->second);
+  return is_stale(group, *group.consumers.at(subscription));
+}
+
+std::optional<ServiceKey> Converters::next_stale() {
+  for (std::size_t looked = 0; looked < max_looked_at && !stale_groups_.empty();) {
+    Group& group = watched_.at(*stale_groups_.begin());
+    if (!group.at) group.walked = group.concerned;
+    auto next = group.at ? group.consumers.upper_bound(*group.at) : group.consumers.begin();
+    for (; next != group.consumers.end() && looked < max_looked_at; ++next, ++looked) {
+      ++work_;
+      if (is_stale(group, *next->second)) return next->first;
+      group.at = next->first;
+    }
+    if (next != group.consumers.end()) break;
+    group.at.reset();
+    if (group.walked != group.concerned) continue;  // those that were passed may be concerned again
+    group.least = std::numeric_limits<std::uint32_t>::max();
+    stale_groups_.erase(stale_groups_.begin());
+  }
+  return std::nullopt;
+}
+
+void Converters::refresh(const ServiceKey& subscription) {
+  const auto requested = requested_.find(subscription);
+  if (requested == requested_.end()) return;
+  const Consumer& consumer = *watched_.at(requested->second).consumers.at(subscription);
+  bring_up(consumer);
+  consumer.reviewed = version_;
+  consumer.has_changed = false;
+}
+
+void Converters::forget_outdated() const {
+  if (outdated_.is_empty()) return;
+  std::erase_if(remembered_, [this](const auto& one) { return std::get<Places>(one.first).meets(outdated_); });
+  work_ += remembered_.size() / 16;
+  outdated_ = {};
 }
 
 std::string Converters::via_of(const std::vector<std::uint32_t>& way) const {
@@ -213,10 +277,13 @@ std::string Converters::via_of(const std::vector<std::uint32_t>& way) const {
 
 Converters::Chain Converters::chain(const Consumer& consumer, ClassNumber offered, ClassNumber requested) const {
   if (active_.empty()) return vocabulary_.conversion(offered, requested);
-  const Places& partners = partners_of(consumer);
+  bring_up(consumer);
+  const Places& partners = consumer.partners;
   if (partners.is_empty()) return vocabulary_.conversion(offered, requested);
+  forget_outdated();
   const std::tuple question(offered, requested, partners);
   if (const auto known = remembered_.find(question); known != remembered_.end()) return known->second;
+  work_ += graph_->size();
   const auto way = graph_->cheapest(offered, requested, [&](std::uint32_t place) {
     return place < declared_ || partners.contains(place - declared_);
   });

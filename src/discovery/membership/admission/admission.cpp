@@ -86,6 +86,19 @@ bool Admission::is_seasoned(ParticipantId id) const {
   return member != members_.end() && member->second.is_seasoned;
 }
 
+std::vector<ParticipantId> Admission::newest_unseasoned(std::size_t most) const {
+  std::vector<const Member*> strangers;
+  for (const auto& [id, member] : members_) {
+    if (!member.is_seasoned) strangers.push_back(&member);
+  }
+  std::ranges::sort(strangers, std::ranges::greater{}, &Member::added);
+  std::vector<ParticipantId> ids;
+  for (const Member* one : strangers) {
+    if (ids.size() < most) ids.push_back(one->id);
+  }
+  return ids;
+}
+
 const Admission::Share* Admission::greediest() const {
   return by_count_.empty() ? nullptr : &shares_.find(by_count_.rbegin()->second)->second;
 }

@@ -46,6 +46,9 @@ class Admission {
   }
   /// Whether it was heard for seasoned_after and is one of the max_seasoned_per_source of its source.
   [[nodiscard]] bool is_seasoned(ParticipantId id) const;
+  /// The members that are not seasoned, at most so many: those that were added last, the last one first. Looks at every
+  /// member.
+  [[nodiscard]] std::vector<ParticipantId> newest_unseasoned(std::size_t most) const;
   /// How many members are seasoned.
   [[nodiscard]] std::size_t seasoned() const { return members_.size() - unseasoned_.size(); }
 

@@ -17,6 +17,8 @@ struct Arrival {
   /// empty.
   std::string_view source;
   base::Instant now;
+  /// Whether a seal proves who sent it.
+  bool is_sealed = false;
 };
 
 }  // namespace geminga::membership

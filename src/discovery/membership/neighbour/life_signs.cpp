@@ -10,16 +10,20 @@ using base::Instant;
 void LifeSigns::renew(Duration interval, const Reception& reception) {
   is_doubted_ = false;
   is_unasked_ = false;
-  deadline_ = seen() + patience(interval, reception);
+  const auto time = patience(interval, reception);
+  latest_ = latest(interval, reception);
+  deadline_ = std::min(seen() + time, latest_);
 }
 
 bool LifeSigns::witness(Instant seen, Instant now, Duration interval, const Reception& reception) {
-  if (seen <= this->seen() || now - heard_ >= witnessed_intervals * interval) return false;
+  const auto time = patience(interval, reception);
+  if (seen <= this->seen() || now >= latest(interval, reception)) return false;
   if (succeeded_ && heard_ <= *succeeded_ && seen <= *succeeded_)
     return false;  // a sign of the incarnation that seems over
   witnessed_ = seen;
+  latest_ = latest(interval, reception);
   is_doubted_ = is_doubted_ && doubt_due(interval) <= now;
-  deadline_ = std::max(deadline_, seen + patience(interval, reception));
+  deadline_ = std::max(deadline_, std::min(seen + time, latest_));
   return true;
 }
 
@@ -35,6 +39,10 @@ void LifeSigns::ask(Instant now, Duration patience) {
   is_unasked_ = false;
 }
 
-Instant LifeSigns::doubt_due(Duration interval) const { return after_intervals(seen(), interval, doubt_after); }
+Instant LifeSigns::doubt_due(Duration interval) const {
+  const auto unseen = after_intervals(seen(), interval, doubt_after);
+  // Whoever is only heard of must be heard in the end.
+  return latest_ == base::never ? unseen : std::min(unseen, after_intervals(latest_, interval, -asked_before_latest));
+}
 
 }  // namespace geminga::membership

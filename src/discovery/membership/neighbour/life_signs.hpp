@@ -19,7 +19,8 @@ class LifeSigns {
   void hear(base::Instant now) { heard_ = now; }
   /// Sets the deadline by the last sign of life. Ends the doubt.
   void renew(base::Duration interval, const Reception& reception);
-  /// Takes in that others have heard it at `seen` or later. Returns whether the deadline has moved.
+  /// Takes in that others have heard it at `seen` or later. Returns whether the deadline has moved. All of them
+  /// together move it by one deadline at most, from that which our own last word of it has set.
   bool witness(base::Instant seen, base::Instant now, base::Duration interval, const Reception& reception);
   /// Takes in that its next incarnation seems to have begun: it is doubted, and once it was asked its deadline is near.
   /// Counts once in contest_intervals.
@@ -44,10 +45,15 @@ class LifeSigns {
 
  private:
   [[nodiscard]] base::Instant seen() const { return std::max(heard_, witnessed_); }
+  /// The latest deadline that witnesses can bring about.
+  [[nodiscard]] base::Instant latest(base::Duration interval, const Reception& reception) const {
+    return heard_ + patience(interval, reception) + witnessed_time(interval, reception.loss);
+  }
 
   base::Instant heard_;
   base::Instant witnessed_;  ///< when others have heard it, as far as we know
   base::Instant deadline_;
+  base::Instant latest_ = base::never;  ///< the deadline that witnesses cannot move, as it was last known
   bool is_doubted_ = false;
   std::optional<base::Instant> succeeded_;  ///< when its next incarnation seemed to begin
   bool is_unasked_ = false;                 ///< its next incarnation seems to have begun, and it was not asked yet

@@ -48,7 +48,7 @@ Duration NeighbourRecord::lasting_interval(Instant now) const {
 
 Duration NeighbourRecord::hold(Instant now) const {
   const auto known_for = std::max<Duration>(announcement::stranger_interval, now - standing_.first);
-  return announcement::hold_intervals * std::min(interval_.settled(now), known_for);
+  return announcement::hold_intervals * std::min(interval_.lasting(now), known_for);
 }
 
 double NeighbourRecord::known_loss() const { return ways_.is_loss_known() ? ways_.loss() : 0.3; }
@@ -89,6 +89,7 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   end_contest(now);
   bool is_forged = false;  // something that was believed is forged
   auto* way = ways_.find(announcement, arrival);
+  const bool is_where_it_was = way != nullptr && way->source() == arrival.source;
   if (way != nullptr) {
     const auto origin = way->origin(announcement, arrival, is_contested_, hold(now));
     if (origin == NeighbourWay::Origin::copied) return Hearing::copied;
@@ -103,13 +104,17 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   }
   if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
+  if (!is_where_it_was) meet(*way, arrival);
+  const bool is_copy = way->is_copy(announcement.sequence, now);
   if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
-  signs_.hear(now);
+  is_suspected_ = false;
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
   if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
-  set_deadlines(*way, now);
+  const bool is_sign = way->is_vouched && !is_copy;
+  if (is_sign) signs_.hear(now);
+  set_deadlines(*way, is_sign, now);
   return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
 }
 
@@ -145,7 +150,12 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
     services_.set_name(header_.value().name);
   }
   take_interval(announcement, now);
+  if (!way.is_vouched && !is_contested_ && introduces(announcement, arrival)) {
+    ways_.vouch(arrival.source);
+    way.is_vouched = true;
+  }
   way.say(announcement, arrival, is_contested_, held);
+  if (way.is_vouched) std::ranges::for_each(way.addresses(), [this](const auto& each) { ways_.vouch(each); });
   choose_address();
 }
 
@@ -164,6 +174,7 @@ void NeighbourRecord::take_change(NeighbourWay& way, const announcement::Announc
   if (completes && update_services(complete_, announcement)) {
     is_complete_ = true;
     affirmed_ = now;
+    held_revision_ = revision_;
   }
   services_.apply(announcement, moment(now, true), changes);
   if (!is_contested_) services_.withdraw_removed(announcement, moment(now, true), changes);
@@ -191,11 +202,27 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
     services_.withdraw_absent(complete_, moment(now, true), changes);
     for (auto& each : ways_.all()) each.assembly().clear();
   }
-  if (is_complete_) affirmed_ = now;
+  if (!is_complete_) return;
+  affirmed_ = now;
+  held_revision_ = revision_;
 }
 
-void NeighbourRecord::set_deadlines(NeighbourWay& way, Instant now) {
-  signs_.renew(lasting_interval(now), reception(now));
+void NeighbourRecord::meet(NeighbourWay& way, const Arrival& arrival) {
+  if (!has_spoken_ || arrival.is_sealed) ways_.vouch(arrival.source);
+  way.is_vouched = ways_.is_vouched(arrival.source);
+}
+
+bool NeighbourRecord::introduces(const announcement::Announcement& state, const Arrival& arrival) const {
+  const auto lists = [&](std::string_view address) {
+    return std::ranges::any_of(state.addresses, [&](const auto& each) {
+      return NeighbourWays::without_zone(each) == NeighbourWays::without_zone(address);
+    });
+  };
+  return lists(arrival.source) && !lists(services_.owner().address);
+}
+
+void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now) {
+  if (is_sign) signs_.renew(lasting_interval(now), reception(now));
   way.deadline = signs_.deadline();
   // A service that is not heard of until the next datagram keeps the deadline that it had.
   next_service_deadline_ = std::min(next_service_deadline_, moment(now, false).deadline);
@@ -228,7 +255,7 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   const bool is_first = !is_contested_;
   const auto at = moment(now, false);
   is_contested_ = true;
-  contested_until_ = now + std::max(announcement::contest_intervals * interval_.settled(now), at.hold);
+  contested_until_ = now + std::max(announcement::contest_intervals * interval_.lasting(now), at.hold);
   if (!is_first) return;
   contested_since_ = now;
   services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
@@ -315,7 +342,7 @@ void NeighbourRecord::choose_address() {
 void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
   const auto lost = std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.deadline <= now; });
   if (lost > 0) choose_address();
-  if (standing_.is_confirmed) signs_.doubt(now, interval());
+  if (standing_.is_confirmed) signs_.doubt(now, lasting_interval(now));
   if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
   end_contest(now);
   if (!is_complete_ && next_service_deadline_ <= now) {
@@ -327,6 +354,11 @@ void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
 
 void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
   if (std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
+  // It is we who hear it on fewer ways: those that are left count.
+  for (auto& way : ways_.all()) {
+    way.is_vouched = true;
+    ways_.vouch(way.source());
+  }
   choose_address();
   services_.tell(moment(signs_.heard(), false), changes);
 }
@@ -334,7 +366,8 @@ void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vecto
 Instant NeighbourRecord::next_deadline() const {
   auto next = signs_.deadline();
   for (const auto& way : ways_.all()) next = std::min(next, way.deadline);
-  if (standing_.is_confirmed && !signs_.is_doubted()) next = std::min(next, signs_.doubt_due(interval()));
+  if (standing_.is_confirmed && !signs_.is_doubted())
+    next = std::min(next, signs_.doubt_due(lasting_interval(signs_.heard())));
   if (!is_complete_) next = std::min(next, next_service_deadline_);
   if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
   return next;

@@ -85,6 +85,11 @@ class NeighbourRecord {
   /// been silent for too long.
   [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
 
+  /// Whether a datagram from there is a sign of life.
+  [[nodiscard]] bool is_vouched(const Arrival& arrival) const {
+    return arrival.is_sealed || ways_.is_vouched(arrival.source);
+  }
+
   /// Looks up what others have testified about it.
   void ask_witnesses(base::Instant now);
   /// Takes in that a participant of its name claims an identifier or is new, at the address of one of its ways: that
@@ -112,6 +117,12 @@ class NeighbourRecord {
   [[nodiscard]] std::uint32_t lasting() const { return header_.value().lasting; }
   /// The time between two of its announcements, as it announces it.
   [[nodiscard]] base::Duration interval() const { return interval_.value(); }
+  /// The same, as far as it is believed: no single datagram makes deadlines shorter or longer.
+  [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
+  /// Takes in that somebody else seems to have a newer state of it: it is asked for until the participant speaks.
+  void suspect() { is_suspected_ = is_complete_ && !is_contested_; }
+  /// The last revision that is known in whole, or is believed while it is contested; 0: none.
+  [[nodiscard]] std::uint64_t held_revision() const { return is_contested_ ? revision_ : held_revision_; }
   /// Whether its newest state is unknown or uncertain, or is unknown for one of its ways, or had no room.
   [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
   /// Whether its newest state is to be asked for at once. While somebody goes on lying in its name, our next presence
@@ -159,7 +170,7 @@ class NeighbourRecord {
   };
 
   [[nodiscard]] bool is_state_lacking() const {
-    return !is_complete_ || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
+    return !is_complete_ || is_suspected_ || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
   }
   static Header header_of(const announcement::Announcement& announcement);
   [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const announcement::Announcement& announcement,
@@ -177,15 +188,18 @@ class NeighbourRecord {
   /// Begins or prolongs the contest: somebody has lied in its name.
   void contest(base::Instant now, std::vector<Change>& changes);
   void end_contest(base::Instant now);
-  void set_deadlines(NeighbourWay& way, base::Instant now);
+  /// Takes in that a way has an address that it did not have.
+  void meet(NeighbourWay& way, const Arrival& arrival);
+  /// Whether a state shows that its source is an address of its sender, since the sender moves there: from now on its
+  /// services are told there. So nobody can keep somebody else's services alive where they are.
+  [[nodiscard]] bool introduces(const announcement::Announcement& state, const Arrival& arrival) const;
+  void set_deadlines(NeighbourWay& way, bool is_sign, base::Instant now);
   /// Chooses the address for services without one.
   void choose_address();
 
   /// The time for which something that was said stands against something else. An interval counts up to the time for
   /// which the participant is known.
   [[nodiscard]] base::Duration hold(base::Instant now) const;
-  /// The interval that deadlines use: no single datagram makes them shorter or longer.
-  [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
   [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
   [[nodiscard]] Reception reception(base::Instant now) const;
   /// The loss of its best way, or a bad one if too few datagrams were heard to tell.
@@ -205,6 +219,8 @@ class NeighbourRecord {
   std::uint64_t said_revision_;  ///< the last revision of which a state was heard
   RisingCount revisions_;        ///< when it and the revisions before it were first heard
   bool is_complete_ = false;
+  std::uint64_t held_revision_ = 0;
+  bool is_suspected_ = false;            ///< somebody else seems to have a newer state
   std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
   base::Instant affirmed_;               ///< when a datagram last proved that a complete revision still holds
   bool is_contested_ = false;

@@ -83,6 +83,10 @@ class NeighbourWay {
   /// Whether it belonged to this address a short while ago.
   [[nodiscard]] bool was_of(std::string_view source) const { return home_ && home_->source == source; }
   [[nodiscard]] const std::vector<std::string>& addresses() const { return addresses_.value(); }
+  /// Whether a datagram with this number was heard and may have come twice.
+  [[nodiscard]] bool is_copy(std::uint64_t sequence, base::Instant now) const {
+    return losses_.has(sequence) && !sequences_.is_late(sequence, now);
+  }
   [[nodiscard]] bool is_next(std::uint64_t sequence) const { return losses_.is_empty() || sequence > losses_.newest(); }
   [[nodiscard]] bool has(std::uint64_t sequence) const { return losses_.has(sequence); }
   [[nodiscard]] double loss() const { return losses_.loss(); }
@@ -91,6 +95,7 @@ class NeighbourWay {
   /// The highest sequence number.
   [[nodiscard]] std::uint64_t newest() const { return losses_.newest(); }
 
+  bool is_vouched = false;               ///< a word from its address is a sign of life
   base::Instant deadline;                ///< when the way is lost unless it is heard again
   std::optional<std::uint64_t> goodbye;  ///< the number of a goodbye that was heard here
 

@@ -63,6 +63,16 @@ bool NeighbourWays::close_later(const NeighbourWay& way, const Arrival& arrival)
   return closed > 0;
 }
 
+bool NeighbourWays::is_vouched(std::string_view source) const {
+  return std::ranges::find(vouched_, without_zone(source)) != vouched_.end();
+}
+
+void NeighbourWays::vouch(std::string_view source) {
+  if (is_vouched(source)) return;
+  if (vouched_.size() == announcement::max_vouched) vouched_.erase(vouched_.begin());
+  vouched_.emplace_back(without_zone(source));
+}
+
 double NeighbourWays::loss() const {
   double best = ways_.empty() ? 0 : 1;
   for (const auto& way : ways_) best = std::min(best, way.loss());

@@ -29,6 +29,13 @@ class NeighbourWays {
   /// whether there were any: somebody opened them in its name.
   bool close_later(const NeighbourWay& way, const Arrival& arrival);
 
+  /// Whether words from this address are signs of life (ANNOUNCEMENT.md, "Whose words are signs of life").
+  [[nodiscard]] bool is_vouched(std::string_view source) const;
+  void vouch(std::string_view source);
+  [[nodiscard]] static std::string_view without_zone(std::string_view address) {
+    return address.substr(0, address.find('%'));
+  }
+
   /// The loss of the best way. 1: no way was measured; 0: there is no way.
   [[nodiscard]] double loss() const;
   /// Whether one way has heard enough datagrams for its loss to mean something.
@@ -45,7 +52,8 @@ class NeighbourWays {
   [[nodiscard]] bool may_open(const announcement::Announcement& announcement, const Arrival& arrival,
                               base::Duration hold, bool is_contested);
 
-  std::vector<NeighbourWay> ways_;  ///< by interface and link
+  std::vector<NeighbourWay> ways_;    ///< by interface and link
+  std::vector<std::string> vouched_;  ///< without zones; at most max_vouched, the oldest gives way
   std::optional<Opening> opening_;
   bool was_misled_ = false;  ///< a way was opened although another one went on speaking
 };

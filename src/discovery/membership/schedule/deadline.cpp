@@ -24,6 +24,12 @@ base::Duration answer_time(double loss) {
   return time;
 }
 
+base::Duration witnessed_time(base::Duration interval, double loss) {
+  // The longest deadline from 27.5 % on: who is out of our reach so often is asked seldom enough to be cheap.
+  const double intervals = std::min(shortest_deadline + 10 * loss, longest_deadline);
+  return after_intervals(base::Instant{}, interval, intervals) - base::Instant{};
+}
+
 base::Duration patience(base::Duration interval, const Reception& reception) {
   // With witnesses all ways must lose the sign of life at once. The fewer witnesses there are, the more our own tries
   // must make up for it.

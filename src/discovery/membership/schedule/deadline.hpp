@@ -22,8 +22,9 @@ inline constexpr double longest_deadline = 5;
 inline constexpr double doubt_after = 1.9;
 /// So many witnesses tell us enough of a participant that we do not hear ourselves.
 inline constexpr std::size_t enough_witnesses = 3;
-/// Testimony counts for at most so many intervals in which we have heard nothing ourselves.
-inline constexpr int witnessed_intervals = 32;
+/// A participant that we do not hear ourselves, though others do, is asked for a sign of life so many intervals before
+/// testimony ends.
+inline constexpr double asked_before_latest = 1.5;
 /// A service counts for so many intervals after it was last announced, while the newest state was not heard.
 inline constexpr int service_intervals = 5;
 
@@ -48,6 +49,8 @@ inline constexpr int least_questions = 3;
 [[nodiscard]] base::Duration answer_time(double loss);
 /// The time for which a sign of life counts.
 [[nodiscard]] base::Duration patience(base::Duration interval, const Reception& reception);
+/// The time by which all testimony together moves a deadline at most: that of one more deadline.
+[[nodiscard]] base::Duration witnessed_time(base::Duration interval, double loss);
 /// When a sign of life at `seen` has counted for so many intervals.
 [[nodiscard]] base::Instant after_intervals(base::Instant seen, base::Duration interval, double intervals);
 

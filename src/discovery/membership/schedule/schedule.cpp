@@ -49,14 +49,28 @@ void Schedule::changed(Say what, Instant now) {
   if (next_copy(Say::state) != never) what = Say::state;
   const auto said = state_copies(loss_);
   const auto all = said + (loss_ ? std::min(said, presence_copies) : unknown_presence_copies);
-  copies_ = {{now, what}};
+  const auto first = first_copy(now);
+  copies_ = {{first, what}};
   for (std::size_t i = 1; i < all; ++i) {
-    copies_.push_back({now + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
+    copies_.push_back({first + spread(repeat_delays[i - 1], repeat_jitter), i < said ? what : Say::presence});
   }
-  const auto show = [&](Duration delay) { copies_.push_back({now + spread(delay, repeat_jitter), Say::presence}); };
+  const auto show = [&](Duration delay) { copies_.push_back({first + spread(delay, repeat_jitter), Say::presence}); };
   if (loss_.value_or(0) >= bad_loss) std::ranges::for_each(bad_presence_delays, show);
   std::ranges::for_each(std::span(late_presence_delays).first(doublings_), show);
   std::ranges::sort(copies_, {}, &Copy::due);
+}
+
+Instant Schedule::first_copy(Instant now) {
+  if (!has_sent_) return now;  // what waited for the identifier is said when it comes
+  if (std::exchange(is_change_pending_, true)) return *change_due_;
+  if (!change_due_ || now - *change_due_ >= change_wait_) {
+    change_due_ = now;
+    change_wait_ = change_spacing;
+  } else if (now >= *change_due_) {
+    *change_due_ += change_wait_;
+    change_wait_ = std::min(2 * change_wait_, longest_change_spacing);
+  }
+  return *change_due_;
 }
 
 void Schedule::set_size(std::size_t datagrams) { size_ = std::max<std::int64_t>(1, std::int64_t(datagrams)); }
@@ -83,11 +97,20 @@ void Schedule::newcomer(Instant now) {
 
 void Schedule::lacked(Instant now) {
   if (!is_running_) return;
-  insistent_until_ = std::max(insistent_until_, now + announcement::contest_intervals * said_interval());
+  if (now - lacked_last_ >= announcement::hold_intervals * said_interval()) lacked_since_ = now;
+  lacked_last_ = now;
+  // Whoever goes on asking may hold us for contested.
+  if (now - lacked_since_ >= said_interval() / 2) {
+    insistent_until_ = std::max(insistent_until_, now + announcement::contest_intervals * said_interval());
+  }
   if (repair_ != never || !repairs_.has(now)) return;
   repair_ = now + random_.between(Duration::zero(), max_repair_delay);
   // The state that was sent last may not have reached the one that asks yet.
   if (has_sent_) repair_ = std::max(repair_, state_sent_ + repair_spacing);
+}
+
+void Schedule::seems_lacked(Instant now) {
+  if (next_copy(Say::state) == never && next_copy(Say::change) == never) lacked(now);
 }
 
 void Schedule::lacked_by_stranger(Instant now) {
@@ -144,8 +167,11 @@ void Schedule::deny(Instant now) {
   denials_left_ = denials;
 }
 
-void Schedule::bear_witness(Instant now) {
-  if (is_running_) testimony_ = std::min(testimony_, now + slowed(random_.between(witness_delay, 2 * witness_delay)));
+bool Schedule::bear_witness(Instant now) {
+  if (!is_running_) return false;
+  const bool is_first = testimony_ == never;
+  testimony_ = std::min(testimony_, now + slowed(random_.between(witness_delay, 2 * witness_delay)));
+  return is_first;
 }
 
 void Schedule::contested(Instant now) {
@@ -159,6 +185,7 @@ void Schedule::contradict(Instant now) {
 
 void Schedule::pause() {
   is_running_ = false;
+  is_change_pending_ = false;
   copies_.clear();
   answers_.clear();
   periodic_ = never;
@@ -241,6 +268,7 @@ void Schedule::begin_answers(Instant now) {
 }
 
 void Schedule::drop_copies(bool is_presence, Instant now) {
+  if (!is_presence && change_due_ && *change_due_ <= now) is_change_pending_ = false;
   std::erase_if(copies_,
                 [&](const Copy& copy) { return (copy.what == Say::presence) == is_presence && copy.due <= now; });
 }

@@ -55,6 +55,10 @@ inline constexpr double repeat_jitter = 0.2;
 [[nodiscard]] std::size_t state_copies(std::optional<double> loss);
 /// The least time between two announcements. Changes within it are told together.
 inline constexpr base::Duration min_spacing = std::chrono::milliseconds(3);
+/// A change goes at once. Those that come within this time after it share the next datagram, and so on; while they go
+/// on coming, the time doubles up to the longest one. So a client that says all that it has is not told state by state.
+inline constexpr base::Duration change_spacing = std::chrono::milliseconds(20);
+inline constexpr base::Duration longest_change_spacing = std::chrono::milliseconds(160);
 /// The announcements that may go at min_spacing; after them one each refill_time. A peer that changes its services
 /// without end costs the air at most 1 / refill_time announcements a second.
 inline constexpr std::int64_t burst_capacity = 32;
@@ -144,9 +148,9 @@ class Schedule {
     goodbye,   ///< after stop()
   };
 
-  /// Tells that the state changed. A copy of `what`, a change or the whole state, is due at once (or as soon as the
-  /// limits allow), then the repeats. They are of the state while copies of the state are still to come. The first call
-  /// starts the schedule; nothing is due before it.
+  /// Tells that the state changed. A copy of `what`, a change or the whole state, is due at once (or as soon as
+  /// change_spacing and the limits allow), then the repeats. They are of the state while copies of the state are still
+  /// to come. The first call starts the schedule; nothing is due before it.
   void changed(Say what, base::Instant now);
   /// Sets how many datagrams the whole state takes on one link, at least 1: the cost of an answer. It is 1 at first.
   void set_size(std::size_t datagrams);
@@ -162,6 +166,8 @@ class Schedule {
   void set_loss(std::optional<double> loss) { loss_ = loss; }
   /// Tells that a known participant lacks our state: a copy is due soon, while the budget lasts.
   void lacked(base::Instant now);
+  /// Tells that a known participant seems to lack it, though it does not say so. Copies that are due anyway reach it.
+  void seems_lacked(base::Instant now);
   /// Tells that a stranger, whose state we have not heard, lacks ours. A copy is due soon, of the budget for answers.
   void lacked_by_stranger(base::Instant now);
   /// Tells whether we lack a state, and whether we doubt that a participant lives (NeighbourTable). While one holds,
@@ -185,7 +191,10 @@ class Schedule {
   /// while. Counts once in contest_intervals.
   void deny(base::Instant now);
   /// Tells that a participant doubts another one that we hear: our presence is due, a little later.
-  void bear_witness(base::Instant now);
+  /// Returns whether no testimony was due before.
+  bool bear_witness(base::Instant now);
+  /// Tells that it has given a sign of life itself: our testimony is not needed.
+  void leave_testimony() { testimony_ = base::never; }
   /// Tells that our identifier is claimed (IdentifierClaim::Verdict::answer): our presence is due at once, or as soon
   /// as its budget allows, so that the claimant hears it before it holds the identifier.
   void contested(base::Instant now);
@@ -218,6 +227,8 @@ class Schedule {
   };
 
   void plan(Question& question, bool is_open, base::Duration spacing, base::Instant now);
+  /// When the first copy of a change is due.
+  [[nodiscard]] base::Instant first_copy(base::Instant now);
   [[nodiscard]] base::Duration spread(base::Duration time, double share);
   [[nodiscard]] base::Duration said_interval() const { return announcement::stretched(options_.interval, doublings_); }
   /// A time that grows with the number of participants that share the air.
@@ -238,13 +249,18 @@ class Schedule {
 
   ScheduleOptions options_;
   base::Random random_;
-  std::vector<Copy> copies_;  ///< those of the last change that are still to come, in order of time
+  std::vector<Copy> copies_;                 ///< those of the last change that are still to come, in order of time
+  std::optional<base::Instant> change_due_;  ///< the first copy of the last change
+  bool is_change_pending_ = false;           ///< that was not said yet
+  base::Duration change_wait_ = change_spacing;
   std::optional<double> loss_;
   std::uint8_t doublings_ = 0;
   base::Duration interval_;  ///< the interval that is kept; shorter than the announced one while that is new
   int announced_until_slower_ = 0;
   std::vector<base::Instant> answers_;  ///< copies for newcomers that are still to come, in order of time
   base::Instant periodic_ = base::never;
+  base::Instant lacked_since_;          ///< when participants began to say that they lack the state
+  base::Instant lacked_last_;           ///< when one said so last
   base::Instant insistent_until_;       ///< until then the state is announced each time
   base::Instant repair_ = base::never;  ///< when the state is due because another participant lacks it
   base::Instant search_ = base::never;  ///< when the presence is due for the search

@@ -14,11 +14,6 @@ using announcement::HeardWithin;
 using base::Duration;
 using base::Instant;
 
-std::uint64_t fold_of(ParticipantId id, announcement::BootNonce boot) {
-  const std::array<std::uint64_t, 2> numbers{std::to_underlying(id), std::to_underlying(boot)};
-  return base::hash64(base::octets_of(std::span(numbers)));
-}
-
 HeardWithin heard_within(Duration age, Duration interval) {
   if (age > interval) return HeardWithin::longer;
   if (age > interval / 2) return HeardWithin::interval;
@@ -41,17 +36,18 @@ Duration age_of(HeardWithin within, Duration interval) {
 
 void Witnesses::set_self(ParticipantId id, announcement::BootNonce boot) {
   settle();
-  self_ = id;
-  self_fold_ = fold_of(id, boot);
+  self_ = {.id = id, .boot = boot, .revision = self_.revision};
   begin_anew();
 }
+
+void Witnesses::set_revision(std::uint64_t revision) { self_.revision = revision; }
 
 std::size_t Witnesses::place_of(ParticipantId id) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
 }
 
 void Witnesses::begin_anew() {
-  own_place_ = place_of(self_);
+  own_place_ = place_of(self_.id);
   pending_.resize(ids_.size() + 1);
 }
 
@@ -62,27 +58,38 @@ void Witnesses::add(ParticipantId id, announcement::BootNonce boot) {
   Member member;
   member.boot = boot;
   others_.insert(others_.begin() + place, member);
-  others_fold_ ^= fold_of(id, boot);
+  others_fold_ = static_cast<std::uint16_t>(others_fold_ ^ folded(static_cast<std::size_t>(place)).fold());
   begin_anew();
 }
 
 void Witnesses::remove(ParticipantId id) {
   settle();
   const auto place = static_cast<std::ptrdiff_t>(place_of(id));
-  others_fold_ ^= fold_of(id, others_[static_cast<std::size_t>(place)].boot);
+  others_fold_ = static_cast<std::uint16_t>(others_fold_ ^ folded(static_cast<std::size_t>(place)).fold());
   ids_.erase(ids_.begin() + place);
   others_.erase(others_.begin() + place);
   begin_anew();
 }
 
-void Witnesses::update(ParticipantId id, Instant heard, Duration interval) {
+void Witnesses::update(ParticipantId id, Instant heard, Duration interval, std::uint64_t revision) {
   const auto place = place_of(id);
+  if (others_[place].revision != revision) {
+    others_fold_ = static_cast<std::uint16_t>(others_fold_ ^ folded(place).fold());
+    others_[place].revision = revision;
+    others_fold_ = static_cast<std::uint16_t>(others_fold_ ^ folded(place).fold());
+  }
   if (others_[place].interval != interval) settle();  // what is pending was said of the interval before
   others_[place].heard = heard;
   others_[place].interval = interval;
 }
 
-std::uint16_t Witnesses::fold() const { return static_cast<std::uint16_t>(others_fold_ ^ self_fold_); }
+std::uint16_t Witnesses::fold() const { return static_cast<std::uint16_t>(others_fold_ ^ self_.fold()); }
+
+std::uint16_t Witnesses::difference(const announcement::Announcement& presence) const {
+  const auto its_own = folded(place_of(presence.participant));
+  return static_cast<std::uint16_t>(presence.witness.members ^ fold() ^ its_own.fold() ^
+                                    its_own.fold_of(presence.revision));
+}
 
 HeardWithin Witnesses::testimony(const Member& member, Instant now) const {
   if (member.heard <= distrusted_until_) return HeardWithin::longer;
@@ -105,55 +112,46 @@ announcement::Witness Witnesses::say(Instant now) const {
   return witness;
 }
 
-Unknown Witnesses::explain(std::uint16_t difference) const {
-  const auto cut = [](std::uint64_t fold) { return static_cast<std::uint16_t>(fold); };
-  const auto ours = cut(self_fold_);
-  if (difference == ours) return Unknown::us;
-  if (others_.size() > max_told_apart) return Unknown::unclear;
-  std::array<std::uint16_t, max_told_apart> all{};
-  const auto folds = std::span(all).first(others_.size());
-  for (std::size_t place = 0; place < folds.size(); ++place) {
-    folds[place] = cut(fold_of(ids_[place], others_[place].boot));
+Difference Witnesses::explain(const announcement::Announcement& presence) const {
+  const auto differs = difference(presence);
+  if (differs == 0) return {.is_of_revisions = true};
+  std::vector<Folded> others;
+  others.reserve(others_.size());
+  for (std::size_t place = 0; place < others_.size(); ++place) {
+    if (ids_[place] != presence.participant) others.push_back(folded(place));
   }
-  auto unknown = Unknown::unclear;
-  for (const std::uint16_t one : folds) {
-    if (difference == (one ^ ours)) return Unknown::us;
-    // One other is unknown, or two are.
-    const auto is_other = [&](std::uint16_t two) { return difference == one || difference == (one ^ two); };
-    if (std::ranges::any_of(folds, is_other)) unknown = Unknown::others;
-  }
-  return unknown;
+  return membership::explain(differs, self_, others);
 }
 
-Unknown Witnesses::compare(const announcement::Announcement& presence, Instant now) {
+Difference Witnesses::compare(const announcement::Announcement& presence, Instant now) {
   const auto note = [now](std::uint16_t& said, Instant& changed, std::uint16_t fold) {
     if (std::exchange(said, fold) != fold) changed = now;
   };
   const auto place = place_of(presence.participant);
-  if (!is_at(place, presence.participant)) return Unknown::nobody;
+  if (!is_at(place, presence.participant)) return {};
   auto& member = others_[place];
   note(member.said_fold, member.fold_changed, presence.witness.members);
   note(said_fold_, fold_changed_, fold());
   unlike_until_ = {};
-  const auto difference = static_cast<std::uint16_t>(presence.witness.members ^ fold());
   const auto newly_until = std::max(member.fold_changed, fold_changed_) + 2 * member.interval;
-  if (difference == 0 || now >= newly_until) return Unknown::nobody;
-  const auto unknown = explain(difference);
-  if (unknown == Unknown::unclear) {
+  if (difference(presence) == 0 || now >= newly_until) return {};
+  const auto explained = explain(presence);
+  if (explained.unknown == Unknown::unclear) {
     unlike_fold_ = presence.witness.members;
     unlike_until_ = newly_until;
   }
-  return unknown;
+  return explained;
 }
 
-bool Witnesses::is_of_same(const announcement::Witness& witness) const {
+bool Witnesses::is_of_same(const announcement::Announcement& presence) const {
   constexpr auto per_octet = announcement::HeardList::per_octet;
-  return witness.members == fold() && witness.heard.octets().size() == (others_.size() + 1 + per_octet - 1) / per_octet;
+  const bool has_places = presence.witness.heard.octets().size() == (others_.size() + 1 + per_octet - 1) / per_octet;
+  return has_places && (presence.witness.members == fold() || explain(presence).is_of_revisions);
 }
 
 bool Witnesses::misses_us(const announcement::Announcement& presence, Instant since, Duration interval, Instant now) {
   const auto place = place_of(presence.participant);
-  if (!is_at(place, presence.participant) || !is_of_same(presence.witness)) return false;
+  if (!is_at(place, presence.participant) || !is_of_same(presence)) return false;
   auto& heard_us = others_[place].heard_us;
   const auto within = presence.witness.heard[own_place_];
   if (within != HeardWithin::longer) heard_us = std::max(heard_us, now - age_of(within, interval));
@@ -165,11 +163,9 @@ void Witnesses::hear_of_us(const announcement::Announcement& presence, Instant n
   if (!is_at(place, presence.participant) || presence.witness.heard.octets().empty()) return;
   Member& member = others_[place];
   // It knows all that we know but us, or nobody but itself. Presences do not say of others whether they know us.
-  const std::uint16_t known_to_it = presence.witness.members;
-  const bool is_deaf = is_of_same(presence.witness)
-                           ? presence.witness.heard[own_place_] == HeardWithin::longer
-                           : known_to_it == static_cast<std::uint16_t>(others_fold_) ||
-                                 known_to_it == static_cast<std::uint16_t>(fold_of(presence.participant, member.boot));
+  const bool knows_only_itself = presence.witness.members == folded(place).fold_of(presence.revision);
+  const bool is_deaf = is_of_same(presence) ? presence.witness.heard[own_place_] == HeardWithin::longer
+                                            : knows_only_itself || difference(presence) == self_.fold();
   if (!is_deaf) {
     member.deaf_since = member.deaf_until = base::never;
     return;
@@ -186,7 +182,7 @@ bool Witnesses::is_deaf_to_us(ParticipantId id) const {
 
 bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
   hear_of_us(presence, now);
-  if (!is_of_same(presence.witness)) return false;
+  if (!is_of_same(presence)) return false;
   words_[next_word_++ % words_.size()] = {presence.participant, now};
   if (pending_.is_full()) settle();
   pending_.add(presence.witness.heard.octets(), now);

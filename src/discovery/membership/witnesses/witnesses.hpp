@@ -9,6 +9,7 @@
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
+#include "discovery/membership/witnesses/difference.hpp"
 #include "discovery/membership/witnesses/pending_testimony.hpp"
 
 namespace geminga::membership {
@@ -17,29 +18,20 @@ namespace geminga::membership {
 /// thirty says so by chance, at 30 % one in four hundred.
 inline constexpr int deaf_intervals = 4;
 
-/// The participants that another one does not know, among ourselves and those that we know. The difference of its fold
-/// and ours tells them if they are one or two.
-enum class Unknown : std::uint8_t {
-  nobody,   ///< or the difference is old
-  us,       ///< and perhaps another one
-  others,   ///< which can tell it by the same rule
-  unclear,  ///< more than two, or it knows somebody that we do not know
-};
-/// Two are told apart among so many others at most. Their 120 pairs equal one of a fold's 65536 values by chance with a
-/// probability of .002; then a presence or state is sent that nobody needed.
-inline constexpr std::size_t max_told_apart = 15;
-
 /// Testimony names nobody: its bits have a meaning only if both sides know the same participants, which a fold of them
-/// shows (ANNOUNCEMENT.md, "Witnesses"). A testimony about thousands is copied and touches no record; what was said of
-/// a participant is looked up at its deadline.
+/// and of the revisions of their states shows (ANNOUNCEMENT.md, "Witnesses"). A testimony about thousands is copied and
+/// touches no record; what was said of a participant is looked up at its deadline.
 class Witnesses {
  public:
   void set_self(ParticipantId id, announcement::BootNonce boot);
   /// Adds or removes a known participant.
   void add(ParticipantId id, announcement::BootNonce boot);
   void remove(ParticipantId id);
-  /// Tells when we last heard a known participant ourselves, and its interval.
-  void update(ParticipantId id, base::Instant heard, base::Duration interval);
+  /// Tells when we last heard a known participant ourselves, its interval, and the last revision of its state that we
+  /// have in whole; 0: none.
+  void update(ParticipantId id, base::Instant heard, base::Duration interval, std::uint64_t revision = 0);
+  /// Tells the revision of our own state.
+  void set_revision(std::uint64_t revision);
 
   /// Does not testify by what we hear until then: we were not awake, and it may have been said long before.
   void distrust_until(base::Instant until) { distrusted_until_ = until; }
@@ -47,9 +39,10 @@ class Witnesses {
   [[nodiscard]] bool has_heard(ParticipantId id, base::Instant now) const;
   /// Our testimony: how lately we have heard each known participant.
   [[nodiscard]] announcement::Witness say(base::Instant now) const;
-  /// Takes in which participants a known one knows, and returns which it does not know. Only differences that arose
-  /// within two of its intervals count: participants that never hear each other need not be told of it again and again.
-  Unknown compare(const announcement::Announcement& presence, base::Instant now);
+  /// Takes in which participants and revisions a known one knows, and returns what explains that it knows others than
+  /// we do. Only differences that arose within two of its intervals count: participants that never hear each other need
+  /// not be told of it again and again.
+  Difference compare(const announcement::Announcement& presence, base::Instant now);
   /// Whether the last fold that we heard differs from ours in an unclear way: one side does not know all, and the
   /// unknown one may be ourselves.
   [[nodiscard]] bool is_unlike(base::Instant now) const { return now < unlike_until_ && unlike_fold_ != fold(); }
@@ -70,6 +63,7 @@ class Witnesses {
  private:
   struct Member {
     announcement::BootNonce boot{};
+    std::uint64_t revision = 0;
     base::Duration interval{};
     base::Instant heard;           ///< by us
     base::Instant seen;            ///< by others
@@ -84,9 +78,12 @@ class Witnesses {
     ParticipantId from{};
     base::Instant at;
   };
+  [[nodiscard]] Folded folded(std::size_t place) const {
+    return {.id = ids_[place], .boot = others_[place].boot, .revision = others_[place].revision};
+  }
   [[nodiscard]] announcement::HeardWithin testimony(const Member& member, base::Instant now) const;
   /// Whether a testimony is about the same participants, so that each place has its meaning.
-  [[nodiscard]] bool is_of_same(const announcement::Witness& witness) const;
+  [[nodiscard]] bool is_of_same(const announcement::Announcement& presence) const;
   /// Its place among the others, or the place that it would get.
   [[nodiscard]] std::size_t place_of(ParticipantId id) const;
   [[nodiscard]] bool is_at(std::size_t place, ParticipantId id) const {
@@ -97,13 +94,14 @@ class Witnesses {
   /// Adapts the places to the participants that are known.
   void begin_anew();
   [[nodiscard]] std::uint16_t fold() const;
-  [[nodiscard]] Unknown explain(std::uint16_t difference) const;
+  /// The fold of a known participant less ours, as if we knew the revision that it says of itself.
+  [[nodiscard]] std::uint16_t difference(const announcement::Announcement& presence) const;
+  [[nodiscard]] Difference explain(const announcement::Announcement& presence) const;
   /// Takes in what a known participant says of us.
   void hear_of_us(const announcement::Announcement& presence, base::Instant now);
 
-  ParticipantId self_{};
-  std::uint64_t self_fold_ = 0;
-  std::uint64_t others_fold_ = 0;
+  Folded self_;
+  std::uint16_t others_fold_ = 0;
   std::vector<ParticipantId> ids_;  ///< of the others, ascending
   std::vector<Member> others_;      ///< in the same order
   std::size_t own_place_ = 0;       ///< among them

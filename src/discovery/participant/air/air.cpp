@@ -84,9 +84,13 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   }
   const bool is_about_us = heard_.participant == announcer_.id();  // it may be a lie, and others hear it
   if (!is_about_us && DualStack::is_said_twice(heard_, *on)) return std::nullopt;
-  const membership::Hearing hearing = neighbours_.hear(
-      heard_, {.interface = interface, .interface_name = on->name, .source = source, .now = env_.now()});
+  const membership::Hearing hearing = neighbours_.hear(heard_, {.interface = interface,
+                                                                .interface_name = on->name,
+                                                                .source = source,
+                                                                .now = env_.now(),
+                                                                .is_sealed = opened->session.has_value()});
   ++counters_.hearings.at(std::to_underlying(hearing));
+  if (heard_.kind == announcement::Kind::presence) one_way_.hear(heard_, neighbours_, source, on->name, env_.log());
   speak_to(*on, hearing, opened->session.has_value());
   return announcer_.heard(
       {.announcement = heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
@@ -104,6 +108,13 @@ void Air::speak_to(const env::Interface& on, membership::Hearing hearing, bool i
       announcement::contest_intervals * std::max(known ? known->interval : base::Duration(0), settings_.interval);
   dual_stack_.hear(heard_, on, env_.now() + time);
   if (is_guest && heard_.kind != announcement::Kind::goodbye) env_.answer_sender(time);
+}
+
+void Air::shed() {
+  const std::size_t given_up = neighbours_.shed(env_.now());
+  env_.log().write(base::LogLevel::warning, "memory is short: " + std::to_string(given_up) +
+                                                " participants that were heard last are given up, and further ones "
+                                                "have to wait");
 }
 
 void Air::expire() {

@@ -12,6 +12,7 @@
 #include "discovery/participant/air/announcer.hpp"
 #include "discovery/participant/air/counters.hpp"
 #include "discovery/participant/air/dual_stack.hpp"
+#include "discovery/participant/air/one_way.hpp"
 #include "discovery/participant/air/presence.hpp"
 #include "discovery/sealing/seal.hpp"
 #include "env/env.hpp"
@@ -37,6 +38,9 @@ class Air {
                                                            std::span<const std::byte> datagram, ParticipantId served);
   /// Gives up each neighbour that was not heard before its deadline.
   void expire();
+  /// Gives up the participants that were heard last, and takes in no further ones for a while
+  /// (NeighbourTable::shed()).
+  void shed();
   void forget_interface(env::InterfaceIndex interface) { neighbours_.forget_interface(interface); }
   /// The changes of neighbours since the last call, in the order in which the registry must make them.
   [[nodiscard]] std::vector<membership::Change> take_changes() { return neighbours_.take_changes(); }
@@ -64,6 +68,7 @@ class Air {
   membership::NeighbourTable neighbours_;
   sealing::Seal seal_;  ///< all that goes out or comes in passes it
   DualStack dual_stack_;
+  OneWay one_way_;
   announcement::Announcement heard_;  ///< the last one; its memory is used again
   Announcer announcer_;
 };

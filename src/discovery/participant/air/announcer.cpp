@@ -84,8 +84,7 @@ void Announcer::announce() {
   }
   if (!claim_.is_held()) return;
   if (std::exchange(is_changed_, false)) {
-    ++revision_;
-    changed_ = now;
+    is_untold_ = true;
     schedule_.set_loss(means_.neighbours.loss());
     schedule_.changed(is_new_to_others() ? membership::Schedule::Say::state : membership::Schedule::Say::change, now);
   }
@@ -136,6 +135,10 @@ bool Announcer::is_new_to_others() {
 }
 
 void Announcer::update_log(base::Instant now) {
+  if (std::exchange(is_untold_, false)) {
+    means_.neighbours.set_revision(++revision_);
+    changed_ = now;
+  }
   if (log_.state().revision != revision_ || log_.state().participant != claim_.id()) log_.update(state(), now);
 }
 
@@ -221,20 +224,29 @@ void Announcer::heard_presence(const Heard& heard) {
     }
   }
   if (heard.hearing != membership::Hearing::known) return;
+  if (presence.participant == testifies_for_) {
+    schedule_.leave_testimony();
+    testifies_for_ = {};
+  }
   const bool misses_us = means_.neighbours.misses_us(presence, changed_, interval(), now);
   const bool may_lack_change = misses_us && now - changed_ < membership::doubtful_intervals * interval();
-  const membership::Unknown unknown = means_.neighbours.compare(presence, now);
-  if (unknown == membership::Unknown::us) schedule_.lacked(now);
+  const membership::Difference difference = means_.neighbours.compare(presence, now);
+  if (difference.unknown == membership::Unknown::us) schedule_.lacked(now);
+  if (difference.lacks_our_state) schedule_.seems_lacked(now);
   if (may_lack_change) schedule_.differ(now);
   if (means_.neighbours.doubts_anybody() && means_.neighbours.hear_doubts(presence.doubts, now)) {
     schedule_.asked_by_another(now);
   }
   if (names(presence.doubts, claim_.id())) {
     schedule_.doubted(now);
-  } else if (std::ranges::any_of(presence.doubts,
-                                 [&](ParticipantId id) { return means_.neighbours.is_heard_lately(id, now); })) {
-    schedule_.bear_witness(now);
+    return;
   }
+  const auto is_heard = [&](ParticipantId id) { return means_.neighbours.is_heard_lately(id, now); };
+  const auto doubted = std::ranges::find_if(presence.doubts, is_heard);
+  if (doubted == presence.doubts.end()) return;
+  const bool is_one = std::find_if(doubted + 1, presence.doubts.end(), is_heard) == presence.doubts.end();
+  const bool is_first = schedule_.bear_witness(now);
+  testifies_for_ = is_one && (is_first || testifies_for_ == *doubted) ? *doubted : ParticipantId{};
 }
 
 Announcer::Consequence Announcer::heard_clash(const Heard& heard) {

@@ -116,6 +116,8 @@ class Announcer {
   membership::Schedule schedule_;
   membership::Search search_;
   bool is_changed_ = false;
+  ParticipantId testifies_for_{};  ///< whom we are about to testify for; 0: nobody, or several
+  bool is_untold_ = false;         ///< what has changed is said with the next revision
   std::uint64_t revision_ = 0;
   base::Instant changed_{};     ///< when the revision came
   std::uint8_t doublings_ = 0;  ///< how often the interval is doubled

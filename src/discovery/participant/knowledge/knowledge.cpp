@@ -39,10 +39,10 @@ struct Feed {
                                             .updated = put.heard});
   }
   void operator()(const membership::RemovePublication& gone) const {
-    matcher.remove_publication(gone.key, reason_of(gone.reason));
+    matcher.begin_removal_of_publication(gone.key, reason_of(gone.reason));
   }
   void operator()(const membership::RemoveSubscription& gone) const {
-    matcher.remove_subscription(gone.key, reason_of(gone.reason));
+    matcher.begin_removal_of_subscription(gone.key, reason_of(gone.reason));
   }
   void operator()(const membership::RemoveParticipant& gone) const {
     matcher.begin_departure(gone.participant, reason_of(gone.reason));
@@ -74,9 +74,7 @@ void Knowledge::queue(std::vector<membership::Change> changes) {
 }
 
 void Knowledge::take_next_change() {
-  if (neighbours_.is_empty()) return;
-  membership::Change change = neighbours_.pop();
-  std::visit(Feed{matcher}, change);
+  if (auto change = neighbours_.pop(env_.now())) std::visit(Feed{matcher}, *change);
 }
 
 void Knowledge::resume_postponed_expressions() {

@@ -50,8 +50,12 @@ class Knowledge {
   void take_next_change();
   /// Whether one of the two has something to do.
   [[nodiscard]] bool is_behind() const {
-    return matcher.is_departing() || matcher.has_stale() || !neighbours_.is_empty();
+    return matcher.is_departing() || matcher.has_stale() || neighbours_.has_due(env_.now());
   }
+  /// When a change that waits for budget is due; base::never: none waits.
+  [[nodiscard]] base::Instant next_due() const { return neighbours_.next_due(); }
+  /// How many changes to converters of other hosts wait for budget.
+  [[nodiscard]] std::size_t held_converters() const { return neighbours_.held(); }
   /// Has expressions and overlaps that were put off asked for again, where a new second has begun.
   void resume_postponed_expressions();
   void resume_postponed_overlaps();

@@ -4,8 +4,8 @@
 
 namespace geminga::participant {
 
-void OntologyChange::begin(vocabulary::Vocabulary next) {
-  Next coming{std::move(next), reading_.begun};
+void OntologyChange::begin(vocabulary::Vocabulary next, LeftOut left_out) {
+  Next coming{std::move(next), reading_.begun, std::move(left_out)};
   if (is_under_way()) {
     queued_ = std::move(coming);
   } else {
@@ -19,6 +19,7 @@ void OntologyChange::give_up() {
 
 void OntologyChange::start(Next next) {
   from_reading_ = next.reading;
+  left_out_ = std::move(next.left_out);
   matcher_.begin_vocabulary(std::move(next.vocabulary));
   stage_ = Stage::filing;
 }
@@ -52,8 +53,11 @@ OntologyChange::Due OntologyChange::step() {
 void OntologyChange::put_in_force() {
   // A later reading is reported when its own ontology comes into force.
   if (from_reading_ == reading_.begun) {
-    if (!reading_.failure.empty()) log_.write(base::LogLevel::info, "ontology: read at last, the failure is mended");
+    const bool is_whole = left_out_.lines.empty();
+    if (is_whole && !reading_.failure.empty())
+      log_.write(base::LogLevel::info, "ontology: read at last, the failure is mended");
     reading_.succeed();
+    if (!is_whole) reading_.fail(left_out_.lines, left_out_.at);
   }
   matcher_.put_in_force();
   must_take_up_ = false;  // all statements are resolved anew

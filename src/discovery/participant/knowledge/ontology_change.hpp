@@ -12,6 +12,12 @@
 
 namespace geminga::participant {
 
+/// Lines about files that are not in an ontology, and the time when they were read.
+struct LeftOut {
+  std::vector<std::string> lines;
+  base::Instant at{};
+};
+
 /// Another ontology concerns all that is known of the team. First the matcher files what is offered by it. Then it
 /// comes into force, and the matcher judges one subscription after the other by it. At last the names in what our own
 /// peers have stated are resolved anew. Events, statements and datagrams may come between any two steps
@@ -24,7 +30,7 @@ class OntologyChange {
 
   /// Another ontology, or none, is to come into force. It waits for the change under way; of several that wait only the
   /// last one comes. Where it is not prepared for class expressions, requests for these wait until it is.
-  void begin(vocabulary::Vocabulary next);
+  void begin(vocabulary::Vocabulary next, LeftOut left_out = {});
   /// Reading has failed. Where no ontology is in force and none is to come, what waited for one is told so.
   void give_up();
   /// The ontology in force is prepared for class expressions: what waits for that comes into force, or gets its 422.
@@ -55,6 +61,7 @@ class OntologyChange {
   struct Next {
     vocabulary::Vocabulary vocabulary;
     std::optional<std::uint64_t> reading;  ///< OntologyReading::begun when it came; nothing: it was not read
+    LeftOut left_out;
   };
 
   void start(Next next);
@@ -66,6 +73,7 @@ class OntologyChange {
   base::LogSink& log_;
   Stage stage_ = Stage::none;
   std::optional<std::uint64_t> from_reading_;  ///< Next::reading of the one that is filed; meaningful while filing
+  LeftOut left_out_;                           ///< of the one that is filed
   std::optional<Next> queued_;                 ///< comes after the change under way
   bool must_restate_ = false;                  ///< all statements, when matching is over
   bool must_take_up_ = false;                  ///< the awaited statements, when matching and the others are over

@@ -29,12 +29,37 @@ std::expected<std::string, Error> resolve_class(const vocabulary::Vocabulary& vo
   return std::string(vocabulary.iri(*found));
 }
 
+constexpr std::string_view concept_class = "https://geminga.example/core#Concept";
+constexpr std::string_view representation_class = "https://geminga.example/core#Representation";
+
+/// Whether the core vocabulary (ontology/core.ttl) says that a class is below this one of its classes.
+bool is_below(const vocabulary::Vocabulary& vocabulary, std::string_view iri, std::string_view core_class) {
+  const auto number = vocabulary.find_iri(iri);
+  const auto above = vocabulary.find_iri(core_class);
+  return number && above && vocabulary.is_subsumed(*number, *above);
+}
+
+/// The class of a name, unless the core vocabulary says that it belongs behind the other key.
+std::expected<std::string, Error> resolve_as(const vocabulary::Vocabulary& vocabulary, std::string_view key,
+                                             const std::string& name) {
+  auto iri = resolve_class(vocabulary, key, name);
+  const bool is_concept = key == "concept";
+  if (!iri || !is_below(vocabulary, *iri, is_concept ? representation_class : concept_class)) return iri;
+  const std::string given = std::string(key) + '=' + base::printable(name);
+  return std::unexpected(
+      Error{ErrorCode::impossible,
+            given + (is_concept ? ": this is a representation: name what the information is about as the concept, and "
+                                  "this one as its representation"
+                                : ": this is a concept: name how the information is written down, a class below "
+                                  "geminga:Representation, or leave the representation out")});
+}
+
 /// The identity of a concept whose IRI or canonical expression is known.
 std::expected<Identity, Error> with_representation(const vocabulary::Vocabulary& vocabulary, std::string concept_iri,
                                                    const std::string& representation_name) {
   SemanticIdentity identity{.concept_iri = std::move(concept_iri), .representation_iri = {}};
   if (!representation_name.empty()) {
-    auto representation_iri = resolve_class(vocabulary, "representation", representation_name);
+    auto representation_iri = resolve_as(vocabulary, "representation", representation_name);
     if (!representation_iri) return std::unexpected(representation_iri.error());
     identity.representation_iri = std::move(*representation_iri);
   }
@@ -54,7 +79,7 @@ std::expected<Identity, Error> Resolver::resolve_offered(const NamedIdentity& na
   if (const auto* text = std::get_if<TextIdentity>(&named)) return *text;
   const auto& names = std::get<ConceptNames>(named);
   if (!vocabulary().is_loaded()) return without_ontology(names.concept_name);
-  auto concept_iri = resolve_class(vocabulary(), "concept", names.concept_name);
+  auto concept_iri = resolve_as(vocabulary(), "concept", names.concept_name);
   if (!concept_iri) return std::unexpected(concept_iri.error());
   return with_representation(vocabulary(), std::move(*concept_iri), names.representation_name);
 }

@@ -34,9 +34,13 @@ inline constexpr Work cost_of_expression = 1000;
 /// A question to the reasoner whether two concepts can have instances in common.
 inline constexpr Work cost_of_overlap = 500;
 
-/// The bound on what one event does for clients; the rest is done in later events. Smaller: other clients are served
+/// The bound on what one event does for clients, and on what it does because of other hosts; the rest is done in later
+/// events. Smaller: other clients are served
 /// sooner. Larger: less is spent on going round.
 inline constexpr Work work_in_turn = 2000;
+/// The bound on what one event does to change the ontology. With it and the two bounds above, what clients ask for and
+/// what the air says, an event ends after 5000 units and one step of each.
+inline constexpr Work work_in_change = 1000;
 /// The bound on what is done for one client before the next is looked for.
 inline constexpr Work work_in_step = 200;
 /// The work of a client counts for half after this time. The client that used the least lately goes first.

@@ -38,6 +38,12 @@ Answer answer_interfaces(const env::Env& env, Air& air) {
     if (ipv6_side != interfaces.end()) append(line, "ipv6", air.speaks_on(*ipv6_side) ? "spoken" : "silent");
     answer.lines.push_back(std::move(line));
   }
+  for (const std::string& name : env.ignored_interfaces()) {
+    Line line;
+    append(line, "name", name);
+    append_flag(line, "ignored", true);
+    answer.lines.push_back(std::move(line));
+  }
   return answer;
 }
 

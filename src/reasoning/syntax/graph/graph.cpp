@@ -24,7 +24,9 @@ struct Reading {
 
   static void on_statement(void* data, raptor_statement* statement) {
     auto& self = *static_cast<Reading*>(data);
-    if (!self.graph.make_room()) return;
+    if (!self.graph.make_room(octets_of(*statement->subject) + octets_of(*statement->predicate) +
+                              octets_of(*statement->object)))
+      return;
     try {
       if (self.graph.keeps && !self.keeps(*statement)) return;
       if (!self.graph.statements.add_copy(statement)) self.graph.fail("memory is short");
@@ -97,8 +99,8 @@ void Graph::set_filter(std::function<bool(const Node&, std::string_view, const N
 }
 
 void Graph::add(const Node& subject, const Node& predicate, const Node& object) {
-  if (!store_->make_room()) return;
   if (store_->keeps && !store_->keeps(subject, predicate.text, object)) return;
+  if (!store_->make_room(subject.text.size() + predicate.text.size() + object.text.size())) return;
   if (!store_->statements.add(subject, predicate, object))
     store_->fail("a triple cannot be held: memory is short, or a language tag has more than 255 letters");
 }
@@ -139,6 +141,8 @@ std::optional<syntax::LoadError> Graph::add_file(const std::string& path, std::s
 }
 
 const std::optional<std::string>& Graph::problem() const { return store_->problem; }
+
+bool Graph::is_over_limit() const { return store_->is_over_limit; }
 
 void Graph::sort() { store_->statements.sort(); }
 

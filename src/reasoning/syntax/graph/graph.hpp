@@ -51,6 +51,8 @@ class Graph {
 
   /// Why the graph is incomplete, in one line: a limit was exceeded, or memory is short.
   [[nodiscard]] const std::optional<std::string>& problem() const;
+  /// Whether that is a limit.
+  [[nodiscard]] bool is_over_limit() const;
 
   /// Sorts the triples by what they say and drops repeats. To be called before the functions below.
   void sort();

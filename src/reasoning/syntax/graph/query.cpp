@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "reasoning/syntax/graph/store.hpp"
+#include "reasoning/syntax/graph/triple_index.hpp"
 
 namespace geminga::graph {
 namespace {
@@ -47,6 +48,52 @@ std::string with_prefixes(const std::string& query, const Prefixes& prefixes) {
   return text + query;
 }
 
+/// The end of a quoted text of SPARQL that begins here, or of the query where it has none.
+std::size_t end_of_quoted(std::string_view query, std::size_t at) {
+  const std::string quote(1, query[at]);
+  const std::string end = query.substr(at, 3) == quote + quote + quote ? quote + quote + quote : quote;
+  for (at += end.size(); at < query.size(); ++at) {
+    if (query.substr(at, end.size()) == end) return at + end.size();
+    if (query[at] == '\\') ++at;
+  }
+  return query.size();
+}
+
+/// How deep the braces of a query nest, without those in texts, comments and IRIs.
+std::size_t levels_of(std::string_view query) {
+  std::size_t deepest = 0;
+  std::size_t level = 0;
+  for (std::size_t at = 0; at < query.size();) {
+    switch (query[at]) {
+      case '"':
+      case '\'':
+        at = end_of_quoted(query, at);
+        continue;
+      case '#':
+        at = std::min(query.find_first_of("\r\n", at), query.size());
+        continue;
+      case '<': {  // an IRI has none of these, and less-than has one of them behind it
+        const std::size_t end = query.find_first_of("<>\"{}|^`\\ \t\r\n", at + 1);
+        at = end != std::string_view::npos && query[end] == '>' ? end : at;
+        break;
+      }
+      case '\\':
+        ++at;
+        break;
+      case '{':
+        deepest = std::max(deepest, ++level);
+        break;
+      case '}':
+        level -= level == 0 ? 0 : 1;
+        break;
+      default:
+        break;
+    }
+    ++at;
+  }
+  return deepest;
+}
+
 bool has_service(rasqal_graph_pattern* pattern) {
   if (pattern == nullptr) return false;
   if (rasqal_graph_pattern_get_operator(pattern) == RASQAL_GRAPH_PATTERN_OPERATOR_SERVICE) return true;
@@ -83,13 +130,21 @@ std::optional<std::string> refusal_of(World& world, const std::string& query, st
   return std::nullopt;
 }
 
-void read_rows(librdf_query_results* results, std::size_t most, Answer& answer) {
+/// The octets of a row, about.
+std::size_t octets_of(const std::vector<std::optional<Node>>& row) {
+  std::size_t octets = sizeof row + row.size() * sizeof row.front();
+  for (const auto& node : row) octets += node ? node->text.size() + node->datatype.size() + node->language.size() : 0;
+  return octets;
+}
+
+void read_rows(librdf_query_results* results, const GraphLimits& limits, Answer& answer) {
   const int count = librdf_query_results_get_bindings_count(results);
   // librdf does not know them for an answer without rows.
   if (count > 0) answer.variables.clear();
   for (int at = 0; at < count; ++at) answer.variables.emplace_back(librdf_query_results_get_binding_name(results, at));
+  std::size_t octets = 0;
   for (; librdf_query_results_finished(results) == 0; librdf_query_results_next(results)) {
-    if (answer.rows.size() >= most) {
+    if (answer.rows.size() >= limits.rows || octets > limits.query_octets) {
       answer.is_cut = true;
       return;
     }
@@ -99,19 +154,24 @@ void read_rows(librdf_query_results* results, std::size_t most, Answer& answer) 
       row.push_back(node == nullptr ? std::nullopt : std::optional(node_of(*node)));
       if (node != nullptr) librdf_free_node(node);
     }
+    octets += octets_of(row);
   }
 }
 
 std::optional<std::string> read_triples(World& world, librdf_query_results* results, const Prefixes& prefixes,
-                                        Format format, std::size_t most, Answer& answer) {
+                                        Format format, const GraphLimits& limits, Answer& answer) {
   Statements made(world);
+  std::size_t octets = 0;
   const Owned<librdf_stream> stream(librdf_query_results_as_stream(results));
   for (; stream != nullptr && librdf_stream_end(stream.get()) == 0; librdf_stream_next(stream.get())) {
-    if (made.size() >= most) {
+    if (made.size() >= limits.rows || octets > limits.query_octets) {
       answer.is_cut = true;
       break;
     }
-    if (!made.add_copy(librdf_stream_get_object(stream.get()))) return "memory is short";
+    const librdf_statement* triple = librdf_stream_get_object(stream.get());
+    octets += triple_octets + graph::octets_of(*triple->subject) + graph::octets_of(*triple->predicate) +
+              graph::octets_of(*triple->object);
+    if (!made.add_copy(triple)) return "memory is short";
   }
   made.sort();
   auto text = write(world, made, format, prefixes);
@@ -122,28 +182,31 @@ std::optional<std::string> read_triples(World& world, librdf_query_results* resu
 
 }  // namespace
 
-std::expected<Answer, std::string> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
-                                       Format format, const GraphLimits& limits) {
+std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
+                                    Format format, const GraphLimits& limits, base::Budget* budget) {
+  const auto refuse = [](std::string text) { return std::unexpected(AskError{std::move(text)}); };
   if (query.size() > limits.query_bytes)
-    return std::unexpected("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
+    return refuse("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
+  if (levels_of(query) > limits.query_levels)
+    return refuse("the query nests groups deeper than " + std::to_string(limits.query_levels) +
+                  " levels, for which it would take too long: ask in several queries");
   if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos)
-    return std::unexpected("the query is no text in UTF-8");
+    return refuse("the query is no text in UTF-8");
   World& world = graph.store().world;
   const std::string text = with_prefixes(query, prefixes);
   Answer answer;
-  if (auto refusal = refusal_of(world, text, answer.variables)) return std::unexpected(std::move(*refusal));
+  if (auto refusal = refusal_of(world, text, answer.variables)) return refuse(std::move(*refusal));
 
-  const Owned<librdf_storage> storage(
-      librdf_new_storage(world.redland(), "hashes", "asked", "hash-type='memory',index-predicates='yes'"));
+  TripleIndex index(graph.store().statements.all(), limits, budget);
+  const Owned<librdf_storage> storage(index.storage(world));
   const Owned<librdf_model> model(storage ? librdf_new_model(world.redland(), storage.get(), nullptr) : nullptr);
-  const Owned<librdf_stream> all(model ? graph.store().statements.stream() : nullptr);
-  if (!all || librdf_model_add_statements(model.get(), all.get()) != 0)
-    return std::unexpected("Redland cannot hold the graph: memory is short");
+  if (!model) return refuse("Redland cannot hold the graph: memory is short");
   const Owned<librdf_query> asked(librdf_new_query(world.redland(), language, nullptr, octets(text), nullptr));
   const Owned<librdf_query_results> results(asked ? librdf_model_query_execute(model.get(), asked.get()) : nullptr);
+  if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
   if (!results) {
     const std::string error = world.take_error();
-    return std::unexpected("the query cannot be answered: " + (error.empty() ? "memory is short" : error));
+    return refuse("the query cannot be answered: " + (error.empty() ? "memory is short" : error));
   }
   std::optional<std::string> failed;
   if (librdf_query_results_is_boolean(results.get()) != 0) {
@@ -151,13 +214,14 @@ std::expected<Answer, std::string> ask(const Graph& graph, const std::string& qu
     answer.is_true = librdf_query_results_get_boolean(results.get()) > 0;
   } else if (librdf_query_results_is_graph(results.get()) != 0) {
     answer.kind = Answer::Kind::triples;
-    failed = read_triples(world, results.get(), prefixes, format, limits.rows, answer);
+    failed = read_triples(world, results.get(), prefixes, format, limits, answer);
   } else {
-    read_rows(results.get(), limits.rows, answer);
+    read_rows(results.get(), limits, answer);
   }
-  if (failed) return std::unexpected(std::move(*failed));
+  if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
+  if (failed) return refuse(std::move(*failed));
   if (const std::string error = world.take_error(); !error.empty())
-    return std::unexpected("the query cannot be answered: " + error);
+    return refuse("the query cannot be answered: " + error);
   return answer;
 }
 

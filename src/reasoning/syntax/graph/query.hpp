@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "reasoning/syntax/graph/graph.hpp"
 
 namespace geminga::graph {
@@ -21,12 +22,19 @@ struct Answer {
   std::string text;     ///< the triples of CONSTRUCT
 };
 
+/// Why there is no answer, in one line, and whether that is a limit.
+struct AskError {
+  std::string text;
+  bool is_limit = false;
+};
+
 /// Asks a sorted graph. SELECT, ASK and CONSTRUCT are answered. What would fetch or change something (SERVICE, FROM,
-/// LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares them. Only the
-/// process limits the time that it takes.
-[[nodiscard]] std::expected<Answer, std::string> ask(const Graph& graph, const std::string& query,
-                                                     const Prefixes& prefixes, Format format = Format::turtle,
-                                                     const GraphLimits& limits = {});
+/// LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares them. `budget`
+/// (null: no limit) counts the triples that are looked at; what rasqal computes without them, only the process limits.
+/// Beyond a limit there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS).
+[[nodiscard]] std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query,
+                                                  const Prefixes& prefixes, Format format = Format::turtle,
+                                                  const GraphLimits& limits = {}, base::Budget* budget = nullptr);
 
 }  // namespace geminga::graph
 

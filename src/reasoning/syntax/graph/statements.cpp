@@ -146,6 +146,24 @@ librdf_stream* Statements::stream() const {
   return stream;
 }
 
+std::size_t octets_of(const raptor_term& term) {
+  std::size_t size = 0;
+  switch (term.type) {
+    case RAPTOR_TERM_TYPE_URI:
+      (void)raptor_uri_as_counted_string(term.value.uri, &size);
+      break;
+    case RAPTOR_TERM_TYPE_BLANK:
+      size = term.value.blank.string_len;
+      break;
+    case RAPTOR_TERM_TYPE_LITERAL:
+      size = term.value.literal.string_len;
+      break;
+    default:
+      break;
+  }
+  return size;
+}
+
 Node node_of(const raptor_term& term) {
   switch (term.type) {
     case RAPTOR_TERM_TYPE_URI:

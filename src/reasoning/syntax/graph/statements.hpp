@@ -3,6 +3,9 @@
 #define GEMINGA_REASONING_SYNTAX_GRAPH_STATEMENTS_HPP
 
 #include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "reasoning/syntax/graph/node.hpp"
@@ -31,6 +34,7 @@ class Statements {
   void remove(const Statements& others);
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   void for_each(const TripleSink& sink) const;
+  [[nodiscard]] std::span<raptor_statement* const> all() const { return all_; }
   /// The statements in their order. librdf_free_stream() must free it while they exist.
   [[nodiscard]] librdf_stream* stream() const;
 
@@ -41,6 +45,8 @@ class Statements {
   std::vector<raptor_statement*> all_;
 };
 
+/// The octets of the texts of a term.
+[[nodiscard]] std::size_t octets_of(const raptor_term& term);
 /// A term as plain texts.
 [[nodiscard]] Node node_of(const raptor_term& term);
 

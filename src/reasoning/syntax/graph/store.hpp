@@ -22,11 +22,20 @@ struct Graph::Store {
   std::function<bool(const Node&, std::string_view, const Node&)> keeps;
   std::optional<std::string> problem;
 
-  /// Whether there is room for one more triple. If not, that is the problem of the graph.
-  bool make_room() {
-    if (!problem && statements.size() >= limits.triples)
-      problem = "more than " + std::to_string(limits.triples) + " triples in all: give fewer files";
-    return !problem;
+  std::size_t octets = 0;      ///< of all triples that were added
+  bool is_over_limit = false;  ///< that is the problem
+
+  /// Whether there is room for one more triple with so many octets of texts. If not, that is the problem of the graph.
+  bool make_room(std::size_t text_octets) {
+    if (problem) return false;
+    octets += triple_octets + text_octets;
+    is_over_limit = statements.size() >= limits.triples || octets > limits.octets;
+    if (!is_over_limit) return true;
+    problem = octets > limits.octets
+                  ? "the triples take more than " + std::to_string(limits.octets >> 20U) +
+                        " MiB in all: give fewer files, ask for less (without --closure), or raise --memory-limit"
+                  : "more than " + std::to_string(limits.triples) + " triples in all: give fewer files";
+    return false;
   }
   void fail(std::string_view words) {
     if (!problem) problem = words;

@@ -155,7 +155,7 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
   if (syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
   if (!bytes) return std::unexpected(std::move(bytes.error()));
   const auto syntax = syntax::detect_syntax(path, bytes->view());
-  if (!syntax) return refuse(0, syntax.error());
+  if (!syntax) return std::unexpected(syntax::LoadError{base::printable(path, 4096), 0, syntax.error(), true});
   auto layout = scan(*syntax, bytes->view(), limits);
   if (!layout) return refuse(layout.error().line, std::move(layout.error().text));
   return ScannedFile{std::move(*bytes), content, *syntax, std::move(*layout)};
@@ -274,20 +274,51 @@ std::expected<TextFile, syntax::LoadError> read_text(const std::string& path, co
   return TextFile{std::move(scanned->bytes), scanned->syntax, base_iri(path)};
 }
 
-std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments, const syntax::FileLimits& limits,
-                                              OtherReader* other, unsigned threads) {
-  auto listing = list_files(arguments, limits);
-  if (!listing) return std::unexpected(std::move(listing.error()));
-  Loading loading(listing->files, limits, other, threads);
-  for (std::size_t number = 0; number < listing->files.size(); ++number) {
+namespace {
+
+/// Loads the files of a listing. A catalogue that is refused is added to `left_out`, or refuses everything where that
+/// is null.
+std::expected<Loaded, syntax::LoadError> load_listed(const syntax::Listing& listing, const syntax::FileLimits& limits,
+                                                     OtherReader* other, unsigned threads,
+                                                     std::vector<syntax::LoadError>* left_out) {
+  if (other != nullptr) other->begin();
+  Loading loading(listing.files, limits, other, threads);
+  for (std::size_t number = 0; number < listing.files.size(); ++number) {
     if (auto error = loading.read(number)) return std::unexpected(std::move(*error));
   }
-  for (const std::string& folder : listing->folders) {
-    if (auto error = loading.read_catalog_in(folder)) return std::unexpected(std::move(*error));
+  std::vector<syntax::LoadError> refused;
+  for (const std::string& folder : listing.folders) {
+    auto error = loading.read_catalog_in(folder);
+    if (!error) continue;
+    if (left_out == nullptr || left_out->size() + refused.size() >= syntax::max_left_out)
+      return std::unexpected(std::move(*error));
+    refused.push_back(std::move(*error));
   }
   auto loaded = loading.finish();
-  if (loaded) loaded->listing = std::move(*listing);
+  if (loaded && left_out != nullptr) left_out->insert(left_out->end(), refused.begin(), refused.end());
   return loaded;
+}
+
+}  // namespace
+
+std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments, const syntax::FileLimits& limits,
+                                              OtherReader* other, unsigned threads,
+                                              std::vector<syntax::LoadError>* left_out) {
+  auto listing = list_files(arguments, limits, {}, left_out);
+  if (!listing) return std::unexpected(std::move(listing.error()));
+  while (true) {
+    auto loaded = load_listed(*listing, limits, other, threads, left_out);
+    if (loaded) loaded->listing = std::move(*listing);
+    if (loaded || left_out == nullptr || left_out->size() >= syntax::max_left_out) return loaded;
+    const auto is_refused = [&](const std::string& path) {
+      return loaded.error().file == path || loaded.error().file == base::printable(path, 4096);
+    };
+    const auto bad = std::ranges::find_if(listing->files, is_refused);
+    const bool is_of_folder = bad != listing->files.end() && std::ranges::find(arguments, *bad) == arguments.end();
+    if (!is_of_folder || listing->files.size() == 1) return loaded;
+    left_out->push_back(std::move(loaded.error()));
+    listing->files.erase(bad);
+  }
 }
 
 }  // namespace geminga::rdf

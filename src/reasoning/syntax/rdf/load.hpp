@@ -39,6 +39,8 @@ struct PrefixConflict {
 class OtherReader {
  public:
   virtual ~OtherReader() = default;
+  /// A load begins, from its first file: what an earlier one has given is void.
+  virtual void begin() {}
   /// Sees each file of a syntax in which files use each other's declarations, before the first of them is read.
   virtual void look_ahead(syntax::Syntax syntax, std::string_view bytes) = 0;
   /// Appends annotations to those that are there, if it keeps annotations.
@@ -75,10 +77,13 @@ struct TextFile {
 /// them (folders.hpp). Opens nothing else, whatever the files say. The first file that is broken, hostile or beyond a
 /// limit refuses everything, with its line. The result does not depend on the order of triples; which error is reported
 /// depends on the order of files. Up to `threads` threads parse a large file; the result does not depend on them. Files
-/// in the syntaxes of OWL 2 go to `other`, and are refused without one.
+/// in the syntaxes of OWL 2 go to `other`, and are refused without one. Where `left_out` is not null, a file of a
+/// folder that is refused, and a catalogue, are left out and added there with their errors, up to syntax::max_left_out;
+/// a file that is named itself refuses everything still. Each such file costs one more load.
 [[nodiscard]] std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> arguments,
                                                             const syntax::FileLimits& limits = {},
-                                                            OtherReader* other = nullptr, unsigned threads = 1);
+                                                            OtherReader* other = nullptr, unsigned threads = 1,
+                                                            std::vector<syntax::LoadError>* left_out = nullptr);
 
 }  // namespace geminga::rdf
 

@@ -128,11 +128,7 @@ def rotation(pair: Pair) -> None:
 def migration(pair: Pair) -> None:
     """sealed: the steps from plain to sealed lose no message"""
     count = 500
-    for host in pair.hosts:
-        host.kill_daemon()
-        pair.lab.team.write(host.number, "prepared")
-    for host in pair.hosts:
-        host.start_daemon(pair.lab.gemingad)
+    pair.lab.start_daemons_as("prepared")
     for agent in (pair.pub, pair.sub):
         agent.any("disconnected")
         agent.find("connected")

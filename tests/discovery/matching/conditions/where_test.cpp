@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "discovery/matching/conditions/similar_unit.hpp"
+
 namespace geminga::matching {
 namespace {
 
@@ -171,7 +173,10 @@ TEST(Where, ComparesQuantitiesInWhateverUnitTheyAreStated) {
   entry.publication.attributes["range"] = "3";
   EXPECT_EQ(Where::parse("range >= 1 m")->misses(entry), "range is 3, which is no number with a unit");
   entry.publication.attributes["range"] = "3 kg";
-  EXPECT_EQ(Where::parse("range >= 1 m")->misses(entry), "range is '3 kg', which is in a unit of another kind");
+  EXPECT_EQ(Where::parse("range >= 1 m")->misses(entry),
+            "range is '3 kg', which is in a unit of another kind than 1 m");
+  EXPECT_EQ(Where::parse("range >= 1")->misses(entry),
+            "range is '3 kg', which has a unit: compare it with a number with a unit of its kind");
 }
 
 TEST(Where, NotBindsTighterThanAndAndThatThanOr) {
@@ -196,6 +201,7 @@ TEST(Where, ReadsTheFieldsOfEachKindOfIdentity) {
 }
 
 TEST(Where, SaysWhatIsWrongAtWhichOctet) {
+  const std::string known = ": " + std::string(known_units);
   const std::vector<std::pair<std::string, std::string>> cases{
       {" ", "expected a key, 'has', 'not' or '(' at octet 2"},
       {"rate", "expected =, !=, <, <=, >, >=, in, not in or like at octet 5"},
@@ -204,7 +210,8 @@ TEST(Where, SaysWhatIsWrongAtWhichOctet) {
       {"and = 1", "expected a key, 'has', 'not' or '(' at octet 1"},
       {"has", "expected a key after 'has' at octet 4"},
       {"has or", "expected a key after 'has' at octet 5"},
-      {"rate = 1 camera = 2", "expected 'and', 'or', the end or a unit that is known at octet 10"},
+      {"rate = 1 camera = 2", "expected 'and', 'or', the end or a unit that is known at octet 10" + known},
+      {"range < 3 parsecs", "expected 'and', 'or', the end or a unit that is known at octet 11" + known},
       {"(rate = 1", "expected ')' at octet 10"},
       {"rate = 1)", "expected 'and', 'or' or the end at octet 9"},
       {"a/b = 1", "a key has only letters, digits, '_', '.' and '-' at octet 2"},
@@ -224,7 +231,9 @@ TEST(Where, SaysWhatIsWrongAtWhichOctet) {
       {"rate like", "expected a number, a word or a quoted text at octet 10"},
       {"rate < r*", "a pattern is neither less nor greater: quote it to compare it as a text at octet 8"},
       {"rate < 3m", "write a blank between number and unit, or quote it to compare it as a text at octet 8"},
-      {"rate < 3 metres", "expected 'and', 'or', the end or a unit that is known at octet 10"},
+      {"rate < 3 metres", "expected 'and', 'or', the end or a unit that is known at octet 10: did you mean m?"},
+      {"rate < 3 Kilograms", "expected 'and', 'or', the end or a unit that is known at octet 10: did you mean kg?"},
+      {"rate < 3 KM", "expected 'and', 'or', the end or a unit that is known at octet 10: did you mean km?"},
       {"rate < 1e308 km", "this number is out of range at octet 8"},
       {std::string("rate = \0", 8), "expected a number, a word or a quoted text at octet 8"},
   };
@@ -309,6 +318,30 @@ TEST(Where, NamesAnAttributeThatAFieldWouldHideByItsPrefix) {
   EXPECT_TRUE(accepts("attr.rate >= 30 and has attr.camera"));
   EXPECT_FALSE(accepts("has attr.priority"));
   EXPECT_FALSE(accepts("has attr."));
+}
+
+TEST(Where, SaysWhichKeyOrValueMayHaveBeenMeant) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"rat > 3", "rat is absent (did you mean rate?)"},
+      {"Rate > 3", "Rate is absent (did you mean rate?)"},
+      {"attr.rat > 3", "attr.rat is absent (did you mean rate?)"},
+      {"has camra", "camra is absent (did you mean camera?)"},
+      {"prority = 2", "prority is absent (did you mean priority?)"},
+      {"attr.prority = 2", "attr.prority is absent"},
+      {"speed > 3", "speed is absent"},
+      {"camera = Front", "camera is front (did you mean it?)"},
+      {"camera = fron", "camera is front (did you mean it?)"},
+      {"camera = rear", "camera is front"},
+      {"camera in (Front, rear)", "camera is front (did you mean it?)"},
+      {"camera != front", "camera is front"},
+  };
+  for (const auto& [expression, words] : cases)
+    EXPECT_EQ(Where::parse(expression)->misses(camera()), words) << expression;
+  auto robot = camera();
+  robot.participant_name = "robot1";
+  EXPECT_EQ(Where::parse("participant_name = robot2")->misses(robot), "participant_name is robot1")
+      << "numbers are no slips";
+  EXPECT_EQ(Where::parse("participant_name = Robot1")->misses(robot), "participant_name is robot1 (did you mean it?)");
 }
 
 TEST(Where, SaysWhatKeepsItFromHolding) {

@@ -111,9 +111,12 @@ TEST(Schedule, GivesASignOfLifeAtOnceToWhoDoubtsItAndLetsADoubtedOneAnswerForIts
   schedule.doubted(begin);
   EXPECT_EQ(schedule.due(), begin);
   EXPECT_EQ(schedule.take(begin), Say::presence);
-  schedule.bear_witness(begin);
+  EXPECT_TRUE(schedule.bear_witness(begin));
   EXPECT_GE(schedule.due(), begin + witness_delay);
   EXPECT_LE(schedule.due(), begin + 2 * witness_delay);
+  EXPECT_FALSE(schedule.bear_witness(begin)) << "is due already";
+  schedule.leave_testimony();
+  EXPECT_GT(schedule.due(), begin + seconds(1)) << "it has answered for itself";
 }
 
 TEST(Schedule, DeniesItsNextLifeOftenInAShortWhileAndOnceInFiveIntervals) {

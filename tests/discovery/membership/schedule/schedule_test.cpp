@@ -99,7 +99,7 @@ TEST(Schedule, SaysInEachIntervalThatAnUnchangedStateIsAsItWas) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
 
-TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForFiveIntervals) {
+TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForFiveIntervalsToWhoGoesOnAsking) {
   auto schedule = running(13);
   const auto asked = start + seconds(10);
   run(schedule, asked);
@@ -107,8 +107,15 @@ TEST(Schedule, SaysItsStateAgainToWhoLacksItAndForFiveIntervals) {
   EXPECT_LE(schedule.due(), asked + max_repair_delay);
   EXPECT_EQ(schedule.take(schedule.due()), Say::state);
   EXPECT_GE(schedule.due(), asked + seconds(1)) << "one repeat answers all who ask";
+  schedule.lacked(asked + milliseconds(999));
   EXPECT_EQ(schedule.take(schedule.due()), Say::state);
-  run(schedule, asked + seconds(13));
+  EXPECT_EQ(schedule.take(schedule.due()), Say::presence) << "not for so long";
+  const auto again = asked + seconds(4);
+  run(schedule, again);
+  schedule.lacked(again);
+  schedule.lacked(again + seconds(1));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(schedule.take(schedule.due()), Say::state);
+  run(schedule, again + seconds(14));
   EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
 
@@ -162,11 +169,25 @@ TEST(Schedule, TellsChangesWithinTheSpacingTogether) {
   const auto change = [](Schedule& s, Instant now) { s.changed(Say::state, now); };
   run(schedule, when - milliseconds(1));
   // Both the last periodic announcement and this test's first one are more than the spacing away.
-  const auto sent = run(schedule, when + min_spacing,
-                        {{when, change}, {when + milliseconds(1), change}, {when + milliseconds(2), change}});
+  const auto sent = run(schedule, when + change_spacing,
+                        {{when, change}, {when + milliseconds(1), change}, {when + milliseconds(19), change}});
   ASSERT_EQ(sent.size(), 2U);
   EXPECT_EQ(sent[0], when);
-  EXPECT_EQ(sent[1], when + min_spacing);
+  EXPECT_EQ(sent[1], when + change_spacing);
+}
+
+TEST(Schedule, TellsChangesThatGoOnEverMoreSeldomUpToTheLongestSpacing) {
+  auto schedule = running(4);
+  const auto when = start + seconds(5);
+  schedule.set_loss(0);
+  run(schedule, when - milliseconds(1));
+  std::vector<Disturbance> changes;
+  for (int i = 0; i <= 500; ++i) {
+    changes.push_back({when + milliseconds(i), [](Schedule& s, Instant now) { s.changed(Say::state, now); }});
+  }
+  const auto sent = run(schedule, when + milliseconds(500), std::move(changes));
+  EXPECT_THAT(sent, testing::ElementsAre(when, when + milliseconds(20), when + milliseconds(60),
+                                         when + milliseconds(140), when + milliseconds(300), when + milliseconds(460)));
 }
 
 TEST(Schedule, ShowsItselfLaterOnAsWellWhereManyShareTheAir) {
@@ -191,7 +212,7 @@ TEST(Schedule, NeverSendsTwiceWithinTheSpacingNorMoreThanItsRate) {
   const auto sent = run(schedule, start + seconds(10), std::move(changes));
   for (std::size_t i = 1; i < sent.size(); ++i) EXPECT_GE(sent[i] - sent[i - 1], min_spacing);
   EXPECT_LE(sent.size(), burst_capacity + seconds(10) / refill_time + 1);
-  EXPECT_GE(sent.size(), static_cast<std::size_t>(seconds(10) / refill_time));
+  EXPECT_GE(sent.size(), static_cast<std::size_t>(seconds(10) / longest_change_spacing));
 }
 
 /// While the loss is not known.

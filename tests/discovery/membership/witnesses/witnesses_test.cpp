@@ -74,18 +74,18 @@ TEST(Witnesses, CountOnlyWhoElseHasSpokenOfLate) {
 TEST(Witnesses, DifferNewlyForTwoIntervalsAndAgainWhenSomethingChanges) {
   auto ours = member_of(4, 1, now);
   auto presence = presence_of(2, member_of(4, 2, now));
-  EXPECT_EQ(ours.compare(presence, now), Unknown::nobody) << "they know the same";
+  EXPECT_EQ(ours.compare(presence, now).unknown, Unknown::nobody) << "they know the same";
   ++presence.witness.members;
-  EXPECT_NE(ours.compare(presence, now + seconds(1)), Unknown::nobody);
-  EXPECT_NE(ours.compare(presence, now + seconds(4)), Unknown::nobody);
-  EXPECT_EQ(ours.compare(presence, now + seconds(5)), Unknown::nobody) << "they may never hear each other";
+  EXPECT_NE(ours.compare(presence, now + seconds(1)).unknown, Unknown::nobody);
+  EXPECT_NE(ours.compare(presence, now + seconds(4)).unknown, Unknown::nobody);
+  EXPECT_EQ(ours.compare(presence, now + seconds(5)).unknown, Unknown::nobody) << "they may never hear each other";
   ours.remove(ParticipantId{4});
-  EXPECT_NE(ours.compare(presence, now + seconds(6)), Unknown::nobody);
-  EXPECT_EQ(ours.compare(presence, now + seconds(11)), Unknown::nobody);
+  EXPECT_NE(ours.compare(presence, now + seconds(6)).unknown, Unknown::nobody);
+  EXPECT_EQ(ours.compare(presence, now + seconds(11)).unknown, Unknown::nobody);
   ++presence.witness.members;
-  EXPECT_NE(ours.compare(presence, now + seconds(12)), Unknown::nobody);
+  EXPECT_NE(ours.compare(presence, now + seconds(12)).unknown, Unknown::nobody);
   presence.participant = ParticipantId{4};
-  EXPECT_EQ(ours.compare(presence, now + seconds(12)), Unknown::nobody) << "unknown";
+  EXPECT_EQ(ours.compare(presence, now + seconds(12)).unknown, Unknown::nobody) << "unknown";
 }
 
 TEST(Witnesses, TellWhomSomebodyDoesNotKnowWhereOneOrTwoAreMissing) {
@@ -93,7 +93,7 @@ TEST(Witnesses, TellWhomSomebodyDoesNotKnowWhereOneOrTwoAreMissing) {
     auto ours = member_of(count, 1, now);
     auto theirs = member_of(count, 2, now);
     for (const std::uint32_t id : missing) theirs.remove(ParticipantId{id});
-    const auto unknown = ours.compare(presence_of(2, theirs), now);
+    const auto unknown = ours.compare(presence_of(2, theirs), now).unknown;
     EXPECT_EQ(ours.is_unlike(now), unknown == Unknown::unclear);
     return unknown;
   };
@@ -113,10 +113,10 @@ TEST(Witnesses, TellWhomSomebodyDoesNotKnowWhereOneOrTwoAreMissing) {
 TEST(Witnesses, AreUnlikeUntilOursOrTheLastWordOfAnotherIsOfTheSame) {
   auto ours = member_of(8, 1, now);
   const auto theirs = member_of(9, 2, now);
-  EXPECT_EQ(ours.compare(presence_of(2, theirs), now), Unknown::unclear) << "it knows one whom we do not";
+  EXPECT_EQ(ours.compare(presence_of(2, theirs), now).unknown, Unknown::unclear) << "it knows one whom we do not";
   EXPECT_TRUE(ours.is_unlike(now));
   EXPECT_FALSE(ours.is_unlike(now + seconds(4))) << "some never hear each other";
-  EXPECT_EQ(ours.compare(presence_of(3, member_of(8, 3, now)), now), Unknown::nobody);
+  EXPECT_EQ(ours.compare(presence_of(3, member_of(8, 3, now)), now).unknown, Unknown::nobody);
   EXPECT_FALSE(ours.is_unlike(now));
   (void)ours.compare(presence_of(2, theirs), now);
   EXPECT_TRUE(ours.is_unlike(now));

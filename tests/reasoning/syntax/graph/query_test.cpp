@@ -24,12 +24,12 @@ class Query : public testing::Test {
     graph_.sort();
   }
 
-  [[nodiscard]] std::expected<Answer, std::string> ask(const std::string& query, const GraphLimits& limits = {}) const {
+  [[nodiscard]] std::expected<Answer, AskError> ask(const std::string& query, const GraphLimits& limits = {}) const {
     return graph::ask(graph_, query, prefixes, Format::n_triples, limits);
   }
   [[nodiscard]] std::string refusal(const std::string& query) const {
     const auto answer = ask(query);
-    return answer ? "answered" : answer.error();
+    return answer ? "answered" : answer.error().text;
   }
 
   Graph graph_;
@@ -38,7 +38,7 @@ class Query : public testing::Test {
 TEST_F(Query, SelectsRowsInTheOrderThatItAsksFor) {
   const auto answer =
       ask("SELECT ?x ?l ?none WHERE { ?x rdfs:subClassOf e:d ; rdfs:label ?l } ORDER BY DESC(?l) LIMIT 2");
-  ASSERT_TRUE(answer) << answer.error();
+  ASSERT_TRUE(answer) << answer.error().text;
   EXPECT_EQ(answer->kind, Answer::Kind::rows);
   EXPECT_THAT(answer->variables, ElementsAre("x", "l", "none"));
   ASSERT_EQ(answer->rows.size(), 2U);
@@ -52,14 +52,14 @@ TEST_F(Query, AsksAndConstructs) {
   EXPECT_TRUE(ask("ASK { e:a rdfs:subClassOf e:d }")->is_true);
   EXPECT_FALSE(ask("ASK { e:d rdfs:subClassOf e:a }")->is_true);
   const auto answer = ask("CONSTRUCT { ?x e:below e:d } WHERE { ?x rdfs:subClassOf e:d . FILTER(?x != e:b) }");
-  ASSERT_TRUE(answer) << answer.error();
+  ASSERT_TRUE(answer) << answer.error().text;
   EXPECT_EQ(answer->text,
             "<http://e/a> <http://e/below> <http://e/d> .\n<http://e/c> <http://e/below> <http://e/d> .\n");
 }
 
 TEST_F(Query, MayDeclareItsPrefixesItself) {
   const auto answer = ask("PREFIX e: <http://other/> SELECT ?x WHERE { ?x rdfs:subClassOf e:d }");
-  ASSERT_TRUE(answer) << answer.error();
+  ASSERT_TRUE(answer) << answer.error().text;
   EXPECT_TRUE(answer->rows.empty());
 }
 
@@ -93,6 +93,80 @@ TEST_F(Query, HasLimitsOfRowsAndOfItsOwnLength) {
   const std::string query = "ASK { e:a rdfs:subClassOf e:d }";
   EXPECT_TRUE(ask(query, {.query_bytes = query.size()}));
   EXPECT_FALSE(ask(query, {.query_bytes = query.size() - 1}));
+}
+
+TEST_F(Query, FindsTriplesByEachOfTheirParts) {
+  const auto rows = [&](const std::string& pattern) {
+    const auto answer = ask("SELECT * WHERE { " + pattern + " }");
+    return answer ? static_cast<int>(answer->rows.size()) : -1;
+  };
+  EXPECT_EQ(rows("?s ?p ?o"), 6);
+  EXPECT_EQ(rows("e:a ?p ?o"), 2);
+  EXPECT_EQ(rows("e:a rdfs:label ?o"), 1);
+  EXPECT_EQ(rows("?s rdfs:label ?o"), 3);
+  EXPECT_EQ(rows("?s ?p e:d"), 3);
+  EXPECT_EQ(rows("?s rdfs:subClassOf e:d"), 3);
+  EXPECT_EQ(rows("e:a ?p e:d"), 1);
+  EXPECT_EQ(rows("?s ?p \"the b\"@en"), 1);
+  EXPECT_EQ(rows("?s ?p \"the b\""), 0);
+  EXPECT_EQ(rows("?s rdfs:label ?l . ?s rdfs:subClassOf ?d . ?other rdfs:subClassOf ?d"), 9);
+  EXPECT_EQ(rows("e:a rdfs:subClassOf ?x OPTIONAL { ?x rdfs:label ?l }"), 1);
+  EXPECT_EQ(rows("e:nobody ?p ?o"), 0);
+}
+
+TEST_F(Query, EndsAtItsLimitOfSteps) {
+  const std::string query = "SELECT * WHERE { ?x rdfs:subClassOf e:d . ?x rdfs:label ?l }";
+  const auto asked = [&](base::Budget& budget) {
+    return graph::ask(graph_, query, prefixes, Format::n_triples, {}, &budget);
+  };
+  base::Budget plenty;
+  ASSERT_TRUE(asked(plenty));
+  const std::uint64_t needed = plenty.spent();
+  for (const std::uint64_t steps : {needed - 1, needed, needed + 1}) {
+    base::Budget budget(steps);
+    const auto answer = asked(budget);
+    EXPECT_EQ(answer.has_value(), steps > needed - 1) << steps << " of " << needed;
+    EXPECT_TRUE(answer || answer.error().is_limit);
+  }
+}
+
+/// A query whose braces nest so deep.
+std::string nested(std::size_t levels) {
+  std::string query = "SELECT * WHERE { ?s ?p ?o ";
+  for (std::size_t level = 1; level < levels; ++level) query += "OPTIONAL { ?s ?p ?o ";
+  return query + std::string(levels, '}');
+}
+
+TEST_F(Query, HasALimitOfNestedGroups) {
+  for (const std::size_t most : {4U, 5U, 6U}) EXPECT_EQ(ask(nested(5), {.query_levels = most}).has_value(), most >= 5);
+  EXPECT_THAT(refusal(nested(3000)), HasSubstr("nests groups deeper than 10 levels"));
+  const std::string braces(20, '{');
+  for (const std::string& harmless :
+       std::vector<std::string>{"ASK { ?s ?p \"" + braces + "\" }", "ASK { ?s ?p '''" + braces + "' \\'''' }",
+                                "ASK { ?s ?p ?o } # " + braces + "\n", "ASK { ?s ?p ?o . FILTER(?o < 3 && ?o > 2) }"})
+    EXPECT_TRUE(ask(harmless)) << harmless << refusal(harmless);
+  EXPECT_THAT(refusal("ASK { ?s ?p '}}}}}}}}}}}}' " + nested(12)), HasSubstr("nests groups deeper"));
+  EXPECT_THAT(refusal("# it's\n" + nested(12)), HasSubstr("nests groups deeper"));
+  EXPECT_THAT(refusal("PREFIX a: <http://e/'> " + nested(12)), HasSubstr("nests groups deeper"));
+}
+
+TEST_F(Query, EndsAtItsLimitOfOctets) {
+  const auto answer = ask("SELECT * WHERE { ?s ?p ?o }", {.query_octets = 1});
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->is_cut);
+  EXPECT_EQ(answer->rows.size(), 1U);
+}
+
+TEST(GraphLimit, OfOctetsCountsTriplesAndTheirTexts) {
+  const std::size_t one = triple_octets + 3 * std::string("http://e/a").size();
+  for (const std::size_t most : {2 * one - 1, 2 * one, 2 * one + 1}) {
+    Graph graph({.octets = most});
+    graph.add(iri("http://e/a"), iri("http://e/b"), iri("http://e/c"));
+    EXPECT_FALSE(graph.problem());
+    graph.add(iri("http://e/a"), iri("http://e/b"), iri("http://e/d"));
+    EXPECT_EQ(graph.problem().has_value(), most < 2 * one) << most;
+    EXPECT_EQ(graph.is_over_limit(), most < 2 * one) << most;
+  }
 }
 
 }  // namespace

@@ -34,6 +34,47 @@ std::vector<std::string> names(const std::expected<syntax::Listing, syntax::Load
   return found;
 }
 
+TEST(Files, OfAFolderThatAreRefusedAreLeftOutWhereThatIsWanted) {
+  const Scratch scratch;
+  scratch.write("a.ttl", "<http://e/A> <http://e/p> <http://e/B> .\n");
+  scratch.write("b.ttl", "this is broken");
+  scratch.write("c.ttl.gz", "\x1f\x8b\x08");
+  scratch.write("below/d.nt", "<http://e/C> <http://e/p> <http://e/D> .\n");
+  scratch.write("catalog-v001.xml", "<broken");
+  std::filesystem::create_symlink("/dev/null", scratch.path() / "e.ttl");
+  const std::vector<std::string> folder{scratch.path().string()};
+  EXPECT_FALSE(load(folder));
+  std::vector<syntax::LoadError> left_out;
+  const auto loaded = load(folder, {}, nullptr, 1, &left_out);
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_EQ(loaded->triples, 2U);
+  EXPECT_THAT(from(scratch.path(), loaded->listing.files), ElementsAre("a.ttl", "below/d.nt"));
+  std::vector<std::string> named;
+  for (const syntax::LoadError& error : left_out)
+    named.push_back(std::filesystem::path(error.file).filename().string());
+  EXPECT_THAT(named, testing::UnorderedElementsAre("b.ttl", "c.ttl.gz", "e.ttl", "catalog-v001.xml"));
+
+  left_out.clear();
+  const std::vector<std::string> named_itself{scratch.path().string(), (scratch.path() / "b.ttl").string()};
+  EXPECT_FALSE(load(named_itself, {}, nullptr, 1, &left_out)) << "a file that is named itself is wanted";
+}
+
+TEST(Files, OfAFolderAreLeftOutUpToALimit) {
+  for (const std::size_t bad : {syntax::max_left_out - 1, syntax::max_left_out, syntax::max_left_out + 1}) {
+    const Scratch scratch;
+    scratch.write("z.ttl", "");
+    for (std::size_t number = 0; number < bad; ++number) scratch.write("b" + std::to_string(number) + ".ttl", "broken");
+    std::vector<syntax::LoadError> left_out;
+    const auto loaded = load(std::vector{scratch.path().string()}, {}, nullptr, 1, &left_out);
+    EXPECT_EQ(loaded.has_value(), bad <= syntax::max_left_out) << bad;
+    EXPECT_EQ(left_out.size(), std::min(bad, syntax::max_left_out)) << bad;
+  }
+  const Scratch scratch;
+  scratch.write("b.ttl", "broken");
+  std::vector<syntax::LoadError> left_out;
+  EXPECT_FALSE(load(std::vector{scratch.path().string()}, {}, nullptr, 1, &left_out)) << "nothing would be left";
+}
+
 TEST(Files, AFolderMeansItsOntologyFilesAndThoseBelowSortedByPath) {
   const Scratch scratch;
   for (const char* name :

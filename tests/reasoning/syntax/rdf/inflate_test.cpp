@@ -88,8 +88,7 @@ TEST(Inflate, GrowsWithTheSizeOfThePackedFileAndNeverBeyondThatOfAnyFile) {
 
 TEST(Inflate, ABombCostsNoMoreThanItsLimit) {
   const std::string bomb = packed(std::string(std::size_t{64} << 20, ' '));
-  EXPECT_THAT(refusal("a.ttl.gz", bomb),
-              StartsWith("a.ttl.gz: unpacks to more than " + std::to_string(200 * bomb.size()) + " bytes"));
+  EXPECT_THAT(refusal("a.ttl.gz", bomb), StartsWith("a.ttl.gz: unpacks to more than 16777216 bytes"));
 }
 
 TEST(Inflate, FindsATextThatIsTooLongBeforeTheRestIsUnpacked) {

@@ -2,6 +2,7 @@ package geminga.channels;
 
 import geminga.Event;
 import geminga.protocol.Backoff;
+import geminga.protocol.ChannelKeys;
 import geminga.protocol.Limits;
 import geminga.protocol.LineException;
 import geminga.protocol.LineReader;
@@ -15,6 +16,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -38,6 +40,14 @@ public final class DaemonLink implements Stream.Reader {
     private long skipped;
     private Stream stream;
     private Loop.Timer helloTimeout;
+    /** The line of the log about a daemon that is not there. */
+    private Loop.Timer complaint;
+    private String reason = "no answer";
+    private boolean hasComplained;
+    /** Whether the last daemon that said hello has keys; null before the first one. */
+    private Boolean hasKeys;
+    /** The mode of this host; null where the daemon has not said it. */
+    private ChannelKeys.Mode mode;
     private int attempt;
     private long lastNumber;
     private boolean isUp;
@@ -56,10 +66,31 @@ public final class DaemonLink implements Stream.Reader {
     public void open() {
         loop.lock.lock();
         try {
+            complainLater();
             connect();
         } finally {
             loop.lock.unlock();
         }
+    }
+
+    /** Says once that there is no daemon, when there has been none for a while. */
+    private void complainLater() {
+        complaint = loop.after(Limits.NO_DAEMON, () -> {
+            hasComplained = true;
+            loop.log("no daemon at " + Endpoint.text(addresses.get(0)) + " for 1 s (" + reason + "): start gemingad, or say where it is with GEMINGA_CONNECT");
+        });
+    }
+
+    /** The keys of a new channel: none, or null until the daemon has told them. */
+    ChannelKeys keysOfNew() {
+        if (mode != null) return mode == ChannelKeys.Mode.PLAIN ? ChannelKeys.NONE : null;
+        return Boolean.FALSE.equals(hasKeys) ? ChannelKeys.NONE : null;
+    }
+
+    /** Whether services without a life may be connected; null if that is not known yet. */
+    Boolean takesPlain() {
+        if (mode != null) return mode.takesPlain();
+        return Boolean.FALSE.equals(hasKeys) ? Boolean.TRUE : null;
     }
 
     long nextNumber() {
@@ -83,7 +114,7 @@ public final class DaemonLink implements Stream.Reader {
         List<Parameter> written = new ArrayList<>();
         parameters.forEach((key, value) -> written.add(new Parameter(key, value)));
         String line = new Statement(number, command, subcommand, written).write() + "\r\n";
-        stream.write(ByteBuffer.wrap(line.getBytes(StandardCharsets.UTF_8)));
+        stream.write(line.getBytes(StandardCharsets.UTF_8));
     }
 
     /** Runs an action when the daemon has handled everything that was said so far. */
@@ -120,6 +151,7 @@ public final class DaemonLink implements Stream.Reader {
             });
         } catch (IOException fault) {
             stream = null;
+            reason = text(fault.getMessage());
             later();
         }
     }
@@ -131,7 +163,10 @@ public final class DaemonLink implements Stream.Reader {
 
     @Override
     public void connected() {
-        say(0, "sys", "hello", name.isEmpty() ? Map.of() : Map.of("name", name));
+        Map<String, String> said = new LinkedHashMap<>();
+        if (!name.isEmpty()) said.put("name", name);
+        said.put("keys", "yes");
+        say(0, "sys", "hello", said);
     }
 
     @Override
@@ -159,26 +194,49 @@ public final class DaemonLink implements Stream.Reader {
         if (statement.id() == 0 && statement.command().equals("msg")) {
             if (statement.subcommand().equals("hello") && !isUp) hello(statement);
             if (statement.subcommand().equals("pong")) pong();
+            if (statement.subcommand().equals("sealing") && isUp) mode(ChannelKeys.mode(value(statement, "mode")));
             return;
         }
         Stated request = requests.get(statement.id());
+        if (statement.command().equals("pub") && statement.subcommand().equals("keys")) {
+            if (isUp) keys(request, statement);
+            return;
+        }
         Told told = request == null || !isUp ? null : Told.read(statement);
         if (told != null) request.told(told);
+    }
+
+    /** Takes a line with keys, which neither the application nor a log is shown. */
+    private void keys(Stated request, Statement line) throws LineException {
+        ChannelKeys keys = ChannelKeys.read(line);
+        if (request != null) request.keys(ChannelKeys.life(line), keys);
+        mode(keys.mode());
+    }
+
+    private void mode(ChannelKeys.Mode told) {
+        if (told == null || told == mode) return;
+        mode = told;
+        List.copyOf(requests.values()).forEach(Stated::modeChanged);
+    }
+
+    private static String value(Statement statement, String key) {
+        return statement.parameters().stream().filter(one -> one.key().equals(key)).map(Parameter::value).findFirst().orElse("");
     }
 
     private void hello(Statement statement) {
         isUp = true;
         helloTimeout.cancel();
+        complaint.cancel();
+        if (hasComplained) loop.log("the daemon at " + Endpoint.text(addresses.get((attempt - 1) % addresses.size())) + " answers");
+        hasComplained = false;
         backoff.reset();
+        boolean isWithKeys = value(statement, "keys").equals("yes");
+        hasKeys = isWithKeys;
+        mode = ChannelKeys.mode(value(statement, "sealing"));
         attempt = 0;
-        String participant = "";
-        String host = "";
-        for (Parameter parameter : statement.parameters()) {
-            if (parameter.key().equals("participant")) participant = parameter.value();
-            if (parameter.key().equals("participant_name")) host = parameter.value();
-        }
-        loop.tell(new Event.Connected(participant, host));
+        loop.tell(new Event.Connected(value(statement, "participant"), value(statement, "participant_name")));
         for (Stated request : List.copyOf(requests.values())) {
+            request.daemonKeys(isWithKeys);
             request.daemonBack();
             request.state();
         }
@@ -200,7 +258,8 @@ public final class DaemonLink implements Stream.Reader {
     }
 
     @Override
-    public void broke(String reason) {
+    public void broke(String why) {
+        reason = text(why);
         helloTimeout.cancel();
         stream = null;
         pings.clear();
@@ -208,6 +267,7 @@ public final class DaemonLink implements Stream.Reader {
         if (isUp) {
             isUp = false;
             loop.tell(new Event.Disconnected(reason));
+            complainLater();
             for (Stated request : List.copyOf(requests.values())) request.lost();
         }
         isGone = isClosed;
@@ -215,9 +275,14 @@ public final class DaemonLink implements Stream.Reader {
         loop.changed();
     }
 
+    private static String text(String why) {
+        return why == null ? "no reason is known" : why;
+    }
+
     /** Says goodbye; {@link #isGone} tells when the daemon has heard it. */
     public void close() {
         isClosed = true;
+        complaint.cancel();
         if (isUp) {
             say(0, "sys", "bye", Map.of());
             loop.after(Limits.ENDING, () -> isGone = true);

@@ -24,6 +24,17 @@ public final class Endpoint {
         return List.of(tcp(text));
     }
 
+    /** The endpoint as a person writes it. */
+    static String text(SocketAddress address) {
+        if (!(address instanceof InetSocketAddress one)) return address.toString();
+        return text(one.getAddress().getHostAddress(), one.getPort());
+    }
+
+    /** An address and a port as a person writes them. */
+    static String text(String address, int port) {
+        return (address.indexOf(':') >= 0 ? "[" + address + "]" : address) + ":" + port;
+    }
+
     private static SocketAddress tcp(String text) {
         int colon = text.lastIndexOf(':');
         String address = text.substring(0, Math.max(colon, 0));

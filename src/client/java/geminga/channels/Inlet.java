@@ -2,28 +2,47 @@ package geminga.channels;
 
 import geminga.Match;
 
-/** The inlet from one provider. All calls are made with the loop's lock. */
+/** The sockets of the channel from one provider. All calls are made with the loop's lock. */
 interface Inlet {
-    /** The subscriber of an inlet. */
-    interface Owner {
-        /** Whether another message may wait. If not, an inlet over TCP stops reading. */
-        boolean hasRoom();
+    /** No sockets: there is no channel to the provider, or not yet. */
+    Inlet NONE = new Inlet() {
+        @Override
+        public void changed(Match match) {}
 
-        /** Takes a message that is believed. {@code life} is 0 if the provider states none. */
-        void deliver(Match provider, byte[] payload, long life, long sequence);
+        @Override
+        public void answered(boolean isAskedAgain) {}
 
-        /** Counts a frame or datagram that was not believed. */
-        void dropped();
+        @Override
+        public void keysChanged() {}
 
-        /** The provider of that life has ended after the message of that sequence. */
-        void ended(long life, long sequence);
+        @Override
+        public void ending() {}
 
-        /** The connection broke. Whether to make another one. */
-        boolean broke(long life);
-    }
+        @Override
+        public boolean isPaused() {
+            return false;
+        }
+
+        @Override
+        public void resume() {}
+
+        @Override
+        public boolean hasConnection() {
+            return false;
+        }
+
+        @Override
+        public void close() {}
+    };
 
     /** The statement or the address of the provider has changed. */
     void changed(Match match);
+
+    /** The provider has answered a hello. With {@code isAskedAgain}, it waits for another one at once. */
+    void answered(boolean isAskedAgain);
+
+    /** The keys of the channel are other ones. */
+    void keysChanged();
 
     /** The provider was withdrawn; messages on their way are still taken. */
     void ending();

@@ -60,15 +60,23 @@ public final class Loop {
     private final PriorityQueue<Timer> timers = new PriorityQueue<>();
     private final ArrayDeque<Runnable> notices = new ArrayDeque<>();
     private final Consumer<Event> listener;
+    private final Consumer<String> log;
     private volatile boolean isClosed;
 
-    public Loop(Consumer<Event> listener) throws IOException {
+    /** With the node's listener, and the application's function for lines of the log. */
+    public Loop(Consumer<Event> listener, Consumer<String> log) throws IOException {
         this.listener = listener;
+        this.log = log;
         selector = Selector.open();
     }
 
     long now() {
         return System.nanoTime();
+    }
+
+    /** The octets in the buffer for writing, which is void after the next call. With the lock. */
+    ByteBuffer outgoing(byte[] octets) {
+        return outgoing.clear().put(octets).flip();
     }
 
     /** Serves a socket from now on. With the lock. */
@@ -134,8 +142,15 @@ public final class Loop {
         tell(() -> listener.accept(event));
     }
 
+    /** Tells the node's listener and the log of a problem. With the lock. */
     void problem(String text) {
         tell(new Event.Problem(null, text));
+        log(text);
+    }
+
+    /** Writes a line of the log. With the lock. */
+    void log(String line) {
+        tell(() -> log.accept(line));
     }
 
     /** Wakes callers, which check their conditions again. With the lock. */

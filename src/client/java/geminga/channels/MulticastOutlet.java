@@ -3,6 +3,10 @@ package geminga.channels;
 import geminga.Match;
 import geminga.protocol.Counterparts.Entry;
 import geminga.protocol.Frame;
+import geminga.protocol.Handshake;
+import geminga.protocol.PublisherFrames;
+import geminga.protocol.SealedFrame;
+import geminga.protocol.WireFrame;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -18,16 +22,20 @@ final class MulticastOutlet implements Outlet {
 
     private final Loop loop;
     private final Owner owner;
-    private final long life;
+    private final PublisherFrames frames;
+    private final Greeter greeter;
     private final InetSocketAddress group;
     private final Datagrams socket;
+    /** Where hellos are taken; null while frames are plain. */
+    private Datagrams hellos;
     private List<NetworkInterface> interfaces = List.of();
     private Loop.Timer look;
 
-    MulticastOutlet(Loop loop, Owner owner, long life, InetAddress group, int port) throws IOException {
+    MulticastOutlet(Loop loop, Owner owner, PublisherFrames frames, InetAddress group, int port) throws IOException {
         this.loop = loop;
         this.owner = owner;
-        this.life = life;
+        this.frames = frames;
+        greeter = new Greeter(loop, owner, frames, null);
         socket = Datagrams.group(loop, new InetSocketAddress(group, port), null);
         this.group = new InetSocketAddress(group, socket.port());
         look();
@@ -51,8 +59,25 @@ final class MulticastOutlet implements Outlet {
     }
 
     @Override
-    public void send(byte[] payload, long sequence) {
-        say(UdpOutlet.frame(loop.outgoing, life, payload, sequence));
+    public void send(byte[] payload) {
+        say(loop.outgoing(frames.message(payload, helloPort())));
+    }
+
+    private int helloPort() {
+        return hellos == null ? 0 : hellos.port();
+    }
+
+    /** A listener proves by its key that it may be answered, so it is asked for no cookie. */
+    private void hear(InetSocketAddress from, ByteBuffer datagram) {
+        WireFrame frame = WireFrame.ofDatagram(datagram);
+        boolean isSealedHello = frame != null && frame.kind() == Frame.Kind.HELLO && (frame instanceof SealedFrame || frames.takesPlain());
+        Frame said = isSealedHello ? frames.open(frame) : null;
+        Handshake handshake = said == null ? null : Handshake.read(said.payload());
+        if (handshake == null || handshake.life() != frames.life()) {
+            owner.dropped();
+            return;
+        }
+        greeter.answer(hellos, from, Frame.Kind.FLOOR, new Handshake(frame.life(), handshake.challenge(), 0));
     }
 
     private void say(ByteBuffer datagram) {
@@ -87,8 +112,25 @@ final class MulticastOutlet implements Outlet {
     }
 
     @Override
-    public void end(long sequence) {
-        say(ByteBuffer.wrap(Frame.end(life, sequence).write()));
+    public void keysChanged(boolean beginsToSeal, boolean isStrict) {
+        boolean isNeeded = frames.keys() != null && frames.keys().hasRing();
+        if (isNeeded == (hellos != null)) return;
+        if (!isNeeded) {
+            hellos.close();
+            hellos = null;
+            return;
+        }
+        try {
+            hellos = Datagrams.open(loop, null, 0, this::hear);
+        } catch (IOException fault) {
+            owner.problem("no socket for the listeners of a publisher: " + fault.getMessage());
+        }
+    }
+
+    @Override
+    public void end() {
+        byte[] end = frames.end(helloPort());
+        if (end != null) say(ByteBuffer.wrap(end));
     }
 
     @Override
@@ -99,6 +141,7 @@ final class MulticastOutlet implements Outlet {
     @Override
     public void close() {
         look.cancel();
+        if (hellos != null) hellos.close();
         socket.close();
     }
 }

@@ -2,16 +2,17 @@ package geminga.channels;
 
 import geminga.Match;
 import geminga.protocol.Counterparts.Entry;
+import geminga.protocol.Places;
 
 /** The outlet of one publisher, by mode and protocol (src/client/CHANNELS.md, "Who opens what"). All calls are made with the loop's lock. */
 interface Outlet {
     /** The publisher of an outlet. */
     interface Owner {
-        /** The connection of a consumer has come. */
+        /** Messages reach a consumer from now on, or still do. */
         void arrived(Entry<Consumer> entry);
 
-        /** The connection of a consumer is gone. */
-        void departed(Entry<Consumer> entry);
+        /** The connection of a consumer is gone, for a reason that a daemon does not give. */
+        void departed(Entry<Consumer> entry, String reason);
 
         /** Counts a message that was left out for one consumer. */
         void leftOut();
@@ -25,14 +26,20 @@ interface Outlet {
         /** Tells the application of a problem. */
         void problem(String text);
 
+        /** Places were taken or given back: {@code count} of them for what {@code holders} names. */
+        void placesChanged(Places<?> places, int count, String holders);
+
         /** States another port of the channel. */
         void moved(int port);
     }
 
     /** The outlet's part of a consumer that the daemon has named. */
-    interface Consumer {
+    abstract class Consumer {
+        /** Whether the application was told of it. */
+        boolean isTold;
+
         /** Whether messages reach it. */
-        boolean isThere();
+        abstract boolean isThere();
     }
 
     int port();
@@ -40,8 +47,8 @@ interface Outlet {
     /** Whether there is a consumer. */
     boolean hasConsumer();
 
-    /** Sends to every consumer. */
-    void send(byte[] payload, long sequence);
+    /** Sends the next message to every consumer. */
+    void send(byte[] payload);
 
     /** Whether every consumer has room for a message of this size. */
     boolean hasRoom(int octets);
@@ -56,8 +63,16 @@ interface Outlet {
     /** Whether it has a connection, with which it goes on without its daemon. */
     boolean hasConnection(Entry<Consumer> entry);
 
+    /**
+     * The keys are other ones.
+     *
+     * @param beginsToSeal whether plain frames were sent until now, and sealed ones from now on
+     * @param isStrict whether plain frames are taken no more
+     */
+    void keysChanged(boolean beginsToSeal, boolean isStrict);
+
     /** Sends the end after the frames that wait. */
-    void end(long sequence);
+    void end();
 
     /** Whether every consumer has the end, or none is left. */
     boolean hasEnded();

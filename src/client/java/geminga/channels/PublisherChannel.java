@@ -7,11 +7,14 @@ import geminga.MessageTooLargeException;
 import geminga.Mode;
 import geminga.Offer;
 import geminga.protocol.Addresses;
+import geminga.protocol.ChannelKeys;
 import geminga.protocol.Counterparts;
 import geminga.protocol.Counterparts.Entry;
 import geminga.protocol.Life;
 import geminga.protocol.Limits;
 import geminga.protocol.LineException;
+import geminga.protocol.Places;
+import geminga.protocol.PublisherFrames;
 import geminga.protocol.Told;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -20,6 +23,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
 
 /** A publisher behind the face: its statement, its consumers and its outlet. */
 public final class PublisherChannel extends Stated implements Counterparts.Watcher<Outlet.Consumer>, Outlet.Owner {
@@ -27,13 +31,14 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
 
     private final Counterparts<Outlet.Consumer> consumers = new Counterparts<>(this, false);
     private final Consumer<ConsumerEvent> listener;
-    private final long life;
+    private final RandomGenerator chance;
+    private final PublisherFrames frames;
     private final int largest;
     private final boolean isStream;
     private final Outlet outlet;
     private Offer offer;
     private Loop.Timer timer;
-    private long sequence;
+    private boolean isToldFull;
     private long leftOut;
     private long dropped;
     private volatile boolean isClosed;
@@ -41,16 +46,19 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
     private volatile boolean isHeard;
 
     /** Opens the sockets and states the offer. With the lock. */
-    public PublisherChannel(Loop loop, DaemonLink daemon, Offer offer, long life, Consumer<ConsumerEvent> listener) throws IOException {
+    public PublisherChannel(Loop loop, DaemonLink daemon, Offer offer, long life, RandomGenerator chance, Consumer<ConsumerEvent> listener) throws IOException {
         super(loop, daemon, "pub");
         this.listener = listener;
-        this.life = life;
+        this.chance = chance;
+        frames = new PublisherFrames(life);
+        frames.keys(daemon.keysOfNew());
         isStream = offer.mode() == Mode.STREAM;
         largest = offer.protocol().equals("tcp") ? Limits.TCP_MESSAGE : Limits.UDP_MESSAGE;
         Offer named = offer.attribute("channel", Life.write(life));
         outlet = open(offer);
         this.offer = named.port(outlet.port());
-        isHeard = outlet.hasConsumer();
+        outlet.keysChanged(false, false);
+        isHeard = isReached();
         begin();
     }
 
@@ -61,11 +69,11 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         if (isGroup && (!isStream || !offer.protocol().equals("udp"))) throw new IllegalArgumentException("a multicast address is for otm/stream over udp");
         switch (offer.protocol()) {
             case "tcp":
-                return new TcpOutlet(loop, this, life, address, offer.port(), isStream);
+                return new TcpOutlet(loop, this, frames, address, offer.port(), isStream, chance);
             case "udp":
-                if (isGroup) return new MulticastOutlet(loop, this, life, address, offer.port());
-                if (isStream) return new ListenersOutlet(loop, this, life, address, offer.port());
-                return new UdpOutlet(loop, this, life, address, offer.port(), offer.mode() == Mode.PUBSUB);
+                if (isGroup) return new MulticastOutlet(loop, this, frames, address, offer.port());
+                if (isStream) return new ListenersOutlet(loop, this, frames, address, offer.port());
+                return new UdpOutlet(loop, this, frames, address, offer.port(), offer.mode() == Mode.PUBSUB);
             default:
                 throw new IllegalArgumentException("protocol: a publisher speaks udp or tcp, not '" + offer.protocol() + "'");
         }
@@ -76,7 +84,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
     }
 
     public long life() {
-        return life;
+        return frames.life();
     }
 
     /** Sends to every consumer. Whether there was one. */
@@ -86,8 +94,8 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
         loop.lock.lock();
         try {
             if (isClosed) throw refusal() != null ? refusal() : new ClosedChannelException();
-            if (!isHeard) return false;
-            outlet.send(payload, ++sequence);
+            if (!isHeard || !frames.isReady()) return false;
+            outlet.send(payload);
             return true;
         } finally {
             loop.lock.unlock();
@@ -111,7 +119,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
 
     /** Puts another offer in the place of this one. Completes with the answer of the daemon. With the lock. */
     public CompletionStage<Void> modify(Offer wanted) {
-        Offer named = wanted.attribute("channel", Life.write(life));
+        Offer named = wanted.attribute("channel", Life.write(frames.life()));
         Offer next = wanted.port() == 0 ? named.port(outlet.port()) : named;
         Map<String, String> changes = next.changesFrom(offer);
         if (FIXED.stream().anyMatch(changes::containsKey)) throw new IllegalArgumentException("mode, port, address and protocol of a publisher stay: make another one");
@@ -131,15 +139,14 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
     void told(Told event) {
         if (isStream || event.isOfService() || isClosed) return;
         if (event.change() == Change.REMOVED) {
-            boolean hasConnection = consumers.at(event.word()) != null && outlet.hasConnection(consumers.at(event.word()));
-            consumers.remove(event.word(), event.reason(), loop.now(), hasConnection);
+            consumers.remove(event.word(), event.reason(), loop.now());
         } else {
             try {
                 Match match = event.match();
                 if (event.change() == Change.ADDED) {
-                    consumers.put(match);
+                    consumers.put(match, loop.now());
                 } else {
-                    consumers.modify(match);
+                    consumers.modify(match, loop.now());
                 }
             } catch (LineException wasRead) {
                 throw new IllegalStateException(wasRead);
@@ -168,15 +175,34 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
     }
 
     @Override
+    void keys(long life, ChannelKeys keys) {
+        if (life == frames.life()) keys(keys);
+    }
+
+    @Override
+    void daemonKeys(boolean hasKeys) {
+        if (!hasKeys) keys(ChannelKeys.NONE);
+    }
+
+    private void keys(ChannelKeys keys) {
+        if (isClosed) return;
+        boolean sealed = frames.seals();
+        boolean tookPlain = frames.keys() == null || frames.takesPlain();
+        frames.keys(keys);
+        outlet.keysChanged(!sealed && frames.seals(), tookPlain && !frames.takesPlain());
+        changed();
+    }
+
+    @Override
     public void opened(Entry<Outlet.Consumer> entry) {
         outlet.opened(entry);
-        if (!(outlet instanceof TcpOutlet)) tell(Change.ADDED, entry, "-");
+        if (entry.channel.isThere()) arrived(entry);
     }
 
     @Override
     public void changed(Entry<Outlet.Consumer> entry, Match before) {
         outlet.changed(entry, before);
-        if (entry.channel.isThere()) tell(Change.MODIFIED, entry, "-");
+        if (entry.channel.isTold) tell(Change.MODIFIED, entry, "-");
     }
 
     @Override
@@ -185,22 +211,42 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
     }
 
     @Override
+    public boolean hasConnection(Entry<Outlet.Consumer> entry) {
+        return outlet.hasConnection(entry);
+    }
+
+    @Override
     public void closed(Entry<Outlet.Consumer> entry, String reason) {
-        boolean wasThere = entry.channel.isThere();
         outlet.closed(entry);
-        if (wasThere && !isClosed) tell(Change.REMOVED, entry, reason);
+        if (entry.channel.isTold && !isClosed) tell(Change.REMOVED, entry, reason);
+        entry.channel.isTold = false;
     }
 
     @Override
     public void arrived(Entry<Outlet.Consumer> entry) {
-        tell(Change.ADDED, entry, "-");
+        if (!entry.channel.isTold) tell(Change.ADDED, entry, "-");
+        entry.channel.isTold = true;
     }
 
     @Override
-    public void departed(Entry<Outlet.Consumer> entry) {
+    public void departed(Entry<Outlet.Consumer> entry, String reason) {
         if (isClosed) return;
-        tell(Change.REMOVED, entry, consumers.isLost(entry) ? entry.reason() : "lost");
+        if (entry.channel.isTold) tell(Change.REMOVED, entry, consumers.isLost(entry) ? entry.reason() : reason);
+        entry.channel.isTold = false;
         consumers.broke(entry);
+    }
+
+    @Override
+    public void placesChanged(Places<?> places, int count, String holders) {
+        if (isClosed) return;
+        if (places.isToBeTold()) problem("all " + count + " places for " + holders + " are taken");
+        if (places.isShort() == isToldFull) return;
+        isToldFull = places.isShort();
+        try {
+            state(offer.attribute("channel.full", isToldFull ? Integer.toString(count) : "0"));
+        } catch (IllegalArgumentException hasTooManyAttributes) {
+            return;
+        }
     }
 
     @Override
@@ -215,20 +261,28 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
 
     @Override
     public void moved(int port) {
-        Offer next = offer.port(port);
+        state(offer.port(port));
+    }
+
+    /** States what the library itself changes. */
+    private void state(Offer next) {
         modify(next.changesFrom(offer), () -> { });
         offer = next;
+    }
+
+    private boolean isReached() {
+        return !isClosed && frames.isReady() && outlet.hasConsumer();
     }
 
     @Override
     public void changed() {
         if (timer != null) timer.cancel();
         timer = null;
-        isHeard = !isClosed && outlet.hasConsumer();
+        isHeard = isReached();
         long deadline = isClosed ? Long.MAX_VALUE : consumers.deadline();
         if (deadline != Long.MAX_VALUE) {
             timer = loop.after(deadline - loop.now(), () -> {
-                consumers.tick(loop.now(), outlet::hasConnection);
+                consumers.tick(loop.now());
                 changed();
             });
         }
@@ -244,7 +298,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
     public void end() {
         if (isClosed) return;
         isClosed = true;
-        outlet.end(sequence);
+        outlet.end();
         withdraw();
         changed();
     }
@@ -267,7 +321,7 @@ public final class PublisherChannel extends Stated implements Counterparts.Watch
 
     /** The messages that were sent while there was a consumer. */
     public long sent() {
-        return sequence;
+        return frames.sequence();
     }
 
     /** The messages that were left out, counted for each consumer. */

@@ -2,8 +2,13 @@ package geminga.channels;
 
 import geminga.Event;
 import geminga.RefusedException;
+import geminga.protocol.ChannelKeys;
+import geminga.protocol.Parameter;
+import geminga.protocol.Statement;
 import geminga.protocol.Told;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -35,9 +40,10 @@ public abstract class Stated {
         owner = made;
     }
 
-    /** Tells the application of a problem. With the lock. */
+    /** Tells the application and the log of a problem. With the lock. */
     public final void problem(String text) {
         loop.tell(() -> loop.listener().accept(new Event.Problem(owner, text)));
+        loop.log(text);
     }
 
     /** The parameters of {@code create}. */
@@ -45,6 +51,15 @@ public abstract class Stated {
 
     /** Takes an event of the daemon. */
     abstract void told(Told event);
+
+    /** Takes the keys of the channel of a publisher. */
+    abstract void keys(long life, ChannelKeys keys);
+
+    /** The daemon has said hello, and whether it has keys. */
+    abstract void daemonKeys(boolean hasKeys);
+
+    /** The mode of this host has become known, or another one. */
+    void modeChanged() {}
 
     abstract void daemonLost();
 
@@ -136,9 +151,18 @@ public abstract class Stated {
         refusal = new RefusedException(code, code + " " + text);
         if (isTaken) problem(code + " " + text);
         RefusedException told = refusal;
+        if (!isTaken) loop.log("the request " + words() + " is refused: " + text);
         loop.tell(() -> taken.completeExceptionally(told));
         refused();
         loop.changed();
+    }
+
+    /** The request as the daemon is told it. */
+    private String words() {
+        List<Parameter> written = new ArrayList<>();
+        parameters().forEach((key, value) -> written.add(new Parameter(key, value)));
+        String line = new Statement(number, command, "create", written).write();
+        return line.substring(line.indexOf("create ") + "create ".length());
     }
 
     public final CompletableFuture<Void> taken() {

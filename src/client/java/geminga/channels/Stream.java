@@ -1,7 +1,8 @@
 package geminga.channels;
 
-import geminga.protocol.Limits;
+import geminga.protocol.SendQueue;
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.net.SocketAddress;
 import java.net.SocketOption;
 import java.net.StandardProtocolFamily;
@@ -10,7 +11,6 @@ import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
-import java.util.ArrayDeque;
 
 /** A connection, and the octets that wait to be written. All calls are made with the loop's lock. */
 final class Stream implements Loop.Ready {
@@ -40,18 +40,22 @@ final class Stream implements Loop.Ready {
     private final Reader reader;
     private final SocketChannel channel;
     private final SelectionKey key;
-    private final ArrayDeque<ByteBuffer> waiting = new ArrayDeque<>();
-    private long octetsWaiting;
+    private final InetSocketAddress peer;
+    private final SendQueue waiting;
+    /** When it last took something of what waits, or nothing waited. */
+    private long taken;
     private boolean isConnected;
     private boolean isClosed;
     private boolean endsWhenDrained;
     private boolean isPaused;
 
-    private Stream(Loop loop, SocketChannel channel, Reader reader, boolean isConnected) throws IOException {
+    private Stream(Loop loop, SocketChannel channel, Reader reader, boolean isConnected, SendQueue.Pool pool) throws IOException {
         this.loop = loop;
+        waiting = new SendQueue(pool);
         this.reader = reader;
         this.channel = channel;
         this.isConnected = isConnected;
+        peer = channel.getRemoteAddress() instanceof InetSocketAddress address ? address : null;
         channel.configureBlocking(false);
         key = loop.register(channel, isConnected ? SelectionKey.OP_READ : SelectionKey.OP_CONNECT, this);
     }
@@ -63,8 +67,8 @@ final class Stream implements Loop.Ready {
         try {
             if (!isUnix) tune(channel);
             channel.configureBlocking(false);
-            if (!channel.connect(address)) return new Stream(loop, channel, reader, false);
-            Stream stream = new Stream(loop, channel, reader, true);
+            if (!channel.connect(address)) return new Stream(loop, channel, reader, false, new SendQueue.Pool());
+            Stream stream = new Stream(loop, channel, reader, true, new SendQueue.Pool());
             loop.after(0, () -> {
                 if (!stream.isClosed) reader.connected();
             });
@@ -75,10 +79,10 @@ final class Stream implements Loop.Ready {
         }
     }
 
-    /** Takes over a connection that was accepted. */
-    static Stream accepted(Loop loop, SocketChannel channel, Reader reader) throws IOException {
+    /** Takes over a connection that was accepted. What waits for it counts in the pool. */
+    static Stream accepted(Loop loop, SocketChannel channel, Reader reader, SendQueue.Pool pool) throws IOException {
         tune(channel);
-        return new Stream(loop, channel, reader, true);
+        return new Stream(loop, channel, reader, true, pool);
     }
 
     /** Sets options: small messages leave at once, and a host that was switched off is noticed. */
@@ -143,35 +147,41 @@ final class Stream implements Loop.Ready {
 
     /** The octets that wait to be written. */
     long waiting() {
-        return octetsWaiting;
+        return waiting.octets();
     }
 
-    /** Whether a message of this size may wait. */
+    /** When the other side last took something of what waits. */
+    long taken() {
+        return taken;
+    }
+
+    /** Whether a frame of this size may wait. */
     boolean hasRoom(int octets) {
-        return octetsWaiting == 0 || octetsWaiting + octets <= Limits.WAITING_FOR_CONSUMER;
+        return waiting.hasRoom(octets);
     }
 
-    /** Writes octets to an open connection: as many as it takes now, and the rest later. The buffer may be used again when this returns. */
-    void write(ByteBuffer octets) {
+    /** The address of the other side, or null. */
+    InetSocketAddress peer() {
+        return peer;
+    }
+
+    /** Writes octets to an open connection. */
+    void write(byte[] octets) {
+        write(new SendQueue.Shared(octets));
+    }
+
+    /** Writes a frame to an open connection: as much as it takes now, and the rest later. */
+    void write(SendQueue.Shared frame) {
         if (isClosed) return;
+        ByteBuffer octets = frame.octets();
         try {
-            if (octetsWaiting == 0) put(octets);
+            if (waiting.isEmpty()) {
+                put(octets);
+                taken = loop.now();
+            }
             if (!octets.hasRemaining()) return;
-            octetsWaiting += octets.remaining();
-            waiting.add(ByteBuffer.allocate(octets.remaining()).put(octets).flip());
+            waiting.put(frame, octets);
             loop.interest(key, SelectionKey.OP_WRITE, true);
-        } catch (IOException fault) {
-            failSoon(fault.getMessage());
-        }
-    }
-
-    /** Writes a header and a payload in one call of the system. */
-    void write(ByteBuffer header, ByteBuffer payload) {
-        if (isClosed) return;
-        try {
-            if (octetsWaiting == 0 && payload.remaining() <= CHUNK) channel.write(new ByteBuffer[] {header, payload});
-            if (header.hasRemaining()) write(header);
-            if (payload.hasRemaining()) write(payload);
         } catch (IOException fault) {
             failSoon(fault.getMessage());
         }
@@ -193,12 +203,13 @@ final class Stream implements Loop.Ready {
 
     private void flush() throws IOException {
         while (!waiting.isEmpty()) {
-            ByteBuffer first = waiting.peek();
+            ByteBuffer first = waiting.first();
             int before = first.remaining();
             put(first);
-            octetsWaiting -= before - first.remaining();
-            if (first.hasRemaining()) return;
-            waiting.remove();
+            boolean isWhole = !first.hasRemaining();
+            if (before > first.remaining()) taken = loop.now();
+            waiting.written(before - first.remaining());
+            if (!isWhole) return;
         }
         loop.interest(key, SelectionKey.OP_WRITE, false);
         if (endsWhenDrained) channel.shutdownOutput();
@@ -208,7 +219,7 @@ final class Stream implements Loop.Ready {
     /** Closes the own half as soon as everything is written. */
     void finish() {
         endsWhenDrained = true;
-        if (isClosed || octetsWaiting > 0) return;
+        if (isClosed || !waiting.isEmpty()) return;
         try {
             channel.shutdownOutput();
         } catch (IOException fault) {
@@ -226,7 +237,6 @@ final class Stream implements Loop.Ready {
         if (isClosed) return;
         isClosed = true;
         waiting.clear();
-        octetsWaiting = 0;
         loop.close(channel);
     }
 

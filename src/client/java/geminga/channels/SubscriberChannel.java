@@ -10,16 +10,20 @@ import geminga.protocol.Addresses;
 import geminga.protocol.Counterparts;
 import geminga.protocol.Counterparts.Entry;
 import geminga.protocol.EarlyFrames;
+import geminga.protocol.ChannelKeys;
 import geminga.protocol.Frame;
+import geminga.protocol.FrameWriter;
 import geminga.protocol.Inbox;
 import geminga.protocol.Life;
 import geminga.protocol.LineException;
+import geminga.protocol.ProviderKeys;
+import geminga.protocol.SealedFrame;
 import geminga.protocol.Sequence;
 import geminga.protocol.Told;
+import geminga.protocol.WireFrame;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
@@ -27,25 +31,24 @@ import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 
 /** A subscriber behind the face: its statement, its providers, its inlets and its inbox. */
-public final class SubscriberChannel extends Stated implements Counterparts.Watcher<Inlet>, Inlet.Owner, Datagrams.Reader, Groups.Reader {
+public final class SubscriberChannel extends Stated implements Counterparts.Watcher<ProviderChannel>, ProviderChannel.Owner {
     private static final List<String> FIXED = List.of("mode", "port", "address", "protocol");
 
-    private final Counterparts<Inlet> providers = new Counterparts<>(this, true);
+    private final Counterparts<ProviderChannel> providers = new Counterparts<>(this, true);
     private final Sequence sequences = new Sequence();
     private final Inbox inbox = new Inbox();
     private final EarlyFrames early = new EarlyFrames();
-    private final Groups groups;
     private final Consumer<ProviderEvent> listener;
     private final RandomGenerator chance;
-    private final long life;
-    private final Datagrams socket;
+    private final FrameWriter writer;
+    private final DatagramInlets datagrams;
+    private final TcpPlaces tcpPlaces;
+    private final ProviderKeys keys = new ProviderKeys();
     private Runnable onMessage = () -> {};
     private volatile Request request;
     private Loop.Timer timer;
     private long dropped;
     private long missed;
-    /** Whether there has been a provider that states no life. */
-    private boolean hasStrangers;
     /** Whether connections wait for room. */
     private boolean isPaused;
     private boolean isClosed;
@@ -54,13 +57,14 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     public SubscriberChannel(Loop loop, DaemonLink daemon, Request request, long life, RandomGenerator chance, Consumer<ProviderEvent> listener) throws IOException {
         super(loop, daemon, "sub");
         this.listener = listener;
-        this.life = life;
         this.chance = chance;
-        groups = new Groups(loop, this);
+        writer = new FrameWriter(life, SealedFrame.Direction.BACK);
+        tcpPlaces = new TcpPlaces(loop, this);
         if (!request.protocols().contains("udp") && !request.protocols().contains("tcp")) throw new IllegalArgumentException("protocol: a subscriber hears udp and tcp");
         InetAddress address = request.address().isEmpty() ? null : Addresses.read(request.address());
         request.attribute("channel", Life.write(life)); // throws if there is no room for it
-        socket = request.protocols().contains("udp") ? Datagrams.open(loop, address, request.port(), this) : null;
+        datagrams = new DatagramInlets(loop, this, providers);
+        if (request.protocols().contains("udp")) datagrams.open(address, request.port());
         this.request = stated(request);
         providers.limit(request.limit());
         begin();
@@ -68,16 +72,17 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
 
     /** The request with the port and the life that the library states. */
     private Request stated(Request asked) {
-        Request own = asked.attribute("channel", Life.write(life)).protocols(asked.protocols().toArray(String[]::new));
-        return socket == null || asked.port() != 0 ? own : own.port(socket.port());
+        Request own = asked.attribute("channel", Life.write(life())).protocols(asked.protocols().toArray(String[]::new));
+        return datagrams.port() == 0 || asked.port() != 0 ? own : own.port(datagrams.port());
     }
 
     public Request request() {
         return request;
     }
 
+    @Override
     public long life() {
-        return life;
+        return writer.life();
     }
 
     /** Called with the lock when a message has come. */
@@ -109,22 +114,56 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     void told(Told event) {
         if (!event.isOfService() || isClosed) return;
         if (event.change() == Change.REMOVED) {
-            Entry<Inlet> entry = providers.at(event.word());
-            providers.remove(event.word(), event.reason(), loop.now(), entry != null && entry.channel.hasConnection());
+            Entry<ProviderChannel> entry = providers.at(event.word());
+            boolean hasEnded = providers.isLeftOpen(event.word(), event.reason()) && entry.channel.endsAsSaid();
+            if (!hasEnded) providers.remove(event.word(), event.reason(), loop.now());
         } else {
             try {
                 Match match = event.match();
                 if (event.change() == Change.ADDED) {
-                    providers.put(match);
+                    providers.put(match, loop.now());
                 } else {
-                    providers.modify(match);
+                    providers.modify(match, loop.now());
                 }
-                deliverEarly(providers.at(event.word()));
+                Entry<ProviderChannel> entry = providers.at(event.word());
+                if (entry != null) deliverEarly(entry.channel);
             } catch (LineException wasRead) {
                 throw new IllegalStateException(wasRead);
             }
         }
         changed();
+    }
+
+    @Override
+    void keys(long provider, ChannelKeys told) {
+        if (provider == 0 || isClosed) return;
+        keys.put(provider, told);
+        Entry<ProviderChannel> entry = providers.of(provider);
+        if (entry != null && entry.channel.keys(told)) {
+            entry.channel.inlet(inlet(entry.channel));
+            deliverEarly(entry.channel);
+        }
+    }
+
+    @Override
+    void daemonKeys(boolean hasKeys) {
+        keys.clear();
+        if (hasKeys) return;
+        for (Entry<ProviderChannel> entry : providers.all()) {
+            if (entry.match().life() != 0) keys(entry.match().life(), ChannelKeys.NONE);
+        }
+        keys.clear();
+        modeChanged();
+    }
+
+    /** Services without a life cannot be sealed, so they are connected only where plain frames are taken. */
+    @Override
+    void modeChanged() {
+        for (Entry<ProviderChannel> entry : providers.all()) {
+            if (entry.match().life() != 0) continue;
+            entry.channel.inlet().close();
+            entry.channel.inlet(inlet(entry.channel));
+        }
     }
 
     @Override
@@ -146,58 +185,71 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     }
 
     @Override
-    public void opened(Entry<Inlet> entry) {
-        entry.channel = inlet(entry.match());
+    public void opened(Entry<ProviderChannel> entry) {
+        ChannelKeys told = keys.of(entry.match().life());
+        ProviderChannel channel = new ProviderChannel(loop, this, entry.match(), told != null ? told : daemon.keysOfNew(), Life.draw(chance));
+        entry.channel = channel;
+        channel.inlet(inlet(channel));
         tell(Change.ADDED, entry.match(), "-");
     }
 
-    private Inlet inlet(Match provider) {
-        hasStrangers |= provider.life() == 0;
+    private Inlet inlet(ProviderChannel channel) {
+        Match provider = channel.match();
+        boolean hasLife = provider.life() != 0;
+        if (!hasLife && daemon.takesPlain() == null || hasLife && channel.keys() == null) return Inlet.NONE; // until the daemon has told the keys
+        if (!hasLife && !daemon.takesPlain()) {
+            problem(provider.word() + " states no life, so its channel cannot be sealed");
+            return Inlet.NONE;
+        }
         boolean isHeard = request.protocols().contains(provider.protocol());
-        InetSocketAddress group = Groups.of(provider);
-        if (isHeard && provider.protocol().equals("tcp") && provider.life() != 0) return new TcpInlet(loop, this, life, provider, chance);
-        if (isHeard && group != null) return new MulticastInlet(groups, group);
-        if (isHeard && provider.protocol().equals("udp")) return new UdpInlet(loop, socket, life, provider, request.mode() == Mode.STREAM);
+        if (isHeard && provider.protocol().equals("tcp") && hasLife) return new TcpInlet(loop, tcpPlaces, channel, chance);
+        if (isHeard && provider.protocol().equals("udp")) return datagrams.inlet(channel, request.mode() == Mode.STREAM);
         problem("the provider " + provider.word() + (isHeard ? " states no channel and is not connected over TCP" : " speaks " + provider.protocol()));
-        return new NoInlet();
+        return Inlet.NONE;
     }
 
     @Override
-    public void changed(Entry<Inlet> entry, Match before) {
+    public void changed(Entry<ProviderChannel> entry, Match before) {
         Match match = entry.match();
+        ProviderChannel channel = entry.channel;
+        channel.changed(match);
         boolean isOtherKind = !match.protocol().equals(before.protocol()) || Groups.of(match) == null != (Groups.of(before) == null);
         if (isOtherKind) {
-            entry.channel.close();
-            entry.channel = inlet(match);
+            channel.inlet().close();
+            channel.inlet(inlet(channel));
         } else {
-            entry.channel.changed(match);
+            channel.inlet().changed(match);
         }
-        tell(Change.MODIFIED, match, "-");
+        if (!Counterparts.isSame(before, match)) tell(Change.MODIFIED, match, "-");
     }
 
     @Override
-    public void ending(Entry<Inlet> entry) {
+    public boolean hasConnection(Entry<ProviderChannel> entry) {
+        return entry.channel.inlet().hasConnection();
+    }
+
+    @Override
+    public void ending(Entry<ProviderChannel> entry) {
         entry.channel.ending();
-        if (!(entry.channel instanceof TcpInlet)) loop.after(0, this::drain);
+        if (!(entry.channel.inlet() instanceof TcpInlet)) loop.after(0, this::drain);
     }
 
     /** Reads what the sockets hold, and ends the providers that were withdrawn. */
     private void drain() {
         if (isClosed) return;
-        boolean isEmpty = (socket == null || socket.drain()) & groups.drain();
-        if (!isEmpty) {
+        if (!datagrams.drain()) {
             loop.after(0, this::drain);
             return;
         }
-        for (Entry<Inlet> entry : providers.all()) {
-            if (entry.isEnding() && !(entry.channel instanceof TcpInlet)) providers.ended(entry);
+        for (Entry<ProviderChannel> entry : providers.all()) {
+            if (entry.isEnding() && !(entry.channel.inlet() instanceof TcpInlet)) providers.ended(entry);
         }
         changed();
     }
 
     @Override
-    public void closed(Entry<Inlet> entry, String reason) {
-        entry.channel.close();
+    public void closed(Entry<ProviderChannel> entry, String reason) {
+        entry.channel.inlet().close();
         sequences.interrupt(entry.match().life());
         tell(Change.REMOVED, entry.match(), reason);
     }
@@ -214,10 +266,10 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         long deadline = isClosed ? Long.MAX_VALUE : providers.deadline();
         if (deadline == Long.MAX_VALUE) return;
         timer = loop.after(deadline - loop.now(), () -> {
-            for (Entry<Inlet> entry : providers.all()) {
-                if (entry.channel.isPaused()) providers.extend(entry, loop.now());
+            for (Entry<ProviderChannel> entry : providers.all()) {
+                if (entry.channel.inlet().isPaused()) providers.extend(entry, loop.now());
             }
-            providers.tick(loop.now(), entry -> entry.channel.hasConnection());
+            providers.tick(loop.now());
             changed();
         });
     }
@@ -230,17 +282,25 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     }
 
     @Override
-    public void deliver(Match provider, byte[] payload, long sender, long sequence) {
-        long before = sender == 0 ? 0 : sequences.take(sender, sequence);
+    public void deliver(ProviderChannel from, Frame frame, boolean isProved) {
+        long before = sequences.take(frame.life(), frame.sequence(), isProved, loop.now());
         if (before < 0) {
             dropped();
             return;
         }
         missed += before;
-        Entry<Inlet> entry = providers.of(sender);
+        Entry<ProviderChannel> entry = providers.of(frame.life());
         if (entry != null) providers.extend(entry, loop.now());
-        Message message = new Message(payload, sender, sequence, before, provider);
-        if (provider.protocol().equals("tcp")) {
+        put(new Message(frame.payload(), frame.life(), frame.sequence(), before, from.match()));
+    }
+
+    /** Takes a message of a provider that states no life. */
+    void deliverPlain(ProviderChannel from, byte[] payload) {
+        put(new Message(payload, 0, 0, 0, from.match()));
+    }
+
+    private void put(Message message) {
+        if (message.provider().protocol().equals("tcp")) {
             inbox.putStreamed(message);
         } else {
             missed += inbox.putDatagram(message);
@@ -254,7 +314,7 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         if (isPaused && !isClosed && inbox.isHalfEmpty()) {
             isPaused = false;
             loop.after(0, () -> {
-                for (Entry<Inlet> entry : providers.all()) entry.channel.resume();
+                for (Entry<ProviderChannel> entry : providers.all()) entry.channel.inlet().resume();
             });
         }
         return message;
@@ -265,58 +325,22 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     }
 
     @Override
-    public void read(InetSocketAddress from, ByteBuffer datagram) {
-        for (Entry<Inlet> entry : hasStrangers ? providers.all() : List.<Entry<Inlet>>of()) {
-            if (entry.match().life() == 0 && entry.channel instanceof UdpInlet inlet && inlet.isAt(from)) {
-                deliver(entry.match(), octets(datagram), 0, 0);
-                return;
-            }
-        }
-        Frame frame = Frame.ofDatagram(datagram);
-        Entry<Inlet> entry = frame == null ? null : providers.of(frame.life());
-        boolean isBelieved = entry != null && entry.channel instanceof UdpInlet inlet && inlet.isAt(from);
-        take(isBelieved ? entry : null, frame);
-        if (!isBelieved && frame != null && frame.kind() != Frame.Kind.HELLO) early.put(from, frame, loop.now());
+    public void keepEarly(InetSocketAddress from, WireFrame frame) {
+        early.put(from, frame, loop.now());
     }
 
-    /** Delivers the frames that came from a provider before the daemon named it. */
-    private void deliverEarly(Entry<Inlet> entry) {
-        if (entry == null || entry.match().life() == 0 || !(entry.channel instanceof UdpInlet inlet)) return;
-        for (Frame frame : early.take(inlet::isAt, entry.match().life(), loop.now())) {
-            if (providers.of(frame.life()) != entry) return; // it has ended
-            --dropped;
-            take(entry, frame);
-        }
-    }
-
+    /** Delivers the frames that came from a provider before the daemon named it, or before its floor. */
     @Override
-    public void heard(InetSocketAddress group, InetSocketAddress from, ByteBuffer datagram) {
-        for (Entry<Inlet> entry : hasStrangers ? providers.all() : List.<Entry<Inlet>>of()) {
-            if (entry.match().life() == 0 && entry.channel instanceof MulticastInlet inlet && inlet.isOf(group) && from.getPort() == entry.match().port()) {
-                deliver(entry.match(), octets(datagram), 0, 0);
-                return;
-            }
+    public void deliverEarly(ProviderChannel channel) {
+        long provider = channel.match().life();
+        Inlet inlet = channel.inlet();
+        if (provider == 0 || inlet == Inlet.NONE || inlet instanceof TcpInlet) return;
+        for (EarlyFrames.Kept kept : early.take(from -> inlet instanceof MulticastInlet || ((UdpInlet) inlet).isAt(from), provider, loop.now())) {
+            Entry<ProviderChannel> entry = providers.of(provider);
+            if (entry == null || entry.channel != channel) return; // it has ended
+            --dropped;
+            channel.take(kept.frame(), kept.from());
         }
-        Frame frame = Frame.ofDatagram(datagram);
-        Entry<Inlet> entry = frame == null ? null : providers.of(frame.life());
-        boolean isBelieved = entry != null && entry.channel instanceof MulticastInlet inlet && inlet.isOf(group) && from.getPort() == entry.match().port();
-        take(isBelieved ? entry : null, frame);
-    }
-
-    private void take(Entry<Inlet> entry, Frame frame) {
-        if (entry == null || frame.kind() == Frame.Kind.HELLO) {
-            dropped();
-        } else if (frame.kind() == Frame.Kind.END) {
-            ended(frame.life(), frame.sequence());
-        } else {
-            deliver(entry.match(), frame.payload(), frame.life(), frame.sequence());
-        }
-    }
-
-    private static byte[] octets(ByteBuffer datagram) {
-        byte[] octets = new byte[datagram.remaining()];
-        datagram.get(octets);
-        return octets;
     }
 
     @Override
@@ -325,19 +349,24 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     }
 
     @Override
-    public void ended(long provider, long sequence) {
-        Entry<Inlet> entry = providers.of(provider);
-        missed += sequences.missedAtEnd(provider, sequence);
+    public void ended(ProviderChannel channel, long sequence, boolean isProved) {
+        Entry<ProviderChannel> entry = providers.of(channel.match().life());
+        missed += sequences.missedAtEnd(channel.match().life(), sequence, isProved);
         if (entry != null) providers.ended(entry);
         changed();
     }
 
     @Override
-    public boolean broke(long provider) {
-        Entry<Inlet> entry = providers.of(provider);
+    public boolean broke(ProviderChannel channel) {
+        Entry<ProviderChannel> entry = providers.of(channel.match().life());
         boolean isWanted = entry != null && providers.broke(entry);
         changed();
         return isWanted;
+    }
+
+    @Override
+    public byte[] write(ChannelKeys ofProvider, Frame.Kind kind, byte[] payload) {
+        return writer.write(ofProvider, kind, 0, payload);
     }
 
     /** Withdraws the request and closes its sockets. Messages that wait are lost. With the lock. */
@@ -345,8 +374,9 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
         if (isClosed) return;
         isClosed = true;
         withdraw();
+        tcpPlaces.close();
         providers.closeAll("");
-        if (socket != null) socket.close();
+        datagrams.close();
         inbox.clear();
         changed();
         onMessage.run();
@@ -365,30 +395,5 @@ public final class SubscriberChannel extends Stated implements Counterparts.Watc
     /** The datagrams and frames that were not believed or not new. */
     public long droppedCount() {
         return dropped;
-    }
-
-    /** A provider with which there is no channel. */
-    private static final class NoInlet implements Inlet {
-        @Override
-        public void changed(Match match) {}
-
-        @Override
-        public void ending() {}
-
-        @Override
-        public void resume() {}
-
-        @Override
-        public boolean isPaused() {
-            return false;
-        }
-
-        @Override
-        public boolean hasConnection() {
-            return false;
-        }
-
-        @Override
-        public void close() {}
     }
 }

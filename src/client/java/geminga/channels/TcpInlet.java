@@ -6,36 +6,67 @@ import geminga.protocol.Backoff;
 import geminga.protocol.Frame;
 import geminga.protocol.FrameReader;
 import geminga.protocol.Limits;
+import geminga.protocol.WireFrame;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.random.RandomGenerator;
 
-/** The inlet of one provider over TCP: connects, says hello, and connects again with back-off while the provider is matched. */
+/** The inlet of one provider over TCP: connects when it has a place, says hello, and connects again with back-off while the provider is matched. */
 final class TcpInlet implements Inlet, Stream.Reader {
     private final Loop loop;
-    private final Owner owner;
-    private final long ownLife;
+    private final TcpPlaces places;
+    private final ProviderChannel channel;
     private final Backoff backoff;
-    private Match provider;
+    private InetSocketAddress address;
     private Stream stream;
     private FrameReader frames;
     /** Octets that were read and wait for room. */
     private ByteBuffer rest = ByteBuffer.allocate(0);
     private Loop.Timer retry;
+    private long unconnectedSince;
+    private boolean hasPlace;
     private boolean isConnected;
     private boolean isPaused;
     private boolean isFinished;
     private boolean isClosed;
 
-    TcpInlet(Loop loop, Owner owner, long ownLife, Match provider, RandomGenerator chance) {
+    TcpInlet(Loop loop, TcpPlaces places, ProviderChannel channel, RandomGenerator chance) {
         this.loop = loop;
-        this.owner = owner;
-        this.ownLife = ownLife;
-        this.provider = provider;
+        this.places = places;
+        this.channel = channel;
         backoff = new Backoff(chance);
+        address = address(channel.match());
+        places.enter(this);
+    }
+
+    private static InetSocketAddress address(Match match) {
+        InetAddress read = match.address().isEmpty() ? null : Addresses.read(match.address());
+        return read == null ? null : new InetSocketAddress(read, match.port());
+    }
+
+    /** The address by which places are shared. */
+    Object host() {
+        return address == null ? "" : address.getAddress();
+    }
+
+    /** It has a place. */
+    void placed() {
+        hasPlace = true;
+        unconnectedSince = loop.now();
         connect();
+    }
+
+    /** Its place was given to another provider. */
+    void displaced() {
+        hasPlace = false;
+        disconnect();
+    }
+
+    /** The time since which it has had a place without a connection. */
+    long unconnectedSince() {
+        return unconnectedSince;
     }
 
     private void connect() {
@@ -45,10 +76,9 @@ final class TcpInlet implements Inlet, Stream.Reader {
         isConnected = false;
         isPaused = false;
         isFinished = false;
-        InetAddress address = provider.address().isEmpty() ? null : Addresses.read(provider.address());
         try {
             if (address == null) throw new IOException("no address");
-            stream = Stream.connect(loop, new InetSocketAddress(address, provider.port()), this);
+            stream = Stream.connect(loop, address, this);
         } catch (IOException fault) {
             stream = null;
             later();
@@ -62,14 +92,28 @@ final class TcpInlet implements Inlet, Stream.Reader {
     @Override
     public void connected() {
         isConnected = true;
-        stream.write(ByteBuffer.wrap(Frame.hello(ownLife).write()));
+        channel.greeting().begin();
+        sayHello();
     }
+
+    private void sayHello() {
+        byte[] hello = channel.say(Frame.Kind.HELLO);
+        if (hello != null && stream != null) stream.write(hello);
+    }
+
+    @Override
+    public void answered(boolean isAskedAgain) {
+        if (isAskedAgain) sayHello();
+    }
+
+    @Override
+    public void keysChanged() {}
 
     @Override
     public void read(ByteBuffer octets) {
         Stream from = stream;
-        while (owner.hasRoom()) {
-            Frame frame = frames.next(octets);
+        while (channel.hasRoom()) {
+            WireFrame frame = frames.next(octets);
             if (frame == null) {
                 if (frames.isBroken()) brokenFrame();
                 return;
@@ -83,27 +127,31 @@ final class TcpInlet implements Inlet, Stream.Reader {
     }
 
     private void brokenFrame() {
-        owner.dropped();
+        channel.dropped();
         stream.close();
         broke("no frame");
     }
 
-    private void take(Frame frame) {
-        if (frame.life() != provider.life() || frame.kind() == Frame.Kind.HELLO) {
-            owner.dropped();
+    private void take(WireFrame frame) {
+        if (frame.life() != channel.match().life()) {
+            channel.dropped();
             return;
         }
-        backoff.reset();
-        if (frame.kind() == Frame.Kind.END) {
-            owner.ended(provider.life(), frame.sequence());
-        } else {
-            owner.deliver(provider, frame.payload(), frame.life(), frame.sequence());
+        Stream from = stream;
+        boolean isOpened = channel.take(frame, null);
+        if (stream != from || stream == null) return;
+        if (!isOpened) {
+            stream.close();
+            broke("a frame cannot be opened");
+        } else if (frame.kind() == Frame.Kind.MESSAGE) {
+            backoff.reset();
+            places.served(this);
         }
     }
 
     @Override
     public void resume() {
-        if (!isPaused || isClosed || !owner.hasRoom()) return;
+        if (!isPaused || isClosed || !channel.hasRoom()) return;
         isPaused = false;
         ByteBuffer octets = rest;
         rest = ByteBuffer.allocate(0);
@@ -127,18 +175,21 @@ final class TcpInlet implements Inlet, Stream.Reader {
     @Override
     public void broke(String reason) {
         stream = null;
+        if (isConnected) unconnectedSince = loop.now();
         isConnected = false;
         isPaused = false;
-        if (owner.broke(provider.life()) && !isClosed) later();
+        if (channel.broke() && !isClosed && hasPlace) later();
     }
 
     @Override
     public void changed(Match match) {
-        boolean isElsewhere = !match.address().equals(provider.address()) || match.port() != provider.port();
-        provider = match;
-        if (!isElsewhere) return;
+        InetSocketAddress next = address(match);
+        if (java.util.Objects.equals(next, address)) return;
+        address = next;
         disconnect();
-        connect();
+        places.leave(this); // places are shared by address
+        hasPlace = false;
+        places.enter(this);
     }
 
     @Override
@@ -156,6 +207,7 @@ final class TcpInlet implements Inlet, Stream.Reader {
 
     private void disconnect() {
         if (retry != null) retry.cancel();
+        retry = null;
         if (stream != null) stream.close();
         stream = null;
         isConnected = false;
@@ -165,5 +217,6 @@ final class TcpInlet implements Inlet, Stream.Reader {
     public void close() {
         isClosed = true;
         disconnect();
+        places.leave(this);
     }
 }

@@ -3,28 +3,26 @@ package geminga.channels;
 import geminga.Match;
 import geminga.protocol.Addresses;
 import geminga.protocol.Frame;
-import geminga.protocol.Limits;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 
-/** The inlet of one provider over UDP, whose messages come to the subscriber's socket. Says hello to a stream once a second. */
+/** The inlet of one provider over UDP, whose messages come to the subscriber's socket. Says hello to a stream, and on every channel that may be sealed. */
 final class UdpInlet implements Inlet {
     private final Loop loop;
     private final Datagrams socket;
-    private final long ownLife;
-    private final boolean saysHello;
-    private Match provider;
+    private final ProviderChannel channel;
+    private final boolean isStream;
     private InetSocketAddress address;
     private Loop.Timer hello;
     private boolean isEnding;
 
-    UdpInlet(Loop loop, Datagrams socket, long ownLife, Match provider, boolean saysHello) {
+    UdpInlet(Loop loop, Datagrams socket, ProviderChannel channel, boolean isStream) {
         this.loop = loop;
         this.socket = socket;
-        this.ownLife = ownLife;
-        this.saysHello = saysHello && provider.life() != 0;
-        changed(provider);
+        this.channel = channel;
+        this.isStream = isStream;
+        changed(channel.match());
     }
 
     /** Whether a datagram from this address may be this provider's. */
@@ -32,25 +30,48 @@ final class UdpInlet implements Inlet {
         return address != null && from.getPort() == address.getPort() && Addresses.areSame(from.getAddress(), address.getAddress());
     }
 
+    private boolean saysHello() {
+        return channel.match().life() != 0 && (isStream || channel.mayBeSealed());
+    }
+
     private void sayHello() {
+        if (hello != null) hello.cancel();
+        hello = null;
+        if (!saysHello() || isEnding) return;
         say(Frame.Kind.HELLO);
-        hello = loop.after(Limits.HELLO_INTERVAL, this::sayHello);
+        hello = loop.after(channel.greeting().next(), this::sayHello);
     }
 
     private void say(Frame.Kind kind) {
-        if (address != null) socket.send(ByteBuffer.wrap(Frame.toPublisher(kind, ownLife, provider.life()).write()), address);
+        byte[] octets = address == null ? null : channel.say(kind);
+        if (octets != null) socket.send(ByteBuffer.wrap(octets), address);
     }
 
     @Override
     public void changed(Match match) {
         InetSocketAddress before = address;
         InetAddress read = match.address().isEmpty() || match.port() == 0 ? null : Addresses.read(match.address());
-        provider = match;
         address = read == null ? null : new InetSocketAddress(read, match.port());
-        isEnding = false;
         boolean isElsewhere = before == null ? address != null : !before.equals(address);
-        if (!saysHello || !isElsewhere) return;
-        if (hello != null) hello.cancel();
+        boolean wasEnding = isEnding;
+        isEnding = false;
+        if (isElsewhere) channel.greeting().begin();
+        if (isElsewhere || wasEnding) sayHello();
+    }
+
+    @Override
+    public void answered(boolean isAskedAgain) {
+        if (isAskedAgain) {
+            sayHello();
+            return;
+        }
+        if (hello == null) return;
+        hello.cancel();
+        hello = loop.after(channel.greeting().next(), this::sayHello);
+    }
+
+    @Override
+    public void keysChanged() {
         sayHello();
     }
 
@@ -76,7 +97,7 @@ final class UdpInlet implements Inlet {
 
     @Override
     public void close() {
-        if (saysHello && !isEnding) say(Frame.Kind.END);
+        if (saysHello() && !isEnding) say(Frame.Kind.END);
         if (hello != null) hello.cancel();
         hello = null;
     }

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Predicate;
 
 /**
  * The counterparts of a channel: the providers of a subscriber, or the consumers of a publisher, by their lives. Decides how long a channel goes on when daemons lose sight
@@ -24,6 +23,9 @@ public final class Counterparts<C> {
 
         /** It was withdrawn. Messages on their way are still delivered, until {@link #ended} or until {@link Limits#ENDING} has passed. */
         void ending(Entry<C> entry);
+
+        /** Whether it has a connection, with which its channel goes on without its daemon. */
+        boolean hasConnection(Entry<C> entry);
 
         /** Its channel is over. */
         void closed(Entry<C> entry, String reason);
@@ -70,6 +72,9 @@ public final class Counterparts<C> {
     private final Map<String, Entry<C>> entries = new LinkedHashMap<>();
     private final Map<String, Entry<C>> byWord = new LinkedHashMap<>();
     private long limit;
+    /** Whether the own daemon has come back, and until when it finds out who is there. */
+    private boolean isBack;
+    private long settled;
 
     /** With {@code lingers}, messages on their way from a withdrawn counterpart are still taken. */
     public Counterparts(Watcher<C> watcher, boolean lingers) {
@@ -98,21 +103,23 @@ public final class Counterparts<C> {
     }
 
     /** Takes a {@code modify}. It does not bring back a counterpart that has ended. */
-    public void modify(Match match) {
-        if (byWord.containsKey(match.word())) put(match);
+    public void modify(Match match, long now) {
+        if (byWord.containsKey(match.word())) put(match, now);
     }
 
     /** Takes an {@code add}. */
-    public void put(Match match) {
+    public void put(Match match, long now) {
         String key = match.life() != 0 ? Life.write(match.life()) : match.word();
         Entry<C> known = byWord.get(match.word());
-        if (known != null && !known.key.equals(key)) remove(match.word(), "changed", 0, false);
+        // Daemons that come back give their words anew: that another life has the word is no end of the former one.
+        if (known != null && !known.key.equals(key)) lose(match.word(), known, now);
         Entry<C> entry = entries.get(key);
         if (entry == null) {
             entry = new Entry<>(key);
             entries.put(key, entry);
         }
         Match before = entry.match;
+        boolean wasEnding = entry.state == State.ENDING;
         entry.words.remove(match.word());
         entry.words.put(match.word(), match);
         byWord.put(match.word(), entry);
@@ -121,22 +128,17 @@ public final class Counterparts<C> {
         entry.deadline = Entry.NEVER;
         if (before == null) {
             watcher.opened(entry);
-        } else if (!isSame(before, match)) {
+        } else if (wasEnding || !isSame(before, match)) {
             watcher.changed(entry, before);
         }
         closeOrphansBeyondLimit();
     }
 
     /** Takes a {@code del}. An orphan over TCP goes on as long as its connection, one over UDP for {@link Limits#ORPHAN}. */
-    public void remove(String word, String reason, long now, boolean hasConnection) {
+    public void remove(String word, String reason, long now) {
         Entry<C> entry = byWord.remove(word);
         if (entry == null) return;
-        Match removed = entry.words.remove(word);
-        if (!entry.words.isEmpty()) {
-            for (Match last : entry.words.values()) entry.match = last;
-            if (!isSame(removed, entry.match)) watcher.changed(entry, removed);
-            return;
-        }
+        if (hasOtherWord(entry, word)) return;
         entry.reason = reason;
         switch (reason) {
             case "withdrawn" -> {
@@ -148,27 +150,58 @@ public final class Counterparts<C> {
                 entry.deadline = now + Limits.ENDING;
                 watcher.ending(entry);
             }
-            case "outranked", "changed" -> close(entry);
-            default -> orphan(entry, now, hasConnection);
+            case "outranked" -> {
+                // After a restart the consumer's daemon may still prefer this same life under its former word.
+                boolean isUnsettled = !lingers && isBack && now - settled < 0;
+                if (isUnsettled) {
+                    orphan(entry, now, watcher.hasConnection(entry));
+                } else {
+                    close(entry);
+                }
+            }
+            case "changed" -> close(entry);
+            default -> orphan(entry, now, watcher.hasConnection(entry));
         }
         closeOrphansBeyondLimit();
     }
 
-    /** The own daemon is gone. All channels go on, however long that takes. */
+    /** Another life has taken the word: as far as the daemon tells, this one may still be there, under another word. */
+    private void lose(String word, Entry<C> entry, long now) {
+        byWord.remove(word);
+        if (hasOtherWord(entry, word)) return;
+        entry.reason = "changed";
+        if (entry.state != State.ENDING) orphan(entry, now, watcher.hasConnection(entry));
+    }
+
+    /** Takes a word away. Whether there is another one. */
+    private boolean hasOtherWord(Entry<C> entry, String word) {
+        Match removed = entry.words.remove(word);
+        if (entry.words.isEmpty()) return false;
+        for (Match last : entry.words.values()) entry.match = last;
+        if (!isSame(removed, entry.match)) watcher.changed(entry, removed);
+        return true;
+    }
+
+    /**
+     * The own daemon is gone. All channels go on, however long that takes: nobody can confirm a channel meanwhile, so an orphan does not come closer to its end either. Only what
+     * was withdrawn still ends.
+     */
     public void lost() {
         byWord.clear();
         for (Entry<C> entry : entries.values()) {
             entry.words.clear();
-            if (entry.state == State.CONFIRMED || entry.state == State.UNCONFIRMED) {
+            if (entry.state != State.ENDING) {
+                if (entry.state != State.ORPHAN) entry.reason = "disconnected";
                 entry.state = State.UNCONFIRMED;
                 entry.deadline = Entry.NEVER;
-                entry.reason = "disconnected";
             }
         }
     }
 
     /** The own daemon is back, and confirms counterparts. */
     public void back(long now) {
+        isBack |= !entries.isEmpty();
+        settled = now + Limits.CONFIRMATION;
         for (Entry<C> entry : entries.values()) {
             if (entry.state == State.UNCONFIRMED) entry.deadline = now + Limits.CONFIRMATION;
         }
@@ -191,6 +224,12 @@ public final class Counterparts<C> {
         return entry.state == State.ORPHAN;
     }
 
+    /** Whether a {@code del} of this word, for this reason, takes the last sight of its counterpart and leaves open whether it has ended. */
+    public boolean isLeftOpen(String word, String reason) {
+        Entry<C> entry = byWord.get(word);
+        return entry != null && entry.words.size() == 1 && !reason.equals("outranked") && !reason.equals("changed");
+    }
+
     /** Its connection broke. Whether to make another one. */
     public boolean broke(Entry<C> entry) {
         if (entries.get(entry.key) != entry) return false;
@@ -199,12 +238,12 @@ public final class Counterparts<C> {
         return false;
     }
 
-    /** Ends channels whose time is over. One that {@code hasConnection} goes on without its daemons. */
-    public void tick(long now, Predicate<Entry<C>> hasConnection) {
+    /** Ends channels whose time is over. One that has a connection goes on without its daemons. */
+    public void tick(long now) {
         for (Entry<C> entry : all()) {
             if (entry.deadline == Entry.NEVER || now - entry.deadline < 0) continue;
             if (entry.state == State.UNCONFIRMED) {
-                orphan(entry, now, hasConnection.test(entry));
+                orphan(entry, now, watcher.hasConnection(entry));
             } else {
                 close(entry);
             }
@@ -249,7 +288,7 @@ public final class Counterparts<C> {
     }
 
     /** Whether two matches are equal but for the numbers that daemons gave them. */
-    private static boolean isSame(Match one, Match other) {
+    public static boolean isSame(Match one, Match other) {
         return one.equals(other) || anonymous(one).equals(anonymous(other));
     }
 

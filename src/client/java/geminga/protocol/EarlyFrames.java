@@ -8,18 +8,19 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, "Early frames"). Keeps at most {@link Limits#EARLY_FRAMES} with {@link Limits#EARLY_OCTETS}
- * of payload, each for {@link Limits#EARLY}; for one more the oldest goes. The caller gives the time, in nanoseconds.
+ * Frames over UDP whose sender the daemon has not named yet, or that came before the floor of a sealed channel (src/client/CHANNELS.md, "Early frames"). Keeps at most
+ * {@link Limits#EARLY_FRAMES} with {@link Limits#EARLY_OCTETS} of payload, each for {@link Limits#EARLY}; for one more the oldest goes. The caller gives the time, in nanoseconds.
  */
 public final class EarlyFrames {
-    private record Kept(InetSocketAddress from, Frame frame, long until) {}
+    /** A frame, where it came from, and until when it is kept. */
+    public record Kept(InetSocketAddress from, WireFrame frame, long until) {}
 
     private final ArrayDeque<Kept> kept = new ArrayDeque<>();
     private int octets;
 
-    public void put(InetSocketAddress from, Frame frame, long now) {
+    public void put(InetSocketAddress from, WireFrame frame, long now) {
         forgetOld(now);
-        int size = frame.payload().length;
+        int size = frame.size();
         if (size > Limits.EARLY_OCTETS) return;
         while (kept.size() >= Limits.EARLY_FRAMES || octets + size > Limits.EARLY_OCTETS) forgetFirst();
         kept.add(new Kept(from, frame, now + Limits.EARLY));
@@ -27,15 +28,15 @@ public final class EarlyFrames {
     }
 
     /** Removes the frames of this life from such an address; the result has them in the order of arrival. */
-    public List<Frame> take(Predicate<InetSocketAddress> isFrom, long life, long now) {
+    public List<Kept> take(Predicate<InetSocketAddress> isFrom, long life, long now) {
         forgetOld(now);
-        List<Frame> taken = new ArrayList<>();
+        List<Kept> taken = new ArrayList<>();
         for (Iterator<Kept> each = kept.iterator(); each.hasNext();) {
             Kept one = each.next();
             if (one.frame().life() != life || !isFrom.test(one.from())) continue;
             each.remove();
-            octets -= one.frame().payload().length;
-            taken.add(one.frame());
+            octets -= one.frame().size();
+            taken.add(one);
         }
         return taken;
     }
@@ -45,6 +46,6 @@ public final class EarlyFrames {
     }
 
     private void forgetFirst() {
-        octets -= kept.removeFirst().frame().payload().length;
+        octets -= kept.removeFirst().frame().size();
     }
 }

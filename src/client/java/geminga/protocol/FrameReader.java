@@ -10,8 +10,9 @@ public final class FrameReader {
     private final int limit;
     private final byte[] head = new byte[Frame.HEADER];
     private int headed;
-    private Frame.Header header;
-    private byte[] payload;
+    private WireFrame.Header header;
+    /** The octets behind the first 24. */
+    private byte[] rest;
     private int filled;
     private boolean isBroken;
 
@@ -21,13 +22,14 @@ public final class FrameReader {
     }
 
     /** The next whole frame, or null if more octets are needed. Takes its octets from {@code octets}. */
-    public Frame next(ByteBuffer octets) {
+    public WireFrame next(ByteBuffer octets) {
         if (isBroken) return null;
         if (header == null && !readHeader(octets)) return null;
-        if (!readPayload(octets)) return null;
-        Frame frame = new Frame(header.kind(), header.life(), header.sequence(), payload);
+        if (!readRest(octets)) return null;
+        WireFrame frame = header.rest() == 0 && rest.length == header.length()
+                ? new Frame(header.kind(), header.life(), header.sequence(), rest) : header.frame(ByteBuffer.wrap(rest));
         header = null;
-        payload = null;
+        rest = null;
         headed = 0;
         return frame;
     }
@@ -37,26 +39,30 @@ public final class FrameReader {
         return isBroken;
     }
 
+    private int length() {
+        return header.rest() + header.length();
+    }
+
     private boolean readHeader(ByteBuffer octets) {
         int taken = Math.min(octets.remaining(), Frame.HEADER - headed);
         octets.get(head, headed, taken);
         headed += taken;
         if (headed < Frame.HEADER) return false;
-        header = Frame.Header.read(ByteBuffer.wrap(head), limit);
+        header = WireFrame.Header.read(ByteBuffer.wrap(head), limit);
         isBroken = header == null;
         if (isBroken) return false;
-        payload = new byte[Math.min(header.length(), FIRST)];
+        rest = new byte[Math.min(length(), FIRST)];
         filled = 0;
         return true;
     }
 
-    private boolean readPayload(ByteBuffer octets) {
-        while (filled < header.length() && octets.hasRemaining()) {
-            if (filled == payload.length) payload = Arrays.copyOf(payload, (int) Math.min(header.length(), payload.length * 2L));
-            int taken = Math.min(octets.remaining(), payload.length - filled);
-            octets.get(payload, filled, taken);
+    private boolean readRest(ByteBuffer octets) {
+        while (filled < length() && octets.hasRemaining()) {
+            if (filled == rest.length) rest = Arrays.copyOf(rest, (int) Math.min(length(), rest.length * 2L));
+            int taken = Math.min(octets.remaining(), rest.length - filled);
+            octets.get(rest, filled, taken);
             filled += taken;
         }
-        return filled == header.length();
+        return filled == length();
     }
 }

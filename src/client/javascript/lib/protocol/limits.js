@@ -6,6 +6,8 @@ export const maxDatagramMessage = 65_000;
 export const maxStreamMessage = 16 * 1024 * 1024;
 /** Octets that may wait for one TCP consumer; one message may always wait. */
 export const maxWaiting = 4 * 1024 * 1024;
+/** Frames that may wait for it. */
+export const maxWaitingFrames = 16_384;
 /** Waiting octets from which on `send` gives false: wait for `drained`. */
 export const enoughWaiting = 1024 * 1024;
 /** Octets of datagrams that the system has not taken yet. */

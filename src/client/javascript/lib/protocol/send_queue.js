@@ -1,6 +1,6 @@
 // The frames that wait for the TCP consumers of one publisher. The octets of each frame are kept once, whoever waits for it.
 import { headerSize } from './frame.js';
-import { maxWaiting } from './limits.js';
+import { maxWaiting, maxWaitingFrames } from './limits.js';
 import { isSealed, sealedHeaderSize } from './sealed_frame.js';
 
 /** The memory of all frames that wait. Small frames share pieces of memory, which are counted as a whole. */
@@ -40,6 +40,9 @@ function endOfBegun(octets, sent) {
 export class SendQueue {
   #pool;
   #pieces = [];
+  /** How many frames each piece has. */
+  #counts = [];
+  #frames = 0;
   #head = 0;
   /** Octets of the first piece that were sent. */
   #sent = 0;
@@ -54,20 +57,23 @@ export class SendQueue {
     return this.#head === this.#pieces.length;
   }
 
-  /** Whether a frame of this size may wait: within 4 MiB, or alone. */
+  /** Whether a frame of this size may wait: within 4 MiB and 16 384 frames, or alone. The frames of a piece count until it was sent. */
   hasRoomFor(octets) {
-    return this.isEmpty || this.octets + octets <= maxWaiting;
+    return this.isEmpty || (this.octets + octets <= maxWaiting && this.#frames < maxWaitingFrames);
   }
 
   put(frame) {
     this.octets += frame.length;
+    ++this.#frames;
     const last = this.isEmpty ? undefined : this.#pieces.at(-1);
     if (last && isBehind(last, frame)) {
       this.#pieces[this.#pieces.length - 1] = Buffer.from(last.buffer, last.byteOffset, last.length + frame.length);
+      ++this.#counts[this.#counts.length - 1];
       return;
     }
     this.#pool.hold(frame);
     this.#pieces.push(frame);
+    this.#counts.push(1);
   }
 
   /** The next octets to send, of one piece and at most so many. Requires that it is not empty. */
@@ -100,10 +106,12 @@ export class SendQueue {
 
   #shift() {
     this.#pool.release(this.#pieces[this.#head]);
+    this.#frames -= this.#counts[this.#head];
     this.#pieces[this.#head++] = undefined;
     this.#sent = 0;
     if (this.#head > 64 && this.#head * 2 > this.#pieces.length) {
       this.#pieces.splice(0, this.#head);
+      this.#counts.splice(0, this.#head);
       this.#head = 0;
     }
   }

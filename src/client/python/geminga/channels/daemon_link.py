@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import random
 import socket
 from collections.abc import Callable
 
 from ..protocol.backoff import Backoff
+from ..protocol.limits import AWAY_SECONDS
 from ..protocol.report import Report, Welcome
 from ..protocol.session import Session
 from ..protocol.statement import LineError
-from .endpoint import Endpoint
+from .endpoint import VARIABLE, Endpoint
 
 #: Seconds to wait for a connection, and for the answer to hello.
 ANSWER_SECONDS = 5.0
@@ -41,14 +43,19 @@ class DaemonLink:
         endpoints: tuple[Endpoint, ...],
         report: Callable[[Report], None],
         lost: Callable[[], None],
+        log: Callable[[str], None],
     ) -> None:
         self._loop = loop
         self._session = session
         self._endpoints = endpoints
         self._report = report
         self._lost = lost
+        self._log = log
         self._transport: asyncio.Transport | None = None
         self._backoff = Backoff(random.random)
+        self._failure = "no answer"  #: why the daemon was not reached last
+        self._is_away_said = False
+        self._away = loop.call_later(AWAY_SECONDS, self._say_away)
         self.is_connected = False
         #: Done when the daemon has been reached, or was not at the first attempt.
         self.attempted: asyncio.Future[None] = loop.create_future()
@@ -67,6 +74,7 @@ class DaemonLink:
                 if isinstance(report, Welcome):
                     self.is_connected = True
                     self._backoff.reset()
+                    self._say_back()
                     self._attempt()
                 self._report(report)
         except LineError:
@@ -90,6 +98,7 @@ class DaemonLink:
     def abort(self) -> None:
         """Closes at once. The daemon withdraws the requests of this node when it sees that."""
         self._task.cancel()
+        self._away.cancel()
         self._attempt()
         if self._transport is not None:
             self._transport.abort()
@@ -107,14 +116,16 @@ class DaemonLink:
         for endpoint in self._endpoints:
             try:
                 sock = socket.socket(endpoint.family, socket.SOCK_STREAM)
-            except OSError:
+            except OSError as error:
+                self._failure = error.strerror or "no socket"
                 continue
             try:
                 sock.setblocking(False)
                 async with asyncio.timeout(ANSWER_SECONDS):
                     await self._loop.sock_connect(sock, endpoint.address)
                 return sock
-            except OSError:  # TimeoutError is a subclass.
+            except OSError as error:  # TimeoutError is a subclass.
+                self._failure = os.strerror(error.errno) if error.errno else "no answer"
                 sock.close()
             except BaseException:
                 sock.close()
@@ -124,6 +135,7 @@ class DaemonLink:
     async def _talk(self, sock: socket.socket) -> None:
         transport, protocol = await self._loop.create_connection(lambda: _Lines(self), sock=sock)
         self._transport = transport
+        self._failure = "no answer"
         self._session.open()
         self.flush()
         timer = self._loop.call_later(ANSWER_SECONDS, self._look)
@@ -137,7 +149,19 @@ class DaemonLink:
             self._report(report)
         if self.is_connected:
             self.is_connected = False
+            self._away = self._loop.call_later(AWAY_SECONDS, self._say_away)
             self._lost()
+
+    def _say_away(self) -> None:
+        self._is_away_said = True
+        there = f"no daemon at {self._endpoints[0]} for {AWAY_SECONDS:.0f} s ({self._failure})"
+        self._log(f"{there}: start gemingad, or say where it is with {VARIABLE}")
+
+    def _say_back(self) -> None:
+        self._away.cancel()
+        if self._is_away_said:
+            self._is_away_said = False
+            self._log(f"the daemon at {self._endpoints[0]} answers")
 
     def _attempt(self) -> None:
         if not self.attempted.done():

@@ -18,6 +18,12 @@ class Endpoint:
     family: socket.AddressFamily
     address: Any
 
+    def __str__(self) -> str:
+        if self.family == socket.AF_UNIX:
+            return str(self.address)
+        host, port = self.address
+        return f"[{host}]:{port}" if self.family == socket.AF_INET6 else f"{host}:{port}"
+
 
 USUAL = (
     Endpoint(socket.AF_INET, ("127.0.0.1", 4717)),

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import asyncio
 import socket
-from collections.abc import Callable
 
 from ..protocol.counterparts import Counterpart, Key
-from ..protocol.frame import Frame
+from ..protocol.frame import Kind
 from ..protocol.limits import INTERFACES_SECONDS
+from ..protocol.sealed_frame import OpenedFrame
 from . import multicast, sockets
 from .interfaces import interfaces
-from .udp_inlet import DATAGRAMS_AT_END, dispatch
+from .sockets import Address
+from .udp_inlet import DATAGRAMS_AT_END, InletHost, UdpInlet, believed, hear, sort
 
 _DATAGRAMS_A_TURN = 64
 
@@ -25,29 +26,24 @@ class _Group:
 
 
 class MulticastInlet:
-    """Believes a datagram by the sender's port and the life, because the announced address is the group's."""
+    """Believes a datagram by the sender's port and the life, because the announced address is the group's. A sealed one is believed when
+    `udp` has asked for a floor."""
 
-    def __init__(
-        self,
-        loop: asyncio.AbstractEventLoop,
-        on_message: Callable[[Counterpart, Frame], None],
-        on_datagram: Callable[[Counterpart, bytes], None],
-        on_end: Callable[[Key, bool], None],
-        on_drop: Callable[[], None],
-    ) -> None:
+    def __init__(self, loop: asyncio.AbstractEventLoop, udp: UdpInlet | None, host: InletHost) -> None:
         self._loop = loop
-        self._on_message = on_message
-        self._on_datagram = on_datagram
-        self._on_end = on_end
-        self._on_drop = on_drop
+        self._udp = udp
+        self._host = host
         self._groups: dict[Place, _Group] = {}
         self._places: dict[Key, Place] = {}
         self._timer: asyncio.TimerHandle | None = None
 
     def open(self, counterpart: Counterpart) -> None:
         """Joins the provider's group. Raises OSError if that is not possible."""
-        self.close(counterpart)
         place = (counterpart.match.address, counterpart.match.port)
+        known = self._groups.get(place)
+        if known is not None and known.lives.get(counterpart.match.life) is counterpart:
+            return
+        self.close(counterpart)
         group = self._groups.get(place)
         if group is None:
             group = self._groups[place] = _Group(multicast.listening(*place))
@@ -107,7 +103,22 @@ class MulticastInlet:
             except OSError:
                 return False
             if source[1] == place[1]:
-                dispatch(octets, group.lives, self._on_message, self._on_datagram, self._on_end, self._on_drop)
+                self._heard(octets, source, group.lives)
             else:
-                self._on_drop()
+                self._host.drop()
         return True
+
+    def _heard(self, octets: bytes, source: Address, lives: dict[int, Counterpart]) -> None:
+        read, counterpart = sort(octets, lives)
+        if read is None or counterpart is None:
+            if 0 in lives:
+                self._host.hear_datagram(lives[0], octets)
+            else:
+                self._host.drop()
+            return
+        frame = believed(counterpart, read)
+        if frame is None or frame.kind not in (Kind.MESSAGE, Kind.END):
+            self._host.drop()
+        elif not hear(counterpart, frame, self._host) and self._udp is not None and isinstance(frame, OpenedFrame):
+            self._udp.keep(frame)
+            self._udp.ask(counterpart, sockets.written(source), frame.port)

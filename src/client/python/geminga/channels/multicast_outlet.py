@@ -8,31 +8,41 @@ import socket
 
 from ..errors import PortTaken
 from ..protocol.counterparts import Counterpart
-from ..protocol.frame import Kind, write_frame
+from ..protocol.frame import Frame, Kind
+from ..protocol.frame_writer import PublisherFrames
+from ..protocol.handshake import Handshake
 from ..protocol.limits import INTERFACES_SECONDS
 from . import multicast, sockets
 from .interfaces import interfaces
-
-
+from .reception import Reception
+from .sockets import Address
 
 class MulticastOutlet:
-    """Sends through all interfaces, and looks every two seconds which there are."""
+    """Sends through all interfaces, and looks every two seconds which there are. Where frames are sealed, a socket of its own takes
+    hellos."""
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, life: int, port: int, group: str) -> None:
+    def __init__(self, loop: asyncio.AbstractEventLoop, frames: PublisherFrames, port: int, group: str) -> None:
         self._loop = loop
-        self._life = life
+        self._frames = frames
         self._group = group
         self.port = port or _free_port()
         self._by_interface: dict[int, socket.socket] = {}
         self._timer: asyncio.TimerHandle | None = None
-        self.dropped = 0
         self.sole = None
+        self._reception = Reception(loop, frames, self._hello, self._ended, is_hello_port=True)
+        self._hellos: socket.socket | None = None
         self._refresh()
+        self.rekeyed()
+
+    @property
+    def dropped(self) -> int:
+        """The number of datagrams that were not believed."""
+        return self._reception.dropped
 
     @property
     def targets(self) -> dict[int, socket.socket]:
-        """The socket of each interface."""
-        return self._by_interface
+        """The socket of each interface, once it is known which keys there are."""
+        return self._by_interface if self._frames.keys is not None else {}
 
     def open(self, counterpart: Counterpart) -> None:
         """Does nothing: publishers of `otm/stream` are not told of consumers."""
@@ -40,9 +50,18 @@ class MulticastOutlet:
     def close(self, counterpart: Counterpart) -> None:
         """Does nothing: publishers of `otm/stream` are not told of consumers."""
 
-    def send(self, header: bytes, payload: bytes) -> int:
+    def rekeyed(self, begins_to_seal: bool = False) -> None:
+        """Other keys are in force, or another mode: takes hellos while frames are sealed."""
+        if not self._frames.seals:
+            self._close_hellos()
+        elif self._hellos is None:
+            self._hellos = sockets.bound(socket.SOCK_DGRAM, 0)
+            self._frames.hello_port = sockets.port_of(self._hellos)
+            self._reception.read(self._hellos)
+
+    def send(self, header: bytes, body: bytes, payload: bytes) -> int:
         """Sends through each interface. Returns 1 if none took it."""
-        frame = header + payload
+        frame = header + body
         took = False
         for interface, sock in self._by_interface.items():
             took |= sockets.send_datagram(sock, frame, multicast.group_address(self._group, self.port, interface))
@@ -52,9 +71,10 @@ class MulticastOutlet:
         """Lets the event loop turn once, because datagrams do not wait."""
         await asyncio.sleep(0)
 
-    async def end(self, last: int) -> None:
+    async def end(self) -> None:
         """Sends a frame of kind 3 to the group, and closes."""
-        self.send(write_frame(Kind.END, self._life, last), b"")
+        if self.targets:
+            self.send(self._frames.other(Kind.END), b"", b"")
         self.abort()
 
     def abort(self) -> None:
@@ -64,6 +84,19 @@ class MulticastOutlet:
         for sock in self._by_interface.values():
             sockets.close(sock)
         self._by_interface.clear()
+        self._close_hellos()
+
+    def _hello(self, source: Address, frame: Frame, said: Handshake) -> None:
+        self._reception.answer(Kind.FLOOR, source, frame.life, said.challenge)
+
+    def _ended(self, source: Address, frame: Frame) -> None:
+        """Nothing is kept of the consumers of a group."""
+
+    def _close_hellos(self) -> None:
+        self._reception.rest()
+        sockets.close(self._hellos)
+        self._hellos = None
+        self._frames.hello_port = 0
 
     def _refresh(self) -> None:
         there = interfaces()

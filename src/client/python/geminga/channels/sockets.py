@@ -122,6 +122,13 @@ def canonical(source: Address) -> Address:
     return (str(host).partition("%")[0], port, 0, scope)
 
 
+def written(source: Address) -> str:
+    """The address of a datagram's source, with the zone of a link-local one. A multicast without a route comes from no address: from here."""
+    host = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(str(source[0]), str(source[0]))
+    is_of_a_link = len(source) == 4 and source[3] and "%" not in host
+    return f"{host}%{source[3]}" if is_of_a_link else host
+
+
 def send_datagram(sock: socket.socket, octets: bytes, there: Address) -> bool:
     """Sends one datagram. Whether the system took it; if not, it is lost."""
     try:

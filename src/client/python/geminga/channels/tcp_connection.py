@@ -5,27 +5,31 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import socket
-from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from ..protocol.frame import HEADER_OCTETS, Frame
 from ..protocol.frame_reader import BrokenStream, FrameReader
-from ..protocol.limits import LEAVING_SECONDS, MAX_STREAM_PAYLOAD, MAX_WAITING_FOR_CONSUMER
+from ..protocol.limits import LEAVING_SECONDS, MAX_STREAM_PAYLOAD
+from ..protocol.sealed_frame import AnyFrame
+from ..protocol.send_queue import Pool, SendQueue, SharedFrame
 from .outlet import COPIED_OCTETS
 
 _READ_OCTETS = 256 * 1024
 
 
 class TcpConnection:
-    """Gives frames to `on_frame`, in order, and calls `on_end` once, unless close() was called. Not thread-safe."""
+    """Gives frames to `on_frame`, in order, and calls `on_end` once, unless close() was called. Not thread-safe.
+
+    The frames that wait count in `pool`, which is that of all connections of a publisher.
+    """
 
     def __init__(
         self,
         loop: asyncio.AbstractEventLoop,
         sock: socket.socket,
-        on_frame: Callable[[Frame], None],
+        on_frame: Callable[[AnyFrame], None],
         on_end: Callable[[], None],
         max_payload: int = MAX_STREAM_PAYLOAD,
+        pool: Pool | None = None,
     ) -> None:
         self._loop = loop
         self._sock = sock
@@ -34,8 +38,8 @@ class TcpConnection:
         self._on_frame = on_frame
         self._on_end = on_end
         self._reader = FrameReader(max_payload)
-        self._waiting: deque[memoryview] = deque()
-        self.waiting_octets = 0
+        self._queue = SendQueue(pool or Pool())
+        self.took_at = 0.0  #: when the other side took something last, or something began to wait; only while something waits
         self.is_open = True
         self.is_broken = False  #: octets came that are no frame
         self._is_finishing = False
@@ -47,41 +51,40 @@ class TcpConnection:
             sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         loop.add_reader(sock, self._read)
 
-    def offer(self, header: bytes, payload: bytes) -> bool:
+    @property
+    def waiting_octets(self) -> int:
+        """The octets that wait to be written."""
+        return self._queue.octets
+
+    def offer(self, frame: SharedFrame) -> bool:
         """Sends a frame, or keeps it until there is room. False if too much waits already."""
-        if not self._waiting:
-            size = len(payload)
-            try:  # As in _sent(), but without another call, which senders would notice.
-                if size <= COPIED_OCTETS:
-                    sent = self._send(header + payload)
-                else:
-                    sent = self._sendmsg((header, payload))
-            except OSError as error:
-                sent = self._unsent(error, HEADER_OCTETS + size)
-            sent -= HEADER_OCTETS
-            if sent < 0:
-                self._keep(memoryview(header)[sent:])
-            if max(sent, 0) < size:
-                self._keep(memoryview(payload)[max(sent, 0) :])
+        if not self._queue:
+            sent = self._sent(frame.pieces)
+            if sent < frame.octets:
+                self._keep(frame, sent)
             return True
-        if self.waiting_octets + HEADER_OCTETS + len(payload) > MAX_WAITING_FOR_CONSUMER:
+        if not self._queue.has_room_for(frame.octets):
             return False
-        self._keep(memoryview(header + payload))
+        self._keep(frame, 0)
         return True
 
-    def append(self, frame: bytes) -> None:
+    def append(self, octets: bytes) -> None:
         """Sends a small frame after those that wait, however many these are."""
-        if not self._waiting and self.is_open:
-            sent = self._sent(frame)
-            if sent == len(frame):
-                return
-            frame = frame[sent:]
-        if self.is_open:
-            self._keep(memoryview(frame))
+        if not self.is_open:
+            return
+        sent = 0 if self._queue else self._sent((octets,))
+        if self.is_open and sent < len(octets):
+            self._keep(SharedFrame(octets), sent)
+
+    def dismiss(self, octets: bytes) -> None:
+        """Sends a last small frame in the place of those that wait, and closes."""
+        self._queue.clear(keeps_begun=True)
+        self.append(octets)
+        self.finish()
 
     async def drain(self) -> None:
         """Waits until everything is written, or the connection ends."""
-        await self._until(lambda: not self._waiting)
+        await self._until(lambda: not self._queue)
 
     async def closed(self) -> None:
         """Waits until the connection ends."""
@@ -92,7 +95,7 @@ class TcpConnection:
         if self.is_open and not self._is_finishing:
             self._is_finishing = True
             self._progress()
-            if not self._waiting:
+            if not self._queue:
                 self._shut_down()
 
     def pause(self) -> None:
@@ -117,8 +120,7 @@ class TcpConnection:
         self._loop.remove_reader(self._sock)
         self._loop.remove_writer(self._sock)
         self._sock.close()
-        self._waiting.clear()
-        self.waiting_octets = 0
+        self._queue.clear()
         self._wake()
 
     def _end(self) -> None:
@@ -146,39 +148,37 @@ class TcpConnection:
         if self.is_broken:
             self._end()
 
-    def _sent(self, octets: bytes | memoryview) -> int:
+    def _sent(self, pieces: Sequence[bytes | memoryview]) -> int:
+        """Sends what the system takes now, and says how much that is."""
         try:
-            return self._send(octets)
-        except OSError as error:
-            return self._unsent(error, len(octets))
-
-    def _unsent(self, error: OSError, size: int) -> int:
-        if isinstance(error, (BlockingIOError, InterruptedError)):
+            return self._send(pieces[0]) if len(pieces) == 1 else self._sendmsg(pieces)
+        except (BlockingIOError, InterruptedError):
             return 0
-        # The event loop tells the end, not a call of send().
-        self._loop.call_soon(self._end)
-        return size
+        except OSError:
+            # The event loop tells the end, not a call of send().
+            self._loop.call_soon(self._end)
+            return sum(map(len, pieces))
 
-    def _keep(self, octets: memoryview) -> None:
-        if not self._waiting:
+    def _keep(self, frame: SharedFrame, sent: int) -> None:
+        if not self._queue:
             self._loop.add_writer(self._sock, self._write)
-        self._waiting.append(octets)
-        self.waiting_octets += len(octets)
+            self.took_at = self._loop.time()
+        self._queue.put(frame, sent)
 
     def _write(self) -> None:
-        while self._waiting and self.is_open:
-            octets = self._waiting[0]
-            sent = self._sent(octets)
+        took = False
+        while self._queue and self.is_open:
+            sent = self._sent(self._queue.pieces())
             if not self.is_open:
                 return
-            self.waiting_octets -= sent
-            if sent < len(octets):
-                self._waiting[0] = octets[sent:]
+            took = took or sent > 0
+            if not self._queue.took(sent):
                 break
-            self._waiting.popleft()
+        if took:
+            self.took_at = self._loop.time()
         if self._is_finishing:
             self._progress()
-        if not self._waiting:
+        if not self._queue:
             self._loop.remove_writer(self._sock)
             if self._is_finishing:
                 self._shut_down()
@@ -206,3 +206,8 @@ class TcpConnection:
         for waiter in waiters:
             if not waiter.done():
                 waiter.set_result(None)
+
+
+def shared(header: bytes, body: bytes) -> SharedFrame:
+    """A frame to offer to many connections. A small one is one piece, because that costs less than two."""
+    return SharedFrame(header + body) if len(body) <= COPIED_OCTETS else SharedFrame(header, body)

@@ -5,55 +5,63 @@ from __future__ import annotations
 import asyncio
 import random
 import socket
-from collections.abc import Callable
+from typing import Protocol
 
 from ..protocol.backoff import Backoff
+from ..protocol.belief import AGAIN, FORGED, FULL, Belief
+from ..protocol.counter import CounterError, ForkError
 from ..protocol.counterparts import Counterpart, Key
-from ..protocol.frame import Frame, Kind, write_frame
+from ..protocol.frame import Kind
+from ..protocol.frame_writer import ConsumerFrames
 from ..protocol.limits import DRAIN_SECONDS
+from ..protocol.sealed_frame import AnyFrame
 from . import sockets
 from .tcp_connection import TcpConnection
+from .udp_inlet import InletHost, believed, hear
 
+
+class TcpInletHost(InletHost, Protocol):
+    """The part of a subscriber that its connections tell of what happens."""
+
+    def connected(self, key: Key) -> None:
+        """The connection to a provider is open."""
+
+    def lost(self, key: Key) -> bool:
+        """The connection to a provider ended or failed. Whether it is to be made again."""
+
+    def ended(self, key: Key) -> None:
+        """A provider that was withdrawn has said its end, or nothing for two seconds."""
 
 
 class TcpInlet:
-    """The connection to one provider.
-
-    `on_message` gets its messages and its end. `on_end` is called when it has ended for good, with whether that was clean. `on_lost` is
-    called when the connection is lost, and says whether it is to be made again.
-    """
+    """The connection to one provider, whose messages and end go to `host`."""
 
     def __init__(
-        self,
-        loop: asyncio.AbstractEventLoop,
-        life: int,
-        counterpart: Counterpart,
-        on_message: Callable[[Counterpart, Frame], None],
-        on_connected: Callable[[Key], None],
-        on_lost: Callable[[Key], bool],
-        on_end: Callable[[Key, bool], None],
-        on_drop: Callable[[], None],
+        self, loop: asyncio.AbstractEventLoop, frames: ConsumerFrames, counterpart: Counterpart, belief: Belief, host: TcpInletHost
     ) -> None:
         self._loop = loop
-        self._life = life
+        self._frames = frames
         self._counterpart = counterpart
+        self._belief = belief
         self.place = (counterpart.match.address, counterpart.match.port)
-        self._on_message = on_message
-        self._on_connected = on_connected
-        self._on_lost = on_lost
-        self._on_end = on_end
-        self._on_drop = on_drop
+        self._host = host
         self._connection: TcpConnection | None = None
         self._is_ended = False
         self._rest: asyncio.TimerHandle | None = None
         self._came = False
+        self._mode = ""  #: in which the last hello was said
         self._is_paused = False
         self._task = loop.create_task(self._run())
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether the connection is open."""
+        return self._connection is not None
 
     def rest(self) -> None:
         """The provider was withdrawn: reads up to its end, or until nothing comes for two seconds."""
         if self._connection is None:
-            self._finish(False)
+            self._finish()
             return
         self._came = False
         self._rest = self._loop.call_later(DRAIN_SECONDS, self._look)
@@ -70,6 +78,12 @@ class TcpInlet:
         if self._connection is not None:
             self._connection.resume()
 
+    def rekeyed(self) -> None:
+        """Other keys may be in force, or another mode. A connection that says nothing that is believed is made again."""
+        keys = self._belief.keys
+        if keys is not None and keys.mode != self._mode and not keys.takes_plain and self._belief.floor is None:
+            self._break()
+
     def close(self) -> None:
         """Closes at once. No function is called after that."""
         self._is_ended = True
@@ -84,12 +98,17 @@ class TcpInlet:
         if self._came or self._is_paused:
             self.rest()
         else:
-            self._finish(False)
+            self._finish()
 
-    def _finish(self, was_clean: bool) -> None:
+    def _finish(self) -> None:
         if not self._is_ended:
             self.close()
-            self._on_end(self._counterpart.key, was_clean)
+            self._host.ended(self._counterpart.key)
+
+    def _break(self) -> None:
+        """Ends this connection; another one is made."""
+        if self._connection is not None:
+            self._connection.close()
 
     async def _run(self) -> None:
         backoff = Backoff(random.random)
@@ -99,15 +118,15 @@ class TcpInlet:
                 await connection.closed()
                 self._connection = None
                 if connection.is_broken:
-                    self._on_drop()
+                    self._host.drop()
                 if self._came:
                     backoff.reset()
                 if self._is_ended:
                     return
                 if self._rest is not None:
-                    self._finish(False)
+                    self._finish()
                     return
-            if not self._on_lost(self._counterpart.key):
+            if not self._host.lost(self._counterpart.key):
                 return
             await asyncio.sleep(backoff.seconds())
 
@@ -116,7 +135,10 @@ class TcpInlet:
         if there is None or self.place[1] == 0:
             return None
         family, address = there
-        sock = socket.socket(family, socket.SOCK_STREAM)
+        try:
+            sock = socket.socket(family, socket.SOCK_STREAM)
+        except OSError:
+            return None  # No descriptor is left.
         sock.setblocking(False)
         try:
             await self._loop.sock_connect(sock, address)
@@ -126,20 +148,45 @@ class TcpInlet:
         except BaseException:
             sock.close()
             raise
+        self._came = False
         self._connection = TcpConnection(self._loop, sock, self._heard, lambda: None)
-        self._connection.append(write_frame(Kind.HELLO, self._life, 0))
+        self._belief.greet()
+        self._hello()
         if self._is_paused:
             self._connection.pause()
-        self._on_connected(self._counterpart.key)
+        self._host.connected(self._counterpart.key)
         return self._connection
 
-    def _heard(self, frame: Frame) -> None:
-        if frame.life != self._counterpart.match.life or frame.kind is Kind.HELLO:
-            self._on_drop()
+    def _hello(self) -> None:
+        if self._belief.keys is None or self._connection is None:
             return
-        self._came = True
-        if frame.kind is Kind.END:
-            self._on_message(self._counterpart, frame)
-            self._finish(True)
+        try:
+            octets = self._frames.write(self._belief.keys, Kind.HELLO, self._belief.hello())
+        except (CounterError, ForkError) as error:
+            self._host.failed(error)
+            return
+        self._mode = self._belief.keys.mode
+        self._connection.append(octets)
+
+    def _heard(self, octets: AnyFrame) -> None:
+        if octets.life != self._counterpart.match.life or octets.kind is Kind.HELLO:
+            self._host.drop()
+            return
+        frame = believed(self._counterpart, octets)
+        if frame is None:
+            self._host.drop()
+            self._break()  # Nothing behind it can be believed.
+        elif frame.kind in (Kind.FLOOR, Kind.FULL):
+            outcome = self._belief.answered(frame)
+            if outcome == FORGED:
+                self._host.drop()
+            elif outcome == FULL:
+                self._host.full(self._counterpart)
+            elif outcome == AGAIN:
+                self._hello()
+        elif not hear(self._counterpart, frame, self._host):
+            self._break()  # A floor comes before the messages of the next connection.
         else:
-            self._on_message(self._counterpart, frame)
+            self._came = True
+            if frame.kind is Kind.END:
+                self._finish()

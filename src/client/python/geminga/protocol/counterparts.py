@@ -9,15 +9,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
+from .belief import Belief
 from .limits import ORPHAN_SECONDS, SETTLE_SECONDS
 from .match import Match
 
 #: Reasons that end a channel at once. Every other reason says that the daemons have lost sight of the counterpart.
-FINAL_REASONS = frozenset({"withdrawn", "outranked", "changed"})
-
 WITHDRAWN = "withdrawn"
+CHANGED = "changed"
+OUTRANKED = "outranked"
+FINAL_REASONS = frozenset({WITHDRAWN, OUTRANKED, CHANGED})
+
 DISCONNECTED = "disconnected"  #: the own daemon came back and did not confirm the channel
 LOST = "lost"  #: the connection of a channel ended, and no daemon announces the counterpart
+SLOW = "slow"  #: a consumer took nothing for the longest time while too much waited for all
 
 Key = int | str  #: the life, or the word of a counterpart without one
 
@@ -32,6 +36,7 @@ class Counterpart:
     reason: str = ""  #: why the daemons have lost sight of it
     is_orphan: bool = False
     is_connected: bool = False  #: over TCP: whether its connection is open
+    belief: Belief | None = None  #: of a provider with a life
     closes_at: float | None = None
 
 
@@ -71,16 +76,20 @@ class Counterparts:
         """The counterpart with this life or word."""
         return self._by_key.get(key)
 
-    def modify(self, match: Match) -> list[Change]:
-        """Takes a `modify` of the daemon. It does not bring back a counterpart that has ended."""
-        return self.add(match) if match.word in self._keys else []
+    def key_of(self, word: str) -> Key | None:
+        """The key of the counterpart that the daemon means by this word."""
+        return self._keys.get(word)
 
-    def add(self, match: Match) -> list[Change]:
-        """Takes an `add` of the daemon."""
+    def modify(self, match: Match, now: float) -> list[Change]:
+        """Takes a `modify` of the daemon. It does not bring back a counterpart that has ended."""
+        return self.add(match, now) if match.word in self._keys else []
+
+    def add(self, match: Match, now: float) -> list[Change]:
+        """Takes an `add` of the daemon. A life whose word another one has is lost sight of: the daemon may tell it by another word."""
         key: Key = match.life or match.word
         changes: list[Change] = []
         if self._keys.get(match.word, key) != key:
-            changes += self.delete(match.word, "changed", 0.0)
+            changes += self._delete(match.word, CHANGED, now, is_final=False)
         self._keys[match.word] = key
         known = self._by_key.get(key)
         if known is None:
@@ -95,7 +104,14 @@ class Counterparts:
         return changes + self._without_surplus()
 
     def delete(self, word: str, reason: str, now: float) -> list[Change]:
-        """Takes a `del` of the daemon."""
+        """Takes a `del` of the daemon.
+
+        A consumer that is outranked within 10 s after the own daemon came back may only have chosen the same life under its former word.
+        """
+        is_in_doubt = reason == OUTRANKED and self._protocol != "" and self._confirm_by is not None
+        return self._delete(word, reason, now, reason in FINAL_REASONS and not is_in_doubt)
+
+    def _delete(self, word: str, reason: str, now: float, is_final: bool) -> list[Change]:
         key = self._keys.pop(word, None)
         known = self._by_key.get(key) if key is not None else None
         if known is None or known.words.pop(word, None) is None:
@@ -103,16 +119,17 @@ class Counterparts:
         if known.words:
             known.match = next(reversed(known.words.values()))
             return []
-        if reason in FINAL_REASONS:
+        if is_final:
             return [self._remove(known, reason)]
         return self._orphan(known, reason, now) + self._without_surplus()
 
     def daemon_lost(self) -> None:
-        """The own daemon is gone. All channels go on, however long that takes."""
+        """The own daemon is gone. All channels go on, however long that takes, also those that the daemons had lost sight of."""
         self._is_lost, self._confirm_by = True, None
         self._keys.clear()
         for known in self._by_key.values():
             known.words.clear()
+            known.is_orphan, known.closes_at = False, None
 
     def daemon_back(self, now: float) -> None:
         """The own daemon is back. Counterparts that it does not confirm in time become orphans."""

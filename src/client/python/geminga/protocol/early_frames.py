@@ -1,12 +1,12 @@
-"""Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, "Early frames")."""
+"""Frames over UDP whose sender the daemon has not named yet, or whose floor has not come (src/client/CHANNELS.md, "Early frames")."""
 
 from __future__ import annotations
 
 from collections import deque
 from typing import Any
 
-from .frame import Frame
 from .limits import EARLY_SECONDS, MAX_EARLY_FRAMES, MAX_EARLY_OCTETS
+from .sealed_frame import AnyFrame
 
 
 Address = tuple[Any, ...]
@@ -17,10 +17,10 @@ class EarlyFrames:
     monotonic clock. Not thread-safe."""
 
     def __init__(self) -> None:
-        self._kept: deque[tuple[float, Address, Frame]] = deque()
+        self._kept: deque[tuple[float, Address, AnyFrame]] = deque()
         self._octets = 0
 
-    def put(self, source: Address, frame: Frame, now: float) -> None:
+    def put(self, source: Address, frame: AnyFrame, now: float) -> None:
         """Keeps a frame for a second, unless it is too large."""
         self._forget_old(now)
         size = len(frame.payload)
@@ -31,7 +31,7 @@ class EarlyFrames:
         self._kept.append((now + EARLY_SECONDS, source, frame))
         self._octets += size
 
-    def take(self, source: Address, life: int, now: float) -> list[Frame]:
+    def take(self, source: Address, life: int, now: float) -> list[AnyFrame]:
         """Removes the frames of this life from this address, and returns them in the order of arrival."""
         self._forget_old(now)
         if not self._kept:

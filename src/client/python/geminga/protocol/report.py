@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from .channel_keys import ChannelKeys
 from .request import Request
 from .statement import ErrorLine, Statement
 
@@ -14,6 +15,7 @@ class Welcome:
 
     participant: str
     participant_name: str
+    sealing: str = "plain"  #: the mode of this host; plain if the daemon has no keys for channels
 
 
 @dataclass(eq=False, slots=True)
@@ -41,6 +43,23 @@ class Told:
 
 
 @dataclass(frozen=True, slots=True)
+class Keyed:
+    """The keys of a life, for a request. Without keys `text` says why the channel cannot be opened."""
+
+    request: Request
+    life: int
+    keys: ChannelKeys | None
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Sealing:
+    """The daemon has other keys, or another mode."""
+
+    mode: str
+
+
+@dataclass(frozen=True, slots=True)
 class Complaint:
     """An error that answers no statement. `is_gone`: the daemon no longer has the request."""
 
@@ -49,4 +68,4 @@ class Complaint:
     is_gone: bool
 
 
-Report = Welcome | Settled | Told | Complaint
+Report = Welcome | Settled | Told | Keyed | Sealing | Complaint

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator
 
+from .channel_keys import KeysError, read_channel_keys
+from .cipher import SealingMissing
+from .life import read_life
 from .line_reader import LineReader
-from .report import Asked, Complaint, Report, Settled, Told, Welcome
+from .report import Asked, Complaint, Keyed, Report, Sealing, Settled, Told, Welcome
 from .request import Request, State, changed
 from .statement import ErrorLine, LineError, Statement, read_line, write_line
 
@@ -109,6 +112,7 @@ class Session:
         said: dict[str, str | None] = {"name": self._name} if self._name else {}
         if room:
             said["room"] = str(room)
+        said["keys"] = "yes"
         self._has_asked_for_room = bool(room)
         self._say(Statement(0, "sys", "hello", said))
 
@@ -141,18 +145,35 @@ class Session:
             if line.id != 0 or line.command != "msg" or line.subcommand != "hello":
                 raise LineError("what listens there does not speak GCNP")
             self._is_welcome = True
-            yield Welcome(line.get("participant"), line.get("participant_name"))
+            sealing = line.get("sealing") if line.get("keys") == "yes" else ""
+            yield Welcome(line.get("participant"), line.get("participant_name"), sealing or "plain")
         elif line.command == "msg":
             if line.subcommand == "pong" and self._unanswered:
                 asked = self._unanswered.popleft()
                 if asked is not None:
                     yield from self._settle(asked, None)
                 self._state_more()
+            elif line.subcommand == "sealing":
+                yield Sealing(line.get("mode", "plain"))
+        elif line.command == "pub" and line.subcommand == "keys":
+            yield from self._take_keys(line)
         elif line.command in ("pub", "sub") and line.subcommand in ("add", "modify", "del"):
             request = self._requests.get(line.id)
             # Events of a subscription are about publications, and the other way round.
             if request is not None and request.command != line.command:
                 yield Told(request, line)
+
+    def _take_keys(self, line: Statement) -> Iterator[Report]:
+        """Takes keys, which go to the owner of the request and nowhere else."""
+        request = self._requests.get(line.id)
+        if request is None:
+            return
+        try:
+            life, keys = read_channel_keys(line)
+        except (KeysError, SealingMissing) as error:
+            yield Keyed(request, read_life(line.get("life")), None, str(error))
+            return
+        yield Keyed(request, life, keys)
 
     def _settle(self, asked: Asked, error: ErrorLine | None) -> Iterator[Report]:
         request = asked.request

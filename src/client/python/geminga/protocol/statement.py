@@ -32,6 +32,10 @@ class Statement:
     subcommand: str
     parameters: dict[str, str | None] = field(default_factory=dict)
 
+    def __repr__(self) -> str:
+        shown = {key: "..." if key == "ring" else value for key, value in self.parameters.items()}  # keys of channels are shown nowhere
+        return f"Statement({self.id}, {self.command!r}, {self.subcommand!r}, {shown})"
+
     def get(self, key: str, default: str = "") -> str:
         """The value of a key, or the default if the key or its value is missing."""
         value = self.parameters.get(key)

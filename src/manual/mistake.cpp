@@ -1,0 +1,98 @@
+#include "manual/mistake.hpp"
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "base/edit_distance.hpp"
+#include "base/text.hpp"
+
+namespace geminga::manual {
+namespace {
+
+/// The name that is most similar to a word, of several the first; nothing where none is similar.
+std::string nearest(std::string_view word, const std::vector<std::string>& names) {
+  std::size_t limit = base::tolerated_slips(word);
+  std::string found;
+  for (const std::string& name : names) {
+    const std::size_t distance = base::edit_distance(word, name, limit);
+    if (distance > limit || (!found.empty() && distance == limit)) continue;
+    limit = distance;
+    found = name;
+  }
+  return found;
+}
+
+/// The long flags that a user may give to this command, with those of the program around it.
+std::vector<std::string> flags_of(const CLI::App& app) {
+  std::vector<std::string> flags;
+  const auto add = [&](const CLI::App& one) {
+    for (const CLI::Option* option : one.get_options()) {
+      if (!option->get_group().empty())
+        flags.insert(flags.end(), option->get_lnames().begin(), option->get_lnames().end());
+    }
+  };
+  for (const CLI::App* command : app.get_subcommands()) add(*command);
+  add(app);
+  return flags;
+}
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+/// The words of CLI11 in one line.
+std::string words_of(const CLI::ParseError& error) {
+  std::string words = error.what();
+  while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
+  std::ranges::replace(words, '\n', ' ');
+  return words;
+}
+
+/// The name of the first option of this command that was given an empty text; empty where there is none.
+std::string empty_option(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (std::ranges::find(option->results(), "") != option->results().end()) return option->get_name();
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::string> empty_text(const CLI::App& app) {
+  std::string name = empty_option(app);
+  for (const CLI::App* command : app.get_subcommands()) name = name.empty() ? empty_option(*command) : name;
+  if (name.empty()) return std::nullopt;
+  return name + ": is empty: leave it out, or see whether the variable that it comes from is set: see " +
+         app.get_name() + " --help";
+}
+
+std::string mistake(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string see = "see " + app.get_name() + " --help";
+  const std::vector<std::string> left = app.remaining(true);
+  const auto commands = commands_of(app);
+  const auto is_flag = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
+  const auto flag = std::ranges::find_if(left, is_flag);
+  const auto word = std::ranges::find_if_not(left, is_flag);
+  if (!commands.empty() && app.get_subcommands().empty() && word != left.end()) {
+    const std::string meant = nearest(*word, commands);
+    return '\'' + base::printable(*word) + "' is no command: " +
+           (meant.empty() ? "the commands are " + base::joined(commands, ", ") + ": "
+                          : "did you mean " + meant + "? ") +
+           see;
+  }
+  const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && flag != left.end();
+  if (!is_unknown) return words_of(error) + ": " + see;
+  const std::string name = flag->substr(0, flag->find('='));
+  const std::size_t dashes = name.find_first_not_of('-');
+  const std::string meant = dashes == 2 ? nearest(name.substr(dashes), flags_of(app)) : std::string();
+  return '\'' + base::printable(name) + "' is no flag: " + (meant.empty() ? "" : "did you mean --" + meant + "? ") +
+         see;
+}
+
+}  // namespace geminga::manual

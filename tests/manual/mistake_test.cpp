@@ -1,0 +1,74 @@
+#include "manual/mistake.hpp"
+
+#include <gtest/gtest.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geminga::manual {
+namespace {
+
+/// `kitchen` with two commands and some flags.
+class Mistake : public testing::Test {
+ protected:
+  Mistake() {
+    app_.require_subcommand(1);
+    app_.fallthrough();
+    app_.add_option("--spoon", spoon_);
+    app_.add_option("--hidden", spoon_)->group("");
+    CLI::App* cook = app_.add_subcommand("cook", "");
+    cook->add_option("DISH", dishes_);
+    cook->add_option("--salt", spoon_);
+    app_.add_subcommand("wash", "");
+  }
+
+  /// The words about a command line, or nothing where it is right.
+  std::string said(std::vector<std::string> words) {
+    std::vector<const char*> line{"kitchen"};
+    for (const std::string& word : words) line.push_back(word.c_str());
+    try {
+      app_.parse(static_cast<int>(line.size()), line.data());
+    } catch (const CLI::ParseError& error) {
+      return mistake(app_, error);
+    }
+    return empty_text(app_).value_or("");
+  }
+
+ private:
+  CLI::App app_{"", "kitchen"};
+  std::string spoon_;
+  std::vector<std::string> dishes_;
+};
+
+TEST_F(Mistake, NamesWhatMayBeMeantOrWhatThereIs) {
+  const std::string see = "see kitchen --help";
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"cok"}, "'cok' is no command: did you mean cook? " + see},
+      {{"dance"}, "'dance' is no command: the commands are cook, wash: " + see},
+      {{"--spoon", "x", "cok"}, "'cok' is no command: did you mean cook? " + see},
+      {{"cook", "--sallt", "x"}, "'--sallt' is no flag: did you mean --salt? " + see},
+      {{"cook", "--spon=x"}, "'--spon' is no flag: did you mean --spoon? " + see},
+      {{"cook", "--hiden", "x"}, "'--hiden' is no flag: " + see},
+      {{"cook", "-x"}, "'-x' is no flag: " + see},
+      {{"wash", "cook\x1b[2J"}, "The following argument was not expected: cook\x1b[2J: " + see},
+      {{"cook", "soup", "--salt", "1"}, ""},
+  };
+  for (const auto& [words, text] : cases) EXPECT_EQ(said(words), text) << testing::PrintToString(words);
+}
+
+TEST_F(Mistake, IsAnEmptyText) {
+  const std::string rest =
+      ": is empty: leave it out, or see whether the variable that it comes from is set: see kitchen --help";
+  EXPECT_EQ(said({"cook", ""}), "DISH" + rest);
+  EXPECT_EQ(said({"cook", "soup", ""}), "DISH" + rest);
+  EXPECT_EQ(said({"cook", "--salt", ""}), "--salt" + rest);
+  EXPECT_EQ(said({"--spoon", "", "wash"}), "--spoon" + rest);
+  EXPECT_EQ(said({"cook", " "}), "");
+}
+
+}  // namespace
+}  // namespace geminga::manual

@@ -1,0 +1,143 @@
+// Real daemons for which memory or descriptors end: they say so, shed strangers, try again, and go on.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "base/text.hpp"
+#include "discovery/announcement/codec.hpp"
+#include "support/lab.hpp"
+#include "system/stranger.hpp"
+
+namespace geminga::system {
+namespace {
+
+using testing::HasSubstr;
+
+/// The octets of address space that a process has.
+rlim_t address_space(const Process& process) {
+  std::ifstream file("/proc/" + std::to_string(process.pid()) + "/statm");
+  rlim_t pages = 0;
+  file >> pages;
+  return pages * 4096;
+}
+
+void limit(const Process& process, __rlimit_resource resource, rlim_t value) {
+  const rlimit both{.rlim_cur = value, .rlim_max = value};
+  ASSERT_EQ(::prlimit(process.pid(), resource, &both, nullptr), 0);
+}
+
+std::vector<int> descriptors(const Process& process) {
+  std::vector<int> open;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/" + std::to_string(process.pid()) + "/fd")) {
+    open.push_back(base::parse_number<int>(entry.path().filename().string()).value_or(0));
+  }
+  return open;
+}
+
+/// A state of a participant that nobody has heard of, with as many services as a datagram holds.
+std::string stranger_state(std::uint32_t number) {
+  announcement::Announcement state;
+  state.kind = announcement::Kind::state;
+  state.participant = ParticipantId{0x10000000 + number};
+  state.boot = announcement::BootNonce(number + 1);
+  state.interval = announcement::max_interval;
+  state.sequence = state.revision = 1;
+  state.group = "default";
+  state.name = "stranger" + std::to_string(number);
+  announcement::PeerState peer;
+  peer.id = PeerId{1};
+  for (std::uint32_t service = 1; service <= 24; ++service) {
+    Publication publication;
+    publication.identity = TextIdentity{"service " + std::to_string(number) + "." + std::to_string(service)};
+    publication.mode = ChannelMode::one_to_many_stream;
+    publication.port = 5000;
+    peer.publications.push_back({.number = service, .publication = publication});
+  }
+  state.peers.push_back(std::move(peer));
+  const auto datagrams = announcement::encode(state);
+  return {reinterpret_cast<const char*>(datagrams.front().data()), datagrams.front().size()};
+}
+
+TEST(Shortage, OfMemoryShedsTheNewestStrangersAndNobodyElse) {
+  constexpr std::uint32_t most = 1000;
+  Lab lab(2);
+  lab.start_all({"--interval", "0.1"});
+  Talk provider = lab.talk(1);
+  provider.say("1 pub create mode=otm/stream text=ball port=5000");
+  Talk consumer = lab.talk(0);
+  consumer.say("1 sub create mode=otm/stream text=ball");
+  ASSERT_TRUE(consumer.line_with({"1 pub add"}));
+  Process& daemon = lab.daemon(0);
+  limit(daemon, RLIMIT_AS, address_space(daemon) + 8 * 1024 * 1024);
+  const Stranger stranger(lab, 1);
+  const auto is_short = [&] {
+    daemon.listen();
+    return daemon.said().find("memory is short") != std::string::npos;
+  };
+  for (std::uint32_t number = 0; number < most && !is_short(); ++number) {
+    ASSERT_TRUE(stranger.send(stranger_state(number)));
+    if (number % 8 == 0) (void)consumer.lines_until_pong();
+  }
+  for (std::uint32_t number = most; number < most + 200; ++number) {
+    ASSERT_TRUE(stranger.send(stranger_state(number)));
+    if (number % 8 == 0) (void)consumer.lines_until_pong();
+  }
+  EXPECT_TRUE(is_short()) << daemon.said();
+  EXPECT_TRUE(consumer.wait_until("status", [](const auto& lines) {
+    const auto kept = lines.empty() ? std::nullopt : base::parse_number<long>(field(lines[0], "memory_kept_back"));
+    return kept && *kept >= 2 * 1024 * 1024;
+  })) << "it keeps memory back again";
+  EXPECT_THAT(consumer.query("participants"), testing::Contains(HasSubstr("name=robot1")));
+  provider.say("1 pub remove");
+  EXPECT_TRUE(consumer.line_with({"1 pub del", "reason=withdrawn"})) << "it serves as ever";
+}
+
+TEST(Shortage, OfDescriptorsAtTheStartIsSaid) {
+  const Lab lab(1);
+  for (const rlim_t count : {8, 31, 32}) {
+    auto start = lab.on(0, {program("gemingad"), "--check-config"});
+    start.before = [count, enter = start.before] {
+      if (enter) enter();
+      const rlimit both{.rlim_cur = count, .rlim_max = count};
+      ::setrlimit(RLIMIT_NOFILE, &both);
+    };
+    const Ran ran = run(start);
+    EXPECT_EQ(ran.status, count < 32 ? 2 : 0) << ran.said;
+    if (count < 32) {
+      EXPECT_THAT(ran.said, HasSubstr("may open " + std::to_string(count) + " files and sockets, and needs 32"));
+    }
+  }
+}
+
+TEST(Shortage, OfDescriptorsWhileAnInterfaceComesBackIsSaidAndMended) {
+  Lab lab(2);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "the loopback interface does not go";
+  lab.start_all({"--interval", "0.1"});
+  ASSERT_TRUE(lab.wait_for_participants(0, 2)) << lab.way();
+  Process& daemon = lab.daemon(0);
+  lab.cut(0);
+  ASSERT_TRUE(daemon.wait_for("interfaces: none"));
+  const std::vector<int> open = descriptors(daemon);
+  const int greatest = std::ranges::max(open);
+  limit(daemon, RLIMIT_NOFILE, static_cast<rlim_t>(greatest) + 1);
+  {
+    std::vector<Talk> talks;
+    for (int count = 0; count <= greatest; ++count) talks.push_back(lab.talk(0));
+    ASSERT_TRUE(talks.front().wait_until("status", [&](const auto&) {
+      return descriptors(daemon).size() > static_cast<std::size_t>(greatest);
+    })) << daemon.said();
+    lab.join(0);
+    EXPECT_TRUE(daemon.wait_for("trying each second")) << daemon.said();
+    EXPECT_THAT(daemon.said(), HasSubstr("Too many open files"));
+  }
+  EXPECT_TRUE(lab.wait_for_participants(0, 2)) << "there is room again";
+}
+
+}  // namespace
+}  // namespace geminga::system
