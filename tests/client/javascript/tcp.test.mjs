@@ -323,6 +323,26 @@ test('who does not read is left out once 4 MiB wait, and holds nobody up', async
   await until(() => slow.frames.at(-1).payload.length === 1 && slow.frames.at(-1).sequence === quick.frames.at(-1).sequence);
 });
 
+test('many small messages lose nothing if the publisher waits whenever it is told to', async (t) => {
+  const { node, logged } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x', protocol: 'tcp' });
+  const slow = await consumerSocket(t, publisher, 1n);
+  await until(() => publisher.hasConsumer);
+  let rounds = 0;
+  for (let i = 0; rounds < 2; ++i) {
+    if (i % 1000 === 0 && rounds === 0) slow.pause();
+    if (publisher.send(Buffer.alloc(1))) continue;
+    ++rounds;
+    slow.resume();
+    await publisher.drained();
+    slow.pause();
+  }
+  slow.resume();
+  const { sent, leftOut } = publisher.statistics;
+  await until(() => slow.frames.length === sent);
+  assert.deepEqual([leftOut, logged], [0, []]);
+});
+
 test('messages have their largest size', async (t) => {
   const { node } = await lab(t);
   const [udp, tcp] = await Promise.all(['udp', 'tcp'].map((protocol) => node.publish({ mode: 'oto', text: 'x', protocol })));

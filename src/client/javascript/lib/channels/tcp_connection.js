@@ -37,6 +37,11 @@ export class TcpConnection {
     return this.#queue.octets;
   }
 
+  /** Whether it is better to wait until it is drained. */
+  get isEnough() {
+    return this.#queue.isEnough;
+  }
+
   /** Sends a frame, or keeps it until there is room. False if it was left out, because too much waits. */
   send(frame) {
     if (!this.#queue.hasRoomFor(frame.length)) return false;

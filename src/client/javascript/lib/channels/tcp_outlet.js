@@ -147,7 +147,7 @@ export class TcpOutlet {
         ++this.leftOut;
         this.#tellLeftOut(client);
       }
-      if (connection.waiting >= limits.enoughWaiting) isPrompt = false;
+      if (connection.isEnough) isPrompt = false;
     }
     if (this.#pool.octets > limits.maxWaitingForAll) this.#closeSlow();
     return isPrompt;

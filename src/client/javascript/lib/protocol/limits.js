@@ -10,6 +10,8 @@ export const maxWaiting = 4 * 1024 * 1024;
 export const maxWaitingFrames = 16_384;
 /** Waiting octets from which on `send` gives false: wait for `drained`. */
 export const enoughWaiting = 1024 * 1024;
+/** The same of frames. */
+export const enoughWaitingFrames = 4096;
 /** Octets of datagrams that the system has not taken yet. */
 export const maxWaitingDatagrams = 4 * 1024 * 1024;
 /** Listeners of one `otm/stream` over UDP. */

@@ -1,6 +1,6 @@
 // The frames that wait for the TCP consumers of one publisher. The octets of each frame are kept once, whoever waits for it.
 import { headerSize } from './frame.js';
-import { maxWaiting, maxWaitingFrames } from './limits.js';
+import { enoughWaiting, enoughWaitingFrames, maxWaiting, maxWaitingFrames } from './limits.js';
 import { isSealed, sealedHeaderSize } from './sealed_frame.js';
 
 /** The memory of all frames that wait. Small frames share pieces of memory, which are counted as a whole. */
@@ -60,6 +60,11 @@ export class SendQueue {
   /** Whether a frame of this size may wait: within 4 MiB and 16 384 frames, or alone. The frames of a piece count until it was sent. */
   hasRoomFor(octets) {
     return this.isEmpty || (this.octets + octets <= maxWaiting && this.#frames < maxWaitingFrames);
+  }
+
+  /** Whether it is better to wait until all has been sent. */
+  get isEnough() {
+    return this.octets >= enoughWaiting || this.#frames >= enoughWaitingFrames;
   }
 
   put(frame) {
