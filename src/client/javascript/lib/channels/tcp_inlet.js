@@ -135,7 +135,9 @@ export class TcpInlet {
     }
     const { belief } = this.#channel;
     const frame = belief.take(read);
-    if (!frame) {
+    if (!frame && belief.isAhead(read)) {
+      this.#hooks.onDropped(); // its key may be told later
+    } else if (!frame) {
       this.#break(socket); // nothing behind it can be believed
     } else if (frame.kind === kinds.floor || frame.kind === kinds.full) {
       const outcome = belief.answered(frame);

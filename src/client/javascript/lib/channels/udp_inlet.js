@@ -111,6 +111,7 @@ export class UdpInlet {
     const frame = isPlain ? taken.frame : taken?.channel.belief?.take(taken.frame);
     if (!frame || frame.kind === kinds.floor || frame.kind === kinds.full) {
       this.#hooks.onDropped();
+      if (taken && !frame) this.#keepAhead(taken.channel, taken.frame);
       return;
     }
     if (this.#hear(taken.channel, frame)) return;
@@ -121,9 +122,20 @@ export class UdpInlet {
   /** Takes a frame of any form from the place of a channel. */
   #take(channel, read) {
     const frame = channel.life === 0n ? read : channel.belief?.take(read);
-    if (!frame) this.#hooks.onDropped();
-    else if (frame.kind === kinds.floor || frame.kind === kinds.full) this.#onAnswer(channel, frame);
-    else if (!this.#hear(channel, frame)) this.#early.put(beforeFloor, frame, this.#timers.now());
+    if (!frame) {
+      this.#hooks.onDropped();
+      this.#keepAhead(channel, read);
+    } else if (frame.kind === kinds.floor || frame.kind === kinds.full) {
+      this.#onAnswer(channel, frame);
+    } else if (!this.#hear(channel, frame)) {
+      this.#early.put(beforeFloor, frame, this.#timers.now());
+    }
+  }
+
+  /** Keeps a frame of a key that the daemon may tell within a second, since the two daemons tell their programs at their own pace. */
+  #keepAhead({ belief, where }, read) {
+    if (!where || !belief?.isAhead(read) || (read.kind !== kinds.message && read.kind !== kinds.end)) return;
+    this.#early.put(place(where.address, where.port), read, this.#timers.now());
   }
 
   /** Delivers a message or an end. False for a sealed one that has no floor yet, which counts as dropped. */

@@ -77,6 +77,11 @@ export class Belief {
     return taken;
   }
 
+  /** Whether a frame may be opened by a key that the daemon has not told yet. */
+  isAhead(frame) {
+    return frame.form !== undefined && this.hasRing && !this.#keys.hasKeyOf(frame);
+  }
+
   /** Takes a floor or a full. After `outcomes.again`, say hello at once. */
   answered({ kind, payload, sequence, isSealed = false }) {
     const said = readHandshake(payload);

@@ -72,6 +72,11 @@ export class ChannelKeys {
     return this.form !== forms.plain;
   }
 
+  /** Whether the key of a sealed frame is in the ring. */
+  hasKeyOf(frame) {
+    return this.#ring.has(frame.key);
+  }
+
   /** Writes a publisher's frame into octets of its size. Requires that this mode seals. */
   sealForward(octets, { kind, life, sequence, counter, port }, payload) {
     const head = { form: this.form, kind, life, sequence, id: this.#first, port, counter };
