@@ -6,6 +6,7 @@ import { connect } from 'geminga';
 const count = Number(process.argv[2] ?? Infinity);
 const node = await connect({ name: 'hello-publisher' });
 const publisher = await node.publish({ mode: 'otm/pubsub', text: 'hello', attributes: { language: 'javascript' } });
+console.log(`offers hello at port ${publisher.port}`);
 publisher.on('consumer', ({ change, name }) => console.log(`${change}: ${name ?? 'somebody'}`));
 process.once('SIGINT', () => node.close());
 

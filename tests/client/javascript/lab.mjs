@@ -5,19 +5,23 @@ import { connect as dial } from 'node:net';
 
 import { FrameReader } from '../../../src/client/javascript/lib/protocol/frame_reader.js';
 import { encodeFrame, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { plainKeys } from '../../../src/client/javascript/lib/protocol/channel_keys.js';
 import { connect, limits } from '../../../src/client/javascript/lib/index.js';
-import { ManualClock, ScriptedDaemon } from './support.mjs';
+import { readHandshake, writeHandshake } from '../../../src/client/javascript/lib/protocol/handshake.js';
+import { anyFrameOfDatagram } from '../../../src/client/javascript/lib/protocol/sealed_frame.js';
+import { ManualClock, ScriptedDaemon, until } from './support.mjs';
 
 export const life = '00000000000000aa';
 export const ours = 0xaan;
 export const message = (sequence, text = 'x') => encodeFrame(kinds.message, ours, BigInt(sequence), Buffer.from(text));
 
 /** A node with its daemon and clock; all is closed after the test. */
-export async function lab(t) {
-  const daemon = await new ScriptedDaemon().listen();
+export async function lab(t, { sealing } = {}) {
+  const daemon = await new ScriptedDaemon(sealing).listen();
   const clock = new ManualClock();
-  const node = await connect({ name: 'me', daemon: daemon.endpoint, clock, random: () => 0 });
-  const lab = { daemon, clock, node };
+  const logged = [];
+  const node = await connect({ name: 'me', daemon: daemon.endpoint, clock, random: () => 0, log: (line) => logged.push(line) });
+  const lab = { daemon, clock, node, logged };
   t.after(async () => {
     await node.close();
     await lab.daemon.kill();
@@ -42,18 +46,45 @@ export async function datagramSocket(t) {
 
 export const sendTo = (socket, octets, port) => new Promise((resolve) => socket.send(octets, port, '127.0.0.1', resolve));
 
-/** A socket that has connected, whose frames are kept. */
-export async function consumerSocket(t, port, hello) {
-  const socket = dial(port, '127.0.0.1');
+/** The hello of a consumer to a publisher. */
+export const helloOf = (life, publisher, challenge = 1n, cookie = 0n) =>
+  encodeFrame(kinds.hello, life, 0n, writeHandshake(publisher.life, challenge, cookie));
+
+/** A socket that has connected and says hello to a publisher with this life, if there is one. Its frames are kept. */
+export async function consumerSocket(t, publisher, life, localAddress = '127.0.0.1') {
+  const socket = dial({ port: publisher.port, host: '127.0.0.1', localAddress });
   socket.on('error', () => {});
   t.after(() => socket.destroy());
   await once(socket, 'connect');
-  const decoder = new FrameReader(limits.maxStreamMessage);
+  const reader = new FrameReader(limits.maxStreamMessage);
   socket.frames = [];
   socket.on('data', (octets) => {
-    decoder.push(octets);
-    for (let frame = decoder.next(); frame; frame = decoder.next()) socket.frames.push(frame);
+    reader.push(octets);
+    for (let frame = reader.next(); frame; frame = reader.next()) socket.frames.push(frame);
   });
-  if (hello) socket.write(encodeFrame(kinds.hello, hello, 0n));
+  if (life) socket.write(helloOf(life, publisher));
   return socket;
+}
+
+/** Frames that a datagram socket has heard, opened by these keys, with where they came from. */
+export function heardBy(socket, keys = plainKeys) {
+  const heard = [];
+  socket.on('message', (octets, { address, port }) => {
+    const read = anyFrameOfDatagram(octets);
+    const frame = read && (read.kind === kinds.hello || (read.kind === kinds.end && read.payload.length > 0) ? keys.takeBack(read) : keys.takeForward(read));
+    if (frame) heard.push({ ...frame, said: readHandshake(frame.payload), from: { address, port } });
+  });
+  return heard;
+}
+
+/** A listener that has said hello with its cookie, and what it heard since. */
+export async function listener(t, publisher, life) {
+  const socket = await datagramSocket(t);
+  const heard = heardBy(socket);
+  await sendTo(socket, helloOf(life, publisher), publisher.port);
+  await until(() => heard.length === 1);
+  await sendTo(socket, helloOf(life, publisher, 1n, heard[0].said.cookie), publisher.port);
+  await until(() => heard.length === 2);
+  heard.splice(0);
+  return { socket, heard };
 }

@@ -15,17 +15,21 @@ function session() {
   const lines = [];
   const problems = [];
   const connected = [];
+  const modes = [];
+  const logged = [];
   const made = new Session('me', {
     write: (line) => lines.push(line),
     onConnected: (hello) => connected.push(hello),
+    onSealing: (mode) => modes.push(mode),
     onProblem: (error) => problems.push(error),
+    log: (line) => logged.push(line),
   });
-  const create = (...all) => {
-    const created = made.create(...all);
+  const create = (command, parameters, onEvent, onProblem, onKeys = () => {}) => {
+    const created = made.create(command, parameters, { onEvent, onProblem, onKeys });
     followed(created.taken);
     return created;
   };
-  return { made, create, problems, connected, take: () => lines.splice(0), say: (line) => made.receive(Buffer.from(line)) };
+  return { made, create, problems, connected, modes, logged, take: () => lines.splice(0), say: (line) => made.receive(Buffer.from(line)) };
 }
 
 const offer = [['mode', 'oto'], ['text', 'x'], ['port', '5000']];
@@ -51,7 +55,7 @@ test('a request is stated when there is a connection, and again with the next', 
   const { taken } = create('pub', offer, () => {}, () => {});
   assert.deepEqual(take(), []);
   made.start();
-  assert.deepEqual(take(), ['0 sys hello name=me', '1 pub create mode=oto text=x port=5000', ping]);
+  assert.deepEqual(take(), ['0 sys hello name=me keys=yes', '1 pub create mode=oto text=x port=5000', ping]);
   say('0 msg hello version=1 participant=0000000a peer=3');
   assert.equal(connected[0].peer, '3');
   assert.equal(await stateOf(taken), 'open');
@@ -59,7 +63,7 @@ test('a request is stated when there is a connection, and again with the next', 
   assert.equal(await stateOf(taken), 'taken');
   made.lose();
   made.start();
-  assert.deepEqual(take(), ['0 sys hello name=me', '1 pub create mode=oto text=x port=5000', ping]);
+  assert.deepEqual(take(), ['0 sys hello name=me keys=yes', '1 pub create mode=oto text=x port=5000', ping]);
 });
 
 test('what was not answered when the connection went is answered by the next one', async () => {
@@ -83,7 +87,7 @@ test('what was refused is not stated again', async () => {
   made.lose();
   take();
   made.start();
-  assert.deepEqual(take(), ['0 sys hello name=me']);
+  assert.deepEqual(take(), ['0 sys hello name=me keys=yes']);
   assert.throws(() => made.modify(request, [['port', '1']]), { code: 'GEMINGA_REFUSED' });
   await made.remove(request);
 });
@@ -170,7 +174,7 @@ test('lines that mean nothing are counted and cost nothing else', async () => {
 });
 
 /** Counterparts, and in words what happened to them. `tcp` holds the keys of the peers that have a live connection. */
-function book({ limit = 0 } = {}) {
+function book({ limit = 0, isOfPublisher = false } = {}) {
   const clock = new ManualClock();
   const told = [];
   const tcp = new Set();
@@ -183,6 +187,7 @@ function book({ limit = 0 } = {}) {
     endPatience: () => limits.endPatience,
     orphanPatience: (peer) => (peer.event.protocol === 'udp' ? limits.orphanPatience : tcp.has(peer.key) ? Infinity : 0),
     isHeld: (peer) => held.has(peer.key),
+    isOfPublisher,
   });
   made.limit = limit;
   const say = (line) => made.onEvent(readEvent(parseStatement(line)));
@@ -211,11 +216,114 @@ test('a provider is told as it comes, changes and goes', () => {
   assert.equal(clock.running, 0);
 });
 
-test('another life under the same word is another channel', () => {
-  const { say, take } = book();
+test('another life under the same word is another channel, and the former one is lost sight of', () => {
+  const { say, take, clock } = book();
   say(add('s/1/1', a));
   say(add('s/1/1', b, { change: 'modify' }));
-  assert.deepEqual(take(), [`added ${a}`, `removed ${a} changed`, `added ${b}`]);
+  assert.deepEqual(take(), [`added ${a}`, `added ${b}`]);
+  clock.advance(limits.orphanPatience - 1);
+  assert.deepEqual(take(), []);
+  clock.advance(1);
+  assert.deepEqual(take(), [`removed ${a} changed`]);
+});
+
+test('daemons may give two lives each other\'s words, and nothing has changed', () => {
+  const { say, take, clock } = book();
+  say(add('s/1/1', a));
+  say(add('s/1/2', b));
+  say(add('s/1/1', b, { change: 'modify' }));
+  say(add('s/1/2', a, { change: 'modify' }));
+  clock.advance(1000 * limits.orphanPatience);
+  assert.deepEqual(take(), [`added ${a}`, `added ${b}`]);
+  say(del('s/1/1', 'outranked'));
+  assert.deepEqual(take(), [`removed ${b} outranked`]);
+});
+
+test('a life with two words goes on while it has one', () => {
+  const { say, take } = book();
+  say(add('s/1/1', a));
+  say(add('t/1/1', a, { more: ' rate=3' }));
+  say(del('t/1/1', 'withdrawn'));
+  assert.deepEqual(take(), [`added ${a}`, `modified ${a}`, `modified ${a}`]);
+  say(del('s/1/1', 'changed'));
+  assert.deepEqual(take(), [`removed ${a} changed`]);
+});
+
+test('the time of an orphan does not run while the own daemon is away, too', () => {
+  const { made, say, take, clock } = book();
+  say(add('s/1/1', a));
+  say(del('s/1/1', 'expired'));
+  clock.advance(limits.orphanPatience - 1);
+  made.onDaemonLost();
+  clock.advance(3_600_000);
+  assert.deepEqual(take(), [`added ${a}`]);
+  made.onDaemonBack();
+  clock.advance(limits.confirmPatience - 1);
+  say(add('t/1/1', a));
+  clock.advance(3_600_000);
+  assert.deepEqual(take(), []);
+  say(del('t/1/1', 'expired'));
+  made.onDaemonLost();
+  made.onDaemonBack();
+  clock.advance(limits.confirmPatience + limits.orphanPatience);
+  assert.deepEqual(take(), [`removed ${a} disconnected`]);
+});
+
+test('what was withdrawn and only drains ends while the own daemon is away, and goes on if it is added again', () => {
+  for (const isAdded of [false, true]) {
+    const { made, say, take, clock } = book();
+    say(add('s/1/1', a));
+    say(del('s/1/1', 'withdrawn'));
+    made.onDaemonLost();
+    if (isAdded) say(add('t/1/1', a));
+    clock.advance(limits.endPatience);
+    assert.deepEqual(take(), isAdded ? [`added ${a}`] : [`added ${a}`, `removed ${a} withdrawn`]);
+  }
+});
+
+test('a consumer that is outranked when daemons have come back is lost sight of for 10 s, a provider ends', () => {
+  for (const isOfPublisher of [true, false]) {
+    const { made, say, take, clock } = book({ isOfPublisher });
+    say(add('s/1/1', a));
+    made.onDaemonLost();
+    made.onDaemonBack();
+    say(add('t/1/1', a));
+    clock.advance(limits.confirmPatience - 1);
+    say(del('t/1/1', 'outranked'));
+    say(add('t/1/1', a));
+    assert.deepEqual(take(), isOfPublisher ? [`added ${a}`] : [`added ${a}`, `removed ${a} outranked`, `added ${a}`]);
+    clock.advance(1);
+    say(del('t/1/1', 'outranked'));
+    assert.deepEqual(take(), [`removed ${a} outranked`]);
+  }
+});
+
+test('keys go to their request and nowhere else, and a line that is wrong shows nothing of them', () => {
+  const { made, create, say, problems, modes, logged } = session();
+  const key = '0123456789abcdef'.repeat(4);
+  made.start();
+  const heard = [];
+  const events = [];
+  create('sub', offer.slice(0, 2), (event) => events.push(event), () => {}, (...all) => heard.push(all));
+  say('0 msg pong');
+  say(`1 pub keys life=${a} mode=encrypted ring=6208:${key}:${key}`);
+  say(`1 pub keys life=${a} mode=encrypted ring=6208:${key}:${key}x`);
+  say(`1 pub keys life=${a} mode=encrypted ring=6208:${key}:${key} "`);
+  say(`2 pub keys life=${a} mode=encrypted ring=6208:${key}:${key}`);
+  say('0 msg sealing mode=mixed');
+  assert.deepEqual([heard.length, events, problems, modes, made.dropped], [2, [], [], ['mixed'], 1]);
+  assert.deepEqual([heard[0][0], heard[0][1].mode, heard[1][0], heard[1][1]], [10n, 'encrypted', 10n, undefined]);
+  assert.match(heard[1][2].message, /^the daemon gives a key that cannot be read$/);
+  assert.equal(JSON.stringify([logged, String(heard[1][2].stack)]).includes('0123'), false);
+});
+
+test('a refusal is said with the mode and the identity of its request', () => {
+  const { made, create, say, logged } = session();
+  made.start();
+  create('pub', [['mode', 'oto'], ['text', 'two words'], ['port', '5000'], ['rate', '3']], () => {}, () => {});
+  say('1 422 no such thing');
+  say('0 msg pong');
+  assert.deepEqual(logged, ['the request mode=oto text="two words" is refused: no such thing']);
 });
 
 test('a withdrawn one is read until nothing comes for 2 s, but for the time in which nobody reads', () => {

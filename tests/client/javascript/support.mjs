@@ -28,6 +28,11 @@ export class ManualClock {
     return this.#timers.length === 0 ? undefined : Math.min(...this.#timers.map(({ due }) => due)) - this.#now;
   }
 
+  /** Milliseconds until each timer. */
+  get waits() {
+    return this.#timers.map(({ due }) => due - this.#now);
+  }
+
   get running() {
     return this.#timers.length;
   }
@@ -55,6 +60,11 @@ export class ScriptedDaemon {
   #server;
   #sockets = new Set();
   #waiting = [];
+
+  /** With `sealing` it says that it has keys and is in this mode. */
+  constructor(sealing) {
+    this.sealing = sealing;
+  }
 
   async listen(port = 0) {
     this.#server = createServer((socket) => this.#serve(socket)).listen(port, '127.0.0.1');
@@ -101,7 +111,7 @@ export class ScriptedDaemon {
     const words = line.split(' ');
     if (answer) socket.write(answer(words).map((one) => `${one}\r\n`).join(''));
     if (line.startsWith('0 sys ping')) socket.write('0 msg pong\r\n');
-    else if (line.startsWith('0 sys hello')) socket.write('0 msg hello version=1 participant=0000000a peer=1 name=x participant_name=here\r\n');
+    else if (line.startsWith('0 sys hello')) socket.write(`0 msg hello version=1 participant=0000000a peer=1 name=x participant_name=here${this.sealing ? ` keys=yes sealing=${this.sealing}` : ''}\r\n`);
     else if (line.startsWith('0 sys bye')) socket.end();
     const at = this.#waiting.findIndex(({ pattern }) => pattern.test(line));
     if (at >= 0) this.#waiting.splice(at, 1)[0].resolve(line);

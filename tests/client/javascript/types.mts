@@ -5,7 +5,7 @@ import {
 } from 'geminga';
 
 export async function use(signal: AbortSignal): Promise<number> {
-  const node: Node = await connect({ name: 'vision', daemon: '127.0.0.1:4717', signal });
+  const node: Node = await connect({ name: 'vision', daemon: '127.0.0.1:4717', log: (line) => line.length, signal });
   const mode: Mode = 'otm/pubsub';
   const publisher: Publisher = await node.publish({
     mode, concept: 'soccer:BallInfo', representation: 'soccer:Pixels', protocol: 'tcp', for: 'rate > 3', scope: 'any',
@@ -49,6 +49,8 @@ export async function misuse(node: Node): Promise<void> {
   node.subscribe({ mode: 'oto', text: 'x', rate: 3 });
   // @ts-expect-error: octets
   (await node.publish({ mode: 'oto', text: 'x' })).send('text');
+  // @ts-expect-error: no such option
+  new Node({ nmae: 'x' });
   // @ts-expect-error: no such event
   node.on('connect', () => undefined);
 }

@@ -5,12 +5,13 @@ import { once } from 'node:events';
 import { networkInterfaces } from 'node:os';
 import { test } from 'node:test';
 
-import { encodeFrame, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { encodeFrame, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
 import { lifeOctets } from '../../../src/client/javascript/lib/protocol/life.js';
 import { limits, PortError } from '../../../src/client/javascript/lib/index.js';
 import { DatagramPort } from '../../../src/client/javascript/lib/channels/datagram_port.js';
 import { Io } from '../../../src/client/javascript/lib/channels/io.js';
-import { added, consumer, datagramSocket, lab, life, message, ours, sendTo } from './lab.mjs';
+import { writeHandshake } from '../../../src/client/javascript/lib/protocol/handshake.js';
+import { added, consumer, datagramSocket, heardBy, helloOf, lab, life, message, ours, sendTo } from './lab.mjs';
 import { event, until, valueOf } from './support.mjs';
 
 test('only what the matched provider sends is delivered, once and in order', async (t) => {
@@ -32,10 +33,14 @@ test('only what the matched provider sends is delivered, once and in order', asy
   assert.deepEqual(got.map(({ sequence, missed, payload }) => [sequence, missed, String(payload)]),
     [[5n, 0, 'm5'], [6n, 0, 'm6'], [9n, 2, 'm9']]);
   await until(() => subscriber.statistics.dropped === 6);
+  // An end is a hint only, which the daemon confirms, for whatever reason.
   const removed = event(subscriber, 'provider');
   await sendTo(provider, encodeFrame(kinds.end, ours, 11n), port);
+  await sendTo(provider, message(10, 'm10'), port);
+  assert.equal((await subscriber.receive()).sequence, 10n);
+  daemon.say('1 pub del service=0000000b/1/1 reason=expired');
   assert.deepEqual([(await removed).change, (await removed).reason], ['removed', 'withdrawn']);
-  assert.equal(subscriber.statistics.missed, 4);
+  assert.equal(subscriber.statistics.missed, 3);
 });
 
 test('what a provider sends before the daemon tells of it is delivered then', async (t) => {
@@ -64,6 +69,7 @@ test('what a provider sends before the daemon tells of it is delivered then', as
   daemon.say(added(1, provider.address().port, { channel: '00000000000000ab' }).replace('service=0000000b/1/1', 'service=0000000b/1/2'));
   const { life: other, payload } = await subscriber.receive();
   assert.deepEqual([other, String(payload)], [again, 'again']);
+  daemon.say('1 pub del service=0000000b/1/2 reason=left');
   await until(() => told.length === 2);
   assert.deepEqual(told, [['added', undefined], ['removed', 'withdrawn']]);
   assert.deepEqual([subscriber.statistics.dropped, subscriber.statistics.missed], [2, 2]);
@@ -135,41 +141,217 @@ test('a port that is taken is an error; where it was taken while pubsub was sile
   assert.notEqual(publisher.port, port);
 });
 
-test('hello is said at once and each second to an otm/stream, and its end when it is over', async (t) => {
+test('hello is said at once and then less often until it is accepted, with the cookie that comes, and its end when it is over', async (t) => {
   const { daemon, node, clock } = await lab(t);
   const subscriber = node.subscribe({ mode: 'otm/stream', text: 'x' });
   const provider = await datagramSocket(t);
-  const heard = [];
-  provider.on('message', (octets, { port }) => heard.push([frameOfDatagram(octets), port]));
+  const heard = heardBy(provider);
   daemon.say(added(1, provider.address().port, { mode: 'otm/stream' }));
-  for (let count = 1; count <= 3; ++count) {
-    await until(() => heard.length === count);
-    clock.advance(limits.helloInterval);
+  await until(() => heard.length === 1);
+  for (const [i, wait] of [20, 40, 80, 160, 320, 640, 1000, 1000].entries()) {
+    clock.advance(wait - 1);
+    assert.equal(heard.length, i + 1);
+    clock.advance(1);
+    await until(() => heard.length === i + 2);
   }
-  await until(() => heard.length === 4);
+  const { challenge } = heard[0].said;
+  const floor = (back, cookie) => encodeFrame(kinds.floor, ours, 0n, writeHandshake(subscriber.life, back, cookie));
+  await sendTo(provider, floor(challenge ^ 1n, 6n), subscriber.port);
+  await until(() => subscriber.statistics.dropped === 1);
+  heard.splice(0);
+  await sendTo(provider, floor(challenge, 5n), subscriber.port);
+  await until(() => heard.length === 1);
+  await sendTo(provider, floor(challenge, 0n), subscriber.port);
+  await sendTo(provider, message(1), subscriber.port);
+  await subscriber.receive();
+  for (let count = 2; count <= 4; ++count) {
+    clock.advance(limits.helloInterval);
+    await until(() => heard.length === count);
+  }
   const { port } = subscriber;
   await subscriber.close();
   await until(() => heard.length === 5);
-  assert.deepEqual(heard.map(([{ kind }]) => kind), [2, 2, 2, 2, 3]);
-  for (const [frame, from] of heard) {
-    assert.deepEqual([frame.life, frame.sequence, frame.payload.readBigUInt64BE(), from], [subscriber.life, 0n, ours, port]);
+  assert.deepEqual(heard.map(({ kind }) => kind), [2, 2, 2, 2, 3]);
+  for (const { life: from, sequence, said, from: { port: source } } of heard) {
+    assert.deepEqual([from, sequence, said, source], [subscriber.life, 0n, { life: ours, challenge, cookie: 5n }, port]);
   }
 });
 
-test('a listener of an otm/stream says the life of the publisher', async (t) => {
-  const { node } = await lab(t);
+test('a listener of an otm/stream says the life of the publisher, and is sent to when it has shown by a cookie to receive', async (t) => {
+  const { node, clock } = await lab(t);
   const publisher = await node.publish({ mode: 'otm/stream', text: 'x' });
-  const listener = await datagramSocket(t);
-  const to = lifeOctets(publisher.life);
-  const bad = [encodeFrame(kinds.hello, 9n, 0n), encodeFrame(kinds.hello, 9n, 0n, lifeOctets(publisher.life ^ 1n)),
-    encodeFrame(kinds.message, 9n, 1n, to), Buffer.from('x')];
-  for (const octets of bad) await sendTo(listener, octets, publisher.port);
-  await until(() => publisher.statistics.dropped === 4);
-  assert.equal(publisher.hasConsumer, false);
-  await sendTo(listener, encodeFrame(kinds.hello, 9n, 0n, to), publisher.port);
-  await until(() => publisher.hasConsumer);
-  await sendTo(listener, encodeFrame(kinds.end, 9n, 0n, to), publisher.port);
+  const socket = await datagramSocket(t);
+  const heard = heardBy(socket);
+  const { life: to } = publisher;
+  const other = { life: to ^ 1n };
+  const bad = [encodeFrame(kinds.hello, 9n, 0n), encodeFrame(kinds.hello, 9n, 0n, lifeOctets(to)), helloOf(9n, other), helloOf(9n, publisher, 0n),
+    encodeFrame(kinds.hello, 9n, 0n, Buffer.concat([writeHandshake(to, 1n, 0n), Buffer.alloc(1)])),
+    encodeFrame(kinds.message, 9n, 1n, writeHandshake(to, 1n, 0n)), Buffer.from('x')];
+  for (const octets of bad) await sendTo(socket, octets, publisher.port);
+  await until(() => publisher.statistics.dropped === bad.length);
+  // A hello without a cookie, or with a wrong one, gets one. Its sender is not sent to.
+  for (const [i, cookie] of [0n, 7n].entries()) {
+    await sendTo(socket, helloOf(9n, publisher, 3n, cookie), publisher.port);
+    await until(() => heard.length === i + 1);
+  }
+  const [first, second] = heard;
+  assert.deepEqual([first.kind, first.life, first.said.life, first.said.challenge], [kinds.floor, to, 9n, 3n]);
+  assert.equal(first.said.cookie, second.said.cookie);
+  assert.deepEqual([publisher.hasConsumer, publisher.statistics.dropped], [false, bad.length]);
+  await sendTo(socket, helloOf(9n, publisher, 3n, first.said.cookie), publisher.port);
+  await until(() => heard.length === 3);
+  assert.deepEqual([heard[2].said.cookie, publisher.hasConsumer], [0n, true]);
+  // A renewal is taken without a cookie. Listeners are forgotten after 3 s.
+  clock.advance(limits.listenerPatience - 1);
+  await sendTo(socket, helloOf(9n, publisher, 3n), publisher.port);
+  await until(() => heard.length === 4);
+  clock.advance(limits.listenerPatience - 1);
+  publisher.send(Buffer.from('x'));
+  assert.equal(publisher.hasConsumer, true);
+  await sendTo(socket, encodeFrame(kinds.end, 9n, 0n, writeHandshake(to, 3n, 0n)), publisher.port);
   await until(() => !publisher.hasConsumer);
+});
+
+/** A socket of an address of the loopback interface. */
+async function socketOf(t, address) {
+  const socket = createSocket('udp4');
+  t.after(() => socket.close());
+  socket.bind(0, address);
+  await once(socket, 'listening');
+  return socket;
+}
+
+test('1100 listeners of one host find 1024 places, another host finds one, and all are told', async (t) => {
+  const { daemon, node, clock, logged } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x' });
+  const add = async (life, address) => {
+    const socket = await socketOf(t, address);
+    const heard = heardBy(socket);
+    await sendTo(socket, helloOf(life, publisher), publisher.port);
+    await until(() => heard.length === 1);
+    await sendTo(socket, helloOf(life, publisher, 1n, heard[0].said.cookie), publisher.port);
+    await until(() => heard.length === 2);
+    if (Number(life) % 64 === 0) clock.advance(250); // answers are allowed again
+    return { socket, heard, kind: heard[1].kind, life };
+  };
+  const listeners = [];
+  for (let i = 1; i <= limits.maxListeners; ++i) {
+    listeners.push(await add(BigInt(i), '127.0.0.1'));
+    if (i !== limits.maxListeners / 2) continue;
+    for (const one of listeners) await sendTo(one.socket, helloOf(one.life, publisher), publisher.port); // else they are forgotten
+  }
+  assert.ok(listeners.every(({ kind }) => kind === kinds.floor));
+  assert.deepEqual(logged, []);
+  for (let i = 1; i <= 4; ++i) {
+    const { kind, heard } = await add(BigInt(2000 + i), '127.0.0.1');
+    assert.equal(kind, kinds.full);
+    assert.deepEqual(heard[1].said, { life: BigInt(2000 + i), challenge: 1n, cookie: 0n });
+  }
+  const other = await add(3000n, '127.0.0.2');
+  assert.equal(other.kind, kinds.floor);
+  const loser = listeners.at(-1);
+  await until(() => loser.heard.at(-1).kind === kinds.full);
+  assert.deepEqual(logged, ['all 1024 places for listeners are taken']);
+  assert.equal(await daemon.line(/ pub modify/), '1 pub modify channel.full=1024');
+  publisher.send(Buffer.from('x'));
+  await until(() => [other, listeners[0]].every(({ heard }) => heard.at(-1).kind === kinds.message));
+  assert.equal(loser.heard.at(-1).kind, kinds.full);
+  clock.advance(limits.listenerPatience);
+  publisher.send(Buffer.from('x'));
+  assert.equal(await daemon.line(/ pub modify/), '1 pub modify channel.full=0');
+});
+
+test('hellos of strangers are answered by no more octets than they have, and by 512 answers a second', async (t) => {
+  const { node, clock } = await lab(t);
+  const publisher = await node.publish({ mode: 'otm/stream', text: 'x' });
+  const socket = await datagramSocket(t);
+  const sizes = [];
+  socket.on('message', ({ length }) => sizes.push(length));
+  const hello = helloOf(7n, publisher);
+  for (let i = 0; i < limits.maxAnswers; ++i) {
+    await sendTo(socket, hello, publisher.port);
+    await until(() => sizes.length === i + 1);
+  }
+  for (let i = 0; i < 10; ++i) await sendTo(socket, hello, publisher.port);
+  await sendTo(socket, Buffer.from('x'), publisher.port);
+  await until(() => publisher.statistics.dropped === 1);
+  clock.advance(1000 / limits.maxAnswers);
+  await sendTo(socket, hello, publisher.port);
+  await until(() => sizes.length === limits.maxAnswers + 1);
+  assert.ok(sizes.every((size) => size === hello.length));
+  assert.equal(publisher.hasConsumer, false);
+});
+
+test('a forged sequence mutes a channel for 2 s and one message, a forged end not at all', async (t) => {
+  const { daemon, node, clock } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+  const provider = await datagramSocket(t);
+  daemon.say(added(1, provider.address().port));
+  await event(subscriber, 'provider');
+  const told = [];
+  subscriber.on('provider', ({ change, reason }) => told.push([change, reason]));
+  const send = (octets) => sendTo(provider, octets, subscriber.port);
+  const got = async () => {
+    const { sequence, missed } = await subscriber.receive();
+    return [Number(sequence), missed];
+  };
+  await send(message(1));
+  assert.deepEqual(await got(), [1, 0]);
+  await send(message(2n ** 64n - 1n, 'forged'));
+  await send(encodeFrame(kinds.end, ours, 2n ** 64n - 1n));
+  await send(message(2));
+  assert.deepEqual(await got(), [2, 0]);
+  await send(message(60_000, 'forged'));
+  assert.deepEqual(await got(), [60_000, 59_997]);
+  for (let i = 3; i <= 5; ++i) await send(message(i));
+  await until(() => subscriber.statistics.dropped === 4);
+  clock.advance(limits.stragglerPatience);
+  for (const i of [6, 7]) await send(message(i));
+  assert.deepEqual(await got(), [6, 0]);
+  assert.deepEqual(await got(), [7, 0]);
+  // The end is forgotten after 10 s. What the daemon says then has its own reason.
+  clock.advance(limits.endHintPatience);
+  daemon.say('1 pub del service=0000000b/1/1 reason=outranked');
+  await until(() => told.length === 1);
+  assert.deepEqual(told, [['removed', 'outranked']]);
+});
+
+test('a withdrawn provider ends with its end, which may come before the word of the daemon or behind it', async (t) => {
+  for (const isBefore of [true, false]) {
+    const { daemon, node } = await lab(t);
+    const subscriber = node.subscribe({ mode: 'oto', text: 'x' });
+    const provider = await datagramSocket(t);
+    daemon.say(added(1, provider.address().port));
+    await event(subscriber, 'provider');
+    await sendTo(provider, message(1), subscriber.port);
+    await subscriber.receive();
+    const removed = event(subscriber, 'provider');
+    const end = () => sendTo(provider, encodeFrame(kinds.end, ours, 4n), subscriber.port);
+    const del = () => daemon.say('1 pub del service=0000000b/1/1 reason=withdrawn');
+    for (const say of isBefore ? [end, del] : [del, end]) await say();
+    assert.deepEqual([(await removed).reason, subscriber.statistics.missed], ['withdrawn', 3]);
+  }
+});
+
+test('a refused listener is told once, and goes on asking', async (t) => {
+  const { daemon, node, clock, logged } = await lab(t);
+  const subscriber = node.subscribe({ mode: 'otm/stream', text: 'x' });
+  const provider = await datagramSocket(t);
+  const heard = heardBy(provider);
+  const { port } = provider.address();
+  daemon.say(added(1, port, { mode: 'otm/stream' }));
+  const text = `the provider 127.0.0.1:${port} has no place for another consumer`;
+  for (let i = 1; i <= 2; ++i) {
+    await until(() => heard.length >= i);
+    await sendTo(provider, encodeFrame(kinds.full, ours, 0n, writeHandshake(subscriber.life, heard[0].said.challenge, 0n)), subscriber.port);
+    await until(() => logged.length === 1);
+    clock.advance(limits.helloInterval);
+  }
+  await until(() => heard.length >= 3);
+  assert.deepEqual(logged, [text]);
+  // A full without the challenge is nothing.
+  await sendTo(provider, encodeFrame(kinds.full, ours, 0n, writeHandshake(subscriber.life, 1n, 0n)), subscriber.port);
+  await until(() => subscriber.statistics.dropped === 1);
 });
 
 test('one port is spoken by each family that the host has', async (t) => {

@@ -2,14 +2,20 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { inspect } from 'node:util';
 
 import { isEvent, readEvent } from '../../../src/client/javascript/lib/protocol/event.js';
 import { reservedKeys } from '../../../src/client/javascript/lib/protocol/attribute.js';
-import { encodeFrame, frameOfDatagram, kinds, MessageWriter } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { ChannelKeys, plainKeys, readChannelKeys } from '../../../src/client/javascript/lib/protocol/channel_keys.js';
+import { encodeFrame, forms, frameOfDatagram, kinds } from '../../../src/client/javascript/lib/protocol/frame.js';
+import { PublisherFrames } from '../../../src/client/javascript/lib/protocol/frame_writer.js';
 import { lifeText } from '../../../src/client/javascript/lib/protocol/life.js';
 import { Inbox } from '../../../src/client/javascript/lib/protocol/inbox.js';
 import { identity } from '../../../src/client/javascript/lib/protocol/identity.js';
+import { Places } from '../../../src/client/javascript/lib/protocol/places.js';
 import { canonicalRequest } from '../../../src/client/javascript/lib/protocol/request.js';
+import { anyFrameOfDatagram } from '../../../src/client/javascript/lib/protocol/sealed_frame.js';
+import { Sequence } from '../../../src/client/javascript/lib/protocol/sequence.js';
 import { formatStatement, parseStatement } from '../../../src/client/javascript/lib/protocol/statement.js';
 import { xxh32 } from '../../../src/client/javascript/lib/protocol/xxh32.js';
 import { root } from './support.mjs';
@@ -60,11 +66,94 @@ test('frames are those of the table', () => {
     assert.equal(read.payload.toString('hex'), payload);
     const again = encodeFrame(kinds[kind], BigInt(`0x${life}`), BigInt(sequence), Buffer.from(payload, 'hex'));
     assert.equal(again.toString('hex'), frame);
-    if (kind !== 'message' || BigInt(sequence) > BigInt(Number.MAX_SAFE_INTEGER)) continue;
+    if (kind !== 'message' || sequence !== '1') continue;
     for (const isReused of [false, true]) {
-      const quick = new MessageWriter(BigInt(`0x${life}`), isReused).write(Number(sequence), Buffer.from(payload, 'hex'));
-      assert.equal(quick.toString('hex'), frame);
+      const writer = new PublisherFrames(BigInt(`0x${life}`), isReused);
+      writer.keys = plainKeys;
+      assert.equal(writer.message(Buffer.from(payload, 'hex')).toString('hex'), frame);
     }
+  }
+});
+
+test('sealed frames are those of the table', () => {
+  const [, forward] = /forward ([0-9a-f]{64})/.exec(text('tests/client/vectors/sealed.tsv'));
+  const [, back] = /back ([0-9a-f]{64})/.exec(text('tests/client/vectors/sealed.tsv'));
+  const ring = [[0x6208, Buffer.from(forward, 'hex'), Buffer.from(back, 'hex')]];
+  const of = { 2: new ChannelKeys('encrypted', ring), 3: new ChannelKeys('authenticated', ring) };
+  for (const row of rows('tests/client/vectors/sealed.tsv')) {
+    if (row[0] === 'refused') {
+      const read = anyFrameOfDatagram(Buffer.from(row[2], 'hex'));
+      const keys = of[2];
+      assert.equal(read && (row[1] === 'forward' ? keys.takeForward(read) : keys.takeBack(read)), undefined, row[3]);
+      continue;
+    }
+    const [direction, form, kind, life, sequence, id, port, counter, payload, frame] = row;
+    const keys = of[form];
+    const octets = Buffer.from(frame, 'hex');
+    const head = { kind: kinds[kind], life: BigInt(`0x${life}`), sequence: BigInt(sequence), counter: BigInt(counter), port: Number(port) };
+    const written = Buffer.alloc(octets.length);
+    keys[direction === 'forward' ? 'sealForward' : 'sealBack'](written, head, Buffer.from(payload, 'hex'));
+    assert.equal(written.toString('hex'), frame);
+    const read = anyFrameOfDatagram(octets);
+    assert.deepEqual([read.form, read.key], [Number(form), parseInt(id, 16)]);
+    const opened = direction === 'forward' ? keys.takeForward(read) : keys.takeBack(read);
+    assert.deepEqual({ ...opened, payload: opened.payload.toString('hex') }, { ...head, payload, isSealed: true });
+    assert.equal(direction === 'forward' ? keys.takeBack(read) : keys.takeForward(read), undefined);
+  }
+  assert.equal(forms.plain, 1);
+});
+
+test('a line of keys is read, and shows nothing of them when it is wrong', () => {
+  const key = '0123456789abcdef'.repeat(4);
+  const line = (rest) => parseStatement(`5 pub keys life=00000000000000aa ${rest}`);
+  const { life, keys } = readChannelKeys(line(`mode=mixed ring=6208:${key}:${key},beef:${key}:${key}`));
+  assert.deepEqual([life, keys.mode, keys.hasRing, keys.seals, keys.takesPlain], [0xaan, 'mixed', true, true, true]);
+  for (const shown of [inspect(keys, { showHidden: true, depth: 9 }), JSON.stringify(keys), String(keys)]) {
+    assert.equal(shown.includes('0123'), false, shown);
+    assert.equal(/[0-9a-f]{2} [0-9a-f]{2}|[0-9]+, [0-9]+/.test(shown), false, shown);
+  }
+  assert.equal(readChannelKeys(line('mode=plain')).keys.hasRing, false);
+  for (const bad of ['mode=new', `mode=new ring=6208:${key}:${key}`, 'mode=encrypted', 'mode=encrypted ring=', `mode=mixed ring=6208:${key}:${key}0`,
+    `mode=mixed ring=6208:${key}`, `mode=encrypted ring=${Array(65).fill(`6208:${key}:${key}`).join(',')}`]) {
+    assert.throws(() => readChannelKeys(line(bad)), (error) => error.code === 'GEMINGA_KEYS' && !error.stack.includes('0123'), bad);
+  }
+  assert.throws(() => readChannelKeys(parseStatement(`5 pub keys life=x mode=mixed ring=6208:${key}:${key}`)), { code: 'GEMINGA_KEYS' });
+  for (const count of [63, 64]) {
+    const ring = Array.from({ length: count }, (_, i) => `${i.toString(16).padStart(4, '0')}:${key}:${key}`).join(',');
+    assert.ok(readChannelKeys(line(`mode=encrypted ring=${ring}`)).keys.hasRing);
+  }
+});
+
+test('which message is new is as the table says', () => {
+  for (const [words, wanted] of rows('tests/client/vectors/sequence.tsv')) {
+    const sequence = new Sequence();
+    const got = [];
+    for (const word of words.split(' ')) {
+      if (word === 'again') {
+        sequence.interrupt(7n);
+        continue;
+      }
+      const [now, number] = word.split(':');
+      got.push(sequence.take(7n, BigInt(number), Number(now)) ?? '-');
+    }
+    assert.equal(got.join(' '), wanted, words);
+  }
+});
+
+test('places are shared as the table says', () => {
+  for (const [count, words, wanted] of rows('tests/client/vectors/places.tsv')) {
+    const places = new Places(Number(count));
+    const got = [];
+    let last = 0;
+    for (const word of words.split(' ')) {
+      if (word[0] === '!') places.serve(Number(word.slice(1)));
+      else if (word[0] === '-') places.leave(Number(word.slice(1)));
+      else {
+        const { isTaken, loser } = places.take(++last, word);
+        got.push(isTaken ? `taken${loser === undefined ? '' : `-${loser}`}` : 'refused');
+      }
+    }
+    assert.equal(got.join(' '), wanted, words);
   }
 });
 

@@ -91,7 +91,7 @@ export interface Peer {
   readonly attributes: Readonly<Record<string, string>>;
 }
 
-/** A change of a provider or consumer. The `reason` of a removal: withdrawn, expired, left, outranked, changed, disconnected, lost, refused; there may be more. */
+/** A change of a provider or consumer. The `reason` of a removal: withdrawn, expired, left, outranked, changed, disconnected, lost, refused, slow; there may be more. */
 export type PeerChange = Peer & { readonly change: 'added' | 'modified' | 'removed'; readonly reason?: string };
 
 export interface Message {
@@ -166,6 +166,8 @@ export interface NodeOptions {
   name?: string;
   /** `ADDRESS:PORT`, `[ADDRESS]:PORT`, `/PATH` or `unix:PATH`; else GEMINGA_CONNECT, else 127.0.0.1:4717 and [::1]:4717. */
   daemon?: string;
+  /** Takes a line for each cause that a person should know of; else lines go to standard error, with `geminga: ` before them. */
+  log?: (line: string) => void;
 }
 
 /**

@@ -1,14 +1,24 @@
 // A node: the publishers and subscribers of one program, which go on while its daemon is restarted.
 import { EventEmitter } from 'node:events';
 
-import { ClosedError } from './protocol/errors.js';
-import { Session } from './protocol/session.js';
+import { takesPlainIn } from './protocol/channel_keys.js';
+import { ClosedError, StatementError } from './protocol/errors.js';
+import { maxName } from './protocol/limits.js';
+import { sealingOf, Session } from './protocol/session.js';
 import { abortable, throwIfAborted } from './channels/abort.js';
 import { endpointsOf } from './channels/endpoint.js';
 import { Io } from './channels/io.js';
 import { DaemonLink } from './channels/daemon_link.js';
+import { logHook } from './log.js';
 import { Publisher } from './publisher.js';
 import { Subscriber } from './subscriber.js';
+
+function checkName(name) {
+  if (name === undefined) return;
+  if (typeof name !== 'string') throw new TypeError('name is a text');
+  if (name === '') throw new StatementError('name is empty: leave it out, or say what the node is called');
+  if (Buffer.byteLength(name) > maxName) throw new StatementError(`name is too long: at most ${maxName} octets`, 413);
+}
 
 /** Events: `connected` with the daemon's answer to the hello, `disconnected`, `problem` with an Error. */
 export class Node extends EventEmitter {
@@ -17,25 +27,37 @@ export class Node extends EventEmitter {
   #session;
   #services = new Set();
   #hello;
+  #log;
+  /** Problems that were said since no daemon is there. */
+  #saidAway = new Set();
+  /** How this host seals. `hasKeys` is undefined until a daemon has said so. */
+  #sealing = { hasKeys: undefined, takesPlain: false };
   #closing;
   #gone = new AbortController();
 
   /**
    * `name`: the name that the team sees; `daemon`: the endpoint of the daemon, else that of GEMINGA_CONNECT, else
-   * 127.0.0.1:4717 and [::1]:4717.
+   * 127.0.0.1:4717 and [::1]:4717; `log`: the function that takes a line for each cause that a person should know of, else lines
+   * go to standard error. Throws StatementError and TypeError.
    */
-  constructor({ name, daemon, clock, random } = {}) {
+  constructor({ name, daemon, log, clock, random, ...others } = {}) {
     super();
+    for (const key of Object.keys(others)) throw new StatementError(`${key} is no option: there are name, daemon, log`);
+    checkName(name);
+    this.#log = logHook(log);
     this.#io = new Io({ clock, random });
     this.#session = new Session(name, {
       write: (line) => this.#link.write(line),
       onConnected: (hello) => this.#onConnected(hello),
-      onProblem: (error) => this.emit('problem', error),
+      onSealing: (mode) => this.#onSealing(mode),
+      onProblem: (error) => this.#onProblem(this, error),
+      log: (line) => this.#log(line),
     });
     this.#link = new DaemonLink(this.#io, endpointsOf(daemon), {
       onUp: () => this.#session.start(),
       onLine: (octets) => this.#session.receive(octets),
       onDown: () => this.#onDown(),
+      log: (line) => this.#log(line),
     });
     this.#link.open();
   }
@@ -70,12 +92,12 @@ export class Node extends EventEmitter {
   }
 
   /** Offers a service with a channel. Fulfilled when the daemon has accepted it. */
-  async publish(options) {
+  async publish(options = {}) {
     return Publisher.open(this.#context(), options);
   }
 
   /** Asks for services and receives from them. `ready()` of the subscriber tells whether the daemon has accepted it. */
-  subscribe(options) {
+  subscribe(options = {}) {
     return new Subscriber(this.#context(), options);
   }
 
@@ -101,6 +123,8 @@ export class Node extends EventEmitter {
     return {
       session: this.#session,
       io: this.#io,
+      sealing: this.#sealing,
+      onProblem: (service, error) => this.#onProblem(service, error),
       onOpened: (service) => this.#services.add(service),
       onClosed: (service) => this.#services.delete(service),
     };
@@ -117,9 +141,27 @@ export class Node extends EventEmitter {
   #onConnected(hello) {
     if (this.#hello) return;
     this.#hello = hello;
+    this.#saidAway.clear();
     this.#link.settle();
+    const mode = sealingOf(hello);
+    this.#sealing.hasKeys = mode !== 'plain';
     for (const service of this.#services) service.onDaemonBack();
+    this.#onSealing(mode);
     this.emit('connected', hello);
+  }
+
+  /** The daemon has said how this host seals. That counts for channels that have no line of keys. */
+  #onSealing(mode) {
+    Object.assign(this.#sealing, { hasKeys: mode !== 'plain', takesPlain: takesPlainIn(mode) });
+    for (const service of this.#services) service.onSealing();
+  }
+
+  /** Tells the application of a problem of the node, or of a publisher or subscriber. */
+  #onProblem(owner, error) {
+    // What a daemon refuses whenever it is tried again is one cause.
+    if (this.#hello || !this.#saidAway.has(error.message)) this.#log(error.message);
+    if (!this.#hello) this.#saidAway.add(error.message);
+    owner.emit('problem', error);
   }
 
   #onDown() {

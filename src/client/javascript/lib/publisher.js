@@ -3,8 +3,9 @@ import { EventEmitter } from 'node:events';
 
 import { canonicalAddress, isMulticast } from './protocol/address.js';
 import { changeOf, describe } from './protocol/description.js';
-import { ClosedError, MessageTooLargeError, StatementError } from './protocol/errors.js';
-import { encodeFrame, kinds, MessageWriter } from './protocol/frame.js';
+import { ClosedError, GemingaError, MessageTooLargeError, StatementError } from './protocol/errors.js';
+import { plainKeys } from './protocol/channel_keys.js';
+import { PublisherFrames } from './protocol/frame_writer.js';
 import { lifeText, newLife } from './protocol/life.js';
 import * as limits from './protocol/limits.js';
 import { Counterparts } from './protocol/counterparts.js';
@@ -24,14 +25,17 @@ const fixed = ['mode', 'port', 'address', 'protocol'];
 export class Publisher extends EventEmitter {
   #session;
   #io;
+  #sealing;
+  #problem;
   #timers;
   #counterparts;
   #out;
   #request;
   #maxSize;
   #hint;
-  #sequence = 0;
-  #writer;
+  #frames;
+  #hasNoPlaces = false;
+  #toldProblems = new Set();
   #closing;
   #onClosed;
   /** Consumers that the application was told of. */
@@ -40,10 +44,10 @@ export class Publisher extends EventEmitter {
   #early = [];
 
   /** Opens the sockets, states the service, and waits until the daemon has accepted it. Used by Node. */
-  static async open({ session, io, onOpened, onClosed }, { signal, ...options }) {
+  static async open(context, { signal, ...options }) {
     throwIfAborted(signal);
-    const publisher = new Publisher(session, io, options, onClosed);
-    onOpened(publisher);
+    const publisher = new Publisher(context, options);
+    context.onOpened(publisher);
     try {
       await abortable(publisher.#open(options), signal);
       // The caller that awaits this adds listeners first.
@@ -55,33 +59,35 @@ export class Publisher extends EventEmitter {
     return publisher;
   }
 
-  constructor(session, io, { mode, protocol = 'udp', address, port }, onClosed) {
+  constructor({ session, io, sealing, onProblem, onClosed }, { mode, protocol = 'udp', address, port }) {
     super();
     this.#session = session;
     this.#io = io;
+    this.#sealing = sealing;
+    this.#problem = (error) => onProblem(this, error);
     this.#onClosed = onClosed;
     this.life = newLife();
     this.#timers = io.timers();
     if (protocol !== 'udp' && protocol !== 'tcp') throw new StatementError(`protocol=${protocol}: a channel is udp or tcp`);
     const isTcp = protocol === 'tcp';
     // The system says of a datagram whether it waits; of TCP that is not known.
-    this.#writer = new MessageWriter(this.life, !isTcp);
+    this.#frames = new PublisherFrames(this.life, !isTcp);
+    if (sealing.hasKeys === false) this.#frames.keys = plainKeys;
     this.#maxSize = isTcp ? limits.maxStreamMessage : limits.maxDatagramMessage;
     this.#hint = isTcp ? 'over TCP' : 'over UDP: offer the service with protocol=tcp';
     this.#out = this.#channel(mode, isTcp, canonicalAddress(address), portOf(port));
     this.#counterparts = new Counterparts(this.#timers, {
-      added: (counterpart) => {
-        this.#out.set(counterpart.key, counterpart.event, counterpart.life === 0n);
-        if (!isTcp) this.#reach(counterpart);
-      },
+      added: (counterpart) => this.#set(counterpart),
       modified: (counterpart, before, isTold) => {
-        this.#out.set(counterpart.key, counterpart.event, counterpart.life === 0n);
-        if (isTold && this.#reached.has(counterpart)) this.#tell(changeOf('modified', counterpart));
+        const wasReached = this.#reached.has(counterpart);
+        this.#set(counterpart);
+        if (isTold && wasReached) this.#tell(changeOf('modified', counterpart));
       },
       removed: (counterpart, reason) => {
         this.#out.delete(counterpart.key);
         this.#lose(counterpart, reason);
       },
+      isOfPublisher: true,
       endPatience: () => 0,
       isHeld: () => false,
       orphanPatience: (counterpart) => (isTcp ? (this.#out.isConnected(counterpart.key) ? Infinity : 0) : limits.orphanPatience),
@@ -105,7 +111,7 @@ export class Publisher extends EventEmitter {
 
   /** `sent`: messages while there was a consumer; `leftOut`: messages without room, counted for each consumer. */
   get statistics() {
-    return { sent: this.#sequence, leftOut: this.#out.leftOut, dropped: this.#out.dropped };
+    return { sent: this.#frames.sequence, leftOut: this.#out.leftOut, dropped: this.#out.dropped };
   }
 
   /**
@@ -113,12 +119,12 @@ export class Publisher extends EventEmitter {
    * message, or slow consumers lose some. Throws MessageTooLargeError and ClosedError. The payload may be used again at once.
    */
   send(payload) {
-    if (!(payload instanceof Uint8Array)) throw new TypeError('a message is a Uint8Array');
+    if (!(payload instanceof Uint8Array)) throw new TypeError('payload is a Uint8Array, for example Buffer.from(text)');
     if (payload.length > this.#maxSize) throw new MessageTooLargeError(payload.length, this.#maxSize, this.#hint);
     if (this.#closing) throw new ClosedError('publisher');
     if (!this.#out.hasConsumer) return true;
-    const isPrompt = this.#out.send(this.#writer.write(++this.#sequence, payload));
-    if (this.#writer.isLent && this.#out.waiting > 0) this.#writer.keep();
+    const isPrompt = this.#out.send(this.#message(payload), payload);
+    if (this.#frames.isLent && this.#out.waiting > 0) this.#frames.keep();
     return isPrompt;
   }
 
@@ -148,15 +154,21 @@ export class Publisher extends EventEmitter {
   }
 
   onDaemonBack() {
+    if (!this.#sealing.hasKeys) this.#rekey(plainKeys);
     this.#counterparts.onDaemonBack();
+  }
+
+  /** The daemon has said how this host seals, which counts for channels that have no line of keys. */
+  onSealing() {
+    if (!this.#sealing.hasKeys && !this.#frames.keys) this.#rekey(plainKeys);
   }
 
   #channel(mode, isTcp, address, port) {
     const isStream = mode === 'otm/stream';
-    const options = { address, port, life: this.life };
-    if (isTcp) return new TcpOutlet(this.#io, { ...options, isStream, hooks: this.#connectionHooks() });
-    if (isStream) return isMulticast(address) ? new MulticastOutlet(this.#io, options) : new ListenersOutlet(this.#io, options);
-    return new UdpOutlet(this.#io, { ...options, isLazy: mode === 'otm/pubsub', hooks: this.#portHooks() });
+    const options = { address, port, isStream, isLazy: mode === 'otm/pubsub', hooks: this.#outHooks() };
+    if (isTcp) return new TcpOutlet(this.#io, this.#frames, options);
+    if (!isStream) return new UdpOutlet(this.#io, this.#frames, options);
+    return new (isMulticast(address) ? MulticastOutlet : ListenersOutlet)(this.#io, this.#frames, options);
   }
 
   async #open(options) {
@@ -164,12 +176,15 @@ export class Publisher extends EventEmitter {
     const parameters = parametersOf({ ...options, port: undefined }, 'pub');
     await this.#out.open();
     if (this.#closing) {
-      await this.#out.end(encodeFrame(kinds.end, this.life, 0n));
+      await this.#out.end();
       throw new ClosedError('publisher');
     }
     parameters.push(['port', String(this.#out.port)], ['channel', lifeText(this.life)]);
-    const { request, taken } = this.#session.create('pub', parameters,
-      (event) => this.#counterparts.onEvent(event), (error) => this.#onProblem(error));
+    const { request, taken } = this.#session.create('pub', parameters, {
+      onEvent: (event) => this.#counterparts.onEvent(event),
+      onProblem: (error) => this.#onProblem(error),
+      onKeys: (life, keys, error) => this.#onKeys(life, keys, error),
+    });
     this.#request = request;
     await taken;
   }
@@ -187,7 +202,7 @@ export class Publisher extends EventEmitter {
 
   async #close() {
     // In one turn, so that no event comes between.
-    const ended = this.#out.end(encodeFrame(kinds.end, this.life, BigInt(this.#sequence)));
+    const ended = this.#out.end();
     const removed = this.#request && this.#session.remove(this.#request);
     this.#counterparts.clear();
     await Promise.all([ended, this.#io.within(limits.closePatience, removed)]);
@@ -196,18 +211,76 @@ export class Publisher extends EventEmitter {
     this.emit('close');
   }
 
-  /** Over TCP a consumer is told while it is matched and connected. */
-  #connectionHooks() {
+  /** A consumer is told while it is matched and messages reach it: over TCP while it is connected. */
+  #outHooks() {
     const withKey = (key, action) => {
-      for (const counterpart of [...this.#counterparts]) if (counterpart.key === key) action(counterpart);
+      for (const counterpart of this.#counterparts) if (counterpart.key === key) action(counterpart);
     };
     return {
       onCome: (key) => withKey(key, (counterpart) => this.#reach(counterpart)),
-      onGone: (key) => withKey(key, (counterpart) => {
-        if (counterpart.isMatched) this.#lose(counterpart, 'lost');
+      onGone: (key, reason) => withKey(key, (counterpart) => {
+        if (counterpart.isMatched) this.#lose(counterpart, reason);
         else this.#counterparts.remove(counterpart, counterpart.reason);
       }),
+      onMoved: (port) => this.#state('port', port),
+      onNoPlace: (what, count) => this.#onNoPlace(what, count),
+      onPlaces: () => {
+        if (this.#hasNoPlaces) this.#state('channel.full', 0);
+        this.#hasNoPlaces = false;
+      },
+      onProblem: (error) => this.#problem(error),
     };
+  }
+
+  #set(counterpart) {
+    this.#out.set(counterpart.key, counterpart.event, counterpart.life);
+    if (counterpart.life !== 0n || this.#frames.takesPlain || !this.#frames.keys) return;
+    this.#problemOnce(`${counterpart.service} states no life, so its channel cannot be sealed`);
+  }
+
+  #message(payload) {
+    try {
+      return this.#frames.message(payload, this.#out.isBusy);
+    } catch (error) {
+      if (error instanceof ClosedError) this.close();
+      throw error;
+    }
+  }
+
+  #onKeys(life, keys, error) {
+    if (life !== this.life) return;
+    if (error) this.#problemOnce(error.message);
+    this.#rekey(keys);
+    for (const counterpart of this.#counterparts) this.#set(counterpart);
+  }
+
+  #rekey(keys) {
+    if (this.#frames.keys === keys || this.#closing) return;
+    const didSeal = this.#frames.seals;
+    this.#frames.keys = keys;
+    this.#out.rekey(this.#frames.seals && !didSeal);
+  }
+
+  /** A newcomer found all places taken: tells it once, until there are places again, and states it for `query why`. */
+  #onNoPlace(what, count) {
+    if (this.#hasNoPlaces) return;
+    this.#hasNoPlaces = true;
+    this.#problem(new GemingaError(`all ${count} places for ${what} are taken`, 'GEMINGA_CHANNEL'));
+    this.#state('channel.full', count);
+  }
+
+  #problemOnce(text) {
+    if (this.#toldProblems.has(text)) return;
+    this.#toldProblems.add(text);
+    this.#problem(new GemingaError(text, 'GEMINGA_CHANNEL'));
+  }
+
+  /** Changes the request. An error of the daemon is told, because there is no call that it answers. */
+  #state(key, value) {
+    if (!this.#request || this.#closing) return;
+    this.#session.modify(this.#request, [[key, String(value)]]).catch((error) => {
+      if (!(error instanceof ClosedError)) this.#problem(error);
+    });
   }
 
   /** Messages reach a consumer from now on. */
@@ -222,15 +295,7 @@ export class Publisher extends EventEmitter {
   }
 
   #onProblem(error) {
-    this.emit('problem', error);
+    this.#problem(error);
     if (this.#request.isRefused) this.#counterparts.removeAll('refused');
-  }
-
-  #portHooks() {
-    const onProblem = (error) => this.emit('problem', error);
-    return {
-      onProblem,
-      onMoved: (port) => this.#session.modify(this.#request, [['port', String(port)]]).catch(onProblem),
-    };
   }
 }

@@ -1,35 +1,16 @@
 // A subscriber: a request for services with channels, which receives from its providers.
 import { EventEmitter } from 'node:events';
 
-import { canonicalAddress, isMulticast } from './protocol/address.js';
 import { Converter } from './protocol/converter.js';
-import { Sequence } from './protocol/sequence.js';
-import { changeOf, describe } from './protocol/description.js';
 import { AbortError, ClosedError, GemingaError, StatementError } from './protocol/errors.js';
-import { kinds } from './protocol/frame.js';
 import { lifeText, newLife } from './protocol/life.js';
 import * as limits from './protocol/limits.js';
-import { Counterparts } from './protocol/counterparts.js';
 import { Inbox } from './protocol/inbox.js';
 import { checkFixed, parametersOf, portOf } from './protocol/request.js';
 import { abortable, onAbort, throwIfAborted } from './channels/abort.js';
-import { UdpInlet } from './channels/udp_inlet.js';
-import { TcpInlet } from './channels/tcp_inlet.js';
+import { Providers } from './providers.js';
 
 const fixed = ['mode', 'port', 'address', 'protocol'];
-
-/** The channel from one provider. */
-class Channel {
-  constructor(counterpart) {
-    this.counterpart = counterpart;
-    this.life = counterpart.life;
-    this.provider = describe(counterpart);
-    this.where = undefined;
-    this.stream = undefined;
-    this.convert = undefined;
-    this.hasToldFailure = false;
-  }
-}
 
 /**
  * Made by `node.subscribe`. An async iterable of messages `{payload, life, sequence, missed, provider}`. Events: `provider` with
@@ -38,14 +19,11 @@ class Channel {
 export class Subscriber extends EventEmitter {
   #session;
   #io;
-  #timers;
+  #problem;
   #onClosed;
-  #counterparts;
-  #channels = new Map();
-  #datagrams;
+  #providers;
   #conversions;
   #inbox;
-  #sequence = new Sequence();
   #request;
   #taken;
   #mode;
@@ -56,7 +34,8 @@ export class Subscriber extends EventEmitter {
   #statistics = { received: 0, missed: 0, dropped: 0, overflowed: 0 };
 
   /** Throws StatementError and PortError. */
-  constructor({ session, io, onOpened, onClosed }, { signal, queue = limits.queueLength, conversions, ...options }) {
+  constructor(context, { signal, queue = limits.queueLength, conversions, ...options }) {
+    const { session, io, onProblem, onOpened, onClosed } = context;
     super();
     throwIfAborted(signal);
     if (!Number.isInteger(queue) || queue < 1) throw new TypeError('queue is a number of messages, at least 1');
@@ -64,17 +43,16 @@ export class Subscriber extends EventEmitter {
     this.#io = io;
     this.#onClosed = onClosed;
     this.life = newLife();
-    this.#timers = io.timers();
+    this.#problem = (error) => onProblem(this, error);
     this.#inbox = new Inbox(queue, limits.maxQueuedOctets);
     this.#conversions = new Converter(conversions);
     this.#mode = options.mode;
-    this.#counterparts = new Counterparts(this.#timers, {
-      added: (counterpart) => this.#onAdded(counterpart),
-      modified: (counterpart, before, isTold) => this.#onModified(counterpart, isTold),
-      removed: (counterpart, reason) => this.#onRemoved(counterpart, reason),
-      endPatience: (counterpart) => (this.#channels.get(counterpart)?.stream ? limits.endPatience : limits.datagramEndPatience),
-      isHeld: (counterpart) => this.#channels.get(counterpart)?.stream?.isHeld ?? false,
-      orphanPatience: (counterpart) => this.#orphanPatience(counterpart),
+    this.#providers = new Providers(context, { life: this.life, conversions: this.#conversions, statistics: this.#statistics }, {
+      hasRoom: () => this.#inbox.hasRoom,
+      onMessage: (channel, frame, missed, isDatagram) => this.#onMessage(channel, frame, missed, isDatagram),
+      onProvider: (change) => this.emit('provider', change),
+      onProblem: (text) => this.#problem(new GemingaError(text, 'GEMINGA_CHANNEL')),
+      onFailed: (error) => this.#fail(error),
     });
     this.#setLimit(options);
     this.#open(options);
@@ -90,11 +68,11 @@ export class Subscriber extends EventEmitter {
 
   /** The UDP port where it listens, if it has one. */
   get port() {
-    return this.#datagrams?.port;
+    return this.#providers.port;
   }
 
   get providers() {
-    return [...this.#counterparts].map(describe);
+    return this.#providers.described;
   }
 
   /**
@@ -160,15 +138,19 @@ export class Subscriber extends EventEmitter {
   }
 
   onDaemonLost() {
-    this.#counterparts.onDaemonLost();
+    this.#providers.onDaemonLost();
   }
 
   onDaemonBack() {
-    this.#counterparts.onDaemonBack();
+    this.#providers.onDaemonBack();
+  }
+
+  onSealing() {
+    this.#providers.onSealing();
   }
 
   #setLimit({ limit }) {
-    this.#counterparts.limit = limit === undefined ? (this.#mode === 'oto' ? 1 : 0) : Number(limit);
+    this.#providers.limit = limit === undefined ? (this.#mode === 'oto' ? 1 : 0) : Number(limit);
   }
 
   #open({ port, ...options }) {
@@ -179,36 +161,30 @@ export class Subscriber extends EventEmitter {
     }
     const parameters = parametersOf({ ...options, protocol: protocols }, 'sub');
     if (protocols.includes('udp')) {
-      this.#datagrams = new UdpInlet(this.#io, { port: portOf(port), ownLife: this.life }, {
-        onFrame: (channel, frame) => this.#onFrame(channel, frame, true),
-        onDropped: () => ++this.#statistics.dropped,
-        onFound: () => --this.#statistics.dropped,
-        onProblem: (error) => this.emit('problem', error),
-      });
-      parameters.push(['port', String(this.#datagrams.port)]);
+      this.#providers.listen(portOf(port));
+      parameters.push(['port', String(this.#providers.port)]);
     } else if (port) {
       parameters.push(['port', String(port)]);
     }
     parameters.push(['channel', lifeText(this.life)]);
     try {
-      const { request, taken } = this.#session.create('sub', parameters,
-        (event) => this.#counterparts.onEvent(event), (error) => this.#onProblem(error));
+      const { request, taken } = this.#session.create('sub', parameters, {
+        onEvent: (event) => this.#providers.onEvent(event),
+        onProblem: (error) => this.#onProblem(error),
+        onKeys: (life, keys, error) => this.#providers.onKeys(life, keys, error),
+      });
       this.#request = request;
       this.#taken = taken;
       taken.catch((error) => this.#fail(error));
     } catch (error) {
-      this.#datagrams?.close();
+      this.#providers.close();
       throw error;
     }
   }
 
   async #close() {
     this.#offAbort?.();
-    for (const channel of this.#channels.values()) this.#disconnect(channel);
-    this.#channels.clear();
-    this.#counterparts.clear();
-    this.#datagrams?.close();
-    this.#io.forget(this.#timers);
+    this.#providers.close();
     for (const { resolve } of this.#waiting.splice(0)) resolve(undefined);
     await this.#io.within(limits.closePatience, this.#session.remove(this.#request));
     this.#onClosed(this);
@@ -222,101 +198,8 @@ export class Subscriber extends EventEmitter {
     this.close();
   }
 
-  #onAdded(counterpart) {
-    const channel = new Channel(counterpart);
-    this.#channels.set(counterpart, channel);
-    this.#connect(channel);
-    this.emit('provider', changeOf('added', counterpart));
-    this.#datagrams?.deliverEarly(channel);
-  }
-
-  #onModified(counterpart, isTold) {
-    const channel = this.#channels.get(counterpart);
-    channel.provider = describe(counterpart);
-    this.#connect(channel);
-    if (isTold) this.emit('provider', changeOf('modified', counterpart));
-    this.#datagrams?.deliverEarly(channel);
-  }
-
-  #onRemoved(counterpart, reason) {
-    const channel = this.#channels.get(counterpart);
-    this.#channels.delete(counterpart);
-    this.#disconnect(channel);
-    this.#sequence.interrupt(channel.life);
-    this.emit('provider', changeOf('removed', counterpart, reason));
-  }
-
-  /** Opens the inlet of a channel, or moves it to the new address of its provider. */
-  #connect(channel) {
-    const { counterpart } = channel;
-    const { protocol, port, mode, convert, via } = counterpart.event;
-    const address = canonicalAddress(counterpart.event.address);
-    channel.convert = convert && this.#conversions.along(convert, via);
-    if (address === undefined) {
-      this.#problem(channel, `${counterpart.service} has no address`);
-    } else if (protocol === 'udp' && this.#datagrams) {
-      if (channel.where?.address === address && channel.where.port === port) return;
-      this.#disconnect(channel);
-      this.#datagrams.add(channel, { address, port, isStream: mode === 'otm/stream' });
-    } else if (protocol === 'tcp' && channel.life !== 0n) {
-      this.#datagrams?.delete(channel);
-      if (channel.stream) channel.stream.move(address, port);
-      else channel.stream = this.#streamOf(channel, address, port);
-    } else {
-      this.#problem(channel, `${counterpart.service} has no channel that can be opened: protocol ${protocol}`);
-    }
-  }
-
-  #streamOf(channel, address, port) {
-    return new TcpInlet(this.#io, { ownLife: this.life, life: channel.life, address, port }, {
-      hasRoom: () => this.#inbox.hasRoom,
-      onMessage: (frame) => this.#onFrame(channel, frame, false),
-      onEnd: (frame) => this.#onEnd(channel, frame),
-      onLost: () => {
-        const { counterpart } = channel;
-        if (counterpart.isMatched) return true;
-        this.#counterparts.remove(counterpart, counterpart.reason);
-        return false;
-      },
-      onDropped: () => ++this.#statistics.dropped,
-      onOctets: () => this.#counterparts.touch(channel.counterpart),
-    });
-  }
-
-  #disconnect(channel) {
-    this.#datagrams?.delete(channel);
-    channel.stream?.close();
-    channel.stream = undefined;
-  }
-
-  #orphanPatience(counterpart) {
-    const stream = this.#channels.get(counterpart)?.stream;
-    if (!stream) return limits.orphanPatience;
-    return stream.isConnected ? Infinity : 0;
-  }
-
-  #problem(channel, text) {
-    this.emit('problem', new GemingaError(`provider ${lifeText(channel.life)}: ${text}`, 'GEMINGA_CHANNEL'));
-  }
-
-  #onFrame(channel, frame, isDatagram) {
-    if (frame.kind === kinds.end) {
-      this.#onEnd(channel, frame);
-      return;
-    }
-    const missed = channel.life === 0n ? 0n : this.#sequence.take(channel.life, frame.sequence);
-    if (missed === undefined) {
-      // A group is received on several interfaces.
-      if (!isMulticast(channel.where?.address)) ++this.#statistics.dropped;
-      return;
-    }
-    this.#statistics.missed += Number(missed);
-    const payload = this.#converted(channel, frame.payload);
-    if (payload === undefined) {
-      ++this.#statistics.dropped;
-      return;
-    }
-    const message = { payload, life: channel.life, sequence: frame.sequence, missed, provider: channel.provider };
+  #onMessage({ life, provider }, { payload, sequence }, missed, isDatagram) {
+    const message = { payload, life, sequence, missed, provider };
     if (isDatagram) {
       const lost = this.#inbox.putDatagram(message);
       this.#statistics.overflowed += lost;
@@ -327,36 +210,16 @@ export class Subscriber extends EventEmitter {
     if (this.#waiting.length > 0) this.#waiting.shift().resolve(this.#take());
   }
 
-  #onEnd(channel, { sequence }) {
-    this.#statistics.missed += Number(this.#sequence.missedAtEnd(channel.life, sequence));
-    this.#counterparts.remove(channel.counterpart, 'withdrawn');
-  }
-
   #onProblem(error) {
-    this.emit('problem', error);
-    if (this.#request.isRefused) this.#counterparts.removeAll('refused');
-  }
-
-  #converted(channel, payload) {
-    if (!channel.convert) return payload;
-    try {
-      return channel.convert(payload);
-    } catch (error) {
-      if (!channel.hasToldFailure) this.#problem(channel, error.message);
-      channel.hasToldFailure = true;
-      return undefined;
-    }
+    this.#problem(error);
+    if (this.#request.isRefused) this.#providers.removeAll('refused');
   }
 
   #take() {
     const message = this.#inbox.take();
     if (!message) return undefined;
     ++this.#statistics.received;
-    if (this.#inbox.isHalfEmpty) this.#resume();
+    if (this.#inbox.isHalfEmpty) this.#providers.resume();
     return { ...message, missed: Number(message.missed) };
-  }
-
-  #resume() {
-    for (const { stream } of this.#channels.values()) stream?.resume();
   }
 }

@@ -142,7 +142,7 @@ export class DatagramPort {
   async end(octets, targets) {
     await Promise.all(targets.map(({ address, port }) => new Promise((resolve) => {
       const socket = this.#of(address);
-      if (socket) socket.send(octets, port, address, resolve);
+      if (socket) socket.send(octets, port, this.#isOne && !address.includes(':') ? `::ffff:${address}` : address, resolve);
       else resolve();
     })));
     this.close();

@@ -16,6 +16,9 @@ export function endpointOf(text) {
   throw new TypeError(`no endpoint: '${text}'; write ADDRESS:PORT, [ADDRESS]:PORT, /PATH or unix:PATH`);
 }
 
+/** An endpoint as people write it. */
+export const endpointText = ({ path, host, port }) => path ?? `${host.includes(':') ? `[${host}]` : host}:${port}`;
+
 /** The endpoints to try: that of the text, or of GEMINGA_CONNECT, or the usual ones of gemingad. */
 export function endpointsOf(text = process.env.GEMINGA_CONNECT) {
   if (text) return [endpointOf(text)];

@@ -4,20 +4,33 @@ import { isIPv6 } from 'node:net';
 import { interfaceInterval } from '../protocol/limits.js';
 import { DatagramPort } from './datagram_port.js';
 import { groupInterfaces } from './interfaces.js';
+import { Reception } from './reception.js';
 
+/** Where frames are sealed, a socket of its own takes hellos. Hook: `onProblem(error)`, that one cannot be opened. */
 export class MulticastOutlet {
   #io;
+  #frames;
   #timers;
   #address;
+  #hooks;
   #outs = new Map();
   #leftOut = 0;
+  #reception;
+  #hellos;
+  #isOpen = false;
   port;
 
-  constructor(io, { address, port }) {
+  constructor(io, frames, { address, port, hooks }) {
     this.#io = io;
+    this.#frames = frames;
     this.#timers = io.timers();
     this.#address = address;
+    this.#hooks = hooks;
     this.port = port ?? 0;
+    this.#reception = new Reception(io, frames, {
+      onHello: (from, frame, said) => this.#reception.accept(from, frame, said, false),
+      onEnd: () => {}, // nothing is kept of the consumers of a group
+    }, true);
   }
 
   /** Throws PortError. */
@@ -27,10 +40,12 @@ export class MulticastOutlet {
     this.port = first.port;
     this.#look();
     first.close();
+    this.#isOpen = true;
+    this.rekey();
   }
 
   get hasConsumer() {
-    return this.#outs.size > 0;
+    return this.#outs.size > 0 && this.#frames.keys !== undefined;
   }
 
   get leftOut() {
@@ -42,11 +57,26 @@ export class MulticastOutlet {
   }
 
   get dropped() {
-    return 0;
+    return this.#reception.dropped;
   }
 
   set() {}
   delete() {}
+
+  /** Other keys are in force, or another mode: takes hellos while frames are sealed. */
+  rekey() {
+    if (!this.#frames.seals || !this.#isOpen) {
+      this.#closeHellos();
+    } else if (!this.#hellos) {
+      try {
+        this.#hellos = DatagramPort.open(this.#io, {});
+        this.#frames.helloPort = this.#hellos.port;
+        this.#reception.read(this.#hellos);
+      } catch (error) {
+        this.#hooks.onProblem(error);
+      }
+    }
+  }
 
   send(octets) {
     let isPrompt = true;
@@ -54,15 +84,26 @@ export class MulticastOutlet {
     return isPrompt;
   }
 
-  async end(octets) {
+  async end() {
     this.#io.forget(this.#timers);
     const outs = [...this.#outs.values()];
+    const octets = this.hasConsumer ? this.#frames.end() : undefined;
+    const targets = octets ? [{ address: this.#address, port: this.port }] : [];
     this.#outs.clear();
-    await Promise.all(outs.map((out) => out.end(octets, [{ address: this.#address, port: this.port }])));
+    this.#isOpen = false;
+    this.#closeHellos();
+    await Promise.all(outs.map((out) => out.end(octets, targets)));
   }
 
   get #any() {
     return isIPv6(this.#address) ? '::' : '0.0.0.0';
+  }
+
+  #closeHellos() {
+    this.#reception.rest();
+    this.#hellos?.close();
+    this.#hellos = undefined;
+    this.#frames.helloPort = 0;
   }
 
   /** Opens the interfaces that there are now, and looks again later. */

@@ -2,33 +2,36 @@
 import { connect } from 'node:net';
 
 import { Backoff } from '../protocol/backoff.js';
+import { outcomes } from '../protocol/belief.js';
 import { FrameReader } from '../protocol/frame_reader.js';
-import { encodeFrame, kinds } from '../protocol/frame.js';
+import { kinds } from '../protocol/frame.js';
 import { maxStreamMessage } from '../protocol/limits.js';
 
 /**
- * Hooks: `hasRoom()`; `onMessage(frame)`; `onEnd(frame)`, the provider has ended; `onLost()`, the connection is gone, which
- * gives false if it is not to be made again; `onDropped()`; `onOctets()`, octets have come.
+ * Hooks: `hasRoom()`; `onMessage(frame)`; `onEnd(frame)`, the provider has ended; `onUp()`, the connection is open; `onLost()`,
+ * it is gone or was not made, which gives false if it is not to be made again; `onDropped()`; `onOctets()`, octets have come;
+ * `onFull()`, the provider has no place; `onFailed(error)`, no frame can be sent any more.
  */
 export class TcpInlet {
   #io;
   #timers;
-  #hello;
-  #life;
+  #frames;
+  #channel;
   #place;
   #hooks;
   #backoff;
   #socket;
-  #decoder;
+  #reader;
   #isClosed = false;
   #isHeld = false;
   #isGone = false;
 
-  constructor(io, { ownLife, life, address, port }, hooks) {
+  /** `frames` are those of a consumer. A channel has a `life` and a `belief`. */
+  constructor(io, frames, channel, { address, port }, hooks) {
     this.#io = io;
     this.#timers = io.timers();
-    this.#hello = encodeFrame(kinds.hello, ownLife, 0n);
-    this.#life = life;
+    this.#frames = frames;
+    this.#channel = channel;
     this.#place = { host: address, port };
     this.#hooks = hooks;
     this.#backoff = new Backoff(io.random);
@@ -55,11 +58,17 @@ export class TcpInlet {
     this.#connect();
   }
 
+  /** Other keys are in force, or another mode. A connection that says nothing that is believed is made again. */
+  rekey() {
+    const { belief } = this.#channel;
+    if (!belief.keys.takesPlain && belief.floor === undefined) this.#socket.destroy();
+  }
+
   /** There is room again. */
   resume() {
     if (!this.#isHeld) return;
     this.#isHeld = false;
-    this.#decode(this.#socket, this.#decoder);
+    this.#decode(this.#socket, this.#reader);
     if (this.#isHeld) return;
     if (this.#isGone) this.#onClose(this.#socket);
     else this.#socket.resume();
@@ -73,44 +82,96 @@ export class TcpInlet {
 
   #connect() {
     const socket = this.#io.add(connect({ ...this.#place, noDelay: true }));
-    const decoder = new FrameReader(maxStreamMessage);
+    const reader = new FrameReader(maxStreamMessage);
     this.#socket = socket;
-    this.#decoder = decoder;
+    this.#reader = reader;
     this.#isHeld = false;
     this.#isGone = false;
     socket.on('error', () => {});
-    socket.once('connect', () => socket.write(this.#hello));
+    socket.once('connect', () => {
+      if (socket !== this.#socket) return;
+      this.#channel.belief.greet();
+      this.#hello(socket);
+      this.#hooks.onUp();
+    });
     socket.on('data', (octets) => {
       if (!this.#isClosed) this.#hooks.onOctets();
-      decoder.push(octets);
-      this.#decode(socket, decoder);
+      reader.push(octets);
+      this.#decode(socket, reader);
     });
     socket.once('close', () => this.#onClose(socket));
   }
 
-  #decode(socket, decoder) {
-    while (!this.#isClosed && socket === this.#socket) {
+  #hello(socket) {
+    const { belief } = this.#channel;
+    try {
+      if (belief.keys) socket.write(this.#frames.write(belief.keys, kinds.hello, belief.hello()));
+    } catch (error) {
+      this.#hooks.onFailed(error);
+    }
+  }
+
+  #decode(socket, reader) {
+    while (!this.#isClosed && socket === this.#socket && reader === this.#reader) {
       if (!this.#hooks.hasRoom()) {
         this.#isHeld = true;
         socket.pause();
         return;
       }
-      const frame = decoder.next();
+      const frame = reader.next();
       if (!frame) break;
-      this.#backoff.reset();
-      if (frame.life !== this.#life || frame.kind === kinds.hello) {
-        this.#hooks.onDropped();
-      } else if (frame.kind === kinds.message) {
-        this.#hooks.onMessage(frame);
-      } else {
-        this.close();
-        this.#hooks.onEnd(frame);
-      }
+      this.#take(socket, frame);
     }
-    if (decoder.isBroken) {
+    if (reader.isBroken) {
       this.#hooks.onDropped();
       socket.destroy();
     }
+  }
+
+  #take(socket, read) {
+    if (read.life !== this.#channel.life || read.kind === kinds.hello) {
+      this.#hooks.onDropped();
+      return;
+    }
+    const { belief } = this.#channel;
+    const frame = belief.take(read);
+    if (!frame && belief.isAhead(read)) {
+      this.#hooks.onDropped(); // its key may be told later
+    } else if (!frame) {
+      this.#break(socket); // nothing behind it can be believed
+    } else if (frame.kind === kinds.floor || frame.kind === kinds.full) {
+      const outcome = belief.answered(frame);
+      if (outcome === outcomes.forged) this.#hooks.onDropped();
+      else if (outcome === outcomes.full) this.#hooks.onFull();
+      else if (outcome === outcomes.again) this.#hello(socket);
+    } else {
+      this.#hear(socket, frame);
+    }
+  }
+
+  #hear(socket, frame) {
+    const isHeard = this.#channel.belief.isBehindFloor(frame);
+    if (isHeard === undefined) {
+      this.#break(socket); // a floor comes before the messages of the next connection
+    } else if (!isHeard) {
+      this.#hooks.onDropped();
+    } else {
+      this.#backoff.reset();
+      if (frame.kind === kinds.message) {
+        this.#hooks.onMessage(frame);
+        return;
+      }
+      this.close();
+      this.#hooks.onEnd(frame);
+    }
+  }
+
+  /** Ends this connection, of which nothing more is read; another one is made. */
+  #break(socket) {
+    this.#hooks.onDropped();
+    this.#reader = new FrameReader(0);
+    socket.removeAllListeners('data');
+    socket.destroy();
   }
 
   #onClose(socket) {

@@ -4,20 +4,44 @@ import * as limits from './limits.js';
 
 const closing = new Set(['outranked', 'changed']);
 
+/** The states of a counterpart. */
+const states = Object.freeze({
+  /** A daemon matches it. */
+  matched: 'matched',
+  /** The own daemon is away, or has not confirmed it since it is back. */
+  doubted: 'doubted',
+  /** The daemons have lost sight of it. */
+  orphan: 'orphan',
+  /** It was withdrawn, and only messages on their way still come. */
+  ending: 'ending',
+});
+
 /** One counterpart. `life` is 0n if no library with channels made it. */
 class Counterpart {
+  /** The daemon's words under which it is matched, each with the last event. */
+  words = new Map();
+  state = states.matched;
+  /** The reason of the daemon why it is gone. */
+  reason;
+  timer;
+
   constructor(key, life, event) {
     this.key = key;
     this.life = life;
     this.event = event;
-    this.service = event.service;
-    /** Whether a daemon matches it. If not, it is an orphan or ends, for `reason`. */
-    this.isMatched = true;
-    /** Whether the present daemon has confirmed it. */
-    this.isConfirmed = true;
-    this.isEnding = false;
-    this.reason = undefined;
-    this.timer = undefined;
+  }
+
+  get service() {
+    return this.event.service;
+  }
+
+  /** Whether a daemon matches it, as far as is known. */
+  get isMatched() {
+    return this.state === states.matched || this.state === states.doubted;
+  }
+
+  get isEnding() {
+    return this.state === states.ending;
   }
 }
 
@@ -29,22 +53,33 @@ function isSame(a, b) {
 
 /**
  * Decides how long a channel outlives its match (src/client/CHANNELS.md, "How a channel ends"). Hooks: `added(counterpart)`,
- * `modified(counterpart, before, isTold)` and `removed(counterpart, reason)`. `orphanPatience(counterpart)` gives the
- * milliseconds that an orphan goes on, Infinity for as long as its connection. `endPatience(counterpart)` gives the
- * milliseconds of waiting for more of a withdrawn one, which is not over while `isHeld(counterpart)`.
+ * `modified(counterpart, before, isTold)` and `removed(counterpart, reason)`. `reasonOf(counterpart, reason)` gives the reason
+ * of a `del` as it counts. `orphanPatience(counterpart)` gives the milliseconds that an orphan goes on, Infinity for as long as
+ * its connection. `endPatience(counterpart)` gives the milliseconds of waiting for more of a withdrawn one, which is not over
+ * while `isHeld(counterpart)`. `isOfPublisher` tells whether they are consumers.
  */
 export class Counterparts {
   #counterparts = new Map();
+  /** By the daemon's word. */
   #services = new Map();
   #hooks;
   #timers;
   #confirmation;
   /** The largest number of counterparts; 0: all. */
   limit = 0;
+  #backAt = -Infinity;
 
   constructor(timers, hooks) {
     this.#timers = timers;
     this.#hooks = hooks;
+  }
+
+  /**
+   * Whether a consumer that is outranked may still be there. When daemons have come back, its own one may still name the provider
+   * by its former word, so that the word of today seems to be outranked by it.
+   */
+  get #doubtsOutranked() {
+    return this.#hooks.isOfPublisher && this.#timers.now() - this.#backAt < limits.confirmPatience;
   }
 
   get size() {
@@ -52,7 +87,7 @@ export class Counterparts {
   }
 
   [Symbol.iterator]() {
-    return this.#counterparts.values();
+    return [...this.#counterparts.values()][Symbol.iterator]();
   }
 
   /** The counterpart with a life that is not 0n. */
@@ -66,20 +101,26 @@ export class Counterparts {
     this.#closeSurplus();
   }
 
-  /** The own daemon is gone. All channels go on. */
+  /** The own daemon is gone. All channels go on, also those that the daemons had lost sight of, since nobody can confirm them. */
   onDaemonLost() {
     this.#timers.clear(this.#confirmation);
     this.#services.clear();
-    for (const counterpart of this.#counterparts.values()) counterpart.isConfirmed = false;
+    for (const counterpart of this.#counterparts.values()) {
+      counterpart.words.clear();
+      if (counterpart.isEnding) continue;
+      this.#timers.clear(counterpart.timer);
+      counterpart.state = states.doubted;
+    }
   }
 
   /** The own daemon is back. Counterparts that it does not confirm in time become orphans. */
   onDaemonBack() {
     this.#timers.clear(this.#confirmation);
+    this.#backAt = this.#timers.now();
     if (this.#counterparts.size === 0) return;
     this.#confirmation = this.#timers.after(limits.confirmPatience, () => {
-      for (const counterpart of [...this.#counterparts.values()]) {
-        if (!counterpart.isConfirmed && counterpart.isMatched) this.#orphan(counterpart, 'disconnected');
+      for (const counterpart of this) {
+        if (counterpart.state === states.doubted) this.#orphan(counterpart, 'disconnected');
       }
       this.#closeSurplus();
     });
@@ -90,7 +131,7 @@ export class Counterparts {
     if (this.#counterparts.get(counterpart.key) !== counterpart) return;
     this.#timers.clear(counterpart.timer);
     this.#counterparts.delete(counterpart.key);
-    if (this.#services.get(counterpart.service) === counterpart) this.#services.delete(counterpart.service);
+    for (const word of counterpart.words.keys()) this.#services.delete(word);
     this.#hooks.removed(counterpart, reason);
   }
 
@@ -103,7 +144,7 @@ export class Counterparts {
 
   /** Ends all channels, because the daemon no longer has the request. */
   removeAll(reason) {
-    for (const counterpart of [...this.#counterparts.values()]) this.remove(counterpart, reason);
+    for (const counterpart of this) this.remove(counterpart, reason);
   }
 
   clear() {
@@ -117,40 +158,55 @@ export class Counterparts {
     const life = lifeOf(event.attributes.channel);
     const key = life === 0n ? `service ${event.service}` : lifeText(life);
     const former = this.#services.get(event.service);
-    if (former && former.key !== key) this.remove(former, 'changed');
-    const counterpart = this.#counterparts.get(key);
-    if (!counterpart) {
-      const newcomer = new Counterpart(key, life, event);
-      this.#counterparts.set(key, newcomer);
-      this.#services.set(event.service, newcomer);
-      this.#hooks.added(newcomer);
-      return;
-    }
+    // Daemons that come back give their words anew: that another life has the word is no end of the former one.
+    if (former && former.key !== key) this.#loseWord(former, event.service, 'changed', false);
+    const known = this.#counterparts.get(key);
+    const counterpart = known ?? new Counterpart(key, life, event);
     const before = counterpart.event;
-    if (this.#services.get(counterpart.service) === counterpart) this.#services.delete(counterpart.service);
-    this.#services.set(event.service, counterpart);
     this.#timers.clear(counterpart.timer);
-    Object.assign(counterpart, { event, service: event.service, isMatched: true, isConfirmed: true, isEnding: false });
-    this.#hooks.modified(counterpart, before, !isSame(before, event));
+    Object.assign(counterpart, { event, state: states.matched, reason: undefined });
+    counterpart.words.delete(event.service);
+    counterpart.words.set(event.service, event);
+    this.#services.set(event.service, counterpart);
+    if (known) {
+      this.#hooks.modified(counterpart, before, !isSame(before, event));
+    } else {
+      this.#counterparts.set(key, counterpart);
+      this.#hooks.added(counterpart);
+    }
   }
 
   #onDel({ service, reason }) {
     const counterpart = this.#services.get(service);
-    if (!counterpart) return;
+    if (counterpart) this.#loseWord(counterpart, service, reason, true);
+  }
+
+  /** A word no longer stands for a counterpart, which may have another one. With `isDel` the reason may be final. */
+  #loseWord(counterpart, service, reason, isDel) {
     this.#services.delete(service);
-    if (closing.has(reason)) {
-      this.remove(counterpart, reason);
-    } else if (reason === 'withdrawn') {
-      const patience = this.#hooks.endPatience(counterpart);
-      if (patience === 0) {
-        this.remove(counterpart, reason);
-        return;
-      }
-      Object.assign(counterpart, { isMatched: false, isEnding: true, reason });
-      this.#awaitEnd(counterpart);
-    } else {
-      this.#orphan(counterpart, reason);
+    counterpart.words.delete(service);
+    if (counterpart.words.size > 0) {
+      const before = counterpart.event;
+      counterpart.event = [...counterpart.words.values()].at(-1);
+      this.#hooks.modified(counterpart, before, !isSame(before, counterpart.event));
+      return;
     }
+    const why = isDel ? this.#hooks.reasonOf?.(counterpart, reason) ?? reason : reason;
+    const isFinal = isDel && closing.has(why) && !(why === 'outranked' && this.#doubtsOutranked);
+    if (isFinal) this.remove(counterpart, why);
+    else if (isDel && why === 'withdrawn') this.#withdraw(counterpart, why);
+    else if (!counterpart.isEnding) this.#orphan(counterpart, why);
+  }
+
+  #withdraw(counterpart, reason) {
+    const patience = this.#hooks.endPatience(counterpart);
+    if (patience === 0) {
+      this.remove(counterpart, reason);
+      return;
+    }
+    this.#timers.clear(counterpart.timer);
+    Object.assign(counterpart, { state: states.ending, reason });
+    this.#awaitEnd(counterpart);
   }
 
   #awaitEnd(counterpart) {
@@ -162,7 +218,7 @@ export class Counterparts {
 
   /** The daemons have lost sight of a counterpart; its channel goes on. */
   #orphan(counterpart, reason) {
-    Object.assign(counterpart, { isMatched: false, reason });
+    Object.assign(counterpart, { state: states.orphan, reason });
     const patience = this.#hooks.orphanPatience(counterpart);
     if (patience === 0) this.remove(counterpart, reason);
     else if (patience !== Infinity) counterpart.timer = this.#timers.after(patience, () => this.remove(counterpart, reason));
@@ -170,10 +226,10 @@ export class Counterparts {
 
   #closeSurplus() {
     if (this.limit === 0) return;
-    const matched = [...this.#counterparts.values()].filter((counterpart) => counterpart.isMatched).length;
+    const matched = [...this.#counterparts.values()].filter(({ state }) => state === states.matched).length;
     if (matched < this.limit) return;
-    for (const counterpart of [...this.#counterparts.values()]) {
-      if (!counterpart.isMatched && !counterpart.isEnding) this.remove(counterpart, counterpart.reason);
+    for (const counterpart of this) {
+      if (counterpart.state === states.orphan) this.remove(counterpart, counterpart.reason);
     }
   }
 }

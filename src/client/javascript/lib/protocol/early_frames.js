@@ -1,5 +1,10 @@
-// Frames over UDP whose sender the daemon has not named yet (src/client/CHANNELS.md, "Early frames").
+// Frames over UDP whose sender the daemon has not named yet, or whose floor has not come (src/client/CHANNELS.md, "Early frames").
 import { earlyPatience, maxEarlyFrames, maxEarlyOctets } from './limits.js';
+import { sealedFrameAt } from './sealed_frame.js';
+
+/** A copy of a frame, because the payload may be a part of a larger buffer. */
+const copied = (frame) =>
+  (frame.octets ? sealedFrameAt(Buffer.from(frame.octets), 0) : { ...frame, payload: Buffer.from(frame.payload) });
 
 /** For one more than the limit the oldest goes. Places are those of `place`, times are milliseconds that never go back. */
 export class EarlyFrames {
@@ -11,8 +16,7 @@ export class EarlyFrames {
     const size = frame.payload.length;
     if (size > maxEarlyOctets) return;
     while (this.#kept.length >= maxEarlyFrames || this.#octets + size > maxEarlyOctets) this.#forgetFirst();
-    // A copy, because the payload may be a part of a larger buffer.
-    this.#kept.push({ place, frame: { ...frame, payload: Buffer.from(frame.payload) }, until: now + earlyPatience });
+    this.#kept.push({ place, frame: copied(frame), until: now + earlyPatience });
     this.#octets += size;
   }
 

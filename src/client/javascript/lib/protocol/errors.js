@@ -45,8 +45,8 @@ export class PortError extends GemingaError {
 
 /** Publisher, subscriber or node has been closed. */
 export class ClosedError extends GemingaError {
-  constructor(what) {
-    super(`the ${what} is closed`, 'GEMINGA_CLOSED');
+  constructor(what, why) {
+    super(`the ${what} is closed${why ? `: ${why}` : ''}`, 'GEMINGA_CLOSED');
   }
 }
 

@@ -1,5 +1,6 @@
-// Frames put together from the octets of a stream.
+// Frames of all forms put together from the octets of a stream.
 import { frameAt, headerSize, isHeader } from './frame.js';
+import { isSealed, isSealedHeader, sealedFrameAt, sealedHeaderSize } from './sealed_frame.js';
 
 /**
  * Gives the frames of a stream one at a time, so that a subscriber without room need not take more. Keeps at most one
@@ -27,16 +28,17 @@ export class FrameReader {
   next() {
     if (this.isBroken || this.#length < headerSize) return undefined;
     const head = this.#atLeast(headerSize);
-    if (!isHeader(head, 0, this.#most)) {
+    const hasSeal = isSealed(head, 0);
+    if (!(hasSeal ? isSealedHeader : isHeader)(head, 0, this.#most)) {
       this.isBroken = true;
       this.#pieces = [];
       this.#length = 0;
       return undefined;
     }
-    const size = headerSize + head.readUInt32BE(4);
+    const size = (hasSeal ? sealedHeaderSize : headerSize) + head.readUInt32BE(4);
     if (this.#length < size) return undefined;
     const octets = this.#atLeast(size);
-    const frame = frameAt(octets, 0);
+    const frame = hasSeal ? sealedFrameAt(octets, 0) : frameAt(octets, 0);
     this.#length -= size;
     if (octets.length === size) this.#pieces.shift();
     else this.#pieces[0] = octets.subarray(size);

@@ -6,16 +6,33 @@ export const maxDatagramMessage = 65_000;
 export const maxStreamMessage = 16 * 1024 * 1024;
 /** Octets that may wait for one TCP consumer; one message may always wait. */
 export const maxWaiting = 4 * 1024 * 1024;
+/** Frames that may wait for it. */
+export const maxWaitingFrames = 16_384;
 /** Waiting octets from which on `send` gives false: wait for `drained`. */
 export const enoughWaiting = 1024 * 1024;
+/** The same of frames. */
+export const enoughWaitingFrames = 4096;
 /** Octets of datagrams that the system has not taken yet. */
 export const maxWaitingDatagrams = 4 * 1024 * 1024;
 /** Listeners of one `otm/stream` over UDP. */
-export const maxListeners = 64;
+export const maxListeners = 1024;
 /** TCP connections of one publisher that have not become a consumer's. */
-export const maxStrangers = 16;
+export const maxStrangers = 64;
 /** TCP consumers of a publisher. */
 export const maxConsumers = 256;
+/** Octets that may wait for all TCP consumers of a publisher, each frame counted once. */
+export const maxWaitingForAll = 64 * 1024 * 1024;
+/** Providers over TCP of a subscriber. */
+export const maxTcpProviders = 256;
+/** Floors and fulls of a publisher that answer datagrams: at once, and in a second. */
+export const maxAnswers = 512;
+/** The greatest step of the sequence that is believed without a key. */
+export const maxStep = 65_536;
+/** Runs of delivered sequences that are remembered of a life. */
+export const maxRanges = 256;
+/** Keys of one channel, and lives of which a subscriber keeps the keys beside those of its providers. */
+export const maxKeysOfRing = 64;
+export const maxKeptKeys = 1024;
 /** Messages of one subscriber that wait to be received, unless its `queue` says otherwise. */
 export const queueLength = 1024;
 /** Octets of their payloads; one message may always wait. */
@@ -29,6 +46,20 @@ export const maxRemembered = 1024;
 /** Network interfaces on which a multicast publisher sends. */
 export const maxInterfaces = 8;
 
+/** Milliseconds without a daemon that are said. */
+export const awayPatience = 1000;
+/** Milliseconds that a daemon has to answer the hello. */
+export const answerPatience = 5000;
+/** Milliseconds until a hello that is not accepted is said again; twice as many each time. */
+export const firstHello = 20;
+/** Milliseconds after which a publisher makes other cookies. Those of the time before are accepted, too. */
+export const cookiePatience = 8000;
+/** Milliseconds without a message after which a straggler is believed that a lower one came before. */
+export const stragglerPatience = 2000;
+/** Milliseconds that an end without a key is remembered, and that a match lasts after an end until its consumer connects again. */
+export const endHintPatience = 10_000;
+/** Milliseconds that a provider without a connection keeps its place from others. */
+export const unconnectedPatience = 5000;
 /** Milliseconds that an early frame is kept. */
 export const earlyPatience = 1000;
 /** Milliseconds between two hellos to an `otm/stream` over UDP. */
@@ -37,7 +68,9 @@ export const helloInterval = 1000;
 export const interfaceInterval = 2000;
 /** Milliseconds without a hello after which a listener is forgotten. */
 export const listenerPatience = 3000;
-/** Milliseconds that a TCP connection has to become a consumer's. */
+/** Milliseconds until a consumer is asked again for a sealed hello. */
+export const askInterval = 500;
+/** Milliseconds that a TCP connection has to become a consumer's, and a consumer for a sealed hello where plain ones are taken no more. */
 export const strangerPatience = 5000;
 /** Milliseconds that a subscriber waits for more of a provider that was withdrawn over TCP. */
 export const endPatience = 2000;

@@ -1,36 +1,51 @@
 // The listeners of a stream over UDP: those that said hello within the last seconds.
 import { place } from './address.js';
 import * as limits from './limits.js';
+import { Places } from './places.js';
 
-/** By address and port, with the time of the last hello. Time is milliseconds that never go back. */
+/**
+ * By address and port: `{address, port, life, challenge, heard, counter}`. `counter` is that of its last sealed frame, 0n if
+ * that was plain. Time is milliseconds that never go back.
+ */
 export class Listeners {
   #heard = new Map();
+  #places = new Places(limits.maxListeners);
 
   get size() {
     return this.#heard.size;
+  }
+
+  get places() {
+    return this.#places;
   }
 
   values() {
     return this.#heard.values();
   }
 
-  /** A hello. False where there is no room for one more listener. */
-  hello(address, port, now) {
-    const where = place(address, port);
-    if (!this.#heard.has(where) && this.size >= limits.maxListeners) this.expire(now);
-    if (!this.#heard.has(where) && this.size >= limits.maxListeners) return false;
-    this.#heard.set(where, { address, port, heard: now });
-    return true;
+  get(address, port) {
+    return this.#heard.get(place(address, port));
   }
 
-  end(address, port) {
-    this.#heard.delete(place(address, port));
+  /** A new listener: `{isTaken, loser}`, whether there is a place for it, and the listener that loses its own. */
+  add(listener) {
+    const where = place(listener.address, listener.port);
+    this.end(listener);
+    const { isTaken, loser } = this.#places.take(where, listener.address);
+    const lost = this.#heard.get(loser);
+    this.#heard.delete(loser);
+    if (isTaken) this.#heard.set(where, listener);
+    return { isTaken, loser: lost };
+  }
+
+  end({ address, port }) {
+    const where = place(address, port);
+    this.#heard.delete(where);
+    this.#places.leave(where);
   }
 
   /** Forgets those that have been silent for too long. */
   expire(now) {
-    for (const [where, { heard }] of this.#heard) {
-      if (now - heard >= limits.listenerPatience) this.#heard.delete(where);
-    }
+    for (const listener of this.#heard.values()) if (now - listener.heard >= limits.listenerPatience) this.end(listener);
   }
 }

@@ -1,8 +1,10 @@
 // The session of a node over all its connections to a daemon: it states requests again, and matches answers to statements.
-import { ClosedError, RefusedError } from './errors.js';
+import { readChannelKeys } from './channel_keys.js';
+import { ClosedError, GemingaError, RefusedError } from './errors.js';
 import { isEvent, readEvent } from './event.js';
+import { lifeOf } from './life.js';
 import { canonicalRequest } from './request.js';
-import { decodeLine, formatStatement, parseStatement } from './statement.js';
+import { decodeLine, formatStatement, formatValue, parseStatement } from './statement.js';
 
 const identityKeys = new Set(['id', 'text', 'concept', 'representation']);
 
@@ -24,12 +26,13 @@ const canBeEmptied =
 
 /** One publication or subscription. `parameters` are those that are stated again to the next daemon. */
 class Request {
-  constructor(id, command, parameters, onEvent, onProblem) {
+  constructor(id, command, parameters, { onEvent, onProblem, onKeys }) {
     this.id = id;
     this.command = command;
     this.parameters = parameters;
     this.onEvent = onEvent;
     this.onProblem = onProblem;
+    this.onKeys = onKeys;
     /** Whether the daemon has refused it or taken it back; then it is not stated again. */
     this.isRefused = false;
     this.isHeld = false;
@@ -38,9 +41,16 @@ class Request {
   }
 }
 
+/** The mode of sealing that the answer to a hello tells; `plain` where the daemon has no keys. */
+export const sealingOf = (hello) => (hello.keys === 'yes' && hello.sealing) || 'plain';
+
+/** The mode and the identity of a request, by which a person knows it. */
+const shown = ({ parameters }) =>
+  parameters.filter(([key]) => key === 'mode' || identityKeys.has(key)).map(([key, value]) => `${key}=${formatValue(value)}`).join(' ');
+
 /**
- * Hooks: `write(line)`, `onConnected(hello)`, `onProblem(error)`. The owner calls `start` and `lose` for connections, and
- * `receive` for each line without its end.
+ * Hooks: `write(line)`, `onConnected(hello)`, `onSealing(mode)`, `onProblem(error)`, `log(line)`. The owner calls `start` and
+ * `lose` for connections, and `receive` for each line without its end.
  */
 export class Session {
   #hooks;
@@ -60,7 +70,8 @@ export class Session {
   /** A connection is open: says hello and states all requests. */
   start() {
     this.#isUp = true;
-    this.#write(0, 'sys', 'hello', this.#name === undefined ? [] : [['name', this.#name]]);
+    const name = this.#name === undefined ? [] : [['name', this.#name]];
+    this.#write(0, 'sys', 'hello', [...name, ['keys', 'yes']]);
     for (const request of this.#requests.values()) {
       if (request.isRefused) continue;
       this.#state(request);
@@ -78,11 +89,12 @@ export class Session {
 
   /**
    * States a publication ('pub') or subscription ('sub'). Gives `{request, taken}`: the promise is fulfilled when a daemon has
-   * accepted it. Throws StatementError.
+   * accepted it. Hooks: `onEvent(event)`, `onProblem(error)`, and `onKeys(life, keys, error)`, where `keys` is undefined if they
+   * cannot be used. Throws StatementError.
    */
-  create(command, parameters, onEvent, onProblem) {
+  create(command, parameters, hooks) {
     const statement = canonicalRequest({ id: this.#nextId, command, subcommand: 'create', parameters });
-    const request = new Request(this.#nextId++, command, statement.parameters, onEvent, onProblem);
+    const request = new Request(this.#nextId++, command, statement.parameters, hooks);
     this.#requests.set(request.id, request);
     const taken = new Promise((resolve, reject) => request.waiters.push({ resolve, reject }));
     if (this.#isUp) this.#state(request);
@@ -123,6 +135,7 @@ export class Session {
       const statement = parseStatement(decodeLine(octets));
       if (statement.code !== undefined) this.#onError(statement);
       else if (isEvent(statement)) this.#onEvent(readEvent(statement));
+      else if (statement.command === 'pub' && statement.subcommand === 'keys') this.#onKeys(statement);
       else if (statement.command === 'msg') this.#onMessage(statement);
       else ++this.dropped;
     } catch (error) {
@@ -165,6 +178,7 @@ export class Session {
         if (error?.status === 503 || !request.changes.includes(change)) return;
         request.changes.splice(request.changes.indexOf(change), 1);
         if (error) {
+          this.#hooks.log(`the request ${shown(request)} is refused: ${error.message}`);
           change.reject(error);
           return;
         }
@@ -184,6 +198,7 @@ export class Session {
     const wasAwaited = request.waiters.length > 0;
     request.isRefused = true;
     request.isHeld = false;
+    this.#hooks.log(`the request ${shown(request)} is refused: ${error.message}`);
     for (const waiter of [...request.waiters.splice(0), ...request.changes.splice(0)]) waiter.reject(error);
     if (!wasAwaited) request.onProblem(error);
   }
@@ -206,9 +221,24 @@ export class Session {
     if (subcommand === 'hello') {
       const hello = Object.fromEntries(parameters.map(([key, value]) => [key, value ?? '']));
       this.#hooks.onConnected(hello);
+    } else if (subcommand === 'sealing') {
+      this.#hooks.onSealing(new Map(parameters).get('mode') || 'plain');
     } else if (subcommand === 'pong') {
       const answer = this.#answers.shift();
       answer?.done(answer.error);
+    }
+  }
+
+  /** Keys go to the owner of the request, and nowhere else. */
+  #onKeys(statement) {
+    const request = this.#requests.get(statement.id);
+    if (!request) return;
+    try {
+      const { life, keys } = readChannelKeys(statement);
+      request.onKeys(life, keys);
+    } catch (error) {
+      if (!(error instanceof GemingaError)) throw error;
+      request.onKeys(lifeOf(new Map(statement.parameters).get('life')), undefined, error);
     }
   }
 
