@@ -27,7 +27,7 @@ struct Key {
   std::string_view refused;  ///< not empty: the key is known but cannot be used yet, and this says why
 };
 
-inline constexpr std::array<Key, 18> keys{{
+inline constexpr std::array<Key, 19> keys{{
     {"ontology", ValueType::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
     {"strict", ValueType::truth, "true|false",
