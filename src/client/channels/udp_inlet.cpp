@@ -145,10 +145,19 @@ std::optional<UdpInlet::Number> UdpInlet::source_of(const PeerAddress& from, std
   return found == by_address_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<UdpInlet::Number> UdpInlet::answerer_of(const ReadFrame& frame) const {
+  if (frame.form == FrameForm::plain || (frame.kind != FrameKind::floor && frame.kind != FrameKind::full))
+    return std::nullopt;
+  const auto found = std::ranges::find_if(
+      sources_, [&](const auto& one) { return one.second.life == frame.life && one.second.handshake; });
+  return found == sources_.end() ? std::nullopt : std::optional(found->first);
+}
+
 void UdpInlet::take(std::span<const std::byte> bytes, const PeerAddress& from, std::optional<Number> group) {
-  const auto number = source_of(from, group);
+  auto number = source_of(from, group);
   if (number && sources_.at(*number).life == no_life) return told_.plain(*number, bytes);
   const auto frame = read_frame(bytes);
+  if (!number && !group && frame) number = answerer_of(*frame);
   if (frame && number && frame->life == sources_.at(*number).life) {
     // Answers to a hello come to the own socket, messages of a group to the group.
     const bool is_answer = frame->kind == FrameKind::floor || frame->kind == FrameKind::full;

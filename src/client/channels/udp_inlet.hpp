@@ -77,6 +77,9 @@ class UdpInlet {
   void take(std::span<const std::byte> bytes, const PeerAddress& from, std::optional<Number> group);
   /// The provider whose socket has this address; of a group, where `group` says so.
   [[nodiscard]] std::optional<Number> source_of(const PeerAddress& from, std::optional<Number> group) const;
+  /// The source whose answer to a hello this sealed frame claims to be, from whatever address of its host it came: the
+  /// challenge in it proves it.
+  [[nodiscard]] std::optional<Number> answerer_of(const ReadFrame& frame) const;
   /// Takes a frame of a provider with its life. Whether it is believed.
   bool take_frame(Number number, const ReadFrame& frame, const PeerAddress& from);
   /// Keeps a frame that was opened until there is a floor, for which it asks.
