@@ -220,6 +220,7 @@ def full_inbox(pair: Pair) -> None:
     p, s = pair.offer(f"mode=oto text={text}"), pair.ask(f"mode=oto text={text}")
     pair.met(p, s)
     pair.sub.tell(f"deaf {s}")
+    pair.sub.asked("identity number 1", "identity 1")  # it is deaf when it answers
     pair.pub.asked(f"stream {p} {2 * INBOX} 8 1", f"streamed {p}")
     counted_until(pair.sub, s, lambda so_far: so_far["missed"] >= INBOX - 1)
     pair.sub.tell(f"reading {s}")

@@ -14,6 +14,8 @@ FORGE = [sys.executable, str(Path(__file__).resolve().parents[1] / "forge.py")]
 STRANGER = 0x5742A17E00000002
 #: The steps of a migration behind `prepared`. A way back costs a host thirty seconds (src/discovery/sealing/SEALING.md, "Modes").
 STEPS = ("mixed", "encrypted", "authenticated", "encrypted")
+#: Messages of a channel between two steps, 10 ms each.
+MESSAGES_OF_A_STEP = 5
 KINDS = (("oto", "udp"), ("oto", "tcp"), ("otm/pubsub", "udp"), ("otm/stream", "udp"), ("otm/stream", "tcp"))
 
 
@@ -70,7 +72,7 @@ def stranger_fills_nothing(pair: Pair) -> None:
     try:
         stranger.find("opened .*")
         pair.sub.tell(f"quiet {s}")
-        pair.pub.asked(f"stream {p} 400 65536 1", f"streamed {p}")
+        pair.pub.asked(f"stream {p} 200 65536 4", f"streamed {p}")
         grown = pair.pub.memory_kib() - before
         must(grown < 128 * 1024, f"connections without the key took {grown} KiB of the publisher")
         late = pair.ask(f"mode=otm/stream text={text}")
@@ -105,6 +107,13 @@ def _streams(pair: Pair, count: int) -> list[tuple[str, str, int, str]]:
     return channels
 
 
+def _must_go_on(pair: Pair, channels: list[tuple[str, str, int, str]]) -> None:
+    """Waits until further messages have come on each channel: a step is made when all programs have made the one before."""
+    for _, s, _, _ in channels:
+        number = counted(pair.sub, s)["received"] + MESSAGES_OF_A_STEP
+        counted_until(pair.sub, s, lambda so_far: so_far["received"] >= number)  # noqa: B023
+
+
 def _must_have_all(pair: Pair, channels: list[tuple[str, str, int, str]], count: int) -> None:
     for p, s, first, what in channels:
         pair.pub.any(f"streamed {p}")
@@ -120,6 +129,7 @@ def rotation(pair: Pair) -> None:
     try:
         for keys in ((0, 1), (1, 0), (1,), (1, 0), (0, 1), (0,)):
             pair.lab.seal("encrypted", keys)
+            _must_go_on(pair, channels)
         _must_have_all(pair, channels, count)
     finally:
         pair.lab.seal(pair.lab.sealing)
@@ -136,6 +146,7 @@ def migration(pair: Pair) -> None:
     try:
         for mode in STEPS:
             pair.lab.seal(mode)
+            _must_go_on(pair, channels)
         _must_have_all(pair, channels, count)
     finally:
         pair.lab.seal(pair.lab.sealing)
