@@ -34,10 +34,7 @@ TEST(ConfigurationInForce, AwaitsAStartUntilTheSettingIsBackAsItWas) {
   const std::vector<std::pair<const char*, void (*)(Configuration&)>> changes{
       {"name", [](Configuration& file) { file.name = "robot3"; }},
       {"group", [](Configuration& file) { file.group = "red"; }},
-      {"gcnp",
-       [](Configuration& file) {
-         file.gcnp.push_back({{"127.0.0.1", 4718}, false});
-       }},
+      {"gcnp", [](Configuration& file) { file.gcnp.push_back({{"127.0.0.1", 4718}, false}); }},
       {"gcnp-socket", [](Configuration& file) { file.gcnp_socket = "/run/geminga/gcnp"; }},
       {"interval", [](Configuration& file) { file.interval = std::chrono::seconds(3); }},
       {"cage", [](Configuration& file) { file.cage = CageWish::required; }},

@@ -57,7 +57,7 @@ TEST_F(KeyFiles, AreMadeForTheirOwnerAloneWhateverTheMask) {
   const auto id = generate_key(path("key"));
   ::umask(before);
   ASSERT_TRUE(id) << id.error();
-  struct stat status {};
+  struct stat status{};
   ASSERT_EQ(::stat(path("key").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 07777U, 0600U);
   EXPECT_EQ(to_string(read_keys({path("key")})->first().id()), *id);

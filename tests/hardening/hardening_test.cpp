@@ -95,8 +95,7 @@ TEST_P(Hardening, MarksTheTargetsOfIndirectBranches) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Hardening, testing::ValuesIn(linked_files()), [](const auto& test) {
   std::string name = std::filesystem::path(test.param).filename().string();
-  std::ranges::replace_if(
-      name, [](char c) { return c == '-' || c == '.'; }, '_');
+  std::ranges::replace_if(name, [](char c) { return c == '-' || c == '.'; }, '_');
   return name;
 });
 

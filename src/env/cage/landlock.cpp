@@ -70,7 +70,7 @@ class Rules {
   void allow(const std::string& path, std::uint64_t rights) {
     const int place = ::open(path.c_str(), O_PATH | O_CLOEXEC);
     if (place < 0) return;
-    struct stat status {};
+    struct stat status{};
     const bool is_folder = ::fstat(place, &status) == 0 && S_ISDIR(status.st_mode);
     const PathBeneath rule{rights & handled_ & (is_folder ? ~std::uint64_t{0} : of_files), place};
     if (rule.allowed != 0) ::syscall(add_rule, descriptor_, rule_path_beneath, &rule, 0);

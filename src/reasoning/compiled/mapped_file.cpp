@@ -25,7 +25,7 @@ struct Closer {
 };
 
 std::expected<std::size_t, std::string> size_of(int descriptor, const MappedFile::Look& look) {
-  struct stat status {};
+  struct stat status{};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::unexpected("is not a regular file");
   std::array<std::byte, MappedFile::beginning_bytes> beginning;
   const ssize_t got = ::pread(descriptor, beginning.data(), beginning.size(), 0);
@@ -51,7 +51,7 @@ std::expected<base::PrivateFile, std::string> copy(int descriptor, std::size_t s
 
 std::expected<MappedFile, std::string> MappedFile::copy_of(const std::string& path, const Look& look) {
   const auto refuse = [&](const std::string& why) { return std::unexpected(path + ": " + why); };
-  struct stat status {};
+  struct stat status{};
   // The name is asked first: opening a device can have effects of its own.
   if (::stat(path.c_str(), &status) != 0) return refuse("cannot be opened: " + std::string(std::strerror(errno)));
   if (!S_ISREG(status.st_mode)) return refuse("is not a regular file");
@@ -80,7 +80,7 @@ std::vector<std::string> MappedFile::folders_for(const std::string& path) {
 }
 
 bool MappedFile::needs_memory(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   const auto size = ::stat(path.c_str(), &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
   return !base::PrivateFile::on_disk(folders_for(path), size);
 }
