@@ -89,7 +89,7 @@ class NeighbourTable final : private ServiceRoom {
   /// Returns whether all that we doubt are among them.
   bool hear_doubts(const std::vector<ParticipantId>& doubts, base::Instant now);
   /// Takes in the fold of a known participant's presence; see Witnesses::compare().
-  /// What it knows and we lack is asked for.
+  /// States that it knows and we lack are asked for.
   Difference compare(const announcement::Announcement& presence, base::Instant now);
   /// Whether a known participant may have heard nothing of us since then; see Witnesses::misses_us().
   [[nodiscard]] bool misses_us(const announcement::Announcement& presence, base::Instant since, base::Duration interval,

@@ -158,7 +158,7 @@ export class Node extends EventEmitter {
 
   /** Tells the application of a problem of the node, or of a publisher or subscriber. */
   #onProblem(owner, error) {
-    // What a daemon refuses whenever it is tried again is one cause.
+    // A request that the daemon refuses each time is one cause.
     if (this.#hello || !this.#saidAway.has(error.message)) this.#log(error.message);
     if (!this.#hello) this.#saidAway.add(error.message);
     owner.emit('problem', error);
