@@ -93,9 +93,10 @@ def run_in_one_pair(table: Table, who: str, commands: tuple[Command, Command], c
                     if not table.run(who, check, lambda: pair.tried(check)):  # noqa: B023
                         raise Failed("")
         except Failed as error:
-            if str(error):
+            if str(error):  # the agents did not start: further ones would not either
                 table.failed.append(f"{who}: {error}")
                 table.say(f"{who}: {error}")
+                return
 
 
 def all_pairs(languages: list[str], faces: list[str]) -> list[tuple[str, str]]:

@@ -34,10 +34,15 @@ class Pair:
         self._started: list[Spoken] = []
 
     def __enter__(self) -> Pair:
-        self.pub = self.start(0)
-        self.sub = self.start(1)
-        self.pub.find("connected")
-        self.sub.find("connected")
+        try:
+            self.pub = self.start(0)
+            self.sub = self.start(1)
+            self.pub.find("connected")
+            self.sub.find("connected")
+        except BaseException:
+            for agent in self._started:
+                agent.discard()
+            raise
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
