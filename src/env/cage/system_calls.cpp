@@ -55,6 +55,7 @@ constexpr std::array to_become{SCMP_SYS(execve), SCMP_SYS(arch_prctl)};
 constexpr std::array to_write_files{SCMP_SYS(open),      SCMP_SYS(openat), SCMP_SYS(rename),   SCMP_SYS(renameat),
                                     SCMP_SYS(renameat2), SCMP_SYS(unlink), SCMP_SYS(unlinkat), SCMP_SYS(fchmod)};
 constexpr std::array to_be_sanitized{SCMP_SYS(mmap),
+                                     SCMP_SYS(getdents),
                                      SCMP_SYS(mprotect),
                                      SCMP_SYS(ptrace),
                                      SCMP_SYS(prctl),
