@@ -195,7 +195,7 @@ def slow_consumer(pair: Pair) -> None:
     quick.tell(f"quiet {other}")
     sent = 0
     for _ in range(20):
-        pair.pub.asked(f"stream {p} 400 65536 1", f"streamed {p}")
+        pair.pub.asked(f"stream {p} 400 65536 4", f"streamed {p}")  # at a pace that a busy machine follows
         sent += 400
         if counted(pair.pub, p)["left_out"] > 0:
             break
