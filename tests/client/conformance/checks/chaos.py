@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import random
 
-from pair import Pair, counted, fresh, must
+from checks import streams
+from pair import Pair, counted, must
 
-KINDS = (("oto", "udp"), ("oto", "tcp"), ("otm/pubsub", "udp"), ("otm/stream", "udp"), ("otm/stream", "tcp"))
 COUNT = 900
 #: Messages, 20 ms apart, that one daemon is away at most.
 MAX_AWAY = 600
@@ -15,16 +15,7 @@ MAX_AWAY = 600
 def round_of_chaos(pair: Pair, seed: int) -> None:
     """kill -9 of both daemons at moments drawn by chance: nothing is missed"""
     chance = random.Random(seed)
-    channels = []
-    for mode, protocol in KINDS:
-        text = fresh("service")
-        p = pair.offer(f"mode={mode} text={text} protocol={protocol}")
-        s = pair.ask(f"mode={mode} text={text}")
-        pair.met(p, s, mode == "otm/stream")
-        first = pair.settled_stream(p, s) if mode == "otm/stream" else 0
-        channels.append((p, s, first, f"{mode} over {protocol}"))
-    for p, _, _, _ in channels:
-        pair.pub.tell(f"stream {p} {COUNT} 8 20")
+    channels = streams.begun(pair, COUNT, 20)
     _, watched, first, _ = channels[0]
     moments = []
     for host in pair.hosts:

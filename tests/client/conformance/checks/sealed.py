@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from checks import behaviours
+from checks import behaviours, streams
 from checks.strangers import forged
 from frames import END, FLOOR, HELLO, MESSAGE, frame
 from pair import Pair, counted, counted_until, fresh, fresh_port, must
@@ -16,7 +16,6 @@ STRANGER = 0x5742A17E00000002
 STEPS = ("mixed", "encrypted", "authenticated", "encrypted")
 #: Messages of a channel between two steps, 10 ms each.
 MESSAGES_OF_A_STEP = 5
-KINDS = (("oto", "udp"), ("oto", "tcp"), ("otm/pubsub", "udp"), ("otm/stream", "udp"), ("otm/stream", "tcp"))
 
 
 def stranger_reads_nothing(pair: Pair) -> None:
@@ -92,29 +91,14 @@ def keys_are_not_shown(pair: Pair) -> None:
         must(not agent.all(".*(?:ring=|[0-9a-f]{64}).*"), f"{agent.name} printed a key")
 
 
-def _streams(pair: Pair, count: int) -> list[tuple[str, str, int, str]]:
-    """Channels of all kinds on which messages flow."""
-    channels = []
-    for mode, protocol in KINDS:
-        text = fresh("service")
-        p = pair.offer(f"mode={mode} text={text} protocol={protocol}")
-        s = pair.ask(f"mode={mode} text={text}")
-        pair.met(p, s, mode == "otm/stream")
-        first = pair.settled_stream(p, s) if mode == "otm/stream" else 0
-        channels.append((p, s, first, f"{mode} over {protocol}"))
-    for p, _, _, _ in channels:
-        pair.pub.tell(f"stream {p} {count} 8 10")
-    return channels
-
-
-def _must_go_on(pair: Pair, channels: list[tuple[str, str, int, str]]) -> None:
+def _must_go_on(pair: Pair, channels: list[streams.Stream]) -> None:
     """Waits until further messages have come on each channel: a step is made when all programs have made the one before."""
     for _, s, _, _ in channels:
         number = counted(pair.sub, s)["received"] + MESSAGES_OF_A_STEP
         counted_until(pair.sub, s, lambda so_far: so_far["received"] >= number)  # noqa: B023
 
 
-def _must_have_all(pair: Pair, channels: list[tuple[str, str, int, str]], count: int) -> None:
+def _must_have_all(pair: Pair, channels: list[streams.Stream], count: int) -> None:
     for p, s, first, what in channels:
         pair.pub.any(f"streamed {p}")
         counts = counted_until(pair.sub, s, lambda so_far: so_far["received"] + so_far["missed"] >= first + count)
@@ -125,7 +109,7 @@ def _must_have_all(pair: Pair, channels: list[tuple[str, str, int, str]], count:
 def rotation(pair: Pair) -> None:
     """sealed: a rotation of keys loses no message"""
     count = 500
-    channels = _streams(pair, count)
+    channels = streams.begun(pair, count, 10)
     try:
         for keys in ((0, 1), (1, 0), (1,), (1, 0), (0, 1), (0,)):
             pair.lab.seal("encrypted", keys)
@@ -142,7 +126,7 @@ def migration(pair: Pair) -> None:
     for agent in (pair.pub, pair.sub):
         agent.any("disconnected")
         agent.find("connected")
-    channels = _streams(pair, count)
+    channels = streams.begun(pair, count, 10)
     try:
         for mode in STEPS:
             pair.lab.seal(mode)
