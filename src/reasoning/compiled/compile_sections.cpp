@@ -9,19 +9,12 @@
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/owl/prefixes/prefixes.hpp"
 #include "reasoning/owl/source_paths.hpp"
 #include "reasoning/taxonomy/interval_index.hpp"
 
 namespace geminga::compiled {
 namespace {
-
-/// Prefixes that explanations use, unless the files give these words another meaning.
-constexpr std::pair<std::string_view, std::string_view> usual_prefixes[] = {
-    {"owl", "http://www.w3.org/2002/07/owl#"},
-    {"rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"},
-    {"rdfs", "http://www.w3.org/2000/01/rdf-schema#"},
-    {"xsd", "http://www.w3.org/2001/XMLSchema#"},
-};
 
 void append(std::vector<std::uint8_t>& text, std::vector<std::uint32_t>& ends, std::string_view piece) {
   text.insert(text.end(), piece.begin(), piece.end());
@@ -29,17 +22,8 @@ void append(std::vector<std::uint8_t>& text, std::vector<std::uint32_t>& ends, s
 }
 
 void write_prefixes(const owl::Ontology& source, form::TaxonomyT& out) {
-  std::vector<std::pair<std::string_view, std::string_view>> prefixes;
-  for (const owl::Ontology::Prefix& prefix : source.prefixes()) {
-    prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
-  }
-  for (const auto& usual : usual_prefixes) {
-    if (std::ranges::none_of(prefixes, [&](const auto& known) { return known.first == usual.first; })) {
-      prefixes.push_back(usual);
-    }
-  }
-  std::ranges::sort(prefixes);
-  for (const auto& [word, iri] : prefixes) {
+  const owl::Prefixes prefixes(source);
+  for (const auto& [word, iri] : prefixes.all()) {
     auto entry = std::make_unique<form::PrefixT>();
     entry->prefix = word;
     entry->iri = iri;

@@ -223,6 +223,8 @@ std::string Printer::axiom(const Axiom& axiom) {
   }
 }
 
+}  // namespace
+
 bool is_plain_local_name(std::string_view name) {
   const auto is_plain = [](char c) {
     const auto octet = static_cast<unsigned char>(c);
@@ -232,8 +234,6 @@ bool is_plain_local_name(std::string_view name) {
   return !name.empty() && name.front() != '.' && name.front() != '-' && name.back() != '.' &&
          std::ranges::all_of(name, is_plain);
 }
-
-}  // namespace
 
 std::string print(const Ontology& source, TermId term, const ShortName& short_name, PrintStyle style) {
   return Printer(source, short_name, style).term(term);

@@ -31,6 +31,10 @@ enum class PrintStyle : std::uint8_t {
 /// "soccer:SharedBallInfo SubClassOf soccer:BallInfo".
 [[nodiscard]] std::string print(const Ontology& source, const Axiom& axiom, const ShortName& short_name);
 
+/// Whether a name may stand behind the colon of a short name: not empty, of letters, digits, `_`, `-` and `.`, with no
+/// `.` or `-` at its beginning and no `.` at its end.
+[[nodiscard]] bool is_plain_local_name(std::string_view name);
+
 /// `prefix:local` by the longest prefix IRI that leaves a plain local name, else `<iri>`. A prefix with two IRIs is not
 /// used. `prefixes` are pairs of a word and an IRI, sorted.
 [[nodiscard]] std::string shorten(std::string_view iri,

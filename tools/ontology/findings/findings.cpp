@@ -9,6 +9,7 @@
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/explanation/explain_module.hpp"
+#include "reasoning/owl/prefixes/prefixes.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/reasoner/excerpt.hpp"
 
@@ -127,8 +128,8 @@ void find_unsatisfiable_without_facts(const owl::Ontology& source, Findings& fin
   }
   if (terminology.size() == source.axiom_count()) return;
   reasoner::Excerpt excerpt(source, terminology);
-  for (const owl::Ontology::Prefix& prefix : source.prefixes())
-    excerpt.source.add_prefix(source.name(prefix.prefix), source.name(prefix.iri));
+  const owl::Prefixes prefixes(source);
+  for (const auto& [word, iri] : prefixes.all()) excerpt.source.add_prefix(word, iri);
   const auto classified = reasoner::classify(excerpt.source, {.budget = &budget});
   if (!classified || !classified->is_consistent) return;
   const auto ontology = compiled::Ontology::from_bytes(compiled::compile(excerpt.source, *classified));

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -11,7 +12,7 @@
 #include "ontology/command/words.hpp"
 #include "ontology/loading/readers.hpp"
 #include "reasoning/compiled/compile.hpp"
-#include "reasoning/owl/print.hpp"
+#include "reasoning/owl/prefixes/prefixes.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -144,11 +145,10 @@ Exit exit_of(const ClassifiedFiles& classified, Exit exit) {
 }
 
 std::function<std::string(std::string_view)> short_names(const owl::Ontology& source) {
-  std::vector<std::pair<std::string_view, std::string_view>> prefixes;
-  for (const owl::Ontology::Prefix& prefix : source.prefixes())
-    prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
-  std::ranges::sort(prefixes);
-  return [prefixes = std::move(prefixes)](std::string_view iri) { return owl::shorten(iri, prefixes); };
+  // Shared, because a function is copied and the prefixes are many.
+  return [prefixes = std::make_shared<const owl::Prefixes>(source)](std::string_view iri) {
+    return prefixes->short_name(iri);
+  };
 }
 
 std::size_t class_count(const ClassifiedFiles& classified) { return classified.classification.class_count() - 2; }

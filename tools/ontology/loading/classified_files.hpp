@@ -78,7 +78,7 @@ inline constexpr std::string_view only_individual = "urn:geminga:only:";
 /// Gives `exit`; where a limit was reached, says so on standard error and gives the exit status for it.
 [[nodiscard]] Exit exit_of(const ClassifiedFiles& classified, Exit exit);
 
-/// Shortens IRIs by the prefixes of the files, without a taxonomy.
+/// Shortens IRIs by the prefixes of the files and those found for other namespaces (owl::Prefixes), without a taxonomy.
 [[nodiscard]] std::function<std::string(std::string_view)> short_names(const owl::Ontology& source);
 
 /// The folder of the ontologies that ship with this program.
