@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/text.hpp"
 #include "daemon/state_folder.hpp"
 #include "daemon/status.hpp"
 
@@ -42,12 +43,14 @@ Lines missing_files(const std::vector<std::string>& paths) {
 
 }  // namespace
 
-Daemon::Daemon(Configuration configuration, ConfigurationInForce::Reader read, Log& log)
+Daemon::Daemon(Configuration configuration, ConfigurationInForce::Reader read, const Supervisor& supervisor, Log& log)
     : configuration_(std::move(configuration), std::move(read)),
+      supervisor_(supervisor),
       log_(log),
       signals_(context_, SIGTERM, SIGINT, SIGHUP),
       start_patience_(context_),
       stop_patience_(context_),
+      watchdog_(context_),
       env_(context_, log),
       ontology_(context_, env_, log, [this] { after_event(); }) {}
 
@@ -87,14 +90,8 @@ void Daemon::fail(Lines lines) {
 /// a small one no client sees a daemon without it. The wait for a large or hard one is bounded.
 void Daemon::open() {
   const Configuration& configuration = configuration_.current();
-  for (const GcnpAddress& address : configuration.gcnp) {
-    const auto listening = env_.listen(address.endpoint, address.may_be_missing);
-    if (!listening) return fail({listening.error()});
-  }
-  if (!configuration.gcnp_socket.empty()) {
-    const auto listening = env_.listen(configuration.gcnp_socket);
-    if (!listening) return fail({listening.error()});
-  }
+  if (const auto listening = listen(); !listening) return fail({listening.error()});
+  keep_watchdog();
   lasting_ = lasting();
   // Before any other thread begins, which the cage would not hold.
   if (const auto closed = cage_.close(configuration, log_); !closed) return fail({closed.error()});
@@ -103,6 +100,30 @@ void Daemon::open() {
     if (!error && participant_ == nullptr) begin();
   });
   ontology_.start(configuration, [this] { begin(); });
+}
+
+std::expected<void, std::string> Daemon::listen() {
+  for (const int descriptor : supervisor_.sockets()) {
+    const auto place = env_.adopt(descriptor);
+    if (!place) return std::unexpected("socket " + std::to_string(descriptor) + " of the supervisor " + place.error());
+    log_.write(LogLevel::info, "listening on a socket of the supervisor: " + base::printable(*place));
+  }
+  const Configuration& configuration = configuration_.current();
+  for (const GcnpAddress& address : configuration.gcnp) {
+    if (auto listening = env_.listen(address.endpoint, address.may_be_missing); !listening) return listening;
+  }
+  if (configuration.gcnp_socket.empty()) return {};
+  return env_.listen(configuration.gcnp_socket);
+}
+
+void Daemon::keep_watchdog() {
+  const auto time = supervisor_.watchdog();
+  if (!time) return;
+  supervisor_.say_alive();
+  watchdog_.expires_after(*time / 2);
+  watchdog_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) keep_watchdog();
+  });
 }
 
 /// Serves, with the ontology or without.
@@ -158,15 +179,23 @@ void Daemon::on_stream_bytes(env::StreamId stream, std::string_view bytes) {
   after_event();
 }
 
-/// Logs that the participant is ready, and leaves the loop when it has stopped.
+void Daemon::tell_ready() {
+  const bool is_new = !is_announced_ && participant_->is_ready();
+  is_announced_ = is_announced_ || is_new;
+  const bool has_reloaded = is_reloading_ && is_announced_ && !ontology_.is_loading();
+  if (!is_new && !has_reloaded) return;
+  is_reloading_ = is_reloading_ && !has_reloaded;
+  const std::string line = ready_line(configuration_.current(), env_, ontology_);
+  if (is_new) log_.write(LogLevel::info, line);
+  supervisor_.say_ready(line);
+}
+
+/// Tells that the participant is ready, and leaves the loop when it has stopped.
 void Daemon::after_event() {
   log_.catch_up();
   watch_memory();
   ontology_.prepare_if_wanted();
-  if (!is_announced_ && participant_->is_ready()) {
-    is_announced_ = true;
-    log_.write(LogLevel::info, ready_line(configuration_.current(), env_, ontology_));
-  }
+  tell_ready();
   if (!participant_->is_stopped()) return;
   if (!is_stopping_) return fail({participant_->failure()});
   if (!env_.is_writing()) context_.stop();  // the clients have their last lines; else stop_patience_ bounds the wait
@@ -204,6 +233,7 @@ void Daemon::stop() {
   is_stopping_ = true;
   ontology_.stop();
   log_.write(LogLevel::info, "stopping: saying goodbye");
+  supervisor_.say_stopping();
   env_.stop_listening();
   stop_patience_.expires_after(max_stop_wait);
   stop_patience_.async_wait([this](const boost::system::error_code& error) {
@@ -217,8 +247,13 @@ void Daemon::reload() {
   must_reload_ = participant_ == nullptr;  // begin() reloads then
   if (must_reload_ || is_stopping_) return;
   log_.write(LogLevel::info, "reading configuration and ontologies again");
+  env_.event([&] { supervisor_.say_reloading(env_.now()); });
+  is_reloading_ = true;
   const auto change = configuration_.reload();
-  if (!change) return log_.write_failed_reading(change.error(), "the configuration in force is kept");
+  if (!change) {
+    log_.write_failed_reading(change.error(), "the configuration in force is kept");
+    return tell_ready();
+  }
   const Configuration& configuration = configuration_.current();
   log_.set(configuration.log_level, configuration.log_format);
   if (change->awaits_a_start) {
@@ -231,6 +266,7 @@ void Daemon::reload() {
     log_.write(LogLevel::info, sealing_line(configuration.sealing));
   }
   ontology_.reload(configuration);
+  tell_ready();
 }
 
 }  // namespace geminga::daemon

@@ -17,6 +17,7 @@
 #include "daemon/log.hpp"
 #include "daemon/memory_reserve.hpp"
 #include "daemon/ontology_in_force.hpp"
+#include "daemon/supervisor.hpp"
 #include "discovery/participant/participant.hpp"
 #include "env/asio/asio_env.hpp"
 #include "env/asio/event_sink.hpp"
@@ -31,8 +32,8 @@ inline constexpr int exit_wrong = 2;
 /// owner of its own.
 class Daemon final : private env::EventSink {
  public:
-  /// `read` reads the configuration again, for SIGHUP. Borrows the log for its life.
-  Daemon(Configuration configuration, ConfigurationInForce::Reader read, Log& log);
+  /// `read` reads the configuration again, for SIGHUP. Borrows the supervisor and the log for its life.
+  Daemon(Configuration configuration, ConfigurationInForce::Reader read, const Supervisor& supervisor, Log& log);
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
 
@@ -48,7 +49,13 @@ class Daemon final : private env::EventSink {
   void fail(std::vector<std::string> lines);
 
   void open();
+  /// Listens where the supervisor and the configuration say. The error is a line for the user.
+  [[nodiscard]] std::expected<void, std::string> listen();
   void begin();
+  /// Gives the supervisor signs of life from the turns of the event loop, twice in the time that it asks for.
+  void keep_watchdog();
+  /// Logs that the participant is ready, once, and tells the supervisor that a start or a reload is over.
+  void tell_ready();
   [[nodiscard]] std::uint32_t lasting();
   void after_event();
   /// Has room made where memory was short in the last event, or where its control group has little left.
@@ -76,18 +83,21 @@ class Daemon final : private env::EventSink {
   base::Instant next_memory_look_{};
   bool is_memory_short_ = false;  ///< the reserve has been used and is not whole yet
   ConfigurationInForce configuration_;
+  const Supervisor& supervisor_;
   Log& log_;
   CageInForce cage_;
   boost::asio::io_context context_{1};
   boost::asio::signal_set signals_;
   boost::asio::steady_timer start_patience_;
   boost::asio::steady_timer stop_patience_;
+  boost::asio::steady_timer watchdog_;
   env::AsioEnv env_;
   std::unique_ptr<participant::Participant> participant_;  ///< null until begin()
   OntologyInForce ontology_;
   std::uint32_t lasting_ = 0;         ///< the identity that the daemon keeps across restarts; 0: it keeps none
   std::vector<std::string> failure_;  ///< lines for the user
   bool is_announced_ = false;         ///< the log says that the daemon is ready
+  bool is_reloading_ = false;         ///< the supervisor knows that a reload is under way
   bool is_stopping_ = false;
   bool must_reload_ = false;  ///< SIGHUP came before begin()
 };

@@ -7,6 +7,7 @@
 
 #include <boost/json/serialize.hpp>
 #include <boost/json/string.hpp>
+#include <cstdlib>
 
 #include "base/text.hpp"
 #include "daemon/log_writer.hpp"
@@ -52,8 +53,10 @@ class Log::Sink final : public spdlog::sinks::base_sink<spdlog::details::null_mu
   bool is_written_ = true;  ///< the last line is written
 };
 
-Log::Log(base::LogLevel level, LogFormat format)
+Log::Log(base::LogLevel level, LogFormat format, const std::string& journal)
     : sink_(std::make_shared<Sink>()), logger_(std::make_unique<spdlog::logger>("gemingad", sink_)) {
+  if (const char* stream = std::getenv("JOURNAL_STREAM"); stream != nullptr && is_journal_stream(STDERR_FILENO, stream))
+    journal_ = JournalWriter::open(journal);
   logger_->set_error_handler([](const std::string&) {});
   logger_->set_level(spdlog::level::trace);  // write() has the level
   set(level, format);
@@ -67,9 +70,9 @@ void Log::set(base::LogLevel level, LogFormat format) {
                                                  : "%Y-%m-%dT%H:%M:%S.%e %-7l %v");
 }
 
-void Log::write(base::LogLevel level, std::string_view line) {
+void Log::write(base::LogLevel level, std::string_view line, const base::LogFields& fields) {
   if (level < level_) return;
-  if (!has_caught_up() || !put(level, base::printable(line, max_line_bytes))) ++dropped_;
+  if (!has_caught_up() || !put(level, base::printable(line, max_line_bytes), fields)) ++dropped_;
 }
 
 void Log::write_failed_reading(const std::vector<std::string>& errors, const std::string& kept) {
@@ -83,15 +86,18 @@ bool Log::has_caught_up() {
   const std::uint64_t missing = dropped_ - told_;
   if (missing == 0) return true;
   // Written whatever the level is: a reader of errors alone has to know that some are missing.
-  if (!put(base::LogLevel::warning, std::to_string(missing) + (missing == 1 ? " line" : " lines") +
-                                        " of this log dropped: nobody was reading it")) {
+  if (!put(
+          base::LogLevel::warning,
+          std::to_string(missing) + (missing == 1 ? " line" : " lines") + " of this log dropped: nobody was reading it",
+          {.participant = {}, .peer = {}, .code = "log_dropped"})) {
     return false;
   }
   told_ = dropped_;
   return true;
 }
 
-bool Log::put(base::LogLevel level, const std::string& text) {
+bool Log::put(base::LogLevel level, const std::string& text, const base::LogFields& fields) {
+  if (journal_) return journal_->write(level, text, fields);
   const std::string words = format_ == LogFormat::text ? text : boost::json::serialize(boost::json::string(text));
   logger_->log(severity(level), spdlog::string_view_t(words));
   return sink_->is_written();

@@ -42,7 +42,7 @@ inline constexpr std::chrono::seconds patience{30};
 /// Keeps the lines of a log.
 class KeptLog final : public base::LogSink {
  public:
-  void write(base::LogLevel, std::string_view line) override { lines.emplace_back(line); }
+  void write(base::LogLevel, std::string_view line, const base::LogFields&) override { lines.emplace_back(line); }
   std::vector<std::string> lines;
 };
 

@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/write.hpp>
 #include <filesystem>
@@ -113,6 +115,52 @@ TEST_F(SocketFileTest, HasAPathOfAtMostItsLimit) {
   EXPECT_FALSE(SocketFile::make(longest + "x"));
   EXPECT_FALSE(SocketFile::make(""));
   EXPECT_FALSE(SocketFile::make(folder + "/missing/gcnp"));
+}
+
+/// A listening socket on a port of the system's choice, as a supervisor makes it.
+int given_socket(const char* address) {
+  net::io_context context;
+  net::ip::tcp::acceptor acceptor(context, {net::ip::make_address(address), 0});
+  return acceptor.release();
+}
+
+TEST(GivenSocket, IsServedLikeAnotherAndItsPlaceIsNotListenedOnAgain) {
+  net::io_context context;
+  KeptLog log;
+  KeptEvents events;
+  AsioEnv env{context, log};
+  const auto place = env.adopt(given_socket("127.0.0.1"));
+  ASSERT_TRUE(place) << place.error();
+  const auto endpoint = parse_endpoint(*place);
+  ASSERT_TRUE(endpoint);
+  EXPECT_TRUE(env.listen(*endpoint, false)) << "it is there already";
+  env.serve(events);
+  net::ip::tcp::socket client(context);
+  client.connect({net::ip::make_address(endpoint->address), endpoint->port});
+  net::write(client, net::buffer("hello", 5));
+  EXPECT_TRUE(run_until(context, [&] { return !events.said.empty(); }));
+}
+
+TEST_F(SocketFileTest, MayBeGivenByASupervisor) {
+  net::io_context context;
+  KeptLog log;
+  AsioEnv env{context, log};
+  stream_protocol::acceptor acceptor(context, stream_protocol::endpoint(path));
+  EXPECT_EQ(env.adopt(acceptor.release()), path);
+  EXPECT_TRUE(env.listen(path)) << "it is there already";
+}
+
+TEST(GivenSocket, IsRefusedWhereOtherHostsCanReachItOrItDoesNotListen) {
+  net::io_context context;
+  KeptLog log;
+  AsioEnv env{context, log};
+  const int open_to_all = given_socket("0.0.0.0");
+  EXPECT_THAT(env.adopt(open_to_all).error(), HasSubstr("which other hosts can reach"));
+  ::close(open_to_all);
+  EXPECT_THAT(env.adopt(STDERR_FILENO).error(), HasSubstr("no listening stream socket"));
+  EXPECT_THAT(env.adopt(-1).error(), HasSubstr("no listening stream socket"));
+  net::ip::udp::socket datagrams(context, net::ip::udp::v4());
+  EXPECT_THAT(env.adopt(datagrams.native_handle()).error(), HasSubstr("no listening stream socket"));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ class Host::Log final : public base::LogSink {
  public:
   Log(World& world, const std::string& who, std::vector<std::string>& lines)
       : world_(world), who_(who), lines_(lines) {}
-  void write(base::LogLevel, std::string_view line) override {
+  void write(base::LogLevel, std::string_view line, const base::LogFields&) override {
     world_.trace(who_, line);
     lines_.emplace_back(line);
   }

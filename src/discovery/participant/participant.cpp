@@ -291,15 +291,18 @@ void Participant::claimed() {
   knowledge.self.id = all.air.announcer().id();
   all.phase = Phase::ready;
   all.air.announcer().changed();
-  all.env.log().write(base::LogLevel::info, "participant " + to_string(knowledge.self.id) + " (" +
-                                                base::printable(knowledge.self.name()) + ") is ready");
+  const std::string id = to_string(knowledge.self.id);
+  all.env.log().write(base::LogLevel::info,
+                      "participant " + id + " (" + base::printable(knowledge.self.name()) + ") is ready",
+                      {.participant = id, .peer = {}, .code = "ready"});
   proceed_feed();
   all.clients.turns().take();  // what waited for the identifier is announced with it
 }
 
 void Participant::fail() {
   Owners& all = *owners_;
-  all.env.log().write(base::LogLevel::error, all.air.announcer().failure());
+  all.env.log().write(base::LogLevel::error, all.air.announcer().failure(),
+                      {.participant = {}, .peer = {}, .code = "no_identifier"});
   all.phase = Phase::failed;
   all.clients.close_all(Error{ErrorCode::not_ready, "not ready: no identifier could be claimed, the daemon ends"});
 }

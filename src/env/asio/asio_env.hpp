@@ -51,6 +51,9 @@ class AsioEnv final : public Env {
   [[nodiscard]] std::expected<void, std::string> listen(const Endpoint& endpoint, bool may_be_missing);
   /// Listens at a path, with a Unix socket (env/asio/socket_file.hpp).
   [[nodiscard]] std::expected<void, std::string> listen(const std::string& path) { return streams_->listen(path); }
+  /// Listens on a socket that a supervisor has made, and gives its place (Doors::adopt()). Call it before listen(),
+  /// which then leaves that place alone.
+  [[nodiscard]] std::expected<std::string, std::string> adopt(int descriptor) { return streams_->adopt(descriptor); }
   /// Opens the interfaces; interfaces() is filled when this returns. A further call changes to other settings, and
   /// tells the sink of the change.
   void open_air(AirSettings settings);

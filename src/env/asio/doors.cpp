@@ -1,10 +1,13 @@
 #include "env/asio/doors.hpp"
 
+#include <algorithm>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <chrono>
 #include <utility>
+
+#include "env/asio/given_socket.hpp"
 
 namespace geminga::env {
 namespace {
@@ -26,7 +29,22 @@ ListenError listen_error(const boost::system::error_code& error) {
 
 }  // namespace
 
+std::expected<std::string, std::string> Doors::adopt(int descriptor) {
+  const auto given = inspect_given_socket(descriptor);
+  if (!given) return std::unexpected(given.error());
+  Acceptor acceptor(context_);
+  boost::system::error_code error;
+  acceptor.assign({given->family, given->protocol}, descriptor, error);
+  if (error) return std::unexpected(error.message());
+  adopted_.push_back(given->place);
+  doors_.push_back({std::move(acceptor), net::steady_timer(context_)});
+  return given->place;
+}
+
+bool Doors::has_adopted(const std::string& place) const { return std::ranges::find(adopted_, place) != adopted_.end(); }
+
 std::expected<void, ListenError> Doors::listen(const Endpoint& endpoint) {
+  if (has_adopted(to_string(endpoint))) return {};
   Acceptor acceptor(context_);
   boost::system::error_code error;
   const auto address = net::ip::make_address(endpoint.address, error);
@@ -41,6 +59,7 @@ std::expected<void, ListenError> Doors::listen(const Endpoint& endpoint) {
 }
 
 std::expected<void, std::string> Doors::listen(const std::string& path) {
+  if (has_adopted(path)) return {};
   auto file = SocketFile::make(path);
   if (!file) return std::unexpected(std::move(file.error()));
   Acceptor acceptor(context_, net::generic::stream_protocol(net::local::stream_protocol()), file->take_descriptor());

@@ -32,6 +32,10 @@ class Doors : public std::enable_shared_from_this<Doors> {
 
   explicit Doors(boost::asio::io_context& context) : context_(context) {}
 
+  /// Accepts on a listening socket that a supervisor has made, and owns it then. Gives its address or path. Later calls
+  /// of listen() with that address or path do nothing. The error is one line: it is no listening stream socket, or one
+  /// that hosts other than this one can reach.
+  [[nodiscard]] std::expected<std::string, std::string> adopt(int descriptor);
   /// Binds and listens. Clients wait in the backlog until serve().
   [[nodiscard]] std::expected<void, ListenError> listen(const Endpoint& endpoint);
   /// Listens at a path. The error is one line that says what to do.
@@ -47,12 +51,14 @@ class Doors : public std::enable_shared_from_this<Doors> {
     boost::asio::steady_timer retry;
   };
 
+  [[nodiscard]] bool has_adopted(const std::string& place) const;
   void accept(std::size_t number);
   void accept_later(std::size_t number);
 
   boost::asio::io_context& context_;
   std::vector<Door> doors_;
   std::vector<SocketFile> files_;
+  std::vector<std::string> adopted_;  ///< the addresses and paths of sockets that a supervisor has made
   Take take_;
 };
 

@@ -54,6 +54,8 @@ class Streams : public std::enable_shared_from_this<Streams> {
   /// Binds and listens. Clients wait in the backlog until serve().
   [[nodiscard]] std::expected<void, ListenError> listen(const Endpoint& endpoint) { return doors_->listen(endpoint); }
   [[nodiscard]] std::expected<void, std::string> listen(const std::string& path) { return doors_->listen(path); }
+  /// Accepts on a socket that a supervisor has made (Doors::adopt()).
+  [[nodiscard]] std::expected<std::string, std::string> adopt(int descriptor) { return doors_->adopt(descriptor); }
   void serve();
   /// Stops accepting.
   void stop_listening() { doors_->close(); }

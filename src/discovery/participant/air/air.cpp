@@ -50,7 +50,8 @@ void Air::adopt(const sealing::Policy& policy) {
 std::optional<Announcer::Consequence> Air::hear(env::InterfaceIndex interface, std::string_view source,
                                                 std::span<const std::byte> datagram, ParticipantId served) {
   const auto consequence = take_in(interface, source, datagram, served);
-  if (const auto complaint = seal_.take_complaint()) env_.log().write(base::LogLevel::warning, *complaint);
+  if (const auto complaint = seal_.take_complaint())
+    env_.log().write(base::LogLevel::warning, *complaint, {.participant = {}, .peer = {}, .code = "sealing"});
   return consequence;
 }
 
@@ -112,9 +113,11 @@ void Air::speak_to(const env::Interface& on, membership::Hearing hearing, bool i
 
 void Air::shed() {
   const std::size_t given_up = neighbours_.shed(env_.now());
-  env_.log().write(base::LogLevel::warning, "memory is short: " + std::to_string(given_up) +
-                                                " participants that were heard last are given up, and further ones "
-                                                "have to wait");
+  env_.log().write(base::LogLevel::warning,
+                   "memory is short: " + std::to_string(given_up) +
+                       " participants that were heard last are given up, and further ones "
+                       "have to wait",
+                   {.participant = {}, .peer = {}, .code = "memory_short"});
 }
 
 void Air::expire() {

@@ -206,7 +206,8 @@ void Announcer::report_copy(const Heard& heard) {
       (heard.announcement.name.empty() ? "a participant" : base::printable(heard.announcement.name)) + " (" +
           origin(heard) +
           ") has our lasting identity, too, so one of us is a copy of the other's disk: remove the file `identity` "
-          "from its state folder and start it again");
+          "from its state folder and start it again",
+      {.participant = to_string(heard.announcement.participant), .peer = {}, .code = "copied_identity"});
 }
 
 /// A presence says what its sender has heard of us and of others.
@@ -273,8 +274,10 @@ Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
     case membership::IdentifierClaim::Verdict::dropped:
       ++means_.counters.redraws;
       ++means_.counters.clashes;
-      means_.env.log().write(base::LogLevel::warning, "another participant (" + clash_from_ + ") has our identifier " +
-                                                          to_string(lost) + ", too: taking a new one");
+      means_.env.log().write(
+          base::LogLevel::warning,
+          "another participant (" + clash_from_ + ") has our identifier " + to_string(lost) + ", too: taking a new one",
+          {.participant = to_string(lost), .peer = {}, .code = "clash"});
       send(header(announcement::Kind::goodbye, lost));
       schedule_.pause();
       means_.neighbours.set_self(claim_.id(), boot_);
@@ -300,13 +303,16 @@ void Announcer::report(const Heard& heard) {
       base::LogLevel::warning,
       contest_.from() + " announces in our name (identifier " + to_string(claim_.id()) +
           "): we keep it and contradict. If this goes on, a program there forges or replays announcements: find "
-          "that host, or keep it off this network");
+          "that host, or keep it off this network",
+      {.participant = to_string(claim_.id()), .peer = {}, .code = "contested"});
 }
 
 void Announcer::end_contest() {
   if (!contest_.has_ended(means_.env.now())) return;
-  means_.env.log().write(base::LogLevel::info, "nobody else announces in our name any more; " +
-                                                   std::to_string(contest_.heard()) + " datagrams did");
+  means_.env.log().write(
+      base::LogLevel::info,
+      "nobody else announces in our name any more; " + std::to_string(contest_.heard()) + " datagrams did",
+      {.participant = to_string(claim_.id()), .peer = {}, .code = "contest_ended"});
 }
 
 std::string Announcer::failure() const {

@@ -11,10 +11,11 @@ void OneWay::hear(const announcement::Announcement& presence, const membership::
   const bool is_deaf = neighbours.is_deaf_to_us(presence.participant);
   if (is_deaf == told_.contains(presence.participant)) return;
   const auto known = neighbours.find(presence.participant);
-  const std::string name = base::printable(known ? known->name : to_string(presence.participant));
+  const std::string id = to_string(presence.participant);
+  const std::string name = base::printable(known ? known->name : id);
   if (!is_deaf) {
     told_.erase(presence.participant);
-    log.write(base::LogLevel::info, name + " hears us again");
+    log.write(base::LogLevel::info, name + " hears us again", {.participant = id, .peer = {}, .code = "hears_us"});
     return;
   }
   if (told_.size() >= max_named_deaf) {
@@ -25,7 +26,8 @@ void OneWay::hear(const announcement::Announcement& presence, const membership::
   log.write(base::LogLevel::warning,
             name + " (" + std::string(source) + " on " + std::string(interface) +
                 ") is heard, and says that it does not hear us: look at the firewall of both hosts (UDP, multicast and "
-                "its port), and at what forwards multicast between them");
+                "its port), and at what forwards multicast between them",
+            {.participant = id, .peer = {}, .code = "deaf_to_us"});
 }
 
 }  // namespace geminga::participant

@@ -65,7 +65,8 @@ void Turns::take_line(Session& session, const gcnp::LineReader::Line& line) {
       refuse_line(session, line, too_fast(parts_.limits));
       return;
     case RateGate::Verdict::flood:
-      parts_.env.log().write(base::LogLevel::warning, "peer " + session.name + " floods: its connection is closed");
+      parts_.env.log().write(base::LogLevel::warning, "peer " + session.name + " floods: its connection is closed",
+                             {.participant = {}, .peer = session.name, .code = "peer_floods"});
       refuse_line(session, line, too_fast(parts_.limits));
       session.is_closing = true;
       return;

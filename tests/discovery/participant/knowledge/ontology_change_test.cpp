@@ -14,7 +14,7 @@ class OntologyChangeTest : public testing::Test {
  protected:
   class Log final : public base::LogSink {
    public:
-    void write(base::LogLevel, std::string_view line) override { lines.emplace_back(line); }
+    void write(base::LogLevel, std::string_view line, const base::LogFields&) override { lines.emplace_back(line); }
     std::vector<std::string> lines;
   };
 
