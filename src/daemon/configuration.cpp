@@ -49,7 +49,6 @@ class Resolver {
   explicit Resolver(const std::vector<const Layer*>& layers) : layers_(layers) {}
 
   std::expected<Configuration, std::vector<std::string>> resolve(const std::string& host_name) {
-    refuse_unusable_keys();
     read_texts(host_name);
     read_strict();
     read_prefixes();
@@ -93,16 +92,6 @@ class Resolver {
   void fail(const Stated& at, const std::string& what) { errors_.push_back(at.origin + ": " + what); }
   void refuse(const Stated& value, const std::string& why) {
     fail(value, '\'' + base::printable(value.text) + "' " + why);
-  }
-
-  void refuse_unusable_keys() {
-    for (const Key& key : keys) {
-      if (key.refused.empty()) continue;
-      if (const auto* values = stated(key.name)) {
-        errors_.push_back((values->empty() ? std::string(key.name) : values->front().origin) + ": " +
-                          std::string(key.refused));
-      }
-    }
   }
 
   void read_texts(const std::string& host_name) {

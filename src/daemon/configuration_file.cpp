@@ -131,7 +131,51 @@ class Reader {
   Errors errors_;
 };
 
+/// The files of a folder that configure, sorted by name.
+std::expected<std::vector<std::string>, Errors> files_of(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.ends_with(".toml") || name.starts_with('.')) continue;
+    if (files.size() == max_configuration_files) {
+      return std::unexpected(
+          Errors{folder + ": more than " + std::to_string(max_configuration_files) + " files of configuration"});
+    }
+    files.push_back(entry->path().string());
+  }
+  if (error) return std::unexpected(Errors{folder + ": " + error.message()});
+  std::ranges::sort(files);
+  return files;
+}
+
+/// Puts what `stronger` states over `layer`.
+void put_over(Layer& layer, Layer stronger) {
+  for (auto& [key, values] : stronger.values) layer.values.insert_or_assign(key, std::move(values));
+  for (auto& [prefix, iri] : stronger.prefixes) layer.prefixes.insert_or_assign(prefix, std::move(iri));
+}
+
 }  // namespace
+
+std::expected<Layer, Errors> read_configuration_files(const std::vector<Stated>& paths) {
+  Layer all;
+  for (const auto& [path, origin] : paths) {
+    if (path.empty()) return std::unexpected(Errors{origin + ": an empty path: name a file or a folder"});
+    std::vector<std::string> files{path};
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+      auto found = files_of(path);
+      if (!found) return std::unexpected(std::move(found.error()));
+      files = std::move(*found);
+    }
+    for (const std::string& file : files) {
+      auto layer = read_configuration_file(file);
+      if (!layer) return layer;
+      put_over(all, std::move(*layer));
+    }
+  }
+  return all;
+}
 
 std::expected<Layer, Errors> read_configuration_text(const std::string& text, const std::string& path) {
   const toml::parse_result parsed = toml::parse(std::string_view(text), std::string_view(path));

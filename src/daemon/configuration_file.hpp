@@ -18,6 +18,13 @@ inline constexpr std::size_t max_configuration_bytes = 1024 * 1024;
 /// The errors are lines that begin with file:line where there is a line.
 [[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_file(const std::string& path);
 
+/// The most files of a folder that configures.
+inline constexpr std::size_t max_configuration_files = 64;
+
+/// Reads files, and of folders the files whose names end in `.toml`, in the order of their names. What a later file
+/// states beats what an earlier one states; a list replaces a whole list. Each path has the place where it was named.
+[[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_files(const std::vector<Stated>& paths);
+
 /// Reads a text as the file of this path.
 [[nodiscard]] std::expected<Layer, std::vector<std::string>> read_configuration_text(const std::string& text,
                                                                                      const std::string& path);

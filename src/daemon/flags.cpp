@@ -24,7 +24,7 @@ Exit status: 0 ended as asked, 2 wrong usage or configuration.
 
 Examples:
   gemingad --ontology /usr/share/geminga/ontology/robot-soccer.ttl
-  gemingad --config /etc/geminga.toml --check-config
+  gemingad --config /etc/geminga/gemingad.toml --config /etc/geminga/conf.d --check-config
   gemingad --interface wlan0 --name robot2 --interval 1
   gemingad --gcnp none --gcnp-socket /run/geminga/gcnp
 A team that nobody else hears:
@@ -65,7 +65,6 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
     } else {
       option->expected(1);
     }
-    if (!key.refused.empty()) option->group("");
     option->multi_option_policy(key.type == ValueType::texts ? CLI::MultiOptionPolicy::TakeAll
                                                              : CLI::MultiOptionPolicy::Throw);
   }

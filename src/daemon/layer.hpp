@@ -24,58 +24,49 @@ struct Key {
   ValueType type;
   std::string_view placeholder;
   std::string_view help;
-  std::string_view refused;  ///< not empty: the key is known but cannot be used yet, and this says why
 };
 
-inline constexpr std::array<Key, 19> keys{{
+inline constexpr std::array<Key, 18> keys{{
     {"ontology", ValueType::texts, "FILE-OR-FOLDER",
-     "Ontology to load; a folder means every ontology file in it. May be given many times", ""},
+     "Ontology to load; a folder means every ontology file in it. May be given many times"},
     {"strict", ValueType::truth, "true|false",
-     "Start without any ontology where one file of a folder cannot be read (default: false: start with the others)",
-     ""},
-    {"group", ValueType::text, "NAME", "Only participants of the same group see each other (default: default)", ""},
+     "Start without any ontology where one file of a folder cannot be read (default: false: start with the others)"},
+    {"group", ValueType::text, "NAME", "Only participants of the same group see each other (default: default)"},
     {"interface", ValueType::texts, "NAME",
-     "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo",
-     ""},
+     "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo"},
     {"peer", ValueType::texts, "HOST[:PORT]",
      "Send copies to this host, where multicast does not pass; without a team key the other host has to name this one, "
-     "too. '*': accept every host with the team's key. May be given many times",
-     ""},
-    {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)", ""},
+     "too. '*': accept every host with the team's key. May be given many times"},
+    {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)"},
     {"gcnp", ValueType::texts, "ADDRESS:PORT",
      "Listen for local clients there; may be given many times; none: no TCP (default: 127.0.0.1:4717 and "
-     "[::1]:4717)",
-     ""},
+     "[::1]:4717)"},
     {"gcnp-socket", ValueType::text, "PATH",
-     "Listen for local clients at this Unix socket, too: for the daemon's user and group only", ""},
-    {"port", ValueType::number, "UDP-PORT", "UDP port of announcements (default: 4717)", ""},
+     "Listen for local clients at this Unix socket, too: for the daemon's user and group only"},
+    {"port", ValueType::number, "UDP-PORT", "UDP port of announcements (default: 4717)"},
     {"multicast", ValueType::texts, "ADDRESS",
-     "Multicast group of announcements; may be given many times (default: 239.192.47.17 and ff02::4717)", ""},
+     "Multicast group of announcements; may be given many times (default: 239.192.47.17 and ff02::4717)"},
     {"interval", ValueType::seconds, "SECONDS",
      "Time between announcements of an unchanged state, 0.05 to 60 (default: 2). Shorter: a lost participant is "
-     "noticed "
-     "sooner. Longer: less traffic",
-     ""},
+     "noticed sooner. Longer: less traffic"},
     {"key-file", ValueType::texts, "FILE",
      "Seal announcements with the key in this file, and hear only what is sealed; may be given many times: the first "
-     "one seals, all of them open",
-     ""},
+     "one seals, all of them open"},
     {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed|plain",
      "Mode of sealing, where there is a key: encrypted, authenticated, or, to introduce keys in a team, prepared and "
-     "then mixed (default: encrypted). plain: a reload may give up the keys",
-     ""},
+     "then mixed (default: encrypted). plain: a reload may give up the keys"},
     {"state-folder", ValueType::text, "FOLDER",
      "Keep the daemon's identity there across restarts, so that the team recognizes it at once (default: "
-     "$STATE_DIRECTORY, as systemd sets it; else no identity is kept)",
-     ""},
-    {"http", ValueType::text, "ADDRESS:PORT", "", "the HTTP side is not there yet: start without it"},
+     "$STATE_DIRECTORY, as systemd sets it; else no identity is kept)"},
     {"cage", ValueType::text, "wanted|required|none",
      "Give up all rights that serving does not need: where the kernel can; required: or do not start; none: never "
-     "(default: wanted)",
-     ""},
-    {"log-level", ValueType::text, "debug|info|warning|error", "debug, info, warning or error (default: info)", ""},
-    {"log-format", ValueType::text, "text|json", "text or json (default: text)", ""},
-    {"config", ValueType::text, "FILE", "Configuration file in TOML; a flag beats the environment beats the file", ""},
+     "(default: wanted)"},
+    {"log-level", ValueType::text, "debug|info|warning|error", "debug, info, warning or error (default: info)"},
+    {"log-format", ValueType::text, "text|json", "text or json (default: text)"},
+    {"config", ValueType::texts, "FILE-OR-FOLDER",
+     "Configuration file in TOML; a folder means its files *.toml in the order of their names. May be given many "
+     "times: "
+     "a later file beats an earlier one, the environment beats files, and a flag beats all"},
 }};
 
 /// The key of this name, or null.

@@ -21,6 +21,7 @@
 #include "daemon/layer.hpp"
 #include "daemon/log.hpp"
 #include "daemon/memory_reserve.hpp"
+#include "daemon/supervisor.hpp"
 
 namespace {
 
@@ -34,20 +35,17 @@ std::string host_name() {
   return name.data();
 }
 
-/// Puts flags over environment over file over the service's state folder, and reads the key files.
+/// Puts flags over environment over files over the service's state folder, and reads the key files.
 std::expected<Configuration, Errors> configure(const Layer& flags, const Layer& environment, const Layer& service) {
-  Layer file;
+  std::expected<Layer, Errors> files;
   for (const Layer* layer : {&flags, &environment}) {
-    const auto path = layer->values.find("config");
-    if (path == layer->values.end()) continue;
-    const auto& [file_name, origin] = path->second.front();
-    if (file_name.empty()) return std::unexpected(Errors{origin + ": an empty path: name a file"});
-    auto read = geminga::daemon::read_configuration_file(file_name);
-    if (!read) return std::unexpected(std::move(read.error()));
-    file = std::move(*read);
+    const auto named = layer->values.find("config");
+    if (named == layer->values.end()) continue;
+    files = geminga::daemon::read_configuration_files(named->second);
     break;
   }
-  auto configuration = geminga::daemon::resolve({&flags, &environment, &file, &service}, host_name());
+  if (!files) return std::unexpected(std::move(files.error()));
+  auto configuration = geminga::daemon::resolve({&flags, &environment, &*files, &service}, host_name());
   if (!configuration) return configuration;
   auto keys = geminga::daemon::read_keys(configuration->key_files);
   if (!keys) return std::unexpected(std::move(keys.error()));
@@ -95,12 +93,13 @@ int serve(int argc, char** argv) {
   const auto reread = [&] { return configure(flags->layer, environment, service); };
   const auto configuration = reread();
   if (!configuration) return refuse(configuration.error());
+  const geminga::daemon::Supervisor supervisor(environ);
   geminga::daemon::Log log(configuration->log_level, configuration->log_format);
   int status = geminga::daemon::exit_done;
   bool is_at_work = false;
   if (const auto shortage = geminga::daemon::check_descriptors()) return refuse({*shortage});
   try {
-    geminga::daemon::Daemon daemon(*configuration, reread, log);
+    geminga::daemon::Daemon daemon(*configuration, reread, supervisor, log);
     const auto done = flags->is_check_only ? daemon.check() : daemon.run();
     if (!done) status = refuse(done.error());
     is_at_work = daemon.is_at_work();

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "daemon/configuration_file.hpp"
 #include "discovery/announcement/limits.hpp"
 
@@ -108,7 +111,6 @@ TEST(Configuration, RefusesAWrongValueWithItsPlace) {
       {{"key-file", ""}, "an empty path"},
       {{"sealing", "encrypted"}, "without a key: give --key-file"},
       {{"sealing", "secret"}, "'secret' is no mode"},
-      {{"http", "127.0.0.1:80"}, "not there yet"},
   };
   for (const auto& [value, words] : cases) {
     const auto result = resolved(layer_of({value}));
@@ -293,6 +295,51 @@ TEST(ConfigurationFile, NamesPrefixes) {
     ASSERT_TRUE(read) << wrong;
     EXPECT_THAT(resolve({&*read}, "host").error(), ElementsAre(testing::StartsWith("f.toml:2: "))) << wrong;
   }
+}
+
+/// A folder with files of configuration, removed at the end.
+class ConfigurationFolder : public testing::Test {
+ protected:
+  ConfigurationFolder() {
+    std::string pattern = testing::TempDir() + "configuration-XXXXXX";
+    folder = ::mkdtemp(pattern.data());
+  }
+  ~ConfigurationFolder() override { std::filesystem::remove_all(folder); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder + '/' + name) << text; }
+  [[nodiscard]] auto read() const { return read_configuration_files({{folder, "--config"}}); }
+
+  std::string folder;
+};
+
+TEST_F(ConfigurationFolder, IsReadInTheOrderOfNamesAndALaterFileBeatsAnEarlierOne) {
+  write("10-first.toml", "group = \"red\"\nname = \"a\"\ninterface = [\"x\", \"y\"]\n[prefixes]\np = \"http://p/\"\n");
+  write("9-later.toml", "group = \"blue\"\ninterface = [\"z\"]\n[prefixes]\nq = \"http://q/\"\n");
+  write("ignored.txt", "group = 1");
+  write(".hidden.toml", "group = 2");
+  const auto layer = read();
+  ASSERT_TRUE(layer) << layer.error().front();
+  EXPECT_EQ(layer->values.at("group").front().text, "blue");
+  EXPECT_EQ(layer->values.at("group").front().origin, folder + "/9-later.toml:1");
+  EXPECT_EQ(layer->values.at("name").front().text, "a");
+  EXPECT_EQ(layer->values.at("interface").size(), 1U) << "a list replaces a whole list";
+  EXPECT_EQ(layer->prefixes.size(), 2U);
+}
+
+TEST_F(ConfigurationFolder, FailsWithThePlaceOfWhatIsWrong) {
+  write("a.toml", "group = \"red\"\n");
+  write("b.toml", "\ngroup = 1\n");
+  EXPECT_THAT(read().error(), ElementsAre(testing::StartsWith(folder + "/b.toml:2: group must be")));
+  EXPECT_THAT(read_configuration_files({{"", "GEMINGA_CONFIG"}}).error(),
+              ElementsAre("GEMINGA_CONFIG: an empty path: name a file or a folder"));
+}
+
+TEST_F(ConfigurationFolder, HoldsNoMoreFilesThanTheLimit) {
+  for (std::size_t file = 0; file + 1 < max_configuration_files; ++file) write(std::to_string(file) + ".toml", "");
+  EXPECT_TRUE(read());
+  write("at-the-limit.toml", "");
+  EXPECT_TRUE(read());
+  write("one-more.toml", "");
+  EXPECT_THAT(read().error(), ElementsAre(testing::HasSubstr("more than 64 files")));
 }
 
 TEST(ConfigurationFile, IsNoFolderAndNoHole) {

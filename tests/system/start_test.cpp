@@ -68,7 +68,6 @@ TEST(Start, RefusesWhatItDoesNotUnderstand) {
       {{"--port", "65536"}, "--port: '65536' is no port"},
       {{"--multicast", "10.0.0.1"}, "--multicast: 10.0.0.1 is no multicast group"},
       {{"--key-file", "no-such.key"}, "no-such.key: No such file or directory: name a key file"},
-      {{"--http", "127.0.0.1:80"}, "--http: the HTTP side is not there yet"},
       {{"--surprise"}, "'--surprise' is no flag: see gemingad --help"},
       {{"surprise"}, "surprise: see gemingad --help"},
       {{"--config", "/nowhere/geminga.toml"}, "/nowhere/geminga.toml: No such file or directory"},
