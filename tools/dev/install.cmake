@@ -25,6 +25,6 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Geminga)
 install(EXPORT GemingaTargets NAMESPACE Geminga:: DESTINATION ${package_folder})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/GemingaConfig.cmake.in ${PROJECT_BINARY_DIR}/GemingaConfig.cmake
                               INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/GemingaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/GemingaConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/GemingaConfig.cmake ${PROJECT_BINARY_DIR}/GemingaConfigVersion.cmake
         DESTINATION ${package_folder})

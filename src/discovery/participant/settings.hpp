@@ -10,7 +10,7 @@
 namespace geminga::participant {
 
 struct Settings : TeamSettings {
-  /// Names the program in `query status`, e.g. "0.1.0".
+  /// Names the program in `query status`, e.g. "1.0.0".
   std::string version = "0";
   ClientLimits limits;
 };

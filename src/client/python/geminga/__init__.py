@@ -17,7 +17,7 @@ from .protocol.match import Match
 from .publisher import Publisher
 from .subscriber import Subscriber
 
-__version__ = "0.1.0"
+__version__ = "1.0.0"
 
 __all__ = [
     "Closed",
