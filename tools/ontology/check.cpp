@@ -106,8 +106,12 @@ std::string problems_as_text(const Findings& findings) {
   if (!findings.unsatisfiable.empty())
     text += findings.is_consistent ? "Classes that can have no instance:\n"
                                    : "Classes that can have no instance even if all facts are left aside:\n";
+  bool is_derived = false;
   for (const Unsatisfiable& found : findings.unsatisfiable) {
+    if (found.root && !std::exchange(is_derived, true))
+      text += "Classes that can have none because of these (mend those first, and check again):\n";
     text += "  " + found.name + '\n';
+    if (found.root) text += "    depends on " + *found.root + '\n';
     add_reason(found.reason);
   }
   if (!findings.collisions.found.empty())

@@ -24,6 +24,7 @@ void add_convert(CLI::App& program, Choice& choice);
 void add_merge(CLI::App& program, Choice& choice);
 void add_query(CLI::App& program, Choice& choice);
 void add_rank(CLI::App& program, Choice& choice);
+void add_repair(CLI::App& program, Choice& choice);
 
 /// Chooses `run` for this request when the command line names `command`. Where the request has an output, that is the
 /// command's output.

@@ -15,6 +15,7 @@
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "reasoning/compiled/ontology.hpp"
+#include "reasoning/explanation/laconic.hpp"
 #include "reasoning/explanation/proof.hpp"
 #include "reasoning/explanation/why_not.hpp"
 
@@ -33,6 +34,7 @@ struct ExplainRequest {
   bool is_about_contradiction = false;
   bool is_all = false;
   bool wants_proof = false;
+  bool is_laconic = false;
   bool as_json = false;
   unsigned limit = default_sets;
 };
@@ -45,6 +47,7 @@ struct Explained {
   bool is_all = false;                         ///< all sets are wanted
   explanation::AllSets sets;                   ///< one set, unless all are wanted
   std::vector<explanation::Proof> proofs;      ///< of each set, where they are wanted
+  std::vector<explanation::Laconic> laconic;   ///< of each set, where they are wanted
   std::optional<explanation::WhyNot> why_not;  ///< where it is not entailed
 };
 
@@ -77,8 +80,20 @@ std::string proof_as_text(const explanation::Proof& proof, const explanation::Ex
   return text;
 }
 
+std::string laconic_as_text(const explanation::Laconic& laconic, const explanation::Explainer& explainer,
+                            const std::string& indent) {
+  std::string text;
+  for (const explanation::Laconic::PartOf& part : laconic.parts) {
+    text += indent + axiom_line(explainer.module().explained(part.axiom)) + '\n';
+    if (!part.is_whole) text += indent + "  is a part of " + explainer.module().explained(part.whole).text + '\n';
+  }
+  if (!laconic.is_laconic) text += indent + "A limit was reached: there may be parts that are not needed.\n";
+  return text;
+}
+
 std::string set_as_text(const Explained& explained, std::size_t at, const explanation::Explainer& explainer,
                         const std::string& indent) {
+  if (at < explained.laconic.size()) return laconic_as_text(explained.laconic[at], explainer, indent);
   if (at < explained.proofs.size()) return proof_as_text(explained.proofs[at], explainer, indent);
   std::string text;
   for (const ExplainedAxiom& axiom : explainer.explained(explained.sets.sets[at]))
@@ -161,6 +176,18 @@ std::string as_text(const compiled::Ontology& ontology, const Explained& explain
          (explained.sets.may_have_more ? "There are more, or may be: raise --limit.\n" : "There are no others.\n");
 }
 
+/// The axioms of a set, or their parts with `whole` where it says more.
+boost::json::array set_as_json(const Explained& explained, std::size_t at, const explanation::Explainer& explainer) {
+  if (at >= explained.laconic.size()) return axiom_array(explainer.explained(explained.sets.sets[at]));
+  boost::json::array list;
+  for (const explanation::Laconic::PartOf& part : explained.laconic[at].parts) {
+    boost::json::object one = axiom_object(explainer.module().explained(part.axiom));
+    if (!part.is_whole) one["whole"] = explainer.module().explained(part.whole).text;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
 /// One document on one line.
 std::string as_json(const compiled::Ontology& ontology, const Explained& explained,
                     const explanation::Explainer* explainer) {
@@ -169,10 +196,10 @@ std::string as_json(const compiled::Ontology& ontology, const Explained& explain
                                {"entailed", explained.is_entailed}};
   boost::json::array& first = document["axioms"].emplace_array();
   const auto& sets = explained.sets.sets;
-  if (explainer != nullptr && !sets.empty()) first = axiom_array(explainer->explained(sets.front()));
+  if (explainer != nullptr && !sets.empty()) first = set_as_json(explained, 0, *explainer);
   if (explainer != nullptr && explained.is_all) {
     boost::json::array& all = document["sets"].emplace_array();
-    for (const explanation::AxiomSet& set : sets) all.push_back(axiom_array(explainer->explained(set)));
+    for (std::size_t at = 0; at < sets.size(); ++at) all.push_back(set_as_json(explained, at, *explainer));
     document["may_have_more"] = explained.sets.may_have_more;
   }
   if (explainer != nullptr && !explained.proofs.empty()) {
@@ -198,8 +225,9 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   explained.is_all = request.is_all;
   explained.is_entailed = ontology->is_subsumed(*sub, *super);
   std::optional<explanation::Explainer> explainer;
+  base::Budget explaining = budget_of(limits);  // its own steps: a search that took all of them may have an answer
   if (explained.is_entailed) {
-    explainer.emplace(*ontology, *sub, *super);
+    explainer.emplace(*ontology, *sub, *super, explanation::Patience::of_a_person, &explaining);
     if (request.is_all) {
       explained.sets = explainer->find_all({.sets = request.limit});
     } else if (auto found = explainer->find_one()) {
@@ -207,6 +235,10 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
     }
     if (request.wants_proof) {
       for (const explanation::AxiomSet& set : explained.sets.sets) explained.proofs.push_back(prove(*explainer, set));
+    }
+    if (request.is_laconic) {
+      for (const explanation::AxiomSet& set : explained.sets.sets)
+        explained.laconic.push_back(explanation::find_laconic(*explainer, set));
     }
   } else if (is_plain) {
     explained.why_not = explanation::why_not(*ontology, *sub, *super);
@@ -216,6 +248,9 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
       request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);
   if (!is_plain && !explained.is_entailed && !request.as_json) text = "The ontology does not contradict itself\n";
   if (!print(text)) return say_unwritten();
+  if (explaining.is_spent())
+    return say_error(*explaining.reason() + ": what is printed entails it, and may hold more than is needed: raise it",
+                     Exit::timed_out);
   if (explained.is_entailed) return Exit::yes;
   return budget.is_spent() ? say_error(*budget.reason() + ": raise it", Exit::timed_out) : Exit::no;
 }
@@ -239,7 +274,12 @@ void add_explain(CLI::App& program, Choice& choice) {
   command->add_flag("--all", request->is_all, "print all minimal sets, up to --limit");
   add_number(*command, "--limit", request->limit, 1, max_sets,
              "at most this many sets with --all (" + std::to_string(default_sets) + " unless told)");
-  command->add_flag("--proof", request->wants_proof, "print the steps from the axioms to the conclusion");
+  CLI::Option* proof =
+      command->add_flag("--proof", request->wants_proof, "print the steps from the axioms to the conclusion");
+  command
+      ->add_flag("--laconic", request->is_laconic,
+                 "print only the parts of axioms that are needed: each class that can be left out is")
+      ->excludes(proof);
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_work_limits(*command, choice.limits);
   command->footer(
@@ -247,6 +287,7 @@ void add_explain(CLI::App& program, Choice& choice) {
       "\nExamples:\n"
       "  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --proof\n"
+      "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super geminga:Info --laconic\n"
       "  geminga-ontology explain team/ --inconsistent --all --limit 3");
   command->callback([request, &choice] {
     if (!request->is_about_contradiction && (request->sub.empty() || request->super.empty()))

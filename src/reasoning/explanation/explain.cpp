@@ -16,9 +16,9 @@ AxiomSet minimal_of(const AxiomSet& enough, const Holds& holds) {
 }  // namespace
 
 Explainer::Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
-                     Patience patience)
+                     Patience patience, base::Budget* budget)
     : module_(ontology, std::array{sub, super}),
-      oracle_(module_.source(), patience),
+      oracle_(module_.source(), patience, budget),
       sub_(module_.term(sub)),
       super_(module_.term(super)) {}
 
@@ -31,16 +31,22 @@ std::optional<AxiomSet> Explainer::find_one() {
 }
 
 std::optional<AxiomSet> Explainer::find_one_of(const AxiomSet& candidates) {
-  const auto holds = [this](std::span<const std::uint32_t> axioms) { return oracle_.holds(axioms, sub_, super_); };
-  const auto follows_by_rules = [this](std::span<const std::uint32_t> axioms) {
-    return oracle_.find_by_rules(axioms, sub_, super_) == el::Entailed::yes;
+  return find_justification(oracle_, candidates, sub_, super_);
+}
+
+std::optional<AxiomSet> find_justification(Oracle& oracle, const AxiomSet& candidates, owl::TermId sub,
+                                           owl::TermId super) {
+  const auto holds = [&](std::span<const std::uint32_t> axioms) { return oracle.holds(axioms, sub, super); };
+  const auto follows_by_rules = [&](std::span<const std::uint32_t> axioms) {
+    return oracle.find_by_rules(axioms, sub, super) == el::Entailed::yes;
   };
-  switch (oracle_.find_by_rules(candidates, sub_, super_)) {
+  switch (oracle.find_by_rules(candidates, sub, super)) {
     case el::Entailed::no:
       return std::nullopt;
     case el::Entailed::yes: {
       // It is minimal for the rules. Whether the other engines need even less is asked only of few axioms.
       const auto enough = find_sufficient_prefix(candidates, follows_by_rules);
+      if (!enough) return std::nullopt;  // the budget was spent
       return minimal_of(minimal_of(*enough, follows_by_rules), holds);
     }
     case el::Entailed::not_found:
@@ -57,7 +63,7 @@ AllSets Explainer::find_all(const ExplanationLimits& limits, std::size_t max_wor
   const std::size_t end = oracle_.work() + max_work;
   return find_all_minimal(
       module_.all(), [this](const AxiomSet& candidates) { return find_one_of(candidates); },
-      [this, end] { return oracle_.work() > end; }, limits);
+      [this, end] { return oracle_.work() > end || oracle_.is_spent(); }, limits);
 }
 
 std::vector<ExplainedAxiom> Explainer::explained(const AxiomSet& axioms) const {

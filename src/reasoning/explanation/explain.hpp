@@ -16,11 +16,19 @@
 
 namespace geminga::explanation {
 
-/// One question about one ontology, which it borrows. Not thread-safe, but several explainers may share an ontology.
+/// One minimal set among these axioms of the oracle's source, which are tried in this order. Nothing if no engine
+/// derives the subsumption from them. Where the budget is spent on the way, the set entails it and need not be minimal.
+[[nodiscard]] std::optional<AxiomSet> find_justification(Oracle& oracle, const AxiomSet& candidates, owl::TermId sub,
+                                                         owl::TermId super);
+
+/// One question about one ontology, which it borrows, as it does the budget. Not thread-safe, but several explainers
+/// may share an ontology.
 class Explainer {
  public:
   Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
-            Patience patience = Patience::of_a_person);
+            Patience patience = Patience::of_a_person, base::Budget* budget = nullptr);
+  Explainer(const Explainer&) = delete;
+  Explainer& operator=(const Explainer&) = delete;
 
   /// One minimal set, as numbers of the module, ascending. Nothing if no engine derives the subsumption.
   [[nodiscard]] std::optional<AxiomSet> find_one();

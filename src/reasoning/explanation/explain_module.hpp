@@ -44,6 +44,8 @@ class Module {
   /// Copies a term of the compiled form into the module's source. Recursion is bounded by the nesting of terms.
   owl::TermId copy_term(std::uint32_t term);
   [[nodiscard]] ExplainedAxiom explained(std::uint32_t axiom) const;
+  /// The number in the compiled form of an axiom below axiom_count().
+  [[nodiscard]] std::uint32_t original(std::uint32_t axiom) const { return originals_[axiom]; }
   /// An axiom by its number in the compiled form, whether it is in the module or not.
   [[nodiscard]] ExplainedAxiom explained_original(std::uint32_t axiom);
   [[nodiscard]] std::string print(owl::TermId term) const;

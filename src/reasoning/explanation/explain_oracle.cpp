@@ -22,10 +22,18 @@ Bounds bounds(Patience patience) {
   return {{.nodes = 5'000, .steps = 100'000}, 10'000, 3};
 }
 
+/// The steps of a budget that an axiom of a question counts for.
+constexpr std::uint64_t steps_of_axiom = 10;
+
 }  // namespace
 
+bool Oracle::count(std::size_t work) {
+  work_ += work;
+  return budget_ == nullptr || budget_->spend(steps_of_axiom * work);
+}
+
 el::Entailed Oracle::find_by_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
-  work_ += 1 + axioms.size();
+  if (!count(1 + axioms.size())) return el::Entailed::not_found;
   return el::find_entailed(source_, axioms, sub, super);
 }
 
@@ -46,7 +54,8 @@ Oracle::Decision Oracle::decide(std::span<const std::uint32_t> axioms, owl::Term
 
 Oracle::Decision Oracle::decide_by_models(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super) {
   const Bounds limits = bounds(patience_);
-  work_ += 10 * axioms.size();  // these engines need about ten times as long as the rules
+  // These engines need about ten times as long as the rules.
+  if (!count(10 * axioms.size())) return {.reason = budget_->reason().value_or(""), .is_too_hard = true};
   const auto clauses = clauses::clausify(source_, axioms, std::span(&sub, 1), std::span(&super, 1));
   if (!clauses) return {.reason = clauses.error().text, .is_too_hard = true};
   hypertableau::Tableau tableau(source_, *clauses, limits.model);

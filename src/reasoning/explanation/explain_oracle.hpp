@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "base/budget.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "reasoning/el/entailment.hpp"
 #include "reasoning/owl/source.hpp"
@@ -20,11 +21,14 @@ enum class Patience : std::uint8_t {
 };
 
 /// Asks about one source, which must outlive it and may grow. Every yes is sound. After some questions that were too
-/// hard, holds() asks the rules only.
+/// hard, holds() asks the rules only. Once the budget is spent, no question is asked and nothing is found to hold; one
+/// that is being asked then is answered first.
 class Oracle {
  public:
-  explicit Oracle(const owl::Ontology& source, Patience patience = Patience::of_a_person)
-      : source_(source), patience_(patience) {}
+  /// The budget is borrowed; null: no limit beside patience.
+  explicit Oracle(const owl::Ontology& source, Patience patience = Patience::of_a_person,
+                  base::Budget* budget = nullptr)
+      : source_(source), patience_(patience), budget_(budget) {}
 
   /// The answer of the rules of EL alone, which are much cheaper than the other engines.
   [[nodiscard]] el::Entailed find_by_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
@@ -43,12 +47,17 @@ class Oracle {
   [[nodiscard]] std::size_t work() const { return work_; }
   /// The number of questions that stayed undecided.
   [[nodiscard]] std::size_t undecided_count() const { return undecided_; }
+  [[nodiscard]] bool is_spent() const { return budget_ != nullptr && budget_->is_spent(); }
 
  private:
   [[nodiscard]] Decision decide_by_models(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
 
+  /// Counts the axioms of a question. False if the budget is spent.
+  bool count(std::size_t work);
+
   const owl::Ontology& source_;
   Patience patience_;
+  base::Budget* budget_;
   std::size_t work_ = 0;
   std::size_t undecided_ = 0;
 };

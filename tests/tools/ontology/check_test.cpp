@@ -30,7 +30,12 @@ TEST(Check, NamesUnsatisfiableClassesWithTheirReasons) {
   EXPECT_THAT(outcome.out, HasSubstr("Classes that can have no instance:\n  e:A\n"));
   EXPECT_THAT(outcome.out, HasSubstr("e:A SubClassOf e:B   [a.ttl:2]"));
   EXPECT_THAT(outcome.out, HasSubstr("e:A SubClassOf e:C   [a.ttl:3]"));
-  EXPECT_THAT(outcome.out, HasSubstr("\n  e:D\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("Classes that can have none because of these (mend those first, and check again):\n"
+                        "  e:D\n    depends on e:A\n    because e:D SubClassOf e:A   [a.ttl:5]\n"));
+  const auto document = boost::json::parse(program.run({"check", "--json", "a.ttl"}).out).as_object();
+  EXPECT_TRUE(document.at("unsatisfiable").at(0).at("root").is_null());
+  EXPECT_EQ(document.at("unsatisfiable").at(1).at("root"), "e:A");
 }
 
 TEST(Check, ListsWhatWasLeftOutWithItsFirstPlace) {

@@ -42,6 +42,20 @@ TEST_F(Explain, PrintsExactlyTheAxiomsThatAreNeeded) {
             "e:A is subsumed by e:C, because:\ne:A SubClassOf e:B   [a.ttl:2]\ne:B SubClassOf e:C   [a.ttl:4]\n");
 }
 
+TEST_F(Explain, LaconicPrintsTheNeededPartsOfAxioms) {
+  program_.turtle("b.ttl", ":A rdfs:subClassOf [ owl:intersectionOf ( :B :D ) ] .\n:B rdfs:subClassOf :C .\n");
+  const Outcome outcome = program_.run({"explain", "b.ttl", "--sub", "e:A", "--super", "e:C", "--laconic"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "e:A is subsumed by e:C, because:\n"
+            "e:A SubClassOf e:B   [b.ttl:2]\n  is a part of e:A SubClassOf e:B and e:D\n"
+            "e:B SubClassOf e:C   [b.ttl:3]\n");
+  const auto document = boost::json::parse(
+      program_.run({"explain", "b.ttl", "--sub", "e:A", "--super", "e:C", "--laconic", "--json"}).out);
+  EXPECT_EQ(document.at("axioms").at(0).at("whole"), "e:A SubClassOf e:B and e:D");
+  EXPECT_FALSE(document.at("axioms").at(1).as_object().contains("whole"));
+}
+
 TEST_F(Explain, SaysWhenNothingEntailsIt) {
   const Outcome outcome = program_.run({"explain", "a.ttl", "--sub", "e:C", "--super", "e:A"});
   EXPECT_EQ(outcome.status, 1);

@@ -9,6 +9,7 @@
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/explanation/explain_module.hpp"
+#include "reasoning/explanation/unsatisfiable.hpp"
 #include "reasoning/owl/prefixes/prefixes.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/reasoner/excerpt.hpp"
@@ -68,39 +69,21 @@ Open find_open(const ClassifiedFiles& classified, const compiled::Ontology& onto
   return open;
 }
 
-/// The steps of a budget that one unit of an explanation's work counts for.
-constexpr std::uint64_t steps_per_work = 10;
-
-struct Reason {
-  std::vector<explanation::ExplainedAxiom> axioms;
-  bool was_hard = false;  ///< a question on the way was left undecided
-};
-
-Reason reason_of(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
-                 base::Budget& budget, explanation::Patience patience) {
-  if (!budget.spend(1)) return {};
-  explanation::Explainer explainer(ontology, sub, super, patience);
+std::vector<explanation::ExplainedAxiom> contradiction_of(const compiled::Ontology& ontology, base::Budget& budget) {
+  const auto thing = ontology.find_iri(owl::owl_thing);
+  const auto nothing = ontology.find_iri(owl::owl_nothing);
+  if (!thing || !nothing) return {};
+  explanation::Explainer explainer(ontology, *thing, *nothing, explanation::Patience::of_a_person, &budget);
   const auto found = explainer.find_one();
-  static_cast<void>(budget.spend(steps_per_work * explainer.oracle().work()));
-  Reason reason{{}, explainer.oracle().undecided_count() > 0};
-  if (found) reason.axioms = explainer.explained(*found);
-  return reason;
+  return found ? explainer.explained(*found) : std::vector<explanation::ExplainedAxiom>();
 }
 
-/// Requires an ontology without a contradiction. There may be many reasons to find: only easy ones are looked for, and
-/// none after a hard one, since the others would be hard, too. `explain` takes the time for those.
+/// Requires an ontology without a contradiction.
 std::vector<Unsatisfiable> find_unsatisfiable(const compiled::Ontology& ontology, base::Budget& budget) {
   std::vector<Unsatisfiable> found;
-  bool was_hard = false;
-  const auto nothing = ontology.find_iri(owl::owl_nothing);
-  for (std::uint32_t number = 0; number < ontology.class_count() && nothing; ++number) {
-    const taxonomy::ClassNumber named{number};
-    if (named == *nothing || ontology.is_satisfiable(named)) continue;
-    Unsatisfiable& one = found.emplace_back(ontology.short_name(named), std::vector<explanation::ExplainedAxiom>());
-    if (found.size() > max_explained_classes || was_hard) continue;
-    Reason reason = reason_of(ontology, named, *nothing, budget, explanation::Patience::of_a_daemon);
-    one.reason = std::move(reason.axioms);
-    was_hard = reason.was_hard;
+  for (explanation::Unsatisfiable& one : explanation::find_unsatisfiable(ontology, &budget)) {
+    found.push_back({ontology.short_name(one.number), std::nullopt, std::move(one.reason)});
+    if (one.root) found.back().root = ontology.short_name(*one.root);
   }
   return found;
 }
@@ -113,10 +96,7 @@ void find_problems(const compiled::Ontology& ontology, Findings& findings, base:
     findings.unsatisfiable = find_unsatisfiable(ontology, budget);
     return;
   }
-  const auto thing = ontology.find_iri(owl::owl_thing);
-  const auto nothing = ontology.find_iri(owl::owl_nothing);
-  if (thing && nothing)
-    findings.contradiction = reason_of(ontology, *thing, *nothing, budget, explanation::Patience::of_a_person).axioms;
+  findings.contradiction = contradiction_of(ontology, budget);
 }
 
 /// Classifies the terminology without the facts. The commonest contradiction is an instance of a class that can have

@@ -23,14 +23,12 @@ struct LeftOutGroup {
   std::vector<explanation::ExplainedAxiom> axioms;  ///< by file and line; omissions of the reader are no axioms
 };
 
-/// A class that can have no instance.
+/// A class that can have no instance; see explanation::Unsatisfiable. `explain` gives the reasons that are not here.
 struct Unsatisfiable {
   std::string name;
-  std::vector<explanation::ExplainedAxiom> reason;  ///< a minimal set; empty: none was looked for or found
+  std::optional<std::string> root;  ///< the class because of which it can have none; nothing: it is a root itself
+  std::vector<explanation::ExplainedAxiom> reason;
 };
-
-/// The most classes that get a reason. `explain` gives those of the others.
-inline constexpr std::size_t max_explained_classes = 100;
 
 /// Questions that were not decided; see reasoner::Undecided.
 struct Open {
@@ -61,7 +59,8 @@ struct Findings {
   bool is_consistent = true;
   /// A minimal set of axioms that contradict each other; empty where there is no contradiction or none was found.
   std::vector<explanation::ExplainedAxiom> contradiction;
-  /// Where there is a contradiction, the classes that can have no instance even if all facts are left aside.
+  /// Roots first. Where there is a contradiction, the classes that can have no instance even if all facts are left
+  /// aside.
   std::vector<Unsatisfiable> unsatisfiable;
   Collisions collisions;
   NameFindings names;  ///< of sources; a compiled ontology does not keep declarations

@@ -80,7 +80,9 @@ std::string as_json(const Findings& findings) {
   document["contradiction"] = axiom_array(findings.contradiction);
   boost::json::array& unsatisfiable = document["unsatisfiable"].emplace_array();
   for (const Unsatisfiable& found : findings.unsatisfiable)
-    unsatisfiable.push_back(boost::json::object{{"class", found.name}, {"because", axiom_array(found.reason)}});
+    unsatisfiable.push_back(boost::json::object{{"class", found.name},
+                                                {"root", found.root ? boost::json::value(*found.root) : nullptr},
+                                                {"because", axiom_array(found.reason)}});
   boost::json::array& collisions = document["collisions"].emplace_array();
   for (const Collision& collision : findings.collisions.found)
     collisions.push_back(
