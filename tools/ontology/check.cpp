@@ -183,7 +183,11 @@ Exit check(const CheckRequest& request, const WorkLimits& limits) {
                        classified.error().is_unreadable ? Exit::usage : Exit::no);
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
-  const Exit exit = report(find(*classified, *ontology, budget), request);
+  Progress progress(!request.as_json);
+  progress.show("looking for reasons");
+  const Findings findings = find(*classified, *ontology, budget);
+  progress.clear();
+  const Exit exit = report(findings, request);
   return exit == Exit::usage ? exit : exit_of(*classified, exit);
 }
 

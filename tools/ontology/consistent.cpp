@@ -39,7 +39,7 @@ Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
   auto loaded = load(request.files, progress);
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
-  progress.show("deciding", 0, loaded->source.axiom_count() > 10'000);
+  progress.show("deciding");
   base::Budget budget = budget_of(limits);
   Answer answer = reasoner::is_consistent_repaired(loaded->source, &budget);
   // An axiom that was not understood can make a contradiction, never undo one.

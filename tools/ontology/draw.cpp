@@ -71,8 +71,9 @@ class Graphviz {
   pid_t child_ = 0;
 };
 
-Exit draw(const DrawRequest& request, const Graphviz& graphviz) {
-  const auto classified = classify_or_say(request.files);
+Exit draw(const DrawRequest& request, const WorkLimits& limits, const Graphviz& graphviz) {
+  base::Budget budget = budget_of(limits);
+  const auto classified = classify_or_say(request.files, {.budget = &budget});
   if (!classified) return Exit::usage;
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
@@ -86,10 +87,11 @@ Exit draw(const DrawRequest& request, const Graphviz& graphviz) {
   if (request.is_compact) picture = with_lists_of_leaves(std::move(picture));
   if (request.format == "svg") {
     return graphviz.draw(base::harmless_lines(as_dot(picture)))
-               ? Exit::yes
+               ? exit_of(*classified, Exit::yes)
                : say_error("the program dot failed: ask for --format dot, or draw less with --root");
   }
-  return print_or_say(request.format == "dot" ? as_dot(picture) : as_mermaid(picture));
+  const Exit exit = print_or_say(request.format == "dot" ? as_dot(picture) : as_mermaid(picture));
+  return exit == Exit::yes ? exit_of(*classified, exit) : exit;
 }
 
 }  // namespace
@@ -105,7 +107,9 @@ void add_draw(CLI::App& program, Choice& choice) {
   command->add_option("--format", request->format, "dot, mermaid, or svg (which needs the program dot)")
       ->check(CLI::IsMember({"dot", "mermaid", "svg"}))
       ->type_name("FORMAT");
+  add_work_limits(*command, choice.limits);
   command->footer(
+      "\nExit status 4: a limit was reached, and classes may stand too high in the picture.\n"
       "\nExamples:\n  geminga-ontology draw team/ --root soccer:BallInfo --format svg > ball.svg\n"
       "  geminga-ontology draw team/ --root geminga:Observation --depth 2 --format svg > observations.svg");
   command->callback([request, &choice] {
@@ -117,7 +121,7 @@ void add_draw(CLI::App& program, Choice& choice) {
                    : say_error("the program dot cannot be run: install graphviz, or ask for --format dot");
       };
     }
-    choice.run = [request, graphviz] { return draw(*request, *graphviz); };
+    choice.run = [request, graphviz, &choice] { return draw(*request, choice.limits, *graphviz); };
   });
 }
 

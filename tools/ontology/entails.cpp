@@ -97,7 +97,7 @@ Exit entails(const EntailsRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
   auto argument = load_argument(request.premise, request.conclusion, progress);
   if (!argument) return say_failure(argument.error().text, request.as_json);
-  progress.show("deciding", 0, argument->premise.size() > 10'000);
+  progress.show("deciding");
   base::Budget budget = budget_of(limits);
   const std::vector<Finding> findings = decide(*argument, budget);
   const Answer all = join(findings, *argument);

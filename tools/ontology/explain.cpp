@@ -225,6 +225,8 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   explained.is_all = request.is_all;
   explained.is_entailed = ontology->is_subsumed(*sub, *super);
   std::optional<explanation::Explainer> explainer;
+  Progress progress(!request.as_json);
+  progress.show("looking for reasons");
   base::Budget explaining = budget_of(limits);  // its own steps: a search that took all of them may have an answer
   if (explained.is_entailed) {
     explainer.emplace(*ontology, *sub, *super, explanation::Patience::of_a_person, &explaining);
@@ -243,6 +245,7 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   } else if (is_plain) {
     explained.why_not = explanation::why_not(*ontology, *sub, *super);
   }
+  progress.clear();
   const explanation::Explainer* found_by = explainer ? &*explainer : nullptr;
   std::string text =
       request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);

@@ -30,7 +30,7 @@ std::optional<std::string> plain_iri(const std::string& name) {
 /// Resolves names. Loads the ontologies when the first name needs them.
 class Resolver {
  public:
-  explicit Resolver(const IdRequest& request) : request_(request) {}
+  Resolver(const IdRequest& request, base::Budget& budget) : request_(request), budget_(budget) {}
 
   std::optional<std::string> resolve(const std::string& name) {
     if (auto iri = plain_iri(name)) {
@@ -48,18 +48,20 @@ class Resolver {
 
  private:
   bool open() {
-    const auto classified =
-        classify_or_say(request_.files.empty() ? std::vector{shipped_ontologies().string()} : request_.files);
+    const auto classified = classify_or_say(
+        request_.files.empty() ? std::vector{shipped_ontologies().string()} : request_.files, {.budget = &budget_});
     if (classified) ontology_ = compile_or_say(*classified);
     return ontology_.has_value();
   }
 
   const IdRequest& request_;
+  base::Budget& budget_;
   std::optional<compiled::Ontology> ontology_;
 };
 
-Exit print_id(const IdRequest& request, const WorkLimits&) {
-  Resolver resolver(request);
+Exit print_id(const IdRequest& request, const WorkLimits& limits) {
+  base::Budget budget = budget_of(limits);
+  Resolver resolver(request, budget);
   const auto concept_iri = resolver.resolve(request.concept_name);
   if (!concept_iri) return Exit::usage;
   SemanticIdentity identity{*concept_iri, {}};
@@ -95,7 +97,9 @@ void add_id(CLI::App& program, Choice& choice) {
       ->add_option("--ontology", request->files, "where prefixes and labels come from; else the ontologies that ship")
       ->type_name("FILES");
   command->add_flag("--json", request->as_json, "print number, hexadecimal number and canonical form as JSON");
+  add_work_limits(*command, choice.limits);
   command->footer(
+      "\nA limit of the search does not change an identity.\n"
       "\nExamples:\n  geminga-ontology id soccer:BallInfo soccer:CartesianFieldFrame\n"
       "  geminga-ontology id '<http://example.org/a>' --json");
   run_when_named(*command, choice, request, print_id);

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "ontology/command/options.hpp"
 #include "ontology/command/output.hpp"
@@ -48,22 +49,28 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   const auto classified = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
   progress.clear();
   if (const Exit exit = judge(classified); exit != Exit::yes) return exit;
+  progress.show("collecting what follows");
+  const auto fail = [&](std::string_view text, Exit status) {
+    progress.clear();
+    return say_error(text, status);
+  };
   graph::Graph alone(graph_limits);
   graph::Graph& graph = request.only_inferred ? alone : asserted;
   base::Budget writing(WorkLimits::default_steps);  // its own: what a search has settled within its limits is written
   if (const auto problem = add_inferred(*classified, request.as_closure, writing, graph))
-    return say_error(*problem, Exit::timed_out);
-  if (graph.problem()) return say_error(*graph.problem(), exit_of(graph));
+    return fail(*problem, Exit::timed_out);
+  if (graph.problem()) return fail(*graph.problem(), exit_of(graph));
   graph.sort();
   if (request.only_inferred) {
     asserted.sort();
     alone.remove(asserted);
     add_declarations(*classified, alone);
-    if (alone.problem()) return say_error(*alone.problem(), exit_of(alone));
+    if (alone.problem()) return fail(*alone.problem(), exit_of(alone));
     alone.sort();
   }
   const auto text = graph.write(*format, prefixes_of(classified->loaded.source));
-  if (!text) return say_error(text.error());
+  if (!text) return fail(text.error(), Exit::usage);
+  progress.clear();
   const Exit exit = put(request.out, std::as_bytes(std::span(*text)));
   return exit == Exit::yes ? exit_of(*classified, exit) : exit;
 }
@@ -79,6 +86,7 @@ void add_infer(CLI::App& program, Choice& choice) {
   command->add_flag("--only-inferred", request->only_inferred, "write only what the files do not say themselves");
   command->add_flag("--closure", request->as_closure, "write all that follows, not only the direct relations");
   add_memory_limit(*command, choice);
+  add_graph_limit(*command, choice.limits);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nWritten are rdfs:subClassOf and owl:equivalentClass, rdfs:subPropertyOf and owl:equivalentProperty, rdf:type\n"
@@ -86,7 +94,7 @@ void add_infer(CLI::App& program, Choice& choice) {
       "what\n"
       "is written follows, and standard error says what is not decided. Nothing is written where the triples take "
       "more\n"
-      "than 1 GiB, or half of --memory-limit: the closure grows with the square of a chain of classes.\n"
+      "than --graph-limit: the closure grows with the square of a chain of classes.\n"
       "\nExamples:\n  geminga-ontology infer team/ -o inferred.owl\n"
       "  geminga-ontology infer team/ --only-inferred --closure -o - --to ntriples");
   run_when_named(*command, choice, request, infer);

@@ -231,8 +231,10 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, ba
           "see geminga-ontology check",
           request.as_json);
     base::Budget writing(WorkLimits::default_steps);
-    if (const auto problem = add_inferred(*classified, true, writing, asked.graph))
-      return say_failure(*problem, request.as_json, Exit::timed_out);
+    progress.show("collecting what follows");
+    const auto problem = add_inferred(*classified, true, writing, asked.graph);
+    progress.clear();
+    if (problem) return say_failure(*problem, request.as_json, Exit::timed_out);
     // exit_of() tells of a limit that was reached.
     const auto why = why_incomplete(*classified);
     if (why && !classified->classification.is_cut_off) say_error("more may follow: " + *why);
@@ -253,7 +255,7 @@ Exit write(const graph::Answer& answer, const QueryRequest& request, Rows rows, 
   if (answer.is_cut)
     return say_error("there are more than " + std::to_string(request.most_rows) +
                      " rows, or more octets than a query may take; the first were written: raise --rows or "
-                     "--memory-limit, or write LIMIT");
+                     "--graph-limit, or write LIMIT");
   if (answer.kind == graph::Answer::Kind::truth) return answer.is_true ? Exit::yes : Exit::no;
   return are_triples || !answer.rows.empty() ? Exit::yes : Exit::no;
 }
@@ -273,9 +275,12 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
   base::Budget budget = budget_of(limits);
   if (const Exit exit = fill(files, request, budget, asked, classified); exit != Exit::yes) return exit;
-  base::Budget asking(request.most_steps);
+  base::Budget asking = budget_of(limits, request.most_steps);
   limit_asking(limits);
+  Progress progress(!request.as_json);
+  progress.show("asking");
   const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking);
+  progress.clear();
   if (!answer)
     return say_failure(answer.error().text, request.as_json, answer.error().is_limit ? Exit::timed_out : Exit::usage);
   const Exit exit = write(*answer, request, *rows, asked);
@@ -300,6 +305,7 @@ void add_query(CLI::App& program, Choice& choice) {
   add_number(*command, "--query-steps", request->most_steps, 1, 4'000'000'000,
              "most triples that the query looks at; 50000000 where it is not given");
   add_memory_limit(*command, choice);
+  add_graph_limit(*command, choice.limits);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file that ends in .rq. The prefixes of the "
@@ -308,7 +314,7 @@ void add_query(CLI::App& program, Choice& choice) {
       "named classes and properties, and all types of named individuals.\n"
       "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no; 4 a limit was reached: of\n"
       "the search, and the answer is that of what is settled by then; or of the query, which then has no answer\n"
-      "(--query-steps; 300 s of processor time where there is no --time-limit; 1 GiB, or half of --memory-limit).\n"
+      "(--query-steps; --graph-limit; --time-limit, or 300 s of processor time where there is none).\n"
       "\nExamples:\n"
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"

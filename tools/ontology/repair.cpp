@@ -30,6 +30,8 @@ constexpr unsigned max_choices = 100;
 /// The most classes that a line of the text names, and lost subsumptions that it shows.
 constexpr std::size_t max_named = 4;
 constexpr std::size_t max_lost_shown = 3;
+/// The most places of one choice that the text shows.
+constexpr std::size_t max_places_shown = 6;
 
 struct RepairRequest {
   std::vector<std::string> files;
@@ -218,19 +220,25 @@ std::string loss_as_text(const compiled::Ontology& ontology, const Option& choic
 
 std::string as_text(const compiled::Ontology& ontology, const Problem& problem, const Plan& plan) {
   std::string text = statement(ontology, problem);
-  if (plan.groups.empty()) return text + "No set of axioms to take out was found.\n";
+  if (plan.groups.empty()) return text;
   const bool is_one = plan.groups.size() == 1;
   text += is_one ? "Any of these choices, taken out, mends it; the best is first:\n"
                  : "One choice of each of these " + std::to_string(plan.groups.size()) +
                        " groups, taken out, mends it; the best are first:\n";
   for (std::size_t number = 0; number < plan.groups.size(); ++number) {
     const Group& group = plan.groups[number];
-    if (!is_one) text += "group " + std::to_string(number + 1) + ", for " + names_of(ontology, group.subs) + '\n';
+    if (!is_one) text += "group " + std::to_string(number + 1);
+    if (!is_one && ontology.is_consistent()) text += ", for " + names_of(ontology, group.subs);
+    if (!is_one) text += '\n';
     for (std::size_t at = 0; at < group.choices.size(); ++at) {
       std::string head = (at < 9 ? "  " : " ") + std::to_string(at + 1) + ". ";
       const std::string indent(head.size(), ' ');
-      for (const explanation::ExplainedAxiom& axiom : group.choices[at].axioms)
-        text += std::exchange(head, indent) + axiom_line(axiom) + '\n';
+      const auto& axioms = group.choices[at].axioms;
+      const std::size_t shown = axioms.size() > max_places_shown + 1 ? max_places_shown : axioms.size();
+      for (std::size_t axiom = 0; axiom < shown; ++axiom)
+        text += std::exchange(head, indent) + axiom_line(axioms[axiom]) + '\n';
+      if (shown < axioms.size())
+        text += indent + "and " + std::to_string(axioms.size() - shown) + " more axioms: --json\n";
       text += loss_as_text(ontology, group.choices[at], indent);
     }
     if (group.may_have_more) text += "  There are other choices, or may be: raise --limit.\n";
@@ -297,6 +305,8 @@ Exit repair(const RepairRequest& request, const WorkLimits& limits) {
     return say_unwritten();
   if (mending.is_spent())
     return say_error(*mending.reason() + ", and what is printed may not be enough: raise it", Exit::timed_out);
+  if (plan.groups.empty())
+    return say_error("which axioms to take out cannot be decided: " + plan.why_not + ": see geminga-ontology explain");
   return exit_of(*classified, Exit::yes);
 }
 
@@ -324,8 +334,8 @@ void add_repair(CLI::App& program, Choice& choice) {
       "were asked about each choice beside the first ones of the other groups. Take out what you know to be wrong: "
       "the\n"
       "least loss is not always the mistake. What several RDF files say alike is named at its first place only.\n"
-      "Exit status 0: there are choices; 1: there is nothing to take out; 4: a limit was reached, and what is printed\n"
-      "is right as far as it goes.\n"
+      "Exit status 0: there are choices; 1: there is nothing to take out; 2: it cannot be decided what is, or a file\n"
+      "cannot be loaded; 4: a limit was reached, and what is printed may not be enough.\n"
       "\nExamples:\n"
       "  geminga-ontology repair team/\n"
       "  geminga-ontology repair team/ --sub soccer:Goalie --super soccer:Referee --limit 10");

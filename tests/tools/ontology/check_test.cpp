@@ -186,6 +186,10 @@ TEST(Check, SaysWhatWasNotDecidedWhereTheELPartReachesItsLimit) {
   EXPECT_EQ(program.run({"compile", "a.ttl", "-o", "a.geminga", "--steps", "100"}).status, 4);
   EXPECT_THAT(program.run({"check", "a.geminga"}).out, HasSubstr("Incomplete: "));
   EXPECT_EQ(program.run({"consistent", "a.ttl", "--steps", "100"}).status, 4);
+  const Outcome drawn = program.run({"draw", "a.ttl", "--steps", "100"});
+  EXPECT_EQ(drawn.status, 4);
+  EXPECT_THAT(drawn.out, StartsWith("digraph taxonomy {\n"));
+  EXPECT_THAT(drawn.err, HasSubstr("raise the limit"));
 }
 
 TEST(Check, SaysWhatIsNotDecidedAndWhoHoldsItUpWhereALimitIsReached) {

@@ -56,6 +56,12 @@ TEST_F(Explain, LaconicPrintsTheNeededPartsOfAxioms) {
   EXPECT_FALSE(document.at("axioms").at(1).as_object().contains("whole"));
 }
 
+TEST_F(Explain, AReasonThatALimitCutOffIsNotSaidToBeMinimal) {
+  const Outcome outcome = program_.run({"explain", "a.ttl", "--sub", "e:A", "--super", "e:C", "--steps", "1"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("raise it"));
+}
+
 TEST_F(Explain, SaysWhenNothingEntailsIt) {
   const Outcome outcome = program_.run({"explain", "a.ttl", "--sub", "e:C", "--super", "e:A"});
   EXPECT_EQ(outcome.status, 1);

@@ -328,6 +328,22 @@ TEST(Query, AnswersWithItsExitStatusAndRefusesWhatFetches) {
   EXPECT_THAT(cut.err, HasSubstr("more than 2 rows"));
 }
 
+TEST(Query, NamesTheLimitOfTriplesAndTheFlagThatRaisesIt) {
+  const Program program;
+  std::string chain;
+  for (int at = 0; at < 100; ++at)
+    chain += ":C" + std::to_string(at) + " rdfs:subClassOf :C" + std::to_string(at + 1) + " .\n";
+  program.turtle("a.ttl", chain);
+  const Outcome query = program.run({"query", "a.ttl", "ASK { ?s ?p ?o }", "--graph-limit", "1"});
+  EXPECT_EQ(query.status, 4);
+  EXPECT_THAT(query.err, HasSubstr("more than 1 MiB in all"));
+  EXPECT_THAT(query.err, HasSubstr("raise --graph-limit"));
+  EXPECT_EQ(program.run({"query", "a.ttl", "ASK { ?s ?p ?o }", "--graph-limit", "16"}).status, 0);
+  const Outcome infer = program.run({"infer", "a.ttl", "--closure", "-o", "out.nt", "--graph-limit", "1"});
+  EXPECT_EQ(infer.status, 4);
+  EXPECT_THAT(infer.err, HasSubstr("raise --graph-limit"));
+}
+
 TEST(Query, EndsAtItsLimitOfStepsWithoutAnAnswer) {
   const Program program;
   program.turtle("a.ttl", ":A rdfs:subClassOf :B . :B rdfs:subClassOf :C .\n");
@@ -346,7 +362,7 @@ TEST(Query, EndsAtItsLimitOfStepsWithoutAnAnswer) {
   EXPECT_THAT(ended.out, testing::IsEmpty());
   const Outcome json = program.run({"query", "a.ttl", "nested.rq", "--query-steps", "100", "--json"});
   EXPECT_EQ(json.status, 4);
-  EXPECT_THAT(json.out, testing::HasSubstr("{\"error\":\"the query looks at more triples"));
+  EXPECT_THAT(json.out, testing::HasSubstr("{\"error\":\"the query has no answer, because the limit of 100 steps"));
 }
 
 }  // namespace

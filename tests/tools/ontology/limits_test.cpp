@@ -44,5 +44,15 @@ TEST(Limits, TheMemoryLimitIsSet) {
             0);
 }
 
+TEST(Limits, OfTriplesAreThoseThatAreNamedElseHalfOfTheMemoryElseOneGibibyte) {
+  constexpr std::size_t mebibyte = std::size_t{1} << 20U;
+  WorkLimits limits;
+  EXPECT_EQ(graph_octets(limits), 1024 * mebibyte);
+  limits.memory_mib = 512;
+  EXPECT_EQ(graph_octets(limits), 256 * mebibyte);
+  limits.graph_mib = 5;
+  EXPECT_EQ(graph_octets(limits), 5 * mebibyte);
+}
+
 }  // namespace
 }  // namespace geminga::ontology

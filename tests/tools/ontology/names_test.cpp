@@ -66,7 +66,7 @@ TEST(Names, NamesOfANamespaceThatWasNotGivenAreSummedUpAndNoProblem) {
       ":Robot rdfs:subClassOf <http://other/Agent> , <http://other/Thing2> ; <http://purl.org/dc/terms/title> \"r\" "
       ".\n");
   EXPECT_EQ(outcome.status, 0) << outcome.out;
-  EXPECT_THAT(outcome.out, HasSubstr("http://other/  2 names, like <http://other/Agent>"));
+  EXPECT_THAT(outcome.out, HasSubstr("http://other/  2 names, like other:Agent"));
   EXPECT_THAT(outcome.out, HasSubstr("http://purl.org/dc/terms/  1 name"));
 }
 

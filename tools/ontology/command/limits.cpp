@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 #include <sys/time.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,10 +14,19 @@
 namespace geminga::ontology {
 namespace {
 
+/// Goes to the begin of the line of progress on a terminal, so that the words overwrite it. Makes only calls that are
+/// safe in a signal handler.
+void begin_line() {
+  termios terminal{};
+  if (tcgetattr(STDERR_FILENO, &terminal) != 0) return;
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, "\r", 1);
+}
+
 /// Makes only calls that are safe in a signal handler.
 void on_asking_too_long(int) {
   constexpr std::string_view words =
       "geminga-ontology: the query takes too much processor time: ask for less at once, or give --time-limit\n";
+  begin_line();
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
   _exit(static_cast<int>(Exit::timed_out));
 }
@@ -25,21 +35,25 @@ void on_asking_too_long(int) {
 void on_time_out(int) {
   constexpr std::string_view words =
       "geminga-ontology: the time limit is over and nothing is settled: raise --time-limit, or split the ontology\n";
+  begin_line();
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
   _exit(static_cast<int>(Exit::timed_out));
 }
 
 }  // namespace
 
-base::Budget budget_of(const WorkLimits& limits) {
-  if (limits.seconds == 0) return base::Budget(limits.steps);
+base::Budget budget_of(const WorkLimits& limits) { return budget_of(limits, limits.steps); }
+
+base::Budget budget_of(const WorkLimits& limits, std::uint64_t steps) {
+  if (limits.seconds == 0) return base::Budget(steps);
   const auto end = limits.start + std::chrono::seconds(limits.seconds);
-  return base::Budget(limits.steps, [end] { return std::chrono::steady_clock::now() >= end; });
+  return base::Budget(steps, [end] { return std::chrono::steady_clock::now() >= end; });
 }
 
 std::size_t graph_octets(const WorkLimits& limits) {
-  constexpr std::size_t by_default = std::size_t{1} << 30U;
-  return limits.memory_mib == 0 ? by_default : (std::size_t{limits.memory_mib} << 20U) / 2;
+  if (limits.graph_mib != 0) return std::size_t{limits.graph_mib} << 20U;
+  if (limits.memory_mib != 0) return (std::size_t{limits.memory_mib} << 20U) / 2;
+  return std::size_t{WorkLimits::default_graph_mib} << 20U;
 }
 
 void limit_asking(const WorkLimits& limits) {

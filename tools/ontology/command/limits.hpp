@@ -19,15 +19,20 @@ struct WorkLimits {
 
   unsigned seconds = 0;  ///< from the start of the program; 0: no limit
   std::uint64_t steps = default_steps;
+  /// Of the triples that infer writes and query asks, and as much again for the query. Some four million triples.
+  static constexpr unsigned default_graph_mib = 1024;
+
   unsigned memory_mib = 0;  ///< of the whole process; 0: no limit
+  unsigned graph_mib = 0;   ///< 0: default_graph_mib, or half of the memory where that is limited
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
 /// The budget of a search within these limits. Reading asks no budget; limit_time() ends it.
 [[nodiscard]] base::Budget budget_of(const WorkLimits& limits);
+/// The same with a number of steps of its own.
+[[nodiscard]] base::Budget budget_of(const WorkLimits& limits, std::uint64_t steps);
 
-/// The limit of the triples that infer writes and query asks, in octets: 1 GiB for the triples and as much for
-/// the query, or half of --memory-limit each.
+/// The limit of the triples that infer writes and query asks, in octets.
 [[nodiscard]] std::size_t graph_octets(const WorkLimits& limits);
 /// Ends this process with Exit::timed_out and a line on standard error when it has used so much processor time from now
 /// on, unless there is a limit of time already: rasqal cannot be asked to end while it computes without triples.

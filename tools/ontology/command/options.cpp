@@ -38,6 +38,13 @@ void add_memory_limit(CLI::App& command, Choice& choice) {
   add_number(command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000, "most address space to use, in MiB");
 }
 
+void add_graph_limit(CLI::App& command, WorkLimits& limits) {
+  add_number(command, "--graph-limit", limits.graph_mib, 1, 1'000'000,
+             "most memory for the triples, in MiB (" + std::to_string(WorkLimits::default_graph_mib) +
+                 " unless told, or half of --memory-limit); beyond it exit 4")
+      ->type_name("MIB");
+}
+
 void add_work_limits(CLI::App& command, WorkLimits& limits) {
   add_number(command, "--time-limit", limits.seconds, 1, max_seconds,
              "search for so many seconds at most; then what is settled counts, and exit 4")

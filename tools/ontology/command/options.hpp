@@ -23,6 +23,8 @@ CLI::Option* add_number(CLI::App& command, const std::string& flag, unsigned& nu
                         const std::string& description);
 /// Adds `--memory-limit`.
 void add_memory_limit(CLI::App& command, Choice& choice);
+/// Adds `--graph-limit`.
+void add_graph_limit(CLI::App& command, WorkLimits& limits);
 /// Adds `--time-limit` and `--steps`, for a command that searches.
 void add_work_limits(CLI::App& command, WorkLimits& limits);
 /// Adds `--memory-limit`, and a `--time-limit` beyond which nothing is written, for a command without a search.

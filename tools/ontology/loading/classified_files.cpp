@@ -17,9 +17,6 @@
 namespace geminga::ontology {
 namespace {
 
-/// Sizes from which progress is shown at once. Smaller files are done in a moment.
-constexpr std::uintmax_t large_octets = std::uintmax_t{8} << 20U;
-constexpr std::size_t large_axioms = 50'000;
 /// The most files in folders that are named because they are no ontologies.
 constexpr std::size_t max_skipped_shown = 3;
 
@@ -67,18 +64,16 @@ std::string folders_line(const rdf::Loaded& loaded) {
 
 std::expected<rdf::Loaded, LoadFailure> load(const std::vector<std::string>& files, Progress& progress,
                                              const LoadOptions& options) {
-  if (const std::uintmax_t octets = size_of(files); octets >= large_octets)
-    progress.show("reading " + std::to_string(octets >> 20U) + " MiB", 0, true);
+  const std::uintmax_t octets = size_of(files);
+  progress.show("reading" + (octets >> 20U == 0 ? "" : ' ' + std::to_string(octets >> 20U) + " MiB"));
   Readers readers(options.keeps_annotations);
   std::vector<syntax::LoadError> left_out;
   auto loaded = rdf::load(files, {}, &readers, options.threads, options.leaves_out_refused ? &left_out : nullptr);
+  progress.clear();
   for (const syntax::LoadError& error : left_out)
     say_error(std::string(compiled::left_out_words) + syntax::to_string(error));
   if (!loaded) return std::unexpected(LoadFailure{syntax::to_string(loaded.error()), loaded.error().is_unreadable});
-  if (options.says_files && !loaded->listing.folders.empty()) {
-    progress.clear();
-    say_error(folders_line(*loaded));
-  }
+  if (options.says_files && !loaded->listing.folders.empty()) say_error(folders_line(*loaded));
   return std::move(*loaded);
 }
 
@@ -94,10 +89,11 @@ std::expected<ClassifiedFiles, LoadFailure> classify_files(const std::vector<std
 std::expected<ClassifiedFiles, LoadFailure> classify_files(rdf::Loaded loaded, double load_ms, Progress& progress,
                                                            const LoadOptions& options) {
   const auto read = std::chrono::steady_clock::now();
-  const bool is_long = loaded.source.axiom_count() >= large_axioms;
-  const auto show = [&](std::string_view phase, double done) { progress.show(phase, done, is_long && done == 0); };
+  progress.show("classifying");
+  const auto show = [&](std::string_view phase, double done) { progress.show(phase, done); };
   auto classification =
       reasoner::classify(loaded.source, {.threads = options.threads, .budget = options.budget, .progress = show});
+  progress.clear();
   if (!classification) return std::unexpected(LoadFailure{classification.error().text, false});
   return ClassifiedFiles{std::move(loaded), std::move(*classification), load_ms, milliseconds_since(read)};
 }

@@ -42,8 +42,8 @@ class Losses {
   std::unordered_map<std::string_view, std::uint32_t> numbers_;  ///< of classes, by IRI
 };
 
-/// For each closure the subsumptions that it lacks and the whole ontology or another closure has: those of classes that can
-/// have instances in it.
+/// For each closure the subsumptions that it lacks and the whole ontology or another closure has: those of classes that
+/// can have instances in it.
 [[nodiscard]] std::vector<std::vector<Subsumption>> lost_in(const Closure& whole, std::span<const Closure> closures);
 
 /// Those of the lost subsumptions that follow from no other one and what is kept, up to so many.

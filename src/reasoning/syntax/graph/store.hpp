@@ -33,7 +33,7 @@ struct Graph::Store {
     if (!is_over_limit) return true;
     problem = octets > limits.octets
                   ? "the triples take more than " + std::to_string(limits.octets >> 20U) +
-                        " MiB in all: give fewer files, ask for less (without --closure), or raise --memory-limit"
+                        " MiB in all: give fewer files, ask for less (without --closure), or raise --graph-limit"
                   : "more than " + std::to_string(limits.triples) + " triples in all: give fewer files";
     return false;
   }

@@ -172,10 +172,11 @@ librdf_storage* TripleIndex::storage(World& world) {
 bool TripleIndex::step() {
   if (problem_) return false;
   if (budget_ != nullptr && !budget_->spend(1)) {
-    problem_ = "the query looks at more triples than it may: ask for less at once, or raise --query-steps";
+    problem_ = "the query has no answer, because " + *budget_->reason() +
+               ": ask for less at once, or raise --query-steps or --time-limit";
   } else if (++steps_ % between_looks == 0 && taken_octets() > octets_at_begin_ + most_octets_) {
     problem_ = "the query takes more than " + std::to_string(most_octets_ >> 20U) +
-               " MiB: ask for less at once, or raise --memory-limit";
+               " MiB: ask for less at once, or raise --graph-limit";
   }
   return !problem_;
 }
