@@ -31,8 +31,13 @@ void print_json(const Names& names, const Answer& answer, bool is_subsumed) {
 }
 
 void print_words(const Context& context, const Names& names, const Answer& answer, bool is_subsumed) {
-  const std::string sub = shell::printable(names.sub);
-  const std::string super = shell::printable(names.super);
+  // The daemon says the names that it found in short.
+  const auto name = [&](std::string_view key, const std::string& asked) {
+    const std::string_view found = answer.end[key];
+    return shell::printable(found.empty() ? std::string_view(asked) : found);
+  };
+  const std::string sub = name("sub", names.sub);
+  const std::string super = name("super", names.super);
   if (!is_subsumed) {
     std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << sub << " is not subsumed by " << super
               << '\n';
