@@ -38,6 +38,7 @@ std::vector<Subject> subjects(std::uint64_t seed) {
   all.push_back({"numbers", qualified_numbers(seed)});
   all.push_back({"features", features(seed, 5 + seed % 20)});
   all.push_back({"anatomy", anatomy(seed, 6 + seed % 30)});
+  all.push_back({"pairings", pairings(seed, 2 + seed % 12)});
   return all;
 }
 

@@ -206,4 +206,48 @@ owl::Ontology anatomy(std::uint64_t seed, std::size_t organs) {
   return writer.take();
 }
 
+owl::Ontology pairings(std::uint64_t seed, std::size_t definitions) {
+  base::Random random(seed);
+  Writer writer;
+  const TermId has_part = writer.property("has_part");
+  const TermId pairs = writer.property("pairs");
+  const std::array<TermId, 3> ways = {writer.property("pairs1"), writer.property("pairs2"), writer.property("pairs3")};
+  const std::array<TermId, 3> bases = {writer.named("Base"), writer.named("A"), writer.named("B")};
+  const auto base = [&] { return bases.at(random.below(bases.size())); };
+  const auto some = [&](TermId property, TermId filler) {
+    return writer.term(TermKind::object_some_values_from, {property, filler});
+  };
+  for (const std::size_t kind : {1U, 2U}) writer.add(AxiomKind::sub_class_of, {bases.at(kind), bases[0]});
+  if (random.chance(0.5)) writer.add(AxiomKind::disjoint_classes, {bases[1], bases[2]});
+  for (const TermId way : ways) {
+    writer.add(AxiomKind::sub_object_property_of, {way, pairs});
+    if (random.chance(0.3)) writer.add(AxiomKind::symmetric_object_property, {way});
+  }
+  if (random.chance(0.7)) writer.add(AxiomKind::functional_object_property, {pairs});
+  if (random.chance(0.5)) writer.add(AxiomKind::disjoint_object_properties, {ways[0], ways[1]});
+  if (random.chance(0.3)) writer.add(AxiomKind::inverse_object_properties, {ways[1], ways[2]});
+  if (random.chance(0.2)) writer.add(AxiomKind::functional_object_property, {has_part});
+  const bool has_individuals = random.chance(0.2);
+  const TermId someone = writer.individual("someone");
+  if (has_individuals) writer.add(AxiomKind::class_assertion, {base(), someone});
+  std::vector<TermId> wholes = {writer.named("Whole")};
+  for (std::size_t at = 0; at < definitions; ++at) {
+    TermId beside = some(ways.at(random.below(ways.size())), base());
+    if (random.chance(0.2)) {
+      beside = some(writer.term(TermKind::object_inverse_of, {has_part}), wholes.at(random.below(wholes.size())));
+    } else if (has_individuals && random.chance(0.3)) {
+      beside = writer.term(TermKind::object_has_value, {ways.at(random.below(ways.size())), someone});
+    }
+    const TermId filler = writer.term(TermKind::object_intersection_of, {base(), beside});
+    const TermKind kind = random.chance(0.7) ? TermKind::object_all_values_from : TermKind::object_some_values_from;
+    wholes.push_back(writer.named("W" + std::to_string(at)));
+    writer.add(AxiomKind::equivalent_classes, {wholes.back(), writer.term(kind, {has_part, filler})});
+    if (random.chance(0.2))
+      writer.add(AxiomKind::sub_class_of, {wholes.back(), wholes.at(random.below(wholes.size()))});
+    if (random.chance(0.2)) writer.add(AxiomKind::sub_class_of, {base(), some(has_part, base())});
+  }
+  writer.add(AxiomKind::sub_class_of, {wholes[0], some(has_part, base())});
+  return writer.take();
+}
+
 }  // namespace geminga::compare

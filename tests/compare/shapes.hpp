@@ -33,6 +33,11 @@ enum class Covering : std::uint8_t { disjoint_union, all_disjoint, pairwise_disj
 /// parts and wholes. Some say that parts are disjoint. The same for the same seed.
 [[nodiscard]] owl::Ontology anatomy(std::uint64_t seed, std::size_t organs);
 
+/// Wholes that are defined by what all their parts are paired with, so that a thing outside of a definition has a part
+/// outside of its filler. Pairings have a hierarchy; some are functional, symmetric, disjoint or inverse to each other,
+/// and some fillers speak of the whole or of an individual. The same for the same seed.
+[[nodiscard]] owl::Ontology pairings(std::uint64_t seed, std::size_t definitions);
+
 }  // namespace geminga::compare
 
 #endif

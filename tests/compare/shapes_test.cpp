@@ -85,6 +85,21 @@ TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
   EXPECT_GT(of_el_alone, 30) << "what inverses say is looked at in copies";
 }
 
+TEST(Pairings, AreUnderstoodByEachEngineAsByTheTableau) {
+  int complete = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const owl::Ontology source = pairings(seed, 2 + seed % 4);
+    const Opinion tableau = of_the_tableau(source);
+    const Opinion derived = of_consequence(source);
+    complete += static_cast<int>(derived.is_complete);
+    for (const Opinion& other : {derived, of_models(source), of_the_reasoner(source)})
+      EXPECT_THAT(contradictions(other, tableau), IsEmpty()) << functional_syntax(source);
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(complete, 50) << "the closure of clauses is the judge of models";
+}
+
 TEST(Features, AreUnderstoodByModelsAsByTheTableau) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -35,6 +35,19 @@ void leave_all_undecided(Classified& result) {
   }
 }
 
+/// Where there are alternatives or nominals, models may be found in less time than deriving takes. So deriving has a
+/// first limit. If it reaches that, some models are looked for before it begins again with all that it may have.
+constexpr std::size_t first_derived = 20'000;
+constexpr std::size_t first_derived_per_axiom = 10;
+constexpr CompletionLimits first_models{
+    .unanswered = 3, .steps = 1'000'000, .question = {.nodes = 20'000, .steps = 50'000}};
+
+bool has_branches(const clauses::ClauseSet& clauses) {
+  const auto is_nominal = [](const clauses::Concept& one) { return one.kind == clauses::ConceptKind::nominal; };
+  return std::ranges::any_of(clauses.concepts, is_nominal) ||
+         std::ranges::any_of(clauses.clauses, [](const clauses::Clause& clause) { return clause.head.size() > 1; });
+}
+
 /// Most classes have a model within these limits. If some have none, more is derived by cases before the search goes
 /// on.
 constexpr CompletionLimits quick_models{.unanswered = 3, .question = {.nodes = 20'000, .steps = 50'000}};
@@ -58,9 +71,9 @@ class Deepening {
     is_settled_ = result_.is_settled;
     is_settled_.resize(result_.class_count(), false);
     is_plain_.assign(result_.class_count(), false);
-    derive(*clauses, options_.alternatives);
+    if (!derive_first(*clauses)) derive(*clauses, options_.alternatives);
     bool is_open = !is_finished();
-    if (std::ranges::find(result_.gaps, consequence::alternative_gap) != result_.gaps.end()) {
+    if (is_open && std::ranges::find(result_.gaps, consequence::alternative_gap) != result_.gaps.end()) {
       search(*clauses, quick_models);
       is_open = !is_finished() && !is_spent();
       // Some questions are hard for a search and easy by cases.
@@ -82,7 +95,18 @@ class Deepening {
 
   [[nodiscard]] bool is_spent() const { return options_.budget != nullptr && options_.budget->is_spent(); }
 
-  void derive(const clauses::ClauseSet& clauses, std::uint32_t alternatives) {
+  /// False: the limit was reached, and models have not decided what is open.
+  bool derive_first(const clauses::ClauseSet& clauses) {
+    if (!has_branches(clauses)) return false;
+    const std::size_t limit = first_derived + first_derived_per_axiom * source_.axiom_count();
+    if (derive(clauses, options_.alternatives, limit)) return true;
+    search(clauses, first_models);
+    return is_finished() || is_spent();
+  }
+
+  /// False: a limit was reached.
+  bool derive(const clauses::ClauseSet& clauses, std::uint32_t alternatives,
+              std::size_t limit = max_clauses_of_classes) {
     result_.undecided = {};
     report("deriving consequences", 0.1);
     const NamedConcepts concepts(source_, result_, clauses);
@@ -96,12 +120,15 @@ class Deepening {
       wanted.push_back(*found);
       classes.push_back(of);
     }
-    std::size_t most = std::min(max_clauses_of_classes, always_derived + derived_per_axiom * source_.axiom_count());
+    std::size_t most = std::min(limit, always_derived + derived_per_axiom * source_.axiom_count());
     if (options_.budget != nullptr) most = std::min<std::size_t>(most, options_.budget->left() / 2 / steps_per_clause);
     const consequence::Closure closure = consequence::saturate(
         source_, clauses, wanted,
         {.threads = options_.threads, .clauses = most, .alternatives = alternatives, .budget = options_.budget});
-    if (!closure.is_consistent) return contradict(result_, source_);
+    if (!closure.is_consistent) {
+      contradict(result_, source_);
+      return true;
+    }
     Subsumptions more;
     for (std::size_t at = 0; at < classes.size(); ++at) {
       for (const clauses::ConceptId above : closure.subsumers[at]) {
@@ -115,6 +142,7 @@ class Deepening {
       is_settled_[classes[at]] = closure.is_settled[at];
       is_plain_[classes[at]] = closure.is_plain[at];
     }
+    return !closure.is_cut_off;
   }
 
   void search(const clauses::ClauseSet& clauses, const CompletionLimits& limits) {

@@ -87,18 +87,21 @@ class Completing {
   }
 
   /// False if no more questions may be asked, or none about this class.
-  bool may_ask(std::uint32_t of, double done) {
+  bool may_ask(std::uint32_t of, const hypertableau::Tableau& tableau, double done) {
     if (options_.progress) options_.progress("looking for models", done);
     const auto spent = options_.budget == nullptr ? std::nullopt : options_.budget->reason();
-    if (!spent && questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
+    const bool has_steps = tableau.steps() < limits_.steps;
+    if (!spent && has_steps && questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
     if (!result_.held_up_by) result_.held_up_by = of;
     if (spent) {
       gaps_.insert(*spent);
-      return false;
+    } else if (unanswered_ >= limits_.unanswered) {
+      gaps_.insert(std::to_string(limits_.unanswered) + " questions were too hard for the tableau");
+    } else if (!has_steps) {
+      gaps_.insert("more than " + std::to_string(limits_.steps) + " steps of the tableau");
+    } else {
+      gaps_.insert("more than " + std::to_string(limits_.questions) + " questions to the tableau");
     }
-    gaps_.insert(unanswered_ < limits_.unanswered
-                     ? "more than " + std::to_string(limits_.questions) + " questions to the tableau"
-                     : std::to_string(limits_.unanswered) + " questions were too hard for the tableau");
     return false;
   }
 
@@ -234,7 +237,7 @@ class Completing {
     // A class that no clause mentions has no other subsumers.
     if (!asked) possible_[of] = known_[of];
     if (!asked) return true;
-    if (!may_ask(of, done)) return false;
+    if (!may_ask(of, tableau, done)) return false;
     has_model_[of] = true;
     const Verdict verdict = note(tableau.is_satisfiable({*asked}), of);
     if (verdict == Verdict::no) set_empty(of);
@@ -286,7 +289,7 @@ class Completing {
       for (const std::uint32_t above : open_above(of)) {
         if (!sub || contains(known_[of], above) || contains(known_[top_], above)) continue;
         if (!contains(*possible_[of], above)) continue;
-        if (!may_ask(of, 0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
+        if (!may_ask(of, tableau, 0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
         const auto place = static_cast<std::size_t>(std::ranges::lower_bound(asked, above) - asked.begin());
         const Verdict verdict = note(tableau.is_satisfiable({*sub, clauses->complements[place]}), of);
         if (verdict == Verdict::no) add(of, above);

@@ -55,7 +55,8 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
   const SharedEffort& effort = saturation.effort();
   Closure closure;
   closure.gaps = vocabulary.gaps;
-  if (effort.is_cut_off() && !effort.is_contradictory()) {
+  closure.is_cut_off = effort.is_cut_off() && !effort.is_contradictory();
+  if (closure.is_cut_off) {
     const auto spent = options.budget == nullptr ? std::nullopt : options.budget->reason();
     const std::string most = effort.is_flooded()
                                  ? std::to_string(effort.max_messages()) + " messages between contexts waited"

@@ -52,6 +52,7 @@ struct Closure {
   /// For each concept that was asked for, whether it is settled without alternatives: if the ontology is consistent, it
   /// has a model with an instance that is in exactly the named classes among its subsumers.
   std::vector<bool> is_plain;
+  bool is_cut_off = false;  ///< a limit was reached
   std::size_t contexts = 0;
   std::size_t derived = 0;  ///< clauses
 };

@@ -2,9 +2,10 @@
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_RECORDS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_RECORDS_HPP
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "reasoning/dl/hypertableau/choice.hpp"
@@ -25,10 +26,10 @@ class ChoiceRecords {
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
   /// Sorts the alternatives by the order in which they are tried.
-  void order_by_promise(std::vector<Choice>& alternatives);
+  void order_by_promise(std::vector<Choice>& alternatives, const Burdens& burdens);
 
   void begin_question() { has_failed_ = false; }
-  void clear() { records_.clear(); }
+  void clear() { records_ = {}; }
 
  private:
   struct Record {
@@ -36,10 +37,13 @@ class ChoiceRecords {
     std::uint64_t failures = 0;
   };
   Record& record_of(const Choice& choice) {
-    return records_[(std::uint64_t{choice.predicate} << 8) | static_cast<std::uint64_t>(choice.kind)];
+    std::vector<Record>& records = records_[static_cast<std::size_t>(choice.kind)];
+    if (choice.predicate >= records.size()) records.resize(choice.predicate + std::size_t{1});
+    return records[choice.predicate];
   }
 
-  std::unordered_map<std::uint64_t, Record> records_;
+  static constexpr std::size_t kind_count = static_cast<std::size_t>(ChoiceKind::introduce) + 1;
+  std::array<std::vector<Record>, kind_count> records_;  ///< by kind and predicate
   bool has_failed_ = false;
 };
 

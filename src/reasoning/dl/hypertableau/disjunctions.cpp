@@ -13,6 +13,8 @@ namespace {
 /// The number of open disjunctions that are compared before one is taken. Few suffice as long as every guess was right.
 constexpr std::size_t few_compared = 16;
 constexpr std::size_t max_compared = 256;
+/// The disjunctions whose nodes have not changed that are compared in the time of a look.
+constexpr std::size_t known_a_look = 16;
 
 }  // namespace
 
@@ -36,35 +38,76 @@ void Disjunctions::add(std::vector<Choice>& alternatives, DependencySet dependen
     const auto begin = static_cast<std::uint32_t>(choices_.size());
     effort_.count_step();
     choices_.insert(choices_.end(), alternatives.begin(), alternatives.end());
-    disjunctions_.push_back({begin, static_cast<std::uint32_t>(choices_.size()), dependency});
+    Disjunction& added = disjunctions_.emplace_back(begin, static_cast<std::uint32_t>(choices_.size()), dependency);
+    added.is_local = is_local(alternatives);
   }
+}
+
+bool Disjunctions::is_local(std::span<const Choice> alternatives) const {
+  return std::ranges::all_of(alternatives, [this](const Choice& choice) {
+    return choice.kind == ChoiceKind::concept_of && program_.bounds_of_guard(choice.predicate).empty();
+  });
+}
+
+// The labels of its nodes; if it is not local, also those of their neighbours in the tree. A change further away, which
+// this does not show, is seen when the disjunction is decided.
+std::uint64_t Disjunctions::state_of(const Disjunction& disjunction) const {
+  const NodeId first = graph_.current(choices_[disjunction.begin].a);
+  const NodeId last = graph_.current(choices_[disjunction.end - 1].b);
+  std::uint64_t state = 0;
+  for (const NodeId id : {first, last}) {
+    const Node& node = graph_.node(id);
+    state += node.version;
+    if (disjunction.is_local) continue;
+    if (node.parent == none && program_.has_nominals()) return 0;
+    state += node.surroundings + (node.parent == none ? 0 : graph_.node(node.parent).version);
+  }
+  return state;
 }
 
 std::variant<Disjunctions::AllDecided, Disjunctions::Asserted, Decision> Disjunctions::find_next() {
   const std::size_t most = records_.has_failed() ? max_compared : few_compared;
-  std::size_t compared = 0;
-  for (std::size_t at = next_; at < disjunctions_.size() && compared < most; ++at) {
-    if (!disjunctions_[at].is_done) {
-      open(disjunctions_[at], one_);
-      if (one_.is_done) note_done(at);
+  while (true) {
+    std::size_t compared = 0;
+    std::size_t chosen = 0;
+    Promise best;
+    for (std::size_t at = next_; at < disjunctions_.size() && compared < most; ++at) {
+      Disjunction& one = disjunctions_[at];
+      if (at % known_a_look == 0) effort_.count_look();
+      if (const std::uint64_t state = one.is_done ? 0 : state_of(one);
+          !one.is_done && (state == 0 || state != one.seen)) {
+        if (settle(at) && !one.is_done) return Asserted();
+        one.seen = state;
+      }
+      if (one.is_done) {
+        if (at == next_) ++next_;
+        continue;
+      }
+      const auto alternatives = std::span(choices_).subspan(one.begin, one.end - one.begin);
+      const Promise promise{one.left, records_.has_failed() ? records_.failures_of(alternatives) : 0};
+      if (compared++ > 0 && !promise.is_before(best)) continue;
+      best = promise;
+      chosen = at;
     }
-    if (disjunctions_[at].is_done) {
-      if (at == next_) ++next_;
-      continue;
-    }
-    if (one_.alternatives.empty()) {
-      facts_.clash(one_.dependency);
-      return Asserted();
-    }
-    if (one_.alternatives.size() == 1) {
-      facts_.apply(one_.alternatives.front(), one_.dependency);
-      return Asserted();
-    }
-    one_.failures = records_.has_failed() ? records_.failures_of(one_.alternatives) : 0;
-    if (compared++ == 0 || one_.is_before(best_)) std::swap(one_, best_);
+    if (compared == 0) return AllDecided();
+    if (!settle(chosen)) return Decision{open_.alternatives, open_.dependency, {}};
+    if (!disjunctions_[chosen].is_done) return Asserted();
   }
-  if (compared == 0) return AllDecided();
-  return Decision{best_.alternatives, best_.dependency, {}};
+}
+
+bool Disjunctions::settle(std::size_t disjunction) {
+  open(disjunctions_[disjunction], open_);
+  disjunctions_[disjunction].left = static_cast<std::uint32_t>(open_.alternatives.size());
+  if (open_.is_done) {
+    note_done(disjunction);
+  } else if (open_.alternatives.empty()) {
+    facts_.clash(open_.dependency);
+  } else if (open_.alternatives.size() == 1) {
+    facts_.apply(open_.alternatives.front(), open_.dependency);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 // A disjunction of which one alternative holds stays decided until this branch is taken back.
@@ -76,8 +119,8 @@ void Disjunctions::note_done(std::size_t disjunction) {
 // The fewest alternatives for each failure known of them. A disjunction whose many alternatives all fail leads to the
 // cause sooner than many disjunctions of two (dom/wdeg: Boussemart, Hemery, Lecoutre, Sais: Boosting systematic search
 // by weighting constraints, 2004).
-bool Disjunctions::Open::is_before(const Open& other) const {
-  return alternatives.size() * (1 + other.failures) < other.alternatives.size() * (1 + failures);
+bool Disjunctions::Promise::is_before(const Promise& other) const {
+  return alternatives * (1 + other.failures) < other.alternatives * (1 + failures);
 }
 
 void Disjunctions::open(const Disjunction& disjunction, Open& result) {

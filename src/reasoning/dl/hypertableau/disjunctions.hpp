@@ -3,6 +3,7 @@
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_DISJUNCTIONS_HPP
 
 #include <cstdint>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -58,18 +59,30 @@ class Disjunctions {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     DependencySet dependency = no_dependency;
-    bool is_done = false;  ///< in this branch an alternative holds, or its node is gone
+    std::uint32_t left = 0;  ///< alternatives at the last look
+    std::uint64_t seen = 0;  ///< state_of() at the last look
+    bool is_local = false;   ///< its alternatives are concepts that only the label of their node excludes
+    bool is_done = false;    ///< in this branch an alternative holds, or its node is gone
   };
   /// The alternatives of a disjunction that are left.
   struct Open {
     bool is_done = false;  ///< an alternative holds, or its node is gone
     std::vector<Choice> alternatives;
     DependencySet dependency = no_dependency;  ///< of the disjunction and of the facts that exclude the others
-    std::uint64_t failures = 0;                ///< of its alternatives, as far as they are known
-    [[nodiscard]] bool is_before(const Open& other) const;
+  };
+  /// Its weight against others: the number of alternatives, and of their failures as far as they are known.
+  struct Promise {
+    std::uint64_t alternatives = 0;
+    std::uint64_t failures = 0;
+    [[nodiscard]] bool is_before(const Promise& other) const;
   };
 
   void open(const Disjunction& disjunction, Open& result);
+  /// Looks at the alternatives that are left. True if there is no choice: it is done, or a fact or a clash.
+  bool settle(std::size_t disjunction);
+  [[nodiscard]] bool is_local(std::span<const Choice> alternatives) const;
+  /// What its alternatives depend on, as a number; 0 if it has to be looked at anyway.
+  [[nodiscard]] std::uint64_t state_of(const Disjunction& disjunction) const;
   void note_done(std::size_t disjunction);
   bool derive(const Choice& choice);
   // Whether the facts exclude the choice, or the concept of the node. Unite the reasons into `dependency`.
@@ -91,8 +104,7 @@ class Disjunctions {
   std::vector<Disjunction> disjunctions_;
   std::size_t next_ = 0;             ///< all before are done
   std::vector<std::uint32_t> done_;  ///< disjunctions, in the order in which they were
-  Open one_;                         ///< room of find_next()
-  Open best_;
+  Open open_;                        ///< of the disjunction that was looked at last
 };
 
 }  // namespace geminga::hypertableau

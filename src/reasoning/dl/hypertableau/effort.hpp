@@ -20,6 +20,7 @@ class Effort {
   /// Begins another question. `is_about_world`: whether the ontology has a model.
   void begin(bool is_about_world) {
     most_steps_ = limits_.steps + (is_about_world ? limits_.world_steps : 0);
+    earlier_steps_ += steps_;
     steps_ = told_ = 0;
     reason_.clear();
   }
@@ -33,6 +34,8 @@ class Effort {
     constexpr std::size_t looks_a_step = 16;
     if (++looked_ % looks_a_step == 0) ++steps_;
   }
+  /// Of all questions.
+  [[nodiscard]] std::size_t all_steps() const { return earlier_steps_ + steps_; }
   /// Whether a limit is passed; if so, that is the reason.
   bool is_over_limit();
 
@@ -47,8 +50,9 @@ class Effort {
   Mark base_;
   std::size_t most_steps_ = 0;
   std::size_t steps_ = 0;
-  std::size_t looked_ = 0;  ///< looks that are no full step
-  std::size_t told_ = 0;    ///< steps that the budget knows of
+  std::size_t earlier_steps_ = 0;  ///< of earlier questions
+  std::size_t looked_ = 0;         ///< looks that are no full step
+  std::size_t told_ = 0;           ///< steps that the budget knows of
   std::string reason_;
 };
 

@@ -79,37 +79,90 @@ bool Expansion::expand_one(std::uint32_t at) {
   return true;
 }
 
+// If more than the label matters, the witness must be a child that is not blocked: only then has each copy of the node
+// in the unravelled model a copy of the witness with all that is around it.
+bool Expansion::may_be_witness(std::uint32_t denial, NodeId node, NodeId of) const {
+  const Node& one = graph_.node(node);
+  if (one.state != NodeState::active) return false;
+  return program_.denials().forbidden(denial).empty() ||
+         (one.kind == NodeKind::tree && one.parent == of && !one.is_blocked);
+}
+
+std::uint64_t Expansion::version_of_witness(std::uint32_t denial, NodeId node, NodeId of) const {
+  const Node& one = graph_.node(node);
+  const bool is_alone = program_.denials().forbidden(denial).empty();
+  return is_alone ? one.version : one.version + one.surroundings + graph_.node(of).version;
+}
+
+NodeId Expansion::find_witness(std::uint32_t at_least, NodeId node) {
+  const clauses::AtLeast& one = set_.at_leasts[at_least];
+  const std::uint32_t filler = number(one.filler);
+  if (one.count != 1 || !program_.denials().is_denial(filler)) return none;
+  const bool is_inverse = one.role.is_inverse;
+  for (FactId id = is_inverse ? graph_.node(node).in : graph_.node(node).out; id != none;
+       id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+    effort_.count_look();
+    const Fact& edge = graph_.fact(id);
+    const NodeId other = is_inverse ? edge.a : edge.b;
+    if (edge.kind != FactKind::role || edge.predicate != number(one.role.property)) continue;
+    if (may_be_witness(filler, other, node) && !is_denied(filler, other)) return other;
+  }
+  return none;
+}
+
 bool Expansion::has_witness(Existential& existential) {
   const Fact fact = graph_.fact(existential.fact);
   if (fact.kind != FactKind::at_least) return false;
   const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
-  const std::uint32_t property = number(at_least.role.property);
-  const bool is_inverse = at_least.role.is_inverse;
-  const Denials& denials = program_.denials();
-  if (at_least.count != 1 || !denials.is_denial(number(at_least.filler))) return false;
+  const std::uint32_t filler = number(at_least.filler);
+  if (at_least.count != 1 || !program_.denials().is_denial(filler)) return false;
   effort_.count_look();
   // After a branch was taken back, the number may be that of another node, so the edge is looked up again.
   const NodeId known = existential.witness;
-  const bool is_known =
-      known < graph_.node_count() && graph_.is_active(known) && graph_.node(known).version == existential.version &&
-      graph_.find(FactKind::role, property, is_inverse ? known : fact.a, is_inverse ? fact.a : known) != none;
+  const bool is_inverse = at_least.role.is_inverse;
+  // Changes of an individual beside the witness have no version that is looked at.
+  const bool is_noted = !program_.has_nominals() || program_.denials().forbidden(filler).empty();
+  const bool is_known = is_noted && known < graph_.node_count() && may_be_witness(filler, known, fact.a) &&
+                        version_of_witness(filler, known, fact.a) == existential.version &&
+                        graph_.find(FactKind::role, number(at_least.role.property), is_inverse ? known : fact.a,
+                                    is_inverse ? fact.a : known) != none;
   if (is_known) return true;
-  const auto is_denied = [&](NodeId node) {
-    return std::ranges::any_of(denials.denied(number(at_least.filler)), [&](std::uint32_t id) {
-      effort_.count_look();
-      return graph_.find(FactKind::concept_of, id, node) != none;
-    });
-  };
-  for (FactId id = is_inverse ? graph_.node(fact.a).in : graph_.node(fact.a).out; id != none;
-       id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+  existential.witness = find_witness(fact.predicate, fact.a);
+  if (existential.witness == none) return false;
+  existential.version = version_of_witness(filler, existential.witness, fact.a);
+  return true;
+}
+
+bool Expansion::has_concepts(std::span<const std::uint32_t> concepts, NodeId node) {
+  return std::ranges::all_of(concepts, [&](std::uint32_t id) {
+    effort_.count_look();
+    return graph_.find(FactKind::concept_of, id, node) != none;
+  });
+}
+
+bool Expansion::is_denied(std::uint32_t denial, NodeId node) {
+  const auto holds = [&](std::uint32_t id) { return has_concepts(std::span(&id, 1), node); };
+  const auto holds_with_neighbour = [&](const Forbidden& all) { return is_forbidden(all, node); };
+  return std::ranges::any_of(program_.denials().denied(denial), holds) ||
+         std::ranges::any_of(program_.denials().forbidden(denial), holds_with_neighbour);
+}
+
+bool Expansion::is_forbidden(const Forbidden& all, NodeId node) {
+  if (!has_concepts(all.concepts, node)) return false;
+  if (all.roles.empty()) return true;
+  const clauses::Atom& first = all.roles.front();
+  const bool is_out = first.first == clauses::centre;
+  for (FactId id = is_out ? graph_.node(node).out : graph_.node(node).in; id != none;
+       id = is_out ? graph_.fact(id).next_a : graph_.fact(id).next_b) {
     effort_.count_look();
     const Fact& edge = graph_.fact(id);
-    const NodeId node = is_inverse ? edge.a : edge.b;
-    if (edge.kind != FactKind::role || edge.predicate != property || !graph_.is_active(node) || is_denied(node))
-      continue;
-    existential.witness = node;
-    existential.version = graph_.node(node).version;
-    return true;
+    const NodeId other = is_out ? edge.b : edge.a;
+    if (edge.kind != FactKind::role || edge.predicate != first.predicate || !graph_.is_active(other)) continue;
+    const bool has_roles = std::ranges::all_of(all.roles, [&](const clauses::Atom& role) {
+      const bool leads_out = role.first == clauses::centre;
+      return graph_.find(FactKind::role, role.predicate, leads_out ? node : other, leads_out ? other : node) != none;
+    });
+    if (has_roles && has_concepts(all.neighbour_concepts, other)) return true;
   }
   return false;
 }

@@ -5,6 +5,7 @@
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_EXPANSION_HPP
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
@@ -56,7 +57,7 @@ class Expansion {
   struct Existential {
     FactId fact = 0;
     bool is_done = false;
-    /// The neighbour that satisfied it when it was last looked at, and the version of that node.
+    /// The neighbour that satisfied it when it was last looked at, and the versions of what was looked at.
     NodeId witness = none;
     std::uint64_t version = 0;
   };
@@ -67,9 +68,15 @@ class Expansion {
   void expand_object(const Fact& fact);
   void expand_data(const Fact& fact);
   [[nodiscard]] bool is_satisfied(const Fact& fact);
-  /// Whether some neighbour is in no concept that the filler excludes (program/denials.hpp). The answer holds until
-  /// that neighbour changes.
+  /// Whether some neighbour may be in the filler, because it is a denial (program/denials.hpp) that does not exclude
+  /// that neighbour. The answer holds until the neighbour changes, or what is around it.
   bool has_witness(Existential& existential);
+  [[nodiscard]] NodeId find_witness(std::uint32_t at_least, NodeId node);
+  [[nodiscard]] bool may_be_witness(std::uint32_t denial, NodeId node, NodeId of) const;
+  [[nodiscard]] std::uint64_t version_of_witness(std::uint32_t denial, NodeId node, NodeId of) const;
+  [[nodiscard]] bool has_concepts(std::span<const std::uint32_t> concepts, NodeId node);
+  [[nodiscard]] bool is_denied(std::uint32_t denial, NodeId node);
+  [[nodiscard]] bool is_forbidden(const Forbidden& all, NodeId node);
   bool give_to_neighbour(const Fact& fact);
 
   const owl::Ontology& source_;

@@ -34,6 +34,7 @@ void Graph::count_label(const Fact& fact, bool is_added) {
   nodes_[fact.a].label_hash += is_added ? hash : std::uint64_t{0} - hash;
   nodes_[fact.a].label_count += is_added ? 1U : ~0U;
   nodes_[fact.a].version = ++versions_;
+  if (nodes_[fact.a].parent != none) nodes_[nodes_[fact.a].parent].surroundings = versions_;
   note_change(fact.a);
 }
 
@@ -110,12 +111,14 @@ void Graph::link(FactId id) {
     fact.next_b = nodes_[fact.b].in;
     nodes_[fact.b].in = id;
     count_edge(fact, true);
+    note_surroundings(fact);
   } else {
     fact.next_a = a.others;
     a.others = id;
     if (fact.kind == FactKind::unequal) {
       fact.next_b = nodes_[fact.b].others;
       nodes_[fact.b].others = id;
+      note_surroundings(fact);
     }
   }
 }
@@ -130,9 +133,13 @@ void Graph::unlink(FactId id) {
     a.out = fact.next_a;
     nodes_[fact.b].in = fact.next_b;
     count_edge(fact, false);
+    note_surroundings(fact);
   } else {
     a.others = fact.next_a;
-    if (fact.kind == FactKind::unequal) nodes_[fact.b].others = fact.next_b;
+    if (fact.kind == FactKind::unequal) {
+      nodes_[fact.b].others = fact.next_b;
+      note_surroundings(fact);
+    }
   }
 }
 
@@ -151,6 +158,7 @@ void Graph::count_edge(const Fact& fact, bool is_added) {
 
 void Graph::set_state(NodeId node, NodeState state) {
   nodes_[node].state = state;
+  nodes_[node].version = ++versions_;
   note_change(node);
   trail_.push_back(node);
 }
@@ -198,6 +206,7 @@ void Graph::cut(const Mark& mark) {
     Node& node = nodes_[trail_.back()];
     note_change(trail_.back());
     node.state = NodeState::active;
+    node.version = ++versions_;
     node.merged_into = none;
     trail_.pop_back();
   }

@@ -63,8 +63,10 @@ struct Node {
   FactId others = none;
   std::uint32_t label_count = 0;
   std::uint32_t edge_count = 0;  ///< between it and its parent
-  /// Changes whenever the label or the edge to the parent changes.
+  /// Changes whenever the label, the edge to the parent or the state changes.
   std::uint64_t version = 0;
+  /// Changes whenever an edge or an inequality of it changes, or the label of a child.
+  std::uint64_t surroundings = 0;
   std::uint64_t label_hash = 0;  ///< of a set: order does not matter
   std::uint64_t edge_hash = 0;
 };
@@ -98,6 +100,11 @@ class Graph {
   void prune(NodeId node);
   /// The node that stands for this one after merges. Unites the reasons into `dependency`. It may be pruned.
   [[nodiscard]] NodeId current(NodeId id, DependencySets& sets, DependencySet& dependency) const;
+  /// The same without the reasons.
+  [[nodiscard]] NodeId current(NodeId id) const {
+    while (nodes_[id].state == NodeState::merged) id = nodes_[id].merged_into;
+    return id;
+  }
 
   [[nodiscard]] Mark mark() const { return {facts_.size(), nodes_.size(), trail_.size()}; }
   void cut(const Mark& mark);
@@ -121,6 +128,7 @@ class Graph {
   void grow();
   void set_state(NodeId node, NodeState state);
   void note_change(NodeId node) { changed_ = std::min(changed_, node); }
+  void note_surroundings(const Fact& fact) { nodes_[fact.a].surroundings = nodes_[fact.b].surroundings = ++versions_; }
 
   std::vector<Node> nodes_;
   std::vector<Fact> facts_;

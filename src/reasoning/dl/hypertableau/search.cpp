@@ -158,7 +158,7 @@ void Search::note(const Suspect& suspect) {
 
 void Search::branch(Decision decision) {
   const auto number = static_cast<std::uint32_t>(branches_.size());
-  records_.order_by_promise(decision.alternatives);
+  records_.order_by_promise(decision.alternatives, program_.burdens());
   const Choice first = decision.alternatives.front();
   const DependencySet dependency = decision.dependency;
   const Suspect suspect = decision.suspect;

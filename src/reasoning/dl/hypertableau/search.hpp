@@ -47,6 +47,8 @@ class Search {
   Outcome find_instance(std::vector<clauses::ConceptId> together);
   /// The labels of the model that the last question found. To be called before end_question().
   [[nodiscard]] Model model();
+  /// The steps of all questions.
+  [[nodiscard]] std::size_t steps() const { return effort_.all_steps(); }
   /// Why the last outcome is unknown, in a line for a user.
   [[nodiscard]] const std::string& reason() const { return effort_.reason(); }
 

@@ -66,6 +66,8 @@ class Tableau {
   [[nodiscard]] Answer is_satisfiable(std::vector<clauses::ConceptId> together);
   /// The model of the last question whose answer was yes.
   [[nodiscard]] const Model& model() const { return model_; }
+  /// The steps of all questions so far.
+  [[nodiscard]] std::size_t steps() const;
 
  private:
   /// The answer to is_consistent(), which is found once.

@@ -57,6 +57,31 @@ TEST(Guesses, OfWhatHoldsComeBeforeThoseOfNewNodes) {
   EXPECT_EQ(answer(large_family + families(1)), Verdict::yes);
 }
 
+TEST(Guesses, OfAClassThatAsksForMuchComeAfterThatOfANeighbourOutside) {
+  // A thing is in Deep if all its parts are in P, and Deep asks for a chain of trees. A part outside of P is less.
+  std::string text = "EquivalentClasses(Deep ObjectAllValuesFrom(part P))\n";
+  for (int level = 0; level < 12; ++level) {
+    const std::string name = level == 0 ? "Deep" : "L" + std::to_string(level);
+    for (const char* const way : {"l", "r"})
+      text += "SubClassOf(" + name + " ObjectSomeValuesFrom(" + way + std::to_string(level) + " L" +
+              std::to_string(level + 1) + "))\n";
+    text += "SubClassOf(L" + std::to_string(level) + " ObjectAllValuesFrom(ObjectInverseOf(l" + std::to_string(level) +
+            ") M" + std::to_string(level) + "))\n";
+  }
+  EXPECT_EQ(answer(text), Verdict::yes);
+}
+
+TEST(Guesses, NeedNoNeighbourForEachRestrictionThatANeighbourIsOutsideOf) {
+  std::string text;
+  for (int way = 0; way < 60; ++way) {
+    const std::string property = "w" + std::to_string(way);
+    text += "SubObjectPropertyOf(" + property + " pairs)\nEquivalentClasses(F" + property +
+            " ObjectAllValuesFrom(part ObjectIntersectionOf(Base ObjectSomeValuesFrom(" + property + " Base))))\n";
+    text += "ClassAssertion(ObjectComplementOf(F" + property + ") i:a)\n";
+  }
+  EXPECT_EQ(answer("FunctionalObjectProperty(pairs)\n" + text), Verdict::yes);
+}
+
 TEST(Guesses, AreNotTurnedForAllByOneFailure) {
   // The first may not be small, for a reason that comes late.
   const std::string late =

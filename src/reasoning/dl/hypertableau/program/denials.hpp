@@ -1,8 +1,9 @@
-// Denials: names of complements of classes and of unions of complements.
+// Denials: names of complements of classes, of restrictions, and of unions of both.
 //
-// If a name Q of the translation occurs only in clauses  Q(x), C(x) -> false,  a model stays a model when
-// everything that is in no such C is put into Q. So an at-least with the filler Q is satisfied by a neighbour that is
-// in no such C, even if Q is not derived of it. It needs no neighbour of its own.
+// Suppose that a name Q of the translation occurs in bodies only in clauses  Q(x), G -> false  where G speaks of x and
+// one neighbour of x, and of no other name. Then a model stays a model when everything of which no such G holds is put
+// into Q. So an at-least with the filler Q is satisfied by a neighbour of which no such G holds, even if Q is not
+// derived of it. It needs no neighbour of its own.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_PROGRAM_DENIALS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_PROGRAM_DENIALS_HPP
 
@@ -14,6 +15,13 @@
 
 namespace geminga::hypertableau {
 
+/// What a clause of a denial forbids beside a single concept: concepts of a node together, or with a neighbour.
+struct Forbidden {
+  std::vector<std::uint32_t> concepts;            ///< of the node
+  std::vector<clauses::Atom> roles;               ///< from or to the neighbour, which is the variable 1; may be empty
+  std::vector<std::uint32_t> neighbour_concepts;  ///< none without roles
+};
+
 class Denials {
  public:
   explicit Denials(const clauses::ClauseSet& set);
@@ -21,12 +29,16 @@ class Denials {
   [[nodiscard]] bool is_denial(std::uint32_t id) const { return is_denial_[id]; }
   /// The concepts that the denial excludes, ascending.
   [[nodiscard]] std::span<const std::uint32_t> denied(std::uint32_t id) const { return denied_[id]; }
+  /// What else it excludes.
+  [[nodiscard]] std::span<const Forbidden> forbidden(std::uint32_t id) const { return forbidden_[id]; }
 
  private:
   void look(const clauses::ClauseSet& set, const clauses::Clause& clause);
+  void add(std::uint32_t id, const clauses::Clause& clause);
 
   std::vector<bool> is_denial_;                     ///< by concept
   std::vector<std::vector<std::uint32_t>> denied_;  ///< by concept
+  std::vector<std::vector<Forbidden>> forbidden_;   ///< by concept
 };
 
 }  // namespace geminga::hypertableau

@@ -15,7 +15,7 @@ using clauses::Clause;
 using clauses::number;
 using clauses::Variable;
 
-Program::Program(const clauses::ClauseSet& set) : set_(set), domains_(set), denials_(set) {
+Program::Program(const clauses::ClauseSet& set) : set_(set), domains_(set), denials_(set), burdens_(set, domains_) {
   by_concept_.resize(domains_.concept_count());
   bounds_of_filler_.resize(domains_.concept_count());
   bounds_of_guard_.resize(domains_.concept_count());

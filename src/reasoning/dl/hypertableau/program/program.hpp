@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
+#include "reasoning/dl/hypertableau/program/burdens.hpp"
 #include "reasoning/dl/hypertableau/program/denials.hpp"
 #include "reasoning/dl/hypertableau/program/domains.hpp"
 
@@ -105,6 +106,8 @@ class Program {
   [[nodiscard]] const Domains& domains() const { return domains_; }
   /// Fillers that a neighbour may have without being told; see denials.hpp.
   [[nodiscard]] const Denials& denials() const { return denials_; }
+  /// What facts ask for; see burdens.hpp.
+  [[nodiscard]] const Burdens& burdens() const { return burdens_; }
   /// Whether every node needs the fact that it is in owl:Thing.
   [[nodiscard]] bool needs_thing() const { return needs_thing_; }
   /// Whether anything looks at a node from its successor's side, so that blocking must compare pairs.
@@ -127,6 +130,7 @@ class Program {
   const clauses::ClauseSet& set_;
   Domains domains_;
   Denials denials_;
+  Burdens burdens_;
   std::vector<Step> steps_;
   std::vector<clauses::Atom> heads_;
   std::vector<std::vector<Plan>> by_concept_;
