@@ -7,7 +7,8 @@
 
 #include "base/random.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
-#include "reasoning/explanation/explain.hpp"
+#include "reasoning/explanation/laconic.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
 #include "support/reference.hpp"
 #include "support/written.hpp"
 
@@ -121,6 +122,34 @@ TEST(RandomExplanations, AreMinimalByTheNaiveReasoner) {
     }
   });
   EXPECT_GT(explained, 300);
+}
+
+TEST(RandomExplanations, PartsOfThemFollowAreEnoughAndAreAllNeeded) {
+  int weakened = 0;
+  for_random_pairs(25, 10, [&](Explainer& explainer, Subsets&, const auto&, const auto&) {
+    const auto found = explainer.find_one();
+    if (!found) return;
+    const Laconic laconic = find_laconic(explainer, *found);
+    ASSERT_TRUE(laconic.is_laconic);
+    const owl::Ontology& source = explainer.module().source();
+    AxiomSet parts;
+    for (const Laconic::PartOf& part : laconic.parts) {
+      parts.push_back(part.axiom);
+      if (part.is_whole) continue;
+      ++weakened;
+      const AxiomSet whole = {part.whole};
+      const AxiomSet conclusion = {part.axiom};
+      ASSERT_EQ(reasoner::entails_each(source, whole, conclusion).front().verdict, reasoner::Verdict::yes)
+          << explainer.module().explained(part.axiom).text;
+    }
+    ASSERT_TRUE(explainer.oracle().holds(parts, explainer.sub(), explainer.super()));
+    for (const std::uint32_t part : parts) {
+      AxiomSet others = parts;
+      std::erase(others, part);
+      ASSERT_FALSE(explainer.oracle().holds(others, explainer.sub(), explainer.super()));
+    }
+  });
+  EXPECT_GT(weakened, 20);
 }
 
 TEST(RandomExplanations, AreAllThatThereAre) {
