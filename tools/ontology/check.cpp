@@ -170,12 +170,18 @@ Exit report(const Findings& findings, const CheckRequest& request) {
   return print_or_say(text, findings.has_problem() ? Exit::no : Exit::yes);
 }
 
+/// The exit status where a limit may have ended the search for reasons.
+Exit after_reasons(const base::Budget& budget, Exit exit) {
+  if (exit == Exit::usage || !budget.is_spent()) return exit;
+  return say_error(*budget.reason() + ": there may be more reasons than are printed: raise it", Exit::timed_out);
+}
+
 Exit check(const CheckRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   if (is_compiled(request.files)) {
     const auto compiled = open_compiled(request.files.front());
     if (!compiled) return say_failure(compiled.error().text, request.as_json, Exit::no);
-    return report(find(*compiled, budget), request);
+    return after_reasons(budget, report(find(*compiled, budget), request));
   }
   const auto classified = classify_files(request.files, {.as_json = request.as_json, .budget = &budget});
   if (!classified)
@@ -188,7 +194,9 @@ Exit check(const CheckRequest& request, const WorkLimits& limits) {
   const Findings findings = find(*classified, *ontology, budget);
   progress.clear();
   const Exit exit = report(findings, request);
-  return exit == Exit::usage ? exit : exit_of(*classified, exit);
+  if (exit == Exit::usage) return exit;
+  if (classified->classification.is_cut_off) return exit_of(*classified, exit);
+  return after_reasons(budget, exit);
 }
 
 }  // namespace

@@ -38,6 +38,16 @@ TEST(Check, NamesUnsatisfiableClassesWithTheirReasons) {
   EXPECT_EQ(document.at("unsatisfiable").at(1).at("root"), "e:A");
 }
 
+TEST(Check, SaysWhereALimitEndedTheSearchForReasons) {
+  const Program program;
+  program.turtle("a.ttl", ":A rdfs:subClassOf :B , :C .\n:B owl:disjointWith :C .\n");
+  ASSERT_EQ(program.run({"compile", "a.ttl", "-o", "a.geminga"}).status, 0);
+  const Outcome outcome = program.run({"check", "a.geminga", "--steps", "1"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("Classes that can have no instance:\n  e:A\n"));
+  EXPECT_THAT(outcome.err, HasSubstr("there may be more reasons than are printed"));
+}
+
 TEST(Check, ListsWhatWasLeftOutWithItsFirstPlace) {
   const Program program;
   program.turtle(
