@@ -10,9 +10,9 @@ enum class LogLevel { debug, info, warning, error };
 
 /// The subject of a line, for logs that keep fields beside the text. Each is empty where it does not apply.
 struct LogFields {
-  std::string_view participant;  ///< the identifier of a participant, as the tools print it
-  std::string_view peer;         ///< the name of a local client
-  std::string_view code;         ///< a word for the kind of event, the same in every version: `clash`
+  std::string_view participant = {};  ///< the identifier of a participant, as the tools print it
+  std::string_view peer = {};         ///< the name of a local client
+  std::string_view code = {};         ///< a word for the kind of event, the same in every version: `clash`
 };
 
 /// Takes one line at a time. The daemon writes the lines with spdlog; the simulator keeps or drops them.

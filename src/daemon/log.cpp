@@ -89,7 +89,7 @@ bool Log::has_caught_up() {
   if (!put(
           base::LogLevel::warning,
           std::to_string(missing) + (missing == 1 ? " line" : " lines") + " of this log dropped: nobody was reading it",
-          {.participant = {}, .peer = {}, .code = "log_dropped"})) {
+          {.code = "log_dropped"})) {
     return false;
   }
   told_ = dropped_;

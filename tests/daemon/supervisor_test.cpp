@@ -132,7 +132,7 @@ TEST(JournalWriter, WritesAnEntryWithItsLevelAndFields) {
   const Listener journal;
   const auto writer = JournalWriter::open(journal.path());
   ASSERT_TRUE(writer);
-  EXPECT_TRUE(writer->write(base::LogLevel::warning, "peer a floods", {.participant = {}, .peer = "a", .code = "c"}));
+  EXPECT_TRUE(writer->write(base::LogLevel::warning, "peer a floods", {.peer = "a", .code = "c"}));
   EXPECT_EQ(journal.next(), "SYSLOG_IDENTIFIER=gemingad\nPRIORITY=4\n" + field("MESSAGE", "peer a floods") +
                                 field("GEMINGA_PEER", "a") + field("GEMINGA_CODE", "c"));
 }
@@ -141,7 +141,7 @@ TEST(JournalWriter, LetsNoValueForgeAField) {
   const Listener journal;
   const auto writer = JournalWriter::open(journal.path());
   ASSERT_TRUE(writer);
-  ASSERT_TRUE(writer->write(base::LogLevel::info, "x", {.participant = {}, .peer = "a\nPRIORITY=0\n", .code = {}}));
+  ASSERT_TRUE(writer->write(base::LogLevel::info, "x", {.peer = "a\nPRIORITY=0\n"}));
   EXPECT_THAT(journal.next(), testing::EndsWith(field("GEMINGA_PEER", "a\nPRIORITY=0\n")));
 }
 
@@ -175,7 +175,7 @@ TEST(Log, GoesToTheJournalWhereStandardErrorIsItsStream) {
   Log log(base::LogLevel::info, LogFormat::text, journal.path());
   ::unsetenv("JOURNAL_STREAM");
   log.write(base::LogLevel::debug, "less severe than the level");
-  log.write(base::LogLevel::error, "clash", {.participant = "00000001", .peer = {}, .code = "clash"});
+  log.write(base::LogLevel::error, "clash", {.participant = "00000001", .code = "clash"});
   EXPECT_THAT(journal.next(),
               testing::AllOf(testing::HasSubstr("PRIORITY=3"), testing::HasSubstr("GEMINGA_PARTICIPANT")));
   EXPECT_EQ(journal.next(), "");

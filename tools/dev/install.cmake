@@ -6,6 +6,7 @@ if(NOT TARGET geminga_client_cpp)
   return()
 endif()
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libgeminga-dev)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/geminga DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 foreach(module IN LISTS geminga_client_modules)
   string(REPLACE "/" "_" module ${module})
@@ -15,7 +16,8 @@ endforeach()
 set_target_properties(geminga_client_cpp PROPERTIES EXPORT_NAME client)
 # The public headers (include/geminga) are C++20, whatever the library was compiled as.
 target_compile_features(geminga_client_cpp INTERFACE cxx_std_20)
-install(TARGETS geminga EXPORT GemingaTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS geminga EXPORT GemingaTargets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libgeminga1 NAMELINK_COMPONENT libgeminga-dev)
 # Wherever the folder is moved to, cmake --install --prefix included.
 file(RELATIVE_PATH geminga_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(${PROJECT_SOURCE_DIR}/src/client/c/geminga.pc.in ${PROJECT_BINARY_DIR}/geminga.pc @ONLY)

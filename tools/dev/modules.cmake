@@ -62,10 +62,14 @@ function(geminga_module name)
   endforeach()
 endfunction()
 
-# geminga_program(NAME [SECTION 8] SOURCES file... [DEPENDS module...] [LINK external-target...]): an installed executable. Its DEPENDS are
-# the law of its folder. Its page stands in that section of the manual, 1 unless told.
+# geminga_program(NAME [SECTION 8] [PACKAGE package] SOURCES file... [DEPENDS module...] [LINK external-target...]): an installed
+# executable. Its DEPENDS are the law of its folder. Its page stands in that section of the manual, 1 unless told, and it is in that Debian
+# package, geminga unless told.
 function(geminga_program name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SECTION" "SOURCES;DEPENDS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SECTION;PACKAGE" "SOURCES;DEPENDS;LINK")
+  if(NOT arg_PACKAGE)
+    set(arg_PACKAGE geminga)
+  endif()
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(${name} PRIVATE geminga_flags ${arg_LINK})
@@ -78,16 +82,16 @@ function(geminga_program name)
     target_link_libraries(${name} PRIVATE geminga_${module})
   endforeach()
   target_compile_definitions(${name} PRIVATE GEMINGA_VERSION="${PROJECT_VERSION}")
-  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${arg_PACKAGE})
   if(NOT arg_SECTION)
     set(arg_SECTION 1)
   endif()
-  geminga_manual(${name} ${arg_SECTION})
+  geminga_manual(${name} ${arg_SECTION} ${arg_PACKAGE})
 endfunction()
 
-# geminga_manual(PROGRAM SECTION): asks the program for its man page and its completions, and installs them. Not where it is compiled for
-# another machine that nothing here can stand in for.
-function(geminga_manual name section)
+# geminga_manual(PROGRAM SECTION PACKAGE): asks the program for its man page and its completions, and installs them. Not where it is
+# compiled for another machine that nothing here can stand in for.
+function(geminga_manual name section package)
   if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
     return()
   endif()
@@ -96,15 +100,19 @@ function(geminga_manual name section)
   set(man ${folder}/${name}.${section})
   set(bash ${folder}/${name}.bash)
   set(zsh ${folder}/_${name})
-  add_custom_command(OUTPUT ${man} ${bash} ${zsh}
+  add_custom_command(OUTPUT ${man} ${man}.gz ${bash} ${zsh}
     COMMAND ${name} --describe man > ${man}
+    COMMAND gzip -9n < ${man} > ${man}.gz
     COMMAND ${name} --describe bash > ${bash}
     COMMAND ${name} --describe zsh > ${zsh}
     DEPENDS ${name} VERBATIM)
-  add_custom_target(${name}-manual ALL DEPENDS ${man} ${bash} ${zsh})
-  install(FILES ${man} DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section})
-  install(FILES ${bash} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${name})
-  install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  add_custom_target(${name}-manual ALL DEPENDS ${man}.gz ${bash} ${zsh})
+  set_property(GLOBAL APPEND PROPERTY geminga_manuals ${name}-manual)
+  install(FILES ${man}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT ${package})
+  install(FILES ${bash} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${name} COMPONENT ${package})
+  # zsh looks into the first folder below /usr/local, and into the second one below /usr, where packages put their files.
+  install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT not-packaged)
+  install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT ${package} EXCLUDE_FROM_ALL)
 endfunction()
 
 # geminga_command_line(TARGET file...): compiles the files of a program that include CLI11 as one, except in the preset dev: each of

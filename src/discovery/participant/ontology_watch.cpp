@@ -34,7 +34,7 @@ void OntologyWatch::look(const membership::NeighbourTable& neighbours, std::uint
   if (is_same) return;
   if (is_mended) {
     env.log().write(base::LogLevel::info, "ontology: no participant has another one than ours any more",
-                    {.participant = {}, .peer = {}, .code = "ontology_same"});
+                    {.code = "ontology_same"});
     return;
   }
   std::string line = "ontology: " + std::to_string(others_.size()) +
@@ -48,8 +48,7 @@ void OntologyWatch::look(const membership::NeighbourTable& neighbours, std::uint
     }
     line += (named++ == 0 ? "" : ", ") + name_of(neighbours, id, digest);
   }
-  env.log().write(base::LogLevel::warning, line + ": geminga-query ontology lists them",
-                  {.participant = {}, .peer = {}, .code = "ontology_differs"});
+  env.log().write(base::LogLevel::warning, line + ": geminga-query ontology lists them", {.code = "ontology_differs"});
 }
 
 }  // namespace geminga::participant

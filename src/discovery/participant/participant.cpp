@@ -291,18 +291,16 @@ void Participant::claimed() {
   knowledge.self.id = all.air.announcer().id();
   all.phase = Phase::ready;
   all.air.announcer().changed();
-  const std::string id = to_string(knowledge.self.id);
-  all.env.log().write(base::LogLevel::info,
-                      "participant " + id + " (" + base::printable(knowledge.self.name()) + ") is ready",
-                      {.participant = id, .peer = {}, .code = "ready"});
+  const std::string who = to_string(knowledge.self.id);
+  const std::string line = "participant " + who + " (" + base::printable(knowledge.self.name()) + ") is ready";
+  all.env.log().write(base::LogLevel::info, line, {.participant = who, .code = "ready"});
   proceed_feed();
   all.clients.turns().take();  // what waited for the identifier is announced with it
 }
 
 void Participant::fail() {
   Owners& all = *owners_;
-  all.env.log().write(base::LogLevel::error, all.air.announcer().failure(),
-                      {.participant = {}, .peer = {}, .code = "no_identifier"});
+  all.env.log().write(base::LogLevel::error, all.air.announcer().failure(), {.code = "no_identifier"});
   all.phase = Phase::failed;
   all.clients.close_all(Error{ErrorCode::not_ready, "not ready: no identifier could be claimed, the daemon ends"});
 }

@@ -51,7 +51,7 @@ std::optional<Announcer::Consequence> Air::hear(env::InterfaceIndex interface, s
                                                 std::span<const std::byte> datagram, ParticipantId served) {
   const auto consequence = take_in(interface, source, datagram, served);
   if (const auto complaint = seal_.take_complaint())
-    env_.log().write(base::LogLevel::warning, *complaint, {.participant = {}, .peer = {}, .code = "sealing"});
+    env_.log().write(base::LogLevel::warning, *complaint, {.code = "sealing"});
   return consequence;
 }
 
@@ -117,7 +117,7 @@ void Air::shed() {
                    "memory is short: " + std::to_string(given_up) +
                        " participants that were heard last are given up, and further ones "
                        "have to wait",
-                   {.participant = {}, .peer = {}, .code = "memory_short"});
+                   {.code = "memory_short"});
 }
 
 void Air::expire() {

@@ -207,7 +207,7 @@ void Announcer::report_copy(const Heard& heard) {
           origin(heard) +
           ") has our lasting identity, too, so one of us is a copy of the other's disk: remove the file `identity` "
           "from its state folder and start it again",
-      {.participant = to_string(heard.announcement.participant), .peer = {}, .code = "copied_identity"});
+      {.participant = to_string(heard.announcement.participant), .code = "copied_identity"});
 }
 
 /// A presence says what its sender has heard of us and of others.
@@ -277,7 +277,7 @@ Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
       means_.env.log().write(
           base::LogLevel::warning,
           "another participant (" + clash_from_ + ") has our identifier " + to_string(lost) + ", too: taking a new one",
-          {.participant = to_string(lost), .peer = {}, .code = "clash"});
+          {.participant = to_string(lost), .code = "clash"});
       send(header(announcement::Kind::goodbye, lost));
       schedule_.pause();
       means_.neighbours.set_self(claim_.id(), boot_);
@@ -304,7 +304,7 @@ void Announcer::report(const Heard& heard) {
       contest_.from() + " announces in our name (identifier " + to_string(claim_.id()) +
           "): we keep it and contradict. If this goes on, a program there forges or replays announcements: find "
           "that host, or keep it off this network",
-      {.participant = to_string(claim_.id()), .peer = {}, .code = "contested"});
+      {.participant = to_string(claim_.id()), .code = "contested"});
 }
 
 void Announcer::end_contest() {
@@ -312,7 +312,7 @@ void Announcer::end_contest() {
   means_.env.log().write(
       base::LogLevel::info,
       "nobody else announces in our name any more; " + std::to_string(contest_.heard()) + " datagrams did",
-      {.participant = to_string(claim_.id()), .peer = {}, .code = "contest_ended"});
+      {.participant = to_string(claim_.id()), .code = "contest_ended"});
 }
 
 std::string Announcer::failure() const {

@@ -15,7 +15,7 @@ void OneWay::hear(const announcement::Announcement& presence, const membership::
   const std::string name = base::printable(known ? known->name : id);
   if (!is_deaf) {
     told_.erase(presence.participant);
-    log.write(base::LogLevel::info, name + " hears us again", {.participant = id, .peer = {}, .code = "hears_us"});
+    log.write(base::LogLevel::info, name + " hears us again", {.participant = id, .code = "hears_us"});
     return;
   }
   if (told_.size() >= max_named_deaf) {
@@ -27,7 +27,7 @@ void OneWay::hear(const announcement::Announcement& presence, const membership::
             name + " (" + std::string(source) + " on " + std::string(interface) +
                 ") is heard, and says that it does not hear us: look at the firewall of both hosts (UDP, multicast and "
                 "its port), and at what forwards multicast between them",
-            {.participant = id, .peer = {}, .code = "deaf_to_us"});
+            {.participant = id, .code = "deaf_to_us"});
 }
 
 }  // namespace geminga::participant

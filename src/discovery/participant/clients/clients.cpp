@@ -157,7 +157,7 @@ void Clients::close_due() {
     }
     if (is_stuck(session)) {
       env_.log().write(base::LogLevel::warning, "peer " + session.name + " does not read what it is told: it is closed",
-                       {.participant = {}, .peer = session.name, .code = "peer_does_not_read"});
+                       {.peer = session.name, .code = "peer_does_not_read"});
       sessions_.refuse(session, 0,
                        {ErrorCode::too_many, "closed: nothing that this client is told was read for too long"});
       session.is_closing = true;

@@ -66,7 +66,7 @@ void Turns::take_line(Session& session, const gcnp::LineReader::Line& line) {
       return;
     case RateGate::Verdict::flood:
       parts_.env.log().write(base::LogLevel::warning, "peer " + session.name + " floods: its connection is closed",
-                             {.participant = {}, .peer = session.name, .code = "peer_floods"});
+                             {.peer = session.name, .code = "peer_floods"});
       refuse_line(session, line, too_fast(parts_.limits));
       session.is_closing = true;
       return;

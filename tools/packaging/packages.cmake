@@ -1,0 +1,160 @@
+# The Debian packages: tools/package. CPack rather than debhelper makes them from the build that was tested, and each thing is given its
+# package where it is installed. A component of install() is a package. What only a package has (units,
+# /etc, Debian's documents) is left out of `cmake --install`.
+if(NOT GEMINGA_BUILD_TESTS AND NOT GEMINGA_BUILD_PACKAGES OR GEMINGA_SANITIZE)
+  return()
+endif()
+find_program(GEMINGA_GZIP gzip REQUIRED)
+set(here ${CMAKE_CURRENT_LIST_DIR})
+set(made ${PROJECT_BINARY_DIR}/packaging)
+file(MAKE_DIRECTORY ${made})
+
+# in_package(PACKAGE DESTINATION file...): files that only the package has.
+function(in_package package destination)
+  install(FILES ${ARGN} DESTINATION ${destination} COMPONENT ${package} EXCLUDE_FROM_ALL)
+endfunction()
+
+# compressed(INPUT OUTPUT): without name and time, so that the same input gives the same octets.
+function(compressed input output)
+  execute_process(COMMAND ${GEMINGA_GZIP} -9n INPUT_FILE ${input} OUTPUT_FILE ${output} COMMAND_ERROR_IS_FATAL ANY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${input})
+endfunction()
+
+configure_file(${here}/changelog.in ${made}/changelog @ONLY)
+compressed(${made}/changelog ${made}/changelog.gz)
+compressed(${PROJECT_SOURCE_DIR}/CHANGELOG.md ${made}/CHANGELOG.md.gz)
+
+# geminga_package(PACKAGE [ALL] SUMMARY text DESCRIPTION text [SECTION section] [DEPENDS text] [RECOMMENDS text] [SUGGESTS text]
+#                 [CONTROL file...]): what control says of a package. ALL: it holds nothing for one kind of processor. Lines of the
+# description begin with a blank, as Debian's policy has it (5.6.13).
+set(packages "")
+macro(geminga_package package)
+  cmake_parse_arguments(this "ALL" "SUMMARY;DESCRIPTION;SECTION;DEPENDS;RECOMMENDS;SUGGESTS" "CONTROL" ${ARGN})
+  list(APPEND packages ${package})
+  string(TOUPPER ${package} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
+  set(CPACK_DEBIAN_${upper}_DESCRIPTION "${this_SUMMARY}\n${this_DESCRIPTION}")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${this_SECTION})
+  set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${this_DEPENDS}")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_RECOMMENDS "${this_RECOMMENDS}")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SUGGESTS "${this_SUGGESTS}")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA "${this_CONTROL}")
+  if(this_ALL)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_ARCHITECTURE all)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS OFF)
+  endif()
+  in_package(${package} ${CMAKE_INSTALL_DATADIR}/doc/${package} ${here}/copyright ${made}/changelog.gz)
+  if(EXISTS ${here}/overrides/${package})
+    in_package(${package} ${CMAKE_INSTALL_DATADIR}/lintian/overrides ${here}/overrides/${package})
+  endif()
+endmacro()
+
+geminga_package(geminga
+  SUMMARY "service discovery for teams of mobile robots"
+  DESCRIPTION "One daemon a host tells the modules of a robot who in the team offers what
+they ask for. Daemons multicast compact announcements, keep what they hear
+until its deadline, and match locally. There is no server and no
+configuration. Services are numbers, texts, or concepts of an ontology.
+.
+This package has the daemon with its systemd unit, geminga-query,
+geminga-publish and geminga-subscribe."
+  SECTION net
+  DEPENDS "procps, systemd-standalone-sysusers | systemd"
+  RECOMMENDS "geminga-ontologies (= ${PROJECT_VERSION}), geminga-ontology (= ${PROJECT_VERSION})"
+  CONTROL ${here}/control/geminga/conffiles ${here}/control/geminga/postinst ${here}/control/geminga/prerm
+          ${here}/control/geminga/postrm)
+in_package(geminga lib/systemd/system ${here}/gemingad.service ${here}/gemingad.socket)
+install(FILES ${here}/geminga.sysusers DESTINATION lib/sysusers.d RENAME geminga.conf COMPONENT geminga EXCLUDE_FROM_ALL)
+in_package(geminga /etc/geminga ${here}/gemingad.toml)
+in_package(geminga /etc/geminga/conf.d ${here}/conf.d/README)
+in_package(geminga ${CMAKE_INSTALL_DATADIR}/doc/geminga ${made}/CHANGELOG.md.gz ${PROJECT_SOURCE_DIR}/GUIDE.md)
+
+geminga_package(geminga-ontology
+  SUMMARY "reasoner and compiler of ontologies for robot teams"
+  DESCRIPTION "geminga-ontology checks, classifies, explains, queries and draws OWL 2
+ontologies in six syntaxes, and compiles them for gemingad, which reads
+no RDF itself: without this package it takes compiled files only."
+  SECTION science
+  RECOMMENDS "geminga-ontologies (= ${PROJECT_VERSION})"
+  SUGGESTS "graphviz")
+
+geminga_package(geminga-ontologies ALL
+  SUMMARY "ontologies for robot teams"
+  DESCRIPTION "The words for services that Geminga ships: the core, a robot soccer team
+and a rescue team, in Turtle."
+  SECTION science)
+
+geminga_package(libgeminga1
+  SUMMARY "service discovery for teams of mobile robots (C library)"
+  DESCRIPTION "Programs in C offer and ask for services with it, and send and receive
+messages. It speaks with the daemon of the package geminga."
+  SECTION libs
+  RECOMMENDS "geminga"
+  CONTROL ${here}/control/libgeminga1/symbols ${here}/control/libgeminga1/shlibs ${here}/control/libgeminga1/triggers)
+
+geminga_package(libgeminga-dev
+  SUMMARY "service discovery for teams of mobile robots (development files)"
+  DESCRIPTION "Headers for C++20 and C, the static C++ library as the CMake package
+Geminga, and geminga for pkg-config."
+  SECTION libdevel
+  DEPENDS "libgeminga1 (= ${PROJECT_VERSION}), libsodium-dev, libxxhash-dev")
+
+geminga_package(python3-geminga ALL
+  SUMMARY "service discovery for teams of mobile robots (Python 3)"
+  DESCRIPTION "Programs in Python offer and ask for services with it, and send and receive
+messages, blocking or with asyncio."
+  SECTION python
+  DEPENDS "python3 (>= 3.11)"
+  RECOMMENDS "geminga, python3-cryptography"
+  CONTROL ${here}/control/python3-geminga/postinst ${here}/control/python3-geminga/prerm)
+
+geminga_package(libgeminga-java ALL
+  SUMMARY "service discovery for teams of mobile robots (Java)"
+  DESCRIPTION "Programs in Java 17 offer and ask for services with it, and send and
+receive messages."
+  SECTION java
+  RECOMMENDS "geminga, default-jre-headless (>= 2:1.17)")
+
+geminga_package(node-geminga ALL
+  SUMMARY "service discovery for teams of mobile robots (Node.js)"
+  DESCRIPTION "Programs in JavaScript and TypeScript offer and ask for services with it,
+and send and receive messages."
+  SECTION javascript
+  DEPENDS "nodejs (>= 18.13)"
+  RECOMMENDS "geminga")
+
+# The targets that packages hold.
+get_property(manuals GLOBAL PROPERTY geminga_manuals)
+add_custom_target(packaged)
+foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe ${manuals} geminga client_java)
+  if(TARGET ${target})
+    add_dependencies(packaged ${target})
+  endif()
+endforeach()
+foreach(module IN LISTS geminga_client_modules)
+  string(REPLACE "/" "_" module ${module})
+  add_dependencies(packaged geminga_${module})
+endforeach()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME geminga)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_VENDOR Geminga)
+set(CPACK_PACKAGE_CONTACT "Geminga developers <geminga@packages.geminga.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_SET_DESTDIR ON)
+file(WRITE ${made}/day.cmake "set(ENV{SOURCE_DATE_EPOCH} $ENV{SOURCE_DATE_EPOCH})\n")
+set(CPACK_PROJECT_CONFIG_FILE ${made}/day.cmake)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL ${packages})
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_SOURCE geminga)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+include(CPack)
