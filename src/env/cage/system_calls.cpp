@@ -54,16 +54,10 @@ constexpr std::array plain{
 constexpr std::array to_become{SCMP_SYS(execve), SCMP_SYS(arch_prctl)};
 constexpr std::array to_write_files{SCMP_SYS(open),      SCMP_SYS(openat), SCMP_SYS(rename),   SCMP_SYS(renameat),
                                     SCMP_SYS(renameat2), SCMP_SYS(unlink), SCMP_SYS(unlinkat), SCMP_SYS(fchmod)};
-constexpr std::array to_be_sanitized{SCMP_SYS(mmap),
-                                     SCMP_SYS(getdents),
-                                     SCMP_SYS(mprotect),
-                                     SCMP_SYS(ptrace),
-                                     SCMP_SYS(prctl),
-                                     SCMP_SYS(personality),
-                                     SCMP_SYS(arch_prctl),
-                                     SCMP_SYS(process_vm_readv),
-                                     SCMP_SYS(sched_getparam),
-                                     SCMP_SYS(sched_getscheduler)};
+constexpr std::array to_be_sanitized{
+    SCMP_SYS(mmap),           SCMP_SYS(getdents),          SCMP_SYS(mprotect),   SCMP_SYS(ptrace),
+    SCMP_SYS(prctl),          SCMP_SYS(personality),       SCMP_SYS(arch_prctl), SCMP_SYS(process_vm_readv),
+    SCMP_SYS(sched_getparam), SCMP_SYS(sched_getscheduler)};
 
 /// A server's calls without a look at their arguments: what is done with sockets, waiting for many things at once, and
 /// processes.
