@@ -6,6 +6,7 @@
 #include "compare/opinions.hpp"
 #include "reasoning/syntax/functional/read.hpp"
 #include "support/random_ontology.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::compare {
 namespace {
@@ -20,7 +21,7 @@ std::string told(const owl::Ontology& source) { return functional_syntax(source)
 
 TEST_P(RandomOntologies, AreUnderstoodByEachEngineAsByTheOthers) {
   std::size_t complete = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(seeds); ++seed) {
     const owl::Ontology source = random_ontology(GetParam(), seed, 4 + seed % 12);
     SCOPED_TRACE("profile " + std::string(to_string(GetParam())) + ", seed " + std::to_string(seed) + "\n" +
                  told(source));
@@ -37,14 +38,14 @@ TEST_P(RandomOntologies, AreUnderstoodByEachEngineAsByTheOthers) {
     complete += whole.is_complete ? 1U : 0U;
     if (HasFailure()) return;  // one ontology at a time is enough to look at
   }
-  EXPECT_GT(complete, seeds / 2) << "the comparison says little where most is left open";
+  EXPECT_GT(complete, test::rounds(seeds / 2)) << "the comparison says little where most is left open";
 }
 
 INSTANTIATE_TEST_SUITE_P(Profile, RandomOntologies, testing::ValuesIn(profiles),
                          [](const auto& param) { return std::string(to_string(param.param)); });
 
 TEST(RangesOfChains, AreUsedByElAloneAsByTheEnginesBeyondIt) {
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(1000U); ++seed) {
     const owl::Ontology source = random_ontology(Profile::ranges, seed, 6 + seed % 14);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + told(source));
     const Opinion el = of_el(source);
@@ -67,7 +68,7 @@ TEST(RandomOntology, IsTheSameForTheSameSeedAndAnotherForAnother) {
 
 TEST(FunctionalSyntax, IsReadBackAsTheSameAxioms) {
   for (const Profile profile : profiles) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::rounds(20U); ++seed) {
       const std::string text = told(random_ontology(profile, seed, 20));
       owl::Ontology again;
       const auto read = functional::read(text, again.add_file("again.ofn"), again);

@@ -7,6 +7,7 @@
 #include "compare/functional_syntax.hpp"
 #include "compare/opinions.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::compare {
 namespace {
@@ -55,11 +56,11 @@ TEST(Pigeonhole, IsDecidedOrSaidToBeOpen) {
 }
 
 TEST(Enumeration, IsUnderstoodByModelsAsByTheTableau) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) expect_agreement(enumeration(seed, 3 + seed % 4));
+  for (std::uint64_t seed = 1; seed <= test::rounds(20U); ++seed) expect_agreement(enumeration(seed, 3 + seed % 4));
 }
 
 TEST(QualifiedNumbers, AreUnderstoodByModelsAsByTheTableau) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(60U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_agreement(qualified_numbers(seed));
     if (testing::Test::HasFailure()) return;
@@ -69,7 +70,7 @@ TEST(QualifiedNumbers, AreUnderstoodByModelsAsByTheTableau) {
 TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
   int complete = 0;
   int of_el_alone = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(150U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const owl::Ontology source = anatomy(seed, 3 + seed % 6);
     const Opinion tableau = of_the_tableau(source);
@@ -81,8 +82,8 @@ TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
       EXPECT_THAT(contradictions(other, tableau), IsEmpty()) << functional_syntax(source);
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(complete, 140);
-  EXPECT_GT(of_el_alone, 30) << "what inverses say is looked at in copies";
+  EXPECT_GT(complete, test::rounds(140));
+  EXPECT_GT(of_el_alone, test::rounds(30)) << "what inverses say is looked at in copies";
 }
 
 TEST(Pairings, AreUnderstoodByEachEngineAsByTheTableau) {
@@ -101,7 +102,7 @@ TEST(Pairings, AreUnderstoodByEachEngineAsByTheTableau) {
 }
 
 TEST(Features, AreUnderstoodByModelsAsByTheTableau) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(20U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_agreement(features(seed, 3 + seed % 4));
     if (testing::Test::HasFailure()) return;

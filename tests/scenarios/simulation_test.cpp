@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/text.hpp"
 #include "scenarios/moment.hpp"
 #include "scenarios/random_faults.hpp"
@@ -14,6 +16,7 @@
 #include "scenarios/tables.hpp"
 #include "scenarios/traffic.hpp"
 #include "sim/robots.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::scenarios {
 namespace {
@@ -29,19 +32,20 @@ using testing::StartsWith;
 std::uint64_t first_seed() { return sim::World::seed_or(1); }
 
 TEST(Seeds, OfRandomFaultsFindNothing) {
-  const Seeds seeds{.first = first_seed(), .last = first_seed() + 199};
+  const Seeds seeds{.first = first_seed(), .last = first_seed() + test::rounds(200U) - 1};
   const auto failure = run_seeds(seeds, 2, random_conditions);
   EXPECT_FALSE(failure.has_value()) << "tools/simulate --faults --seed " << failure->seed << "\n" << failure->violation;
 }
 
 TEST(Seeds, GiveTheSameRunTwiceAndAnotherOneEach) {
   std::set<std::uint64_t> hashes;
-  for (std::uint64_t seed = first_seed(); seed < first_seed() + 10; ++seed) {
+  const std::size_t count = std::max(2U, test::rounds(10U));
+  for (std::uint64_t seed = first_seed(); seed < first_seed() + count; ++seed) {
     const std::uint64_t hash = simulate(random_conditions(seed)).trace_hash;
     EXPECT_EQ(simulate(random_conditions(seed)).trace_hash, hash) << "seed " << seed;
     hashes.insert(hash);
   }
-  EXPECT_EQ(hashes.size(), 10U);
+  EXPECT_EQ(hashes.size(), count);
 }
 
 TEST(Seeds, StopAtTheFirstOneThatFindsSomething) {

@@ -12,6 +12,7 @@
 #include "sim/host.hpp"
 #include "sim/small_ontology.hpp"
 #include "sim/world.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::sim {
 namespace {
@@ -311,7 +312,7 @@ class Agreement {
 TEST(Agreement, BothSidesSayTheSameWhenNothingChanges) {
   const std::uint64_t first = World::seed_or(1);
   std::size_t pairs = 0;
-  for (std::uint64_t seed = first; seed < first + 12; ++seed) {
+  for (std::uint64_t seed = first; seed < first + test::rounds(12U); ++seed) {
     const auto crowd = static_cast<Agreement::Crowd>(seed % 3);
     const Air air = seed % 4 == 0 ? Air{.loss = 0.2, .duplicate = 0.05, .longest_delay = milliseconds(50)} : Air{};
     Agreement agreement(seed, air, crowd);
@@ -321,7 +322,7 @@ TEST(Agreement, BothSidesSayTheSameWhenNothingChanges) {
     }
     pairs += agreement.pairs();
   }
-  EXPECT_GT(pairs, 500U);
+  EXPECT_GT(pairs, test::rounds(500U));
 }
 
 }  // namespace

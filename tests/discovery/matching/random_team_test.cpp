@@ -10,6 +10,7 @@
 
 #include "discovery/matching/degrees/degree.hpp"
 #include "discovery/matching/taxonomy.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -49,7 +50,7 @@ TEST(RandomTeam, IsToldExactlyWhatWorkingEverythingOutSays) {
   const auto all = ontologies();
   const char* chosen = std::getenv("GEMINGA_SEED");
   const std::uint64_t first = chosen == nullptr ? 1 : std::strtoull(chosen, nullptr, 10);
-  for (std::uint64_t seed = first; seed < first + 8; ++seed) {
+  for (std::uint64_t seed = first; seed < first + test::rounds(8U); ++seed) {
     const Life life = random_life(seed, 1500);
     if (live(life, all).wrong.empty()) continue;
     const Life least = shortest(life, all);

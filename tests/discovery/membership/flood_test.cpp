@@ -8,6 +8,7 @@
 
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/table_rig.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::membership {
 namespace {
@@ -101,7 +102,7 @@ TEST(Flood, OfAHundredThousandIdentitiesKeepsNoTrueRobotOut) {
   };
   for (const auto& shape : shapes) {
     Flood flood;
-    const auto unknown = flood.run(shape, seconds(3), seconds(13));
+    const auto unknown = flood.run(shape, seconds(3), seconds(3) + milliseconds(test::rounds(10'000)));
     const auto what = std::to_string(shape.sources) + " sources, " + std::to_string(shape.copies) + " copies";
     EXPECT_LE(unknown, 2 * interval) << what;
     EXPECT_TRUE(flood.rig.table.is_known(robot)) << what;

@@ -8,6 +8,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/forged_rig.hpp"
 #include "discovery/membership/schedule/deadline.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::membership {
 namespace {
@@ -343,7 +344,7 @@ announcement::Announcement random_lie(base::Random& random, const Air& air) {
 }
 
 TEST(Forged, NothingRandomOutlastsItsSenderByTwoIntervals) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(300U); ++seed) {
     base::Random random(seed);
     Air air;
     auto next = air.now;

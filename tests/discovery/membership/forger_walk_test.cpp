@@ -6,13 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 
-#include "base/text.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/membership/forged_rig.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::membership {
 namespace {
@@ -131,12 +130,6 @@ struct Walk {
   base::Duration longest{};
 };
 
-/// How many walks there are; GEMINGA_WALKS says another number.
-std::uint64_t walks() {
-  const char* said = std::getenv("GEMINGA_WALKS");  // NOLINT(concurrency-mt-unsafe): there is one thread
-  return said == nullptr ? 1000 : base::parse_number<std::uint64_t>(said).value_or(1000);
-}
-
 TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
   // About one walk in 400 hides a participant for up to twice as long: see ANNOUNCEMENT.md, "Whose
   // an identifier is".
@@ -144,7 +137,8 @@ TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
   // About one of 500 makes the table believe a longer interval, of up to a minute: two of those take the place then.
   std::uint64_t much_longer = 0;
   std::uint64_t left_behind = 0;
-  for (std::uint64_t seed = 1; seed <= walks(); ++seed) {
+  const std::uint64_t walks = test::rounds(1000U);
+  for (std::uint64_t seed = 1; seed <= walks; ++seed) {
     Walk walk(seed);
     const double rate = 0.5 + 20 * walk.random.unit() * walk.random.unit();
     auto claim = walk.air.truth();
@@ -172,16 +166,16 @@ TEST(ForgerWalk, HidesNobodyForLongerThanTwoIntervalsAndLeavesNothingBehind) {
     }
     ASSERT_TRUE(is_right()) << "seed " << seed << "\n" << testing::PrintToString(walk.air.registry.services);
   }
-  std::cerr << longer << " of " << walks() << " walks hid it for longer than two intervals, " << much_longer
+  std::cerr << longer << " of " << walks << " walks hid it for longer than two intervals, " << much_longer
             << " for longer than four\n";
-  EXPECT_LE(longer, 2 + walks() / 250);
-  EXPECT_LE(much_longer, 1 + walks() / 500);
-  EXPECT_LE(left_behind, 1 + walks() / 500);
+  EXPECT_LE(longer, 2 + walks / 250);
+  EXPECT_LE(much_longer, 1 + walks / 500);
+  EXPECT_LE(left_behind, 1 + walks / 500);
 }
 
 TEST(ForgerWalk, InATableThatIsFullHidesNobodyWhoIsKnownForLong) {
   int longer = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(20U); ++seed) {
     Walk walk(seed);
     const auto fill = [&] {
       for (std::uint32_t id = 1000; id < 1000 + announcement::max_participants + 44; ++id) {
@@ -203,7 +197,7 @@ TEST(ForgerWalk, InATableThatIsFullHidesNobodyWhoIsKnownForLong) {
 }
 
 TEST(ForgerWalk, WithServicesKeepsEveryLimit) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(5U); ++seed) {
     base::Random random(seed);
     TableRig rig;
     auto now = rig_start;

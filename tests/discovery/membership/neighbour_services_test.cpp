@@ -8,6 +8,7 @@
 #include "discovery/announcement/on_interface.hpp"
 #include "discovery/membership/schedule/deadline.hpp"
 #include "discovery/membership/table_rig.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::membership {
 namespace {
@@ -298,7 +299,7 @@ void do_all(const std::vector<Change>& changes, std::map<ServiceKey, std::uint16
 }
 
 TEST(NeighbourServices, EndUpRightWhateverIsLostCopiedOrOvertaken) {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(200U); ++seed) {
     base::Random random(seed);
     TableRig rig;
     std::map<ServiceKey, std::uint16_t> registry;

@@ -12,6 +12,7 @@
 #include "sim/host.hpp"
 #include "sim/small_ontology.hpp"
 #include "sim/world.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -231,7 +232,7 @@ class RestingTeam {
 };
 
 TEST(RandomWhy, AgreesWithWhatPeersAreToldAboutEveryPair) {
-  for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(15U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RestingTeam(seed).check_everything();
     if (testing::Test::HasFailure()) return;

@@ -10,6 +10,7 @@
 #include "reasoning/el/closure/inheritance.hpp"
 #include "saturated.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::el {
@@ -50,7 +51,7 @@ std::string individuals(base::Random& random) {
 }
 
 TEST(Saturation, LeavesNoRuleToFire) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(300U); ++seed) {
     base::Random random(seed);
     std::string text = owl::random_ontology(random, 4 + random.below(24));
     if (random.chance(0.4)) text += functional_properties(random);
@@ -77,7 +78,7 @@ TEST(Saturation, IsValidatedByOneThatSeesWhatIsMissing) {
 }
 
 TEST(Threads, GiveTheSameBytesInAnyNumberAndOrder) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(60U); ++seed) {
     base::Random random(seed);
     std::string text = owl::random_ontology(random, 8 + random.below(30));
     if (random.chance(0.3)) text += functional_properties(random);
@@ -112,7 +113,7 @@ std::string wide_ontology(base::Random& random, std::uint64_t classes) {
 }
 
 TEST(Threads, AgreeOnWhatIsLargeEnoughToBeShared) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(3U); ++seed) {
     base::Random random(seed);
     const owl::Ontology source = owl::written(wide_ontology(random, 400));
     const Saturated one(source, 1);
@@ -145,7 +146,7 @@ struct Indexed {
 };
 
 TEST(Inheritance, FindsWhatSaturationFinds) {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(200U); ++seed) {
     base::Random random(seed);
     std::string text = owl::random_ontology(random, 8 + random.below(40));
     if (random.chance(0.3)) text += wide_ontology(random, 60);

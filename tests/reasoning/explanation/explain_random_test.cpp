@@ -10,6 +10,7 @@
 #include "reasoning/explanation/laconic.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::explanation {
@@ -79,7 +80,7 @@ std::size_t mask_of(Explainer& explainer, const AxiomSet& axioms) {
 template <typename Check>
 int for_random_pairs(std::uint64_t seeds, std::size_t axioms, Check&& check) {
   int checked = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(seeds); ++seed) {
     base::Random random(seed);
     const std::string text = owl::random_ontology(random, axioms);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
@@ -121,7 +122,7 @@ TEST(RandomExplanations, AreMinimalByTheNaiveReasoner) {
       ASSERT_FALSE(subsets.entails(mask & ~mask_of(explainer, {axiom}), sub, super)) << "axiom " << axiom;
     }
   });
-  EXPECT_GT(explained, 300);
+  EXPECT_GT(explained, test::rounds(300));
 }
 
 TEST(RandomExplanations, PartsOfThemFollowAreEnoughAndAreAllNeeded) {
@@ -163,7 +164,7 @@ TEST(RandomExplanations, AreAllThatThereAre) {
     ASSERT_EQ(masks, subsets.minimal(sub, super));
     if (masks.size() > 1) ++several;
   });
-  EXPECT_GT(several, 20);
+  EXPECT_GT(several, test::rounds(20));
 }
 
 }  // namespace

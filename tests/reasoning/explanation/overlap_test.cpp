@@ -9,6 +9,7 @@
 
 #include "base/random.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::explanation {
@@ -194,7 +195,7 @@ class Axioms {
 /// The module and the limits of a question lose nothing.
 TEST(Overlap, IsWhatTheReasonerSaysOfTheWhole) {
   std::size_t excluded = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(300U); ++seed) {
     const std::string axioms = Axioms(seed).some();
     owl::Ontology source = owl::written(axioms);
     const Ontology ontology = loaded(source);
@@ -211,8 +212,8 @@ TEST(Overlap, IsWhatTheReasonerSaysOfTheWhole) {
         << axioms;
     EXPECT_TRUE(!is_excluded || !exclusion(ontology, "A", "B").empty()) << "seed " << seed << '\n' << axioms;
   }
-  EXPECT_GT(excluded, 40U);
-  EXPECT_LT(excluded, 260U);
+  EXPECT_GT(excluded, test::rounds(40U));
+  EXPECT_LT(excluded, test::rounds(260U));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/random.hpp"
 #include "reasoning/explanation/proof_lemmas.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::explanation {
@@ -156,7 +157,7 @@ TEST(Proof, ReachesBeyondEl) {
 TEST(RandomProofs, HaveStepsThatFollow) {
   int proven = 0;
   int by_rules = 0;
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(120U); ++seed) {
     base::Random random(seed);
     const std::string text = owl::random_ontology(random, 14);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
@@ -178,7 +179,7 @@ TEST(RandomProofs, HaveStepsThatFollow) {
       }
     }
   }
-  EXPECT_GT(proven, 200);
+  EXPECT_GT(proven, test::rounds(200));
   // The proof rules have all rules of EL, so that an EL proof needs no lemma of an engine.
   EXPECT_EQ(by_rules, proven);
 }

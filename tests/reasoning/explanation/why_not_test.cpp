@@ -6,6 +6,7 @@
 
 #include "base/random.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::explanation {
@@ -88,7 +89,7 @@ TEST(WhyNot, SaysWhenSomethingMayHaveBeenMissed) {
 
 TEST(RandomWhyNots, NeverMissEverythingOfAClassThatIsCommon) {
   int checked = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(60U); ++seed) {
     base::Random random(seed);
     const std::string text = owl::random_ontology(random, 14);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
@@ -119,7 +120,7 @@ TEST(RandomWhyNots, NeverMissEverythingOfAClassThatIsCommon) {
       }
     }
   }
-  EXPECT_GT(checked, 500);
+  EXPECT_GT(checked, test::rounds(500));
 }
 
 }  // namespace

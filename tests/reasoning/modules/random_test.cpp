@@ -13,6 +13,7 @@
 #include "compare/opinions.hpp"
 #include "extracted.hpp"
 #include "support/random_ontology.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::modules {
 namespace {
@@ -59,7 +60,7 @@ cases::Closure about(const cases::Closure& closure, const std::vector<std::strin
 TEST_P(RandomModules, EntailWhatTheOntologyEntailsAboutTheirSignature) {
   std::size_t compared = 0;
   std::size_t smaller = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(seeds); ++seed) {
     const owl::Ontology source = numbered(compare::random_ontology(GetParam(), seed, 4 + seed % 14));
     base::Random random(seed);
     const std::vector<std::string> signature = random_signature(source, random);
@@ -86,8 +87,8 @@ TEST_P(RandomModules, EntailWhatTheOntologyEntailsAboutTheirSignature) {
     }
     if (HasFailure()) return;  // one ontology at a time is enough to look at
   }
-  EXPECT_GT(compared, seeds / 2) << "the comparison says little where most is left open";
-  EXPECT_GT(smaller, seeds / 10) << "the comparison says little where the module is the whole ontology";
+  EXPECT_GT(compared, test::rounds(seeds / 2)) << "the comparison says little where most is left open";
+  EXPECT_GT(smaller, test::rounds(seeds / 10)) << "the comparison says little where the module is the whole ontology";
 }
 
 INSTANTIATE_TEST_SUITE_P(Profile, RandomModules, testing::ValuesIn(compare::profiles),

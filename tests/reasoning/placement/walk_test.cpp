@@ -9,6 +9,7 @@
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/placement/expression_classifier.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::placement {
@@ -112,7 +113,7 @@ TEST(Walk, OfAxiomsAndExpressionsIsWhereFromScratchIs) {
   constexpr std::uint64_t classes = 12;
   int complete = 0;
   int compared_places = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(12U); ++seed) {
     base::Random random(seed);
     std::string names;
     for (std::uint64_t at = 0; at < classes; ++at) names += "Declaration(C" + std::to_string(at) + ")\n";
@@ -148,8 +149,8 @@ TEST(Walk, OfAxiomsAndExpressionsIsWhereFromScratchIs) {
       }
     }
   }
-  EXPECT_GT(complete, 60);
-  EXPECT_GT(compared_places, 60);
+  EXPECT_GT(complete, test::rounds(60));
+  EXPECT_GT(compared_places, test::rounds(60));
 }
 
 /// The same axioms in the same order, all on one line, because line numbers are part of the bytes.
@@ -166,7 +167,7 @@ owl::Ontology without_lines(const owl::Ontology& source) {
 }
 
 TEST(Order, OfAxiomsAndNumberOfThreadsLeaveTheBytesAsTheyAre) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(40U); ++seed) {
     base::Random random(seed);
     std::vector<std::string> lines = lines_of(owl::random_ontology(random, 10 + random.below(60)));
     if (random.chance(0.3)) lines.emplace_back("FunctionalObjectProperty(r0)");

@@ -11,6 +11,7 @@
 #include "base/random.hpp"
 #include "reasoning/reasoner/argued.hpp"
 #include "reasoning/reasoner/repairs.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::reasoner {
 namespace {
@@ -198,7 +199,7 @@ Made make(base::Random& random) {
 
 TEST(DamagedLiteral, LetsNoBeNoWhateverValueWasMeant) {
   std::size_t decided = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(300U); ++seed) {
     base::Random random(seed);
     const Made made = make(random);
     const auto with = [&](const std::string& literal) {
@@ -225,7 +226,7 @@ TEST(DamagedLiteral, LetsNoBeNoWhateverValueWasMeant) {
       }
     }
   }
-  EXPECT_GT(decided, 1000U);
+  EXPECT_GT(decided, test::rounds(1000U));
 }
 
 }  // namespace

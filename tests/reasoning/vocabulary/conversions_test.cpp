@@ -9,6 +9,7 @@
 #include "base/random.hpp"
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::vocabulary {
@@ -125,7 +126,7 @@ std::optional<std::uint32_t> least(const compiled::Ontology& ontology, ClassNumb
 }
 
 TEST(Conversions, CostAsMuchAsTheCheapestOfAllChains) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(40U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     base::Random random(seed);
     const auto name = [&] { return std::string(1, static_cast<char>('A' + random.below(9))); };

@@ -9,6 +9,7 @@
 #include "discovery/announcement/announcements.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/membership/neighbour_table.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -105,7 +106,7 @@ TEST(ChangeLog, TellsTheWholeStateWhenSomethingElseThanServicesIsOtherwise) {
 /// it knows the state, it is the state.
 TEST(ChangeLog, LeadsWhoeverMissesHalfOfItToTheSameState) {
   int complete = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(300U); ++seed) {
     base::Random random(seed);
     ChangeLog log;
     membership::NeighbourTable table("default");
@@ -151,7 +152,7 @@ TEST(ChangeLog, LeadsWhoeverMissesHalfOfItToTheSameState) {
       ASSERT_EQ(heard, truth) << "seed " << seed << ", revision " << revision;
     }
   }
-  EXPECT_GT(complete, 3000);
+  EXPECT_GT(complete, test::rounds(3000));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "base/random.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::consequence {
 namespace {
@@ -74,7 +75,7 @@ TEST_F(StoreOfClauses, AgreesWithAPlainList) {
   const auto implies = [](const Plain& one, const Plain& other) {
     return std::ranges::includes(other.body, one.body) && std::ranges::includes(other.head, one.head, std::greater<>());
   };
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(200U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     base::Random random(seed);
     ClauseStore store;

@@ -9,6 +9,7 @@
 #include "reasoning/dl/clauses/clausify.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::hypertableau {
@@ -70,7 +71,7 @@ std::optional<std::vector<std::string>> closure_by_models(const owl::Ontology& s
 
 TEST(RandomOntologies, HaveCounterModelsExactlyOfWhatTheNaiveReasonerDoesNotDerive) {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(200U); ++seed) {
     base::Random random(seed);
     const std::string text = owl::random_ontology(random, 4 + random.below(12));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
@@ -81,7 +82,7 @@ TEST(RandomOntologies, HaveCounterModelsExactlyOfWhatTheNaiveReasonerDoesNotDeri
     ++compared;
     ASSERT_EQ(*found, expected);
   }
-  EXPECT_GT(compared, 75);
+  EXPECT_GT(compared, test::rounds(75));
 }
 
 }  // namespace

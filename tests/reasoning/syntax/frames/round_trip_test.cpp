@@ -8,6 +8,7 @@
 #include "reasoning/syntax/frames/writer.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "support/random_ontology.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::frames {
 namespace {
@@ -21,7 +22,7 @@ std::vector<std::string> sorted_axioms(const owl::Ontology& source) {
 
 TEST(RoundTrip, GivesTheAxiomsThatWereWritten) {
   for (const compare::Profile profile : compare::profiles) {
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::rounds(60U); ++seed) {
       const owl::Ontology source = compare::random_ontology(profile, seed, 40);
       const Reading reading(manchester(source));
       ASSERT_EQ(reading.error, "") << compare::to_string(profile) << ' ' << seed << '\n' << manchester(source);

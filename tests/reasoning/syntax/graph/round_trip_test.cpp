@@ -10,6 +10,7 @@
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "reasoning/syntax/rdf/reading.hpp"
 #include "support/random_ontology.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::graph {
 namespace {
@@ -54,7 +55,7 @@ TEST(RoundTrip, OfAxiomsThroughTriplesGivesTheSameAxioms) {
   const std::pair<Format, const char*> formats[] = {
       {Format::turtle, "t.ttl"}, {Format::rdf_xml, "t.owl"}, {Format::n_triples, "t.nt"}};
   for (const compare::Profile profile : compare::profiles) {
-    for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::rounds(15U); ++seed) {
       owl::Ontology source = compare::random_ontology(profile, seed, 40);
       declare_all(source);
       Graph graph;

@@ -11,6 +11,7 @@
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::manchester {
@@ -109,7 +110,7 @@ std::set<std::string> by_overlay(const Asked& asked, const Expression& expressio
 
 TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
   int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(120U); ++seed) {
     base::Random random(seed);
     const std::uint64_t size = 4 + random.below(16);
     const std::uint64_t classes = size / 2 + 3;
@@ -137,13 +138,13 @@ TEST(RandomExpressions, StandWhereAClassOfTheirOwnWouldStand) {
       ASSERT_EQ(asked.is_subsumed(written, written), "yes");
     }
   }
-  EXPECT_GT(compared, 500);
+  EXPECT_GT(compared, test::rounds(500));
 }
 
 TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
   int complete = 0;
   int refused = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(30U); ++seed) {
     base::Random random(seed);
     const std::uint64_t size = 3 + random.below(8);
     const std::uint64_t classes = size / 2 + 3;
@@ -181,12 +182,12 @@ TEST(RandomExpressions, BeyondElAreWhereTheReasonerOfAllOfOwlPutsThem) {
       if (testing::Test::HasFailure()) return;
     }
   }
-  EXPECT_GT(complete, 20);
-  EXPECT_GT(refused, 100);
+  EXPECT_GT(complete, test::rounds(20));
+  EXPECT_GT(refused, test::rounds(100));
 }
 
 TEST(RandomWalk, OfQuestionsGivesTheAnswersOfAFreshStart) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(10U); ++seed) {
     base::Random random(seed);
     const std::string text = with_all_names(owl::random_ontology(random, 12), 9);
     if (!owl::loaded(text).is_consistent()) continue;

@@ -6,13 +6,14 @@
 #include "reasoning/syntax/owlxml/writer.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "support/random_ontology.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::owlxml {
 namespace {
 
 TEST(RoundTrip, GivesTheAxiomsThatWereWrittenInTheirOrder) {
   for (const compare::Profile profile : compare::profiles) {
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::rounds(60U); ++seed) {
       const owl::Ontology source = compare::random_ontology(profile, seed, 40);
       const Reading reading(owl_xml(source));
       ASSERT_EQ(reading.error, "") << compare::to_string(profile) << ' ' << seed << '\n' << owl_xml(source);

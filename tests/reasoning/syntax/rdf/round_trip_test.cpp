@@ -10,6 +10,7 @@
 #include "reasoning/syntax/rdf/load.hpp"
 #include "reasoning/syntax/rdf/scratch.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -207,7 +208,7 @@ std::vector<std::string> sorted_axioms(const owl::Ontology& source) {
 TEST(RoundTrip, RandomOntologiesComeBackFromTheirTriplesInAnyOrder) {
   constexpr std::uint64_t seeds = 300;
   const Scratch scratch;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(seeds); ++seed) {
     owl::Ontology written;
     Author(seed, written).write(60);
     ASSERT_FALSE(written.problem());
