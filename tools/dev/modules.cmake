@@ -16,6 +16,10 @@ if(GEMINGA_SANITIZE)
   target_compile_options(geminga_flags INTERFACE -fsanitize=${GEMINGA_SANITIZE} -fno-omit-frame-pointer
                                                  -fno-sanitize-recover=all)
   target_link_options(geminga_flags INTERFACE -fsanitize=${GEMINGA_SANITIZE})
+  if(GEMINGA_SANITIZE MATCHES address)
+    # AddressSanitizer stops at the access that follows from these, and they are a fifth of the time of a compilation.
+    target_compile_options(geminga_flags INTERFACE -fno-sanitize=null,object-size,pointer-overflow)
+  endif()
   if(GEMINGA_SANITIZE MATCHES thread)
     # Asio's fences are nothing that ThreadSanitizer of GCC 12 follows; each of our loops runs on one thread. With it GCC 12 also
     # sees strings written past their end that are not.
