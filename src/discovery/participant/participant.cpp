@@ -312,8 +312,7 @@ bool Participant::is_feed_due() const {
 void Participant::feed() {
   const bool is_behind = is_feed_due();
   owners_->knowledge.queue(owners_->air.take_changes());
-  // A feed that is behind already goes on in turns. Else a flood of datagrams would leave no time for the turns of
-  // clients.
+  // A feed that is behind already goes on in turns, so that a flood of datagrams leaves time for the turns of clients.
   if (!is_behind) proceed_feed();
 }
 
@@ -331,9 +330,8 @@ void Participant::proceed_feed() {
 void Participant::proceed_ontology_change() {
   Owners& all = *owners_;
   OntologyChange& change = all.knowledge.ontology_change;
-  WorkMeter& work = all.knowledge.work;
-  const Work begin = work.done();
-  while (change.is_under_way() && work.done() - begin < work_in_change) {
+  const Work begin = all.knowledge.work.done();
+  while (change.is_under_way() && all.knowledge.work.done() - begin < work_in_change) {
     all.knowledge.overlaps.begin_step();
     switch (change.step()) {
       case OntologyChange::Due::nothing:
@@ -353,7 +351,7 @@ void Participant::proceed_ontology_change() {
         break;
     }
     all.clients.telling().deliver_events();
-    work.add(cost_of_entry);
+    all.knowledge.work.add(cost_of_entry);
   }
 }
 
