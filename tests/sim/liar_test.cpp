@@ -11,6 +11,7 @@
 
 #include "discovery/announcement/limits.hpp"
 #include "sim/team.hpp"
+#include "support/rounds.hpp"
 
 namespace geminga::sim {
 namespace {
@@ -170,21 +171,23 @@ TEST(Liar, CopiesDatagramsFromAnotherAddressWithoutEffect) {
 }
 
 TEST(Liar, FloodsWithAHundredThousandIdentitiesAndKeepsNoRobotOut) {
+  const auto count = test::rounds<std::uint32_t>(100'000);
+  const std::uint32_t arrival = count * 3 / 10;
   for (const auto& [sources, copies] : {std::pair{1U, 1U}, {250U, 1U}, {250U, 2U}}) {
     Attack attack(World::seed_or(25));
     auto forged = attack.liar.last_state(attack.victim());
     forged.peers.clear();
     forged.interval = announcement::max_interval;
-    for (std::uint32_t number = 0; number < 100'000; ++number) {
+    for (std::uint32_t number = 0; number < count; ++number) {
       const auto identity = number / copies;
       forged.participant = ParticipantId{0x10000000 + identity};
       forged.boot = announcement::BootNonce{identity};
       forged.sequence = number;
       attack.liar.say(forged, "10.0.7." + std::to_string(1 + identity % sources));
       if (number % 10 == 9) attack.world.run_for(milliseconds(1));
-      if (number == 30'000) attack.add("robot4");
+      if (number == arrival) attack.add("robot4");
       // The team complains by itself about whoever is missing for longer than two intervals.
-      if (number > 30'000 + 10'000 * 4 && number % 1000 == 0) attack.expect_right("in the flood");
+      if (number > arrival + 10'000 * 4 && number % 1000 == 0) attack.expect_right("in the flood");
     }
     attack.world.run_for(2 * interval);
     attack.expect_right("after the flood");
