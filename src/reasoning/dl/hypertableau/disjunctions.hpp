@@ -81,7 +81,7 @@ class Disjunctions {
   /// Looks at the alternatives that are left. True if there is no choice: it is done, or a fact or a clash.
   bool settle(std::size_t disjunction);
   [[nodiscard]] bool is_local(std::span<const Choice> alternatives) const;
-  /// What its alternatives depend on, as a number; 0 if it has to be looked at anyway.
+  /// The number of what its alternatives depend on; 0 if it has to be looked at anyway.
   [[nodiscard]] std::uint64_t state_of(const Disjunction& disjunction) const;
   void note_done(std::size_t disjunction);
   bool derive(const Choice& choice);

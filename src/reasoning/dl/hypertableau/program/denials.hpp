@@ -15,7 +15,7 @@
 
 namespace geminga::hypertableau {
 
-/// What a clause of a denial forbids beside a single concept: concepts of a node together, or with a neighbour.
+/// A combination that a clause of a denial forbids: concepts of a node together, or with a neighbour.
 struct Forbidden {
   std::vector<std::uint32_t> concepts;            ///< of the node
   std::vector<clauses::Atom> roles;               ///< from or to the neighbour, which is the variable 1; may be empty
@@ -29,7 +29,7 @@ class Denials {
   [[nodiscard]] bool is_denial(std::uint32_t id) const { return is_denial_[id]; }
   /// The concepts that the denial excludes, ascending.
   [[nodiscard]] std::span<const std::uint32_t> denied(std::uint32_t id) const { return denied_[id]; }
-  /// What else it excludes.
+  /// The combinations that it excludes besides.
   [[nodiscard]] std::span<const Forbidden> forbidden(std::uint32_t id) const { return forbidden_[id]; }
 
  private:

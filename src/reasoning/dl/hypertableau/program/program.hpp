@@ -106,7 +106,7 @@ class Program {
   [[nodiscard]] const Domains& domains() const { return domains_; }
   /// Fillers that a neighbour may have without being told; see denials.hpp.
   [[nodiscard]] const Denials& denials() const { return denials_; }
-  /// What facts ask for; see burdens.hpp.
+  /// The requirements of facts; see burdens.hpp.
   [[nodiscard]] const Burdens& burdens() const { return burdens_; }
   /// Whether every node needs the fact that it is in owl:Thing.
   [[nodiscard]] bool needs_thing() const { return needs_thing_; }
