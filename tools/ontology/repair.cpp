@@ -19,6 +19,7 @@
 #include "ontology/repair/repairs.hpp"
 #include "reasoning/explanation/unsatisfiable.hpp"
 #include "reasoning/owl/canonical.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::ontology {
 namespace {
