@@ -150,7 +150,7 @@ TEST(RandomExplanations, PartsOfThemFollowAreEnoughAndAreAllNeeded) {
       ASSERT_FALSE(explainer.oracle().holds(others, explainer.sub(), explainer.super()));
     }
   });
-  EXPECT_GT(weakened, 20);
+  EXPECT_GT(weakened, test::rounds(20));
 }
 
 TEST(RandomExplanations, AreAllThatThereAre) {

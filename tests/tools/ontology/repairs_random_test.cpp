@@ -7,6 +7,7 @@
 #include "ontology/repair/repairs.hpp"
 #include "reasoning/explanation/unsatisfiable.hpp"
 #include "support/reference.hpp"
+#include "support/rounds.hpp"
 #include "support/written.hpp"
 
 namespace geminga::ontology {
@@ -33,7 +34,7 @@ bool undoes_all(Unwanted& unwanted, AxiomSet removed, const AxiomSet& more) {
 
 TEST(RandomRepairs, UndoWhatIsUnwantedAndNoPartOfThemDoes) {
   int repaired = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(std::uint64_t{300}); ++seed) {
     base::Random random(seed);
     std::string text = owl::random_ontology(random, 12);
     text += "\nDisjointClasses(C0 C1)\nDisjointClasses(C1 C2)\n";
@@ -61,7 +62,7 @@ TEST(RandomRepairs, UndoWhatIsUnwantedAndNoPartOfThemDoes) {
       }
     }
   }
-  EXPECT_GT(repaired, 50);
+  EXPECT_GT(repaired, test::rounds(50));
 }
 
 }  // namespace
