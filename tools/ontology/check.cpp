@@ -24,6 +24,7 @@ struct CheckRequest {
   bool as_json = false;
   bool shows_all = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 std::string left_out_as_text(const Findings& findings, bool shows_all) {
@@ -83,6 +84,13 @@ std::string units_as_text(const Sources& sources) {
     text += one.first.empty() ? "\n" : ", first at " + one.first + '\n';
   }
   return text;
+}
+
+std::string refused_as_text(const Sources& sources, bool shows_all) {
+  if (sources.refused.empty()) return {};
+  std::vector<std::string> lines;
+  for (const syntax::LoadError& one : sources.refused) lines.push_back(syntax::to_string(one));
+  return "Files that cannot be read (the rest is checked without them):\n" + lines_of(lines, shows_all);
 }
 
 std::string doubts_as_text(const Sources& sources) {
@@ -169,6 +177,7 @@ Exit report(const Findings& findings, const CheckRequest& request) {
                                : sources_as_text(findings.sources) + units_as_text(findings.sources) +
                                      left_out_as_text(findings, request.shows_all) +
                                      open_as_text(findings.open, request.shows_all) + doubts_as_text(findings.sources) +
+                                     refused_as_text(findings.sources, request.shows_all) +
                                      names_as_text(findings.names, request.shows_all) + problems_as_text(findings) +
                                      verdict(findings) + '\n';
   return print_or_say(text, findings.has_problem() ? Exit::no : Exit::yes);
@@ -187,11 +196,13 @@ Exit check(const CheckRequest& request, const WorkLimits& limits) {
     if (!compiled) return say_failure(compiled.error().text, request.as_json, Exit::no);
     return after_reasons(budget, report(find(*compiled, budget), request));
   }
-  const auto classified =
-      classify_files(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
+  const auto classified = classify_files(request.files, {.as_json = request.as_json,
+                                                         .leaves_out_refused = !request.is_strict,
+                                                         .is_lenient = request.is_lenient,
+                                                         .budget = &budget});
   if (!classified)
     return say_failure(classified.error().text, request.as_json,
-                       classified.error().is_unreadable ? Exit::usage : Exit::no);
+                       classified.error().is_unreadable || request.is_strict ? Exit::usage : Exit::no);
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
   Progress progress(!request.as_json);
@@ -218,11 +229,13 @@ void add_check(CLI::App& program, Choice& choice) {
   command->add_flag("--all", request->shows_all,
                     "list every axiom that was left out, not only " + std::to_string(max_shown) + " a construct");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status 2: a file that cannot be read (it is not there, its packing is damaged, it is in no known "
       "syntax).\n"
-      "Exit status 1: an error in what a file says, a contradiction, a class that can have no instance, a hash "
+      "Exit status 1: an error in what a file says (in a folder it costs that file), a contradiction, a class that can "
+      "have no instance, a hash "
       "collision, a name "
       "that\n"
       "RDF, RDFS, OWL or XSD do not have, or one that nothing declares although the files declare others of its\n"

@@ -22,6 +22,7 @@ struct ClassifyRequest {
   bool as_json = false;
   bool are_properties = false;
   bool is_lenient = false;
+  bool is_strict = false;
   unsigned threads = 1;
   std::string stats;
 };
@@ -99,9 +100,11 @@ bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& 
 
 Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto classified = classify_or_say(
-      request.files,
-      {.threads = request.threads, .as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
+  const auto classified = classify_or_say(request.files, {.threads = request.threads,
+                                                          .as_json = request.as_json,
+                                                          .leaves_out_refused = !request.is_strict,
+                                                          .is_lenient = request.is_lenient,
+                                                          .budget = &budget});
   if (!classified) return Exit::usage;
   if (!write_taxonomies(*classified, request) || !print("")) return say_unwritten();
   if (!request.stats.empty() && !write_stats(*classified, request.threads, request.stats))
@@ -115,7 +118,7 @@ Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   // exit_of() tells of a limit that was reached.
   const auto open = classified->classification.is_cut_off ? std::nullopt : describe_undecided(*classified);
   if (open) say_error("what is printed follows, and more may: " + *open);
-  return exit_of(*classified, Exit::yes);
+  return exit_of(*classified, classified->loaded.refused.empty() ? Exit::yes : Exit::no);
 }
 
 }  // namespace
@@ -127,6 +130,7 @@ void add_classify(CLI::App& program, Choice& choice) {
   CLI::Option* closure = command->add_flag("--closure", request->as_closure,
                                            "print SUB<TAB>SUPER for every entailed subsumption, full IRIs, sorted");
   command->add_flag("--json", request->as_json, "print the taxonomy as one JSON document")->excludes(closure);
+  add_strict(*command, request->is_strict);
   add_number(*command, "--threads", request->threads, 1, 256, "how many threads saturate; the result is the same");
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
@@ -137,7 +141,8 @@ void add_classify(CLI::App& program, Choice& choice) {
   command->footer(
       "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class is\n"
       "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. Where a limit is\n"
-      "reached, what is printed follows, standard error says what is not decided, and the exit status is 4.\n"
+      "reached, what is printed follows, standard error says what is not decided, and the exit status is 4. A file of\n"
+      "a folder that cannot be read is left out and named, and the exit status is 1.\n"
       "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"
       "  geminga-ontology classify team/ --properties");
   command->callback([request, &choice] {

@@ -65,6 +65,13 @@ void AnnotationStack::attach(const Ontology& source, std::size_t axioms_before, 
   begin_ = kept_->size();
 }
 
+void AnnotationStack::drop_from(std::size_t place) {
+  if (kept_ == nullptr || kept_->size() <= place) return;
+  kept_->resize(place);
+  for (std::vector<std::uint32_t>& level : waiting_)
+    std::erase_if(level, [&](std::uint32_t number) { return number >= place; });
+}
+
 void AnnotationStack::drop() {
   if (kept_ == nullptr) return;
   kept_->resize(begin_);

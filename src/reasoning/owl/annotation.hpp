@@ -92,6 +92,10 @@ class AnnotationStack {
   void attach(const Ontology& source, std::size_t axioms_before, std::size_t ill_typed_before);
   /// Drops them: they are about nothing that is kept.
   void drop();
+  /// The place of the next annotation, for drop_from().
+  [[nodiscard]] std::size_t place() const { return kept_ == nullptr ? 0 : kept_->size(); }
+  /// Drops those that were added since place() gave this place, within the same axiom.
+  void drop_from(std::size_t place);
 
  private:
   std::vector<Annotation>* kept_;

@@ -102,6 +102,16 @@ std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, con
   return bytes;
 }
 
+std::optional<FileBytes> FileBytes::copy_of(std::string_view text) {
+  FileBytes bytes;
+  char* const room = bytes.room_for(text.size());
+  if (room == nullptr) return std::nullopt;
+  std::ranges::copy(text, room);
+  bytes.take_room(text.size());
+  bytes.give_back_room();
+  return bytes;
+}
+
 char* FileBytes::room_for(std::size_t count) {
   constexpr std::size_t step = std::size_t{1} << 20;
   if (mapped_ - size_ >= count) return data_ + size_;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <expected>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ class FileBytes {
 
   /// Reads a regular file as a whole. Never blocks on a FIFO or a device, and never opens one.
   [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const FileLimits& limits);
+
+  /// The octets of a text; nothing if there is no memory.
+  [[nodiscard]] static std::optional<FileBytes> copy_of(std::string_view text);
 
   [[nodiscard]] std::string_view view() const { return {data_, size_}; }
   /// Says that what is between two places will not be read again. Whole pages of it are released and then read as zero.

@@ -72,5 +72,56 @@ TEST(Names, ThatSeveralClassesHaveAreRefusedWithAllOfThem) {
   EXPECT_EQ(program.run({"subsumes", "a.ttl", "--sub", "f:Ball", "--super", "A"}).status, 1);
 }
 
+/// A folder of two good files and one with an entity that nothing declares.
+void write_broken_team(const Program& program) {
+  std::filesystem::create_directories(program.folder() / "team");
+  program.turtle("team/a.ttl", ":A a owl:Class ; rdfs:subClassOf :B .");
+  program.turtle("team/c.ttl", ":B a owl:Class ; rdfs:subClassOf :C . :C a owl:Class .");
+  program.write("team/b.owl",
+                "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
+                "<rdf:Description rdf:about=\"&nothing;A\"/></rdf:RDF>");
+}
+
+TEST(Folders, LoseABrokenFileAndNothingElse) {
+  const Program program;
+  write_broken_team(program);
+  const Outcome classified = program.run({"classify", "--closure", "team"});
+  EXPECT_EQ(classified.status, 1);
+  EXPECT_EQ(classified.out, "http://e/A\thttp://e/B\nhttp://e/A\thttp://e/C\nhttp://e/B\thttp://e/C\n");
+  EXPECT_THAT(classified.err, HasSubstr("left out: team/b.owl:2: Entity 'nothing' not defined"));
+  const Outcome checked = program.run({"check", "team"});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_THAT(checked.out,
+              HasSubstr("Files that cannot be read (the rest is checked without them):\n  team/b.owl:2: "));
+  EXPECT_THAT(program.run({"check", "team", "--json"}).out,
+              HasSubstr("\"refused\":[{\"file\":\"team/b.owl\",\"line\":2,"));
+}
+
+TEST(Folders, AreRefusedWithABrokenFileWhereThatIsAskedFor) {
+  const Program program;
+  write_broken_team(program);
+  for (const char* command : {"classify", "check"}) {
+    const Outcome outcome = program.run({command, "team", "--strict"});
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_THAT(outcome.out, IsEmpty()) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("team/b.owl:2: ")) << command;
+  }
+  EXPECT_EQ(program.run({"classify", "team/b.owl"}).status, 2) << "named itself";
+  EXPECT_EQ(program.run({"check", "team/b.owl"}).status, 1) << "named itself";
+}
+
+TEST(Check, RemarksWhatCostsNoAxiom) {
+  const Program program;
+  program.write("a.ofn",
+                "Ontology(SubClassOf(<http://e/A> ObjectIntersectionOf(<http://e/B>))\n"
+                "Declaration(Class(<http://e/A>)) Declaration(Class(<http://e/B>)))");
+  const Outcome outcome = program.run({"check", "a.ofn"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("Read otherwise than written:\n"
+                        "  ObjectIntersectionOf of one operand, read as that operand: 1, first at a.ofn:1"));
+  EXPECT_THAT(outcome.out, HasSubstr("Complete: "));
+}
+
 }  // namespace
 }  // namespace geminga::ontology

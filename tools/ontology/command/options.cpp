@@ -40,6 +40,12 @@ CLI::Option* add_number(CLI::App& command, const std::string& flag, unsigned& nu
   return command.add_option_function<std::string>(flag, read, description)->type_name("N");
 }
 
+void add_strict(CLI::App& command, bool& is_strict) {
+  command.add_flag("--strict", is_strict,
+                   "refuse everything, with exit status 2, where a file cannot be read; without it a folder costs that "
+                   "file only");
+}
+
 void add_memory_limit(CLI::App& command, Choice& choice) {
   add_number(command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000, "most address space to use, in MiB");
 }

@@ -23,6 +23,8 @@ void add_output(CLI::App& command, std::string& out);
 /// Adds an option that takes a decimal number between two bounds and nothing else.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, unsigned& number, unsigned low, unsigned high,
                         const std::string& description);
+/// Adds `--strict`: a file of a folder that cannot be read refuses everything.
+void add_strict(CLI::App& command, bool& is_strict);
 /// Adds `--memory-limit`.
 void add_memory_limit(CLI::App& command, Choice& choice);
 /// Adds `--graph-limit`.

@@ -146,6 +146,7 @@ Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontol
   findings.sources.axioms = classified.classification.counts.axioms;
   findings.sources.unresolved = loaded.unresolved;
   findings.sources.conflicts = loaded.conflicts;
+  findings.sources.refused = loaded.refused;
   find_units(ontology, findings.sources);
   findings.left_out = group(classified);
   findings.remarks = remarks_of(loaded.source);

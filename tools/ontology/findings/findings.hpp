@@ -47,6 +47,7 @@ struct Sources {
   std::vector<owl::LeftOut> units_left_out;  ///< why other units cannot; the taxonomy is complete without them
   std::vector<rdf::UnresolvedImport> unresolved;
   std::vector<rdf::PrefixConflict> conflicts;
+  std::vector<syntax::LoadError> refused;  ///< files of folders that could not be read and were left out
   /// Of a compiled ontology: the file that has changed since, in one line.
   std::optional<std::string> outgrown;
 };
@@ -68,8 +69,8 @@ struct Findings {
 
   [[nodiscard]] bool is_complete() const { return left_out.empty() && gaps.empty(); }
   [[nodiscard]] bool has_problem() const {
-    return !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent || sources.outgrown ||
-           names.has_problem();
+    return !sources.refused.empty() || !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent ||
+           sources.outgrown || names.has_problem();
   }
 };
 

@@ -81,6 +81,9 @@ std::string as_json(const Findings& findings) {
     conflicts.push_back(boost::json::object{{"prefix", conflict.prefix},
                                             {"chosen", conflict.chosen},
                                             {"others", boost::json::value_from(conflict.others)}});
+  boost::json::array& refused = document["refused"].emplace_array();
+  for (const syntax::LoadError& one : sources.refused)
+    refused.push_back(boost::json::object{{"file", one.file}, {"line", one.line}, {"text", one.text}});
   document["contradiction"] = axiom_array(findings.contradiction);
   boost::json::array& unsatisfiable = document["unsatisfiable"].emplace_array();
   for (const Unsatisfiable& found : findings.unsatisfiable)

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "ontology/loading/readers.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/syntax/base_iri.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/rdf/catalog.hpp"
@@ -17,7 +18,6 @@
 #include "reasoning/syntax/rdf/mapping/mapping.hpp"
 #include "reasoning/syntax/rdf/tolerant/told_classes.hpp"
 #include "reasoning/syntax/rdf/tolerant/tolerant.hpp"
-#include "reasoning/syntax/rdf/triples/base_iri.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -113,7 +113,7 @@ class Collection {
     file_names_.emplace(
         base::in_lower_case(std::filesystem::path(syntax::name_without_gz(part.path)).filename().string()), number);
     paths_.emplace(std::filesystem::path(part.path).lexically_normal().string(), number);
-    names_.emplace(rdf::base_iri(part.path), number);
+    names_.emplace(syntax::base_iri(part.path), number);
     for (std::uint32_t at = 0; at < part.graph.triple_count(); ++at) {
       const rdf::Triple& triple = part.graph.triple(at);
       const std::string_view object = part.graph.text(triple.object);

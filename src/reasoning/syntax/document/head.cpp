@@ -28,6 +28,17 @@ std::optional<std::string> Head::declare(std::string_view prefix, std::string_vi
   return std::nullopt;
 }
 
+void Head::change(std::string_view prefix, std::string_view iri, owl::Document& document) {
+  Prefix& known = prefixes_.find(prefix)->second;
+  known.iri = iri;
+  for (owl::DeclaredPrefix& declared : document.prefixes) {
+    if (declared.prefix == prefix) declared.iri = iri;
+  }
+  if (!known.is_declared && document.prefixes.size() < max_prefixes_)
+    document.prefixes.push_back({std::string(prefix), known.iri});
+  known.is_declared = true;
+}
+
 std::optional<std::string> Head::import(std::string_view iri, std::uint32_t line, owl::Document& document) {
   if (!imported_.emplace(iri).second) return std::nullopt;
   if (document.imports.size() >= max_imports_) return "more than " + std::to_string(max_imports_) + " imports";

@@ -25,6 +25,8 @@ class Head {
   /// Refuses a prefix that has another meaning already.
   [[nodiscard]] std::optional<std::string> declare(std::string_view prefix, std::string_view iri,
                                                    owl::Document& document);
+  /// Gives a prefix that is known another meaning, from here on.
+  void change(std::string_view prefix, std::string_view iri, owl::Document& document);
   [[nodiscard]] std::optional<std::string> import(std::string_view iri, std::uint32_t line, owl::Document& document);
 
   /// The IRI of a prefix without its colon; nullptr: it is not declared. Valid as long as the head.

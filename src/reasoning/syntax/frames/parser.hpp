@@ -92,6 +92,7 @@ class Parser final : private manchester::Parser {
   std::expected<owl::TermKind, std::string> kind_of_property(const manchester::Token& token) override;
   Term literal_of(const manchester::Token& text, std::string_view datatype, std::string_view language) override;
   Term individual() override;
+  void remark(std::string_view text) override { source_.remark(text, file_, line()); }
   [[nodiscard]] bool is_value_of_data(manchester::Tokenizer behind) const;
 
   const owl::FileId file_;

@@ -1,6 +1,7 @@
 // Frames and their sections. The productions of FRAMES.md stand above each function.
 #include <array>
 
+#include "reasoning/syntax/document/lists.hpp"
 #include "reasoning/syntax/frames/parser.hpp"
 
 namespace geminga::frames {
@@ -202,12 +203,8 @@ void Parser::property_chain(Term subject) {
       chain.push_back(object_property_expression());
     }
     if (failed()) return;
-    if (chain.size() < 2) {
-      expected("'o' and another property of the chain");
-      return;
-    }
-    add(AxiomKind::sub_object_property_of, std::array{source_.term(TermKind::object_property_chain, chain), subject},
-        line);
+    const Term whole = document::term_of_list(source_, TermKind::object_property_chain, chain, file_, line);
+    add(AxiomKind::sub_object_property_of, std::array{whole, subject}, line);
   } while (take_comma());
 }
 
@@ -259,13 +256,14 @@ void Parser::misc(std::string_view word) {
   do {
     arguments.push_back(are_properties ? any_property() : member(members));
   } while (!failed() && take_comma());
-  if (failed() || arguments.size() < 2) return annotations_.drop();  // one member says nothing
+  if (failed()) return annotations_.drop();
   if (are_properties) {
     const bool is_data = source_.kind(arguments.front()) == TermKind::data_property;
     const bool is_disjoint = word == "DisjointProperties:";
     kind = is_data ? (is_disjoint ? AxiomKind::disjoint_data_properties : AxiomKind::equivalent_data_properties)
                    : (is_disjoint ? AxiomKind::disjoint_object_properties : AxiomKind::equivalent_object_properties);
   }
+  if (document::says_nothing(source_, kind, arguments.size(), file_, line)) return annotations_.drop();
   add(kind, arguments, line);
 }
 

@@ -56,6 +56,11 @@ struct Production {
 
   [[nodiscard]] owl::TermKind term() const { return static_cast<owl::TermKind>(kind); }
   [[nodiscard]] owl::AxiomKind axiom() const { return static_cast<owl::AxiomKind>(kind); }
+  /// Whether `repeated` may stand no time, as in OWL 1. A chain of no property would be the identity, which OWL has
+  /// not.
+  [[nodiscard]] bool may_be_empty() const {
+    return form == Form::axiom || (form == Form::expression && term() != owl::TermKind::object_property_chain);
+  }
 };
 
 /// The production of a word, or nullptr where the grammar has no such word.

@@ -52,6 +52,9 @@ class Parser {
   void declare(std::uint32_t line);
   /// Adds the terms on the stack as one axiom, or leaves the axiom out if something in it has no term.
   void add(owl::AxiomKind kind, std::uint32_t line);
+  /// The same for an axiom that the grammar's table describes. One over too short a list may say something else, or
+  /// nothing.
+  void add_list_or_other(const Production& production, std::uint32_t line);
 
   // parser_annotations.cpp
   bool annotation();
@@ -74,8 +77,6 @@ class Parser {
   bool too_many_operands();
   /// Goes one level deeper if the limit allows it. The caller goes back.
   bool descend();
-  /// The term of an expression. Its operands stand on the stack from `base` on.
-  owl::TermId term_of(const Production& production, std::size_t base, std::uint32_t number);
 
   // parser_names.cpp
   [[nodiscard]] bool is_name() const { return tokens_.is(TokenKind::full_iri) || tokens_.is(TokenKind::prefixed_name); }

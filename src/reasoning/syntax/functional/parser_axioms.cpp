@@ -1,4 +1,5 @@
 // Axioms: an opening bracket, annotations, operands by the table of the grammar, a closing bracket.
+#include "reasoning/syntax/document/lists.hpp"
 #include "reasoning/syntax/functional/parser.hpp"
 
 namespace geminga::functional {
@@ -30,13 +31,7 @@ bool Parser::axiom() {
       add(AxiomKind::has_key, line);
       break;
     case Form::axiom:
-      // OWL tools write one operand where the grammar requires two. Such an axiom says nothing.
-      if (production->repeated != Operand::none && terms_.size() < 2) {
-        ++document_.vacuous;
-        annotations_.drop();
-      } else {
-        add(production->axiom(), line);
-      }
+      add_list_or_other(*production, line);
       break;
     default:
       ++document_.annotations;
@@ -93,6 +88,20 @@ void Parser::declare(std::uint32_t line) {
   if (declared_[entity]) return annotations_.drop();
   declared_[entity] = true;
   add(AxiomKind::declaration, line);
+}
+
+void Parser::add_list_or_other(const Production& production, std::uint32_t line) {
+  if (production.repeated == Operand::none || obstacle_ != nullptr) return add(production.axiom(), line);
+  if (production.axiom() == AxiomKind::disjoint_union) {
+    if (terms_.size() > 1) return add(production.axiom(), line);
+    document::add_empty_union(source_, terms_.front(), file_, line);
+    ++document_.axioms;
+    return annotations_.drop();
+  }
+  if (!document::says_nothing(source_, production.axiom(), terms_.size(), file_, line))
+    return add(production.axiom(), line);
+  ++document_.vacuous;
+  annotations_.drop();
 }
 
 void Parser::add(owl::AxiomKind kind, std::uint32_t line) {

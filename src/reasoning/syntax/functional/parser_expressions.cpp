@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/document/lists.hpp"
 #include "reasoning/syntax/functional/parser.hpp"
 
 namespace geminga::functional {
@@ -45,7 +46,8 @@ bool Parser::operands(const Production& production) {
     if (!operand(wanted)) return false;
   }
   if (production.optional != Operand::none && !tokens_.is(TokenKind::close)) return operand(production.optional);
-  return production.repeated == Operand::none || repeated(production.repeated);
+  if (production.repeated == Operand::none) return true;
+  return (tokens_.is(TokenKind::close) && production.may_be_empty()) || repeated(production.repeated);
 }
 
 bool Parser::repeated(Operand wanted) {
@@ -78,6 +80,7 @@ bool Parser::expression(Operand wanted) {
                                 (wanted == Operand::property_chain && production->result == Operand::object_property));
   if (!fits) return expected(to_string(wanted));
   if (!descend()) return false;
+  const std::uint32_t line = tokens_.line();
   tokens_.advance();
   if (!expect(TokenKind::open, "'('")) return false;
   std::uint32_t number = 0;
@@ -86,19 +89,13 @@ bool Parser::expression(Operand wanted) {
   const bool is_read = production->form == Form::n_ary_data ? n_ary_data() : operands(*production);
   --depth_;
   if (!is_read || !expect(TokenKind::close, "')' behind the operands")) return false;
-  const owl::TermId term = term_of(*production, base, number);
+  const auto arguments = std::span<const owl::TermId>(terms_).subspan(base);
+  const owl::TermId term = production->repeated != Operand::none
+                               ? document::term_of_list(source_, production->term(), arguments, file_, line)
+                               : source_.term(production->term(), arguments, number);
   terms_.resize(base);
   terms_.push_back(term);
   return true;
-}
-
-owl::TermId Parser::term_of(const Production& production, std::size_t base, std::uint32_t number) {
-  const std::span<const owl::TermId> operands = std::span(terms_).subspan(base);
-  // OWL tools write one operand where the grammar requires two. It stands for itself.
-  const bool is_list = production.repeated != Operand::none && production.first.front() == Operand::none &&
-                       production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;
-  if (is_list && operands.size() == 1) return operands.front();
-  return source_.term(production.term(), operands, number);
 }
 
 bool Parser::counted(std::uint32_t& number) {

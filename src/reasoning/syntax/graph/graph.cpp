@@ -20,6 +20,7 @@ constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
 struct Reading {
   Graph::Store& graph;
   std::string blank_prefix;
+  const rdf::Bases& bases;
   std::uint64_t generated = 0;
 
   static void on_statement(void* data, raptor_statement* statement) {
@@ -29,14 +30,29 @@ struct Reading {
       return;
     try {
       if (self.graph.keeps && !self.keeps(*statement)) return;
-      if (!self.graph.statements.add_copy(statement)) self.graph.fail("memory is short");
+      if (!self.add(statement)) self.graph.fail("memory is short");
     } catch (const std::bad_alloc&) {  // nothing may pass through raptor
       self.graph.fail("memory is short");
     }
   }
 
   [[nodiscard]] bool keeps(const raptor_statement& statement) const {
-    return graph.keeps(node_of(*statement.subject), node_of(*statement.predicate).text, node_of(*statement.object));
+    return graph.keeps(restored(*statement.subject), restored(*statement.predicate).text, restored(*statement.object));
+  }
+
+  [[nodiscard]] bool add(const raptor_statement* statement) const {
+    if (bases.is_empty()) return graph.statements.add_copy(statement);
+    return graph.statements.add(restored(*statement->subject), restored(*statement->predicate),
+                                restored(*statement->object));
+  }
+
+  /// A node with the IRIs that the file means.
+  [[nodiscard]] Node restored(const raptor_term& term) const {
+    Node node = node_of(term);
+    std::string& iri = node.kind == Node::Kind::iri ? node.text : node.datatype;
+    std::string room;
+    iri = std::string(bases.restored(iri, room));
+    return node;
   }
 
   /// Renames blank nodes, both those of a file and those that raptor makes up. Raptor frees the name that it gives and
@@ -113,7 +129,7 @@ std::optional<syntax::LoadError> Graph::add_file(const std::string& path, std::s
   const auto text = rdf::read_text(path);
   if (!text) return text.error();
   raptor_world* raptor = store_->world.raptor();
-  Reading reading{*store_, 'f' + std::to_string(number)};
+  Reading reading{*store_, 'f' + std::to_string(number), text->bases};
   raptor_world_set_generate_bnodeid_handler(raptor, &reading, Reading::on_blank);
   raptor_parser* parser = raptor_new_parser(raptor, parser_of(text->syntax));
   raptor_uri* base = raptor_new_uri(raptor, octets(text->base_iri));

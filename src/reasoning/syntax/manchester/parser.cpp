@@ -74,6 +74,10 @@ owl::TermId Parser::negation() {
 
 owl::TermId Parser::enumeration() {
   take();
+  if (take_symbol("}")) {
+    remark("ObjectOneOf of nothing, read as owl:Nothing");
+    return owl::nothing_term;
+  }
   std::vector<Term> members{individual()};
   while (!failed() && take_symbol(",")) members.push_back(individual());
   expect_symbol("}", "',' or '}'");

@@ -67,6 +67,9 @@ class Parser {
   virtual Term literal_of(const Token& text, std::string_view datatype, std::string_view language) = 0;
   [[nodiscard]] bool is_restriction_next() const;
 
+  /// Something that OWL 2 does not allow and that has a meaning.
+  virtual void remark(std::string_view /*text*/) {}
+
   // Tokens.
   [[nodiscard]] bool is(TokenKind kind, std::string_view text) const;
   [[nodiscard]] bool is_keyword(std::string_view word) const { return is(TokenKind::keyword, word); }

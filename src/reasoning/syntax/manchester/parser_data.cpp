@@ -62,6 +62,11 @@ owl::TermId Parser::data_primary() {
     return inner;
   }
   if (take_symbol("{")) {
+    if (take_symbol("}")) {
+      remark("DataOneOf of nothing, read as no value");
+      return source_.term(TermKind::data_complement_of,
+                          {source_.datatype("http://www.w3.org/2000/01/rdf-schema#Literal")});
+    }
     std::vector<Term> members{literal()};
     while (!failed() && take_symbol(",")) members.push_back(literal());
     expect_symbol("}", "',' or '}'");

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "base/text.hpp"
+#include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/syntax/base_iri.hpp"
 
 namespace geminga::owlxml {
 namespace {
@@ -43,62 +45,78 @@ Listener::Refusal Builder::begin(std::string_view space, std::string_view name, 
   if (!open_.empty()) open.is_annotation = open_.back().is_annotation;
   open.first = operands_.size();
   open.bases = bases_.size();
+  open.annotations = annotations_.place();
   text_.clear();
-  const bool is_left_out = !open_.empty() && open_.back().role == Role::left_out;
-  if (is_left_out) {
+  const bool is_passed_over = fault_ || (!open_.empty() && open_.back().role == Role::left_out);
+  if (is_passed_over) {
     open.role = Role::left_out;
     open_.push_back(open);
     return std::nullopt;
   }
-  if (space != owl) return "expected an element of OWL, found <" + base::printable(name, 60) + '>';
-  if (auto refusal = check_attributes(name, attributes)) return refusal;
-  if (const std::string_view base = value_of(attributes, "base", xml); !base.empty()) {
-    if (base.size() > limits_.iri_bytes) return "an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes";
-    bases_.push_back(bases_.empty() ? std::string(base) : resolve(base, bases_.back()));
-  }
   if (open_.empty()) {
+    if (space != owl) return "expected an element of OWL, found <" + base::printable(name, 60) + '>';
     if (name != "Ontology") return "expected <Ontology>, found <" + base::printable(name, 60) + '>';
     open.role = Role::ontology;
-    open_.push_back(open);
-    return begin_ontology(attributes);
   }
-  if (auto refusal = open_element(name, attributes, open)) return refusal;
+  Refusal refusal = begin_element(space, name, attributes, open);
   open_.push_back(open);
-  return std::nullopt;
+  return settle(std::move(refusal), line);
 }
 
-Listener::Refusal Builder::check_attributes(std::string_view name, std::span<const Attribute> attributes) {
+Listener::Refusal Builder::begin_element(std::string_view space, std::string_view name,
+                                         std::span<const Attribute> attributes, Open& open) {
+  if (space != owl) return "<" + base::printable(name, 60) + "> is no element of OWL/XML";
   for (const Attribute& attribute : attributes) {
     if (attribute.space.empty() && std::ranges::find(known_attributes, attribute.name) == known_attributes.end())
-      return "the attribute " + base::printable(attribute.name, 60) + " of <" + base::printable(name, 60) +
-             "> is none of OWL/XML";
+      remark("an attribute that OWL/XML does not have", open.line);
+    if (attribute.space != xml || attribute.name != "base") continue;
+    if (attribute.value.size() > limits_.iri_bytes)
+      return beyond_limit("an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes");
+    bases_.emplace_back(attribute.value);
   }
-  return std::nullopt;
+  if (open.role == Role::ontology) return begin_ontology(attributes, open.line);
+  return open_element(name, attributes, open);
 }
 
-Listener::Refusal Builder::begin_ontology(std::span<const Attribute> attributes) {
-  const std::string_view name = value_of(attributes, "ontologyIRI");
-  if (!name.empty()) {
-    if (auto refusal = full_iri(name, document_.ontology_iri)) return refusal;
-    source_.set_ontology_iri(file_, document_.ontology_iri);
-    // The base if xml:base does not name one. The file's own IRI would differ from host to host.
-    if (bases_.empty()) bases_.push_back(document_.ontology_iri);
-  }
-  const std::string_view version = value_of(attributes, "versionIRI");
-  return version.empty() ? std::nullopt : full_iri(version, document_.version_iri);
+Listener::Refusal Builder::begin_ontology(std::span<const Attribute> attributes, std::uint32_t line) {
+  const auto read = [&](std::string_view attribute, std::string& iri) -> Refusal {
+    const std::string_view written = value_of(attributes, attribute);
+    Refusal refusal = written.empty() ? std::nullopt : full_iri(written, iri);
+    if (!refusal || is_beyond_limit_) return refusal;
+    remark("an ontologyIRI or versionIRI with a character that no IRI has", line);
+    iri.clear();
+    return std::nullopt;
+  };
+  if (auto refusal = read("ontologyIRI", document_.ontology_iri)) return refusal;
+  if (!document_.ontology_iri.empty()) source_.set_ontology_iri(file_, document_.ontology_iri);
+  // The base where xml:base names none. The place of the file would differ from host to host.
+  const std::string& path = source_.files()[static_cast<std::size_t>(file_)].path;
+  if (bases_.empty())
+    bases_.push_back(document_.ontology_iri.empty() ? syntax::base_iri(path) : document_.ontology_iri);
+  return read("versionIRI", document_.version_iri);
 }
 
-Listener::Refusal Builder::begin_prefix(std::span<const Attribute> attributes) {
-  std::string iri;
-  if (auto refusal = full_iri(value_of(attributes, "IRI"), iri)) return refusal;
-  return head_.declare(value_of(attributes, "name"), iri, document_);
+Listener::Refusal Builder::begin_prefix(std::span<const Attribute> attributes, std::uint32_t line) {
+  const std::string_view iri = value_of(attributes, "IRI");
+  std::string_view name = value_of(attributes, "name");
+  if (name.ends_with(':')) name.remove_suffix(1);
+  if (iri.size() > limits_.iri_bytes || name.size() > limits_.iri_bytes)
+    return beyond_limit("an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes");
+  const std::string* known = head_.iri_of(name);
+  if (known != nullptr && *known != iri) {
+    remark("a prefix with several IRIs, of which the last is used", line);
+    head_.change(name, iri, document_);
+    return std::nullopt;
+  }
+  auto refusal = head_.declare(name, iri, document_);
+  return refusal ? beyond_limit(std::move(*refusal)) : std::nullopt;
 }
 
 Listener::Refusal Builder::open_element(std::string_view name, std::span<const Attribute> attributes, Open& open) {
   const bool is_top = open_.size() == 1;
   if (name == "Prefix" && is_top) {
     open.role = Role::prefix;
-    return begin_prefix(attributes);
+    return begin_prefix(attributes, open.line);
   }
   if (name == "Literal") {
     open.role = Role::literal;
@@ -165,69 +183,74 @@ Listener::Refusal Builder::text(std::string_view part) {
                                                  open->role == Role::short_iri || is_import);
   if (may_have_text) {
     if (text_.size() + part.size() > limits_.literal_bytes)
-      return "a text of more than " + std::to_string(limits_.literal_bytes) + " bytes";
+      return beyond_limit("a text of more than " + std::to_string(limits_.literal_bytes) + " bytes");
     text_ += part;
     return std::nullopt;
   }
-  const bool is_passed_over = open != nullptr && open->role == Role::left_out;
-  if (is_passed_over || base::trimmed(part).empty()) return std::nullopt;
-  return "text that stands in no <Literal>: " + base::printable(base::trimmed(part), 60);
+  const bool is_passed_over = fault_ || (open != nullptr && open->role == Role::left_out);
+  if (open != nullptr && !is_passed_over && !base::trimmed(part).empty())
+    remark("text that stands in no <Literal>", open->line);
+  return std::nullopt;
 }
 
 Listener::Refusal Builder::end() {
   const Open open = open_.back();
-  open_.pop_back();
-  if (operands_.size() - open.first > limits_.operands)
-    return "more than " + std::to_string(limits_.operands) + " operands";
-  // An entity and a blank node are operands from their start tag on.
-  const bool is_leaf = open.role == Role::blank || form_of(open) == Form::entity;
-  const bool is_empty = operands_.size() == open.first + (is_leaf ? 1 : 0);
-  const bool must_be_empty = is_leaf || open.role == Role::prefix || form_of(open) == Form::import;
-  if (must_be_empty && !is_empty) return "an element where none may stand";
   Refusal refusal;
-  switch (open.role) {
-    case Role::literal:
-      refusal = end_literal(open);
-      break;
-    case Role::facet:
-      refusal = end_facet(open);
-      break;
-    case Role::iri:
-    case Role::short_iri:
-      refusal = end_iri(open);
-      break;
-    case Role::production:
-      switch (form_of(open)) {
-        case Form::import:
-          refusal = end_import(open);
-          break;
-        case Form::annotation:
-          refusal = end_annotation(open);
-          break;
-        case Form::expression:
-        case Form::n_ary_data:
-          refusal = end_expression(open);
-          break;
-        case Form::entity:
-          break;
-        default:
-          refusal = end_axiom(open);
-          break;
-      }
-      break;
-    default:
-      break;
+  if (!fault_) {
+    open_.pop_back();
+    refusal = close_element(open);
+    open_.push_back(open);
+    refusal = settle(std::move(refusal), open.line);
   }
+  open_.pop_back();
+  if (fault_ && fault_->depth == open_.size()) end_fault(open);
   // The base that begin_ontology() sets stays until the end.
   if (open.role != Role::ontology) bases_.resize(std::min(bases_.size(), open.bases));
   text_.clear();
   return refusal;
 }
 
+Listener::Refusal Builder::close_element(const Open& open) {
+  if (operands_.size() - open.first > limits_.operands)
+    return beyond_limit("more than " + std::to_string(limits_.operands) + " operands");
+  // An entity and a blank node are operands from their start tag on.
+  const bool is_leaf = open.role == Role::blank || form_of(open) == Form::entity;
+  const bool is_empty = operands_.size() == open.first + (is_leaf ? 1 : 0);
+  const bool must_be_empty = is_leaf || open.role == Role::prefix || form_of(open) == Form::import;
+  if (must_be_empty && !is_empty) return "an element where none may stand";
+  switch (open.role) {
+    case Role::literal:
+      return end_literal(open);
+    case Role::facet:
+      return end_facet(open);
+    case Role::iri:
+    case Role::short_iri:
+      return end_iri(open);
+    case Role::production:
+      break;
+    default:
+      return std::nullopt;
+  }
+  switch (form_of(open)) {
+    case Form::import:
+      return end_import(open);
+    case Form::annotation:
+      return end_annotation(open);
+    case Form::expression:
+    case Form::n_ary_data:
+      return end_expression(open);
+    case Form::entity:
+      return std::nullopt;
+    default:
+      return end_axiom(open);
+  }
+}
+
 Listener::Refusal Builder::end_import(const Open& open) {
   std::string iri;
   if (auto refusal = full_iri(base::trimmed(text_), iri)) return refusal;
-  return head_.import(iri, open.line, document_);
+  auto refusal = head_.import(iri, open.line, document_);
+  return refusal ? beyond_limit(std::move(*refusal)) : std::nullopt;
 }
 
 }  // namespace geminga::owlxml

@@ -6,6 +6,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -46,8 +49,9 @@ class Builder final : public Listener {
     bool is_annotation = false;  ///< it is in an annotation, and nothing in it becomes a term
     std::size_t first = 0;       ///< its operands begin here
     std::uint32_t line = 0;
-    std::uint32_t number = 0;  ///< cardinality
-    std::size_t bases = 0;     ///< the number of xml:base around it
+    std::uint32_t number = 0;     ///< cardinality
+    std::size_t bases = 0;        ///< the number of xml:base around it
+    std::size_t annotations = 0;  ///< the place of the first annotation in it
   };
 
   /// An operand in an element that is still open.
@@ -60,16 +64,36 @@ class Builder final : public Listener {
     std::string datatype;  ///< of a literal in annotations
   };
 
+  /// A fault that is no fault of the XML. What stands at `depth` is passed over until its end.
+  struct Fault {
+    std::size_t depth = 0;
+    std::string text;
+    std::uint32_t line = 0;
+  };
+
   // builder.cpp: the document.
-  Refusal begin_ontology(std::span<const Attribute> attributes);
-  Refusal begin_prefix(std::span<const Attribute> attributes);
+  Refusal begin_ontology(std::span<const Attribute> attributes, std::uint32_t line);
+  Refusal begin_prefix(std::span<const Attribute> attributes, std::uint32_t line);
   /// The form of an element's production. An element without one has the form of no element.
   static functional::Form form_of(const Open& open) {
     return open.production == nullptr ? functional::Form::document : open.production->form;
   }
   Refusal end_import(const Open& open);
+  Refusal begin_element(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
+                        Open& open);
   Refusal open_element(std::string_view name, std::span<const Attribute> attributes, Open& open);
-  Refusal check_attributes(std::string_view name, std::span<const Attribute> attributes);
+  Refusal close_element(const Open& open);
+
+  // builder_faults.cpp: what is not as the grammar has it.
+  /// Refuses the file: a limit was exceeded.
+  Refusal beyond_limit(std::string text);
+  /// Gives the refusal where it is about a limit. Anything else costs the annotation or the axiom around the innermost
+  /// element: what remains of it is passed over.
+  Refusal settle(Refusal refusal, std::uint32_t line);
+  /// Names what was passed over, at the end of its element.
+  void end_fault(const Open& open);
+  /// Something that costs nothing.
+  void remark(std::string_view text, std::uint32_t line);
 
   // builder_elements.cpp: the ends of elements.
   Refusal end_expression(const Open& open);
@@ -81,6 +105,8 @@ class Builder final : public Listener {
   Refusal expected(std::string_view what, const Open& open, std::size_t place) const;
   [[nodiscard]] bool fits(functional::Operand wanted, const Operand& operand) const;
   void add(owl::AxiomKind kind, const Open& open);
+  /// Adds an axiom that the grammar's table describes. One over too short a list may say something else, or nothing.
+  void add_list_or_other(const Open& open);
   void drop_annotations(const Open& open);
   /// Adds an annotation with this value.
   void keep(owl::Annotation annotation, const Operand& value, std::size_t level);
@@ -91,9 +117,9 @@ class Builder final : public Listener {
   Refusal end_facet(const Open& open);
   Refusal end_iri(const Open& open);
   Refusal blank(const Open& open, std::span<const Attribute> attributes);
-  Refusal full_iri(std::string_view written, std::string& iri) const;
-  Refusal short_iri(std::string_view written, std::string& iri) const;
-  Refusal check_iri(std::string_view iri) const;
+  Refusal full_iri(std::string_view written, std::string& iri);
+  Refusal short_iri(std::string_view written, std::string& iri);
+  Refusal check_iri(std::string_view iri);
 
   const std::string_view bytes_;
   const owl::FileId file_;
@@ -113,6 +139,9 @@ class Builder final : public Listener {
   std::string literal_language_;    ///< of the literal that is open
   std::string facet_iri_;           ///< of the facet restriction that is open
   const char* obstacle_ = nullptr;  ///< the part of the current axiom that has no term
+  std::optional<Fault> fault_;
+  bool is_beyond_limit_ = false;
+  std::set<std::string, std::less<>> named_faults_;
 };
 
 }  // namespace geminga::owlxml

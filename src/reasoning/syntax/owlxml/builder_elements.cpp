@@ -3,6 +3,7 @@
 #include <span>
 
 #include "reasoning/owl/unit.hpp"
+#include "reasoning/syntax/document/lists.hpp"
 #include "reasoning/syntax/owlxml/builder.hpp"
 
 namespace geminga::owlxml {
@@ -78,10 +79,11 @@ Listener::Refusal Builder::check_operands(const Open& open) {
   }
   if (production.optional != Wanted::none && has(production.optional)) ++place;
   if (production.repeated != Wanted::none) {
-    do {
+    if (place == operands_.size() && !production.may_be_empty())
+      return expected(functional::to_string(production.repeated), open, place);
+    for (; place < operands_.size(); ++place) {
       if (!has(production.repeated)) return expected(functional::to_string(production.repeated), open, place);
-      ++place;
-    } while (place < operands_.size());
+    }
   }
   return place == operands_.size() ? std::nullopt : expected("no more", open, place);
 }
@@ -93,11 +95,9 @@ Listener::Refusal Builder::end_expression(const Open& open) {
   std::vector<owl::TermId> arguments;
   for (std::size_t place = open.first; place < operands_.size(); ++place) arguments.push_back(operands_[place].term);
   operands_.resize(open.first);
-  // OWL tools write one operand where the grammar requires two. It stands for itself.
-  const bool is_list = production.repeated != Wanted::none && production.first.front() == Wanted::none &&
-                       production.term() != TermKind::object_one_of && production.term() != TermKind::data_one_of;
-  const owl::TermId term =
-      is_list && arguments.size() == 1 ? arguments.front() : source_.term(production.term(), arguments, open.number);
+  const owl::TermId term = production.repeated != Wanted::none
+                               ? document::term_of_list(source_, production.term(), arguments, file_, open.line)
+                               : source_.term(production.term(), arguments, open.number);
   operands_.push_back({Operand::Kind::term, term, {}, {}, {}, {}});
   return std::nullopt;
 }
@@ -121,6 +121,22 @@ void Builder::add(owl::AxiomKind kind, const Open& open) {
   source_.add(kind, arguments, file_, open.line);
   document_.axioms += source_.axiom_count() - before;
   annotations_.attach(source_, before, ill_typed);
+}
+
+void Builder::add_list_or_other(const Open& open) {
+  const functional::Production& production = *open.production;
+  const std::size_t count = operands_.size() - open.first;
+  if (production.repeated == Wanted::none || obstacle_ != nullptr) return add(production.axiom(), open);
+  if (production.axiom() == owl::AxiomKind::disjoint_union) {
+    if (count > 1) return add(production.axiom(), open);
+    document::add_empty_union(source_, operands_.back().term, file_, open.line);
+    ++document_.axioms;
+    return annotations_.drop();
+  }
+  if (!document::says_nothing(source_, production.axiom(), count, file_, open.line))
+    return add(production.axiom(), open);
+  ++document_.vacuous;
+  annotations_.drop();
 }
 
 Listener::Refusal Builder::end_axiom(const Open& open) {
@@ -163,13 +179,7 @@ Listener::Refusal Builder::end_axiom(const Open& open) {
     default:
       refusal = check_operands(open);
       if (refusal) break;
-      // OWL tools write one operand where the grammar requires two. Such an axiom says nothing.
-      if (production.repeated != Wanted::none && count < 2) {
-        ++document_.vacuous;
-        annotations_.drop();
-      } else {
-        add(production.axiom(), open);
-      }
+      add_list_or_other(open);
       break;
   }
   operands_.resize(open.first);
@@ -198,7 +208,7 @@ Listener::Refusal Builder::end_annotation(const Open& open) {
     read.of = owl::Annotation::Of::ontology;
     read.number = static_cast<std::uint32_t>(file_);
   }
-  const bool is_in_axiom = open_.size() > 1 && open_[1].production->form != Form::annotation;
+  const bool is_in_axiom = open_.size() > 1 && form_of(open_[1]) != Form::annotation;
   keep(std::move(read), operands_[open.first + 1], open_.size() - (is_in_axiom ? 1 : 0));
   operands_.resize(open.first);
   ++document_.annotations;

@@ -11,47 +11,43 @@
 namespace geminga::owlxml {
 namespace {
 
-constexpr std::string_view not_in_iris = " <>\"{}|\\^`";
-
 /// A scheme and a colon (RFC 3986, section 3.1).
 bool is_absolute(std::string_view iri) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const std::size_t colon = iri.find(':');
-  if (colon == 0 || colon == std::string_view::npos) return false;
-  return std::ranges::all_of(iri.substr(0, colon), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-' ||
-           c == '.';
+  if (colon == 0 || colon == std::string_view::npos || !is_letter(iri.front())) return false;
+  return std::ranges::all_of(iri.substr(0, colon), [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
   });
 }
 
 }  // namespace
 
-Listener::Refusal Builder::check_iri(std::string_view iri) const {
-  if (iri.empty()) return "an IRI that is empty, or missing";
-  if (iri.size() > limits_.iri_bytes) return "an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes";
-  if (iri.find_first_of(not_in_iris) != std::string_view::npos || base::has_control_character(iri))
-    return "an IRI with a character that none may have: " + base::printable(iri, 60);
+Listener::Refusal Builder::check_iri(std::string_view iri) {
+  if (iri.size() > limits_.iri_bytes)
+    return beyond_limit("an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes");
+  // The characters that would make the identity of a concept ambiguous. Others stand in published files.
+  if (iri.find_first_of("<>") != std::string_view::npos || base::has_control_character(iri))
+    return "an IRI with an angle bracket or a control character";
   return std::nullopt;
 }
 
-Listener::Refusal Builder::full_iri(std::string_view written, std::string& iri) const {
-  if (auto refusal = check_iri(written)) return refusal;
-  if (bases_.empty() || is_absolute(written)) {
-    iri = written;
-    return std::nullopt;
-  }
-  const std::string& base = bases_.back();
-  // The usual form is resolved here: if letters beyond ASCII follow, it is no URI for libxml2.
-  iri = written.front() == '#' ? base.substr(0, base.find('#')) + std::string(written) : resolve(written, base);
+// The base and the reference are put together as they are, which is what the OWL API writes and reads, and not as RFC
+// 3986 has it (OWLXML.md).
+Listener::Refusal Builder::full_iri(std::string_view written, std::string& iri) {
+  iri.clear();
+  if (!is_absolute(written) && !bases_.empty()) iri = bases_.back();
+  iri += written;
   return check_iri(iri);
 }
 
-Listener::Refusal Builder::short_iri(std::string_view written, std::string& iri) const {
+Listener::Refusal Builder::short_iri(std::string_view written, std::string& iri) {
+  // A name without a colon has the empty prefix.
   const std::size_t colon = written.find(':');
-  if (colon == std::string_view::npos) return "expected prefix:Name, found " + base::printable(written, 60);
-  const std::string* known = head_.iri_of(written.substr(0, colon));
-  if (known == nullptr) return document::Head::undeclared(written.substr(0, colon));
-  iri = *known + std::string(written.substr(colon + 1));
-  return check_iri(iri);
+  const std::string_view prefix = colon == std::string_view::npos ? std::string_view() : written.substr(0, colon);
+  const std::string* known = head_.iri_of(prefix);
+  if (known == nullptr) return document::Head::undeclared(prefix);
+  return full_iri(*known + std::string(written.substr(colon == std::string_view::npos ? 0 : colon + 1)), iri);
 }
 
 Listener::Refusal Builder::entity(const Open& open, std::span<const Attribute> attributes) {
@@ -79,7 +75,8 @@ Listener::Refusal Builder::blank(const Open& open, std::span<const Attribute> at
     if (attribute.space.empty() && attribute.name == "nodeID") label = attribute.value;
   }
   if (label.starts_with("_:")) label.remove_prefix(2);
-  if (auto refusal = check_iri(label)) return "expected the nodeID of <AnonymousIndividual>";
+  if (label.empty()) return "expected the nodeID of <AnonymousIndividual>";
+  if (auto refusal = check_iri(label)) return refusal;
   if (blank_prefix_.empty()) blank_prefix_ = owl::blank_prefix_of(bytes_);
   std::string name = blank_prefix_ + std::string(label);
   if (open.is_annotation) {

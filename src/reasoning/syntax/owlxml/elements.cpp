@@ -3,9 +3,10 @@
 #include <libxml/SAX2.h>
 #include <libxml/parser.h>
 #include <libxml/parserInternals.h>
-#include <libxml/uri.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <memory>
 #include <new>
 #include <vector>
@@ -136,15 +137,32 @@ class Walk {
     walk.guarded([&]() -> Listener::Refusal {
       const std::string shown = base::printable(view(name), 60);
       if (type != XML_INTERNAL_GENERAL_ENTITY) return "the entity " + shown + " is not a plain internal one";
-      if (view(content).find_first_of("<&%") != std::string_view::npos)
-        return "the entity " + shown + " has markup in it";
-      if (view(content).size() > walk.limits_.entity_bytes)
+      const auto bytes = walk.expanded_bytes(view(content));
+      if (!bytes) return "the entity " + shown + " has markup in it";
+      if (*bytes > walk.limits_.entity_bytes)
         return "the entity " + shown + " has more than " + std::to_string(walk.limits_.entity_bytes) + " bytes";
-      if (++walk.entities_ > walk.limits_.entities)
+      walk.entity_bytes_.try_emplace(std::string(view(name)), *bytes);  // the first declaration counts
+      if (walk.entity_bytes_.size() > walk.limits_.entities)
         return "more than " + std::to_string(walk.limits_.entities) + " entities";
       return std::nullopt;
     });
     if (!walk.problem_) xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
+  }
+
+  /// The octets of an entity with those of entities above it that it refers to. Nothing where it has markup, or refers
+  /// to anything else.
+  [[nodiscard]] std::optional<std::size_t> expanded_bytes(std::string_view content) const {
+    if (content.find_first_of("<%") != std::string_view::npos) return std::nullopt;
+    std::size_t bytes = content.size();
+    for (std::size_t at = content.find('&'); at != std::string_view::npos; at = content.find('&', at + 1)) {
+      const std::size_t end = content.find(';', at);
+      const std::string_view name = content.substr(at + 1, std::min(end, content.size()) - at - 1);
+      const auto known = entity_bytes_.find(name);
+      const bool is_of_xml = name == "amp" || name == "quot" || name == "apos" || name == "gt";
+      if (known == entity_bytes_.end() && !is_of_xml) return std::nullopt;
+      if (known != entity_bytes_.end()) bytes += known->second;
+    }
+    return bytes;
   }
 
   static void on_error(void* context, xmlErrorPtr error) {
@@ -164,7 +182,7 @@ class Walk {
   std::vector<Attribute> attributes_;
   std::optional<Problem> problem_;
   std::size_t depth_ = 0;
-  std::size_t entities_ = 0;
+  std::map<std::string, std::size_t, std::less<>> entity_bytes_;  ///< expanded
 };
 
 }  // namespace
@@ -173,16 +191,6 @@ std::optional<Problem> walk(std::string_view bytes, const XmlLimits& limits, Lis
   xmlInitParser();
   xmlSetExternalEntityLoader(no_external_entity);
   return Walk(limits, listener).run(bytes);
-}
-
-std::string resolve(std::string_view iri, const std::string& base) {
-  std::string relative(iri);
-  xmlChar* whole =
-      xmlBuildURI(reinterpret_cast<const xmlChar*>(relative.c_str()), reinterpret_cast<const xmlChar*>(base.c_str()));
-  if (whole == nullptr) return relative;
-  std::string found(view(whole));
-  xmlFree(whole);
-  return found;
 }
 
 }  // namespace geminga::owlxml

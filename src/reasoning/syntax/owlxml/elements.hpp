@@ -39,9 +39,6 @@ class Listener {
 /// Walks over a file. Returns what is wrong with it as XML, or what the listener returned.
 [[nodiscard]] std::optional<Problem> walk(std::string_view bytes, const XmlLimits& limits, Listener& listener);
 
-/// Resolves a relative IRI against a base.
-[[nodiscard]] std::string resolve(std::string_view iri, const std::string& base);
-
 }  // namespace geminga::owlxml
 
 #endif

@@ -13,12 +13,13 @@
 
 #include "base/text.hpp"
 #include "reasoning/owl/fingerprint.hpp"
+#include "reasoning/syntax/base_iri.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/rdf/catalog.hpp"
 #include "reasoning/syntax/rdf/mapping/mapping.hpp"
+#include "reasoning/syntax/rdf/scan/encoding.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
-#include "reasoning/syntax/rdf/triples/base_iri.hpp"
 #include "reasoning/syntax/rdf/triples/graph.hpp"
 #include "reasoning/syntax/rdf/triples/redland.hpp"
 #include "reasoning/syntax/syntax.hpp"
@@ -34,7 +35,7 @@ class Headers {
  public:
   explicit Headers(const std::vector<std::string>& paths) : own_(paths.size()) {
     for (const std::string& path : paths) {
-      names_.insert(base_iri(path));
+      names_.insert(syntax::base_iri(path));
       std::error_code error;
       const std::filesystem::path absolute = std::filesystem::absolute(path, error).lexically_normal();
       if (!error) names_.insert("file://" + absolute.string());
@@ -143,6 +144,7 @@ struct ScannedFile {
   owl::Fingerprint content;  ///< of the file as it is on the disk
   syntax::Syntax syntax = syntax::Syntax::turtle;
   Layout layout;
+  std::uint32_t id_line = 0;  ///< of the first rdf:ID that is read as rdf:about; 0: none is
 };
 
 std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& path, const syntax::FileLimits& limits) {
@@ -153,12 +155,27 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
   if (!bytes) return std::unexpected(std::move(bytes.error()));
   const auto content = owl::fingerprint_of(bytes->view());
   if (syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
+  if (bytes) bytes = decoded(path, std::move(*bytes));
   if (!bytes) return std::unexpected(std::move(bytes.error()));
   const auto syntax = syntax::detect_syntax(path, bytes->view());
   if (!syntax) return std::unexpected(syntax::LoadError{base::printable(path, 4096), 0, syntax.error(), true});
   auto layout = scan(*syntax, bytes->view(), limits);
+  std::uint32_t id_line = 0;
+  if (layout && syntax::has_triples(*syntax)) {
+    Bases bases;
+    std::vector<Rewrite> rewrites = bases.mark(bytes->view(), layout->base_texts, is_xml(*syntax));
+    if (!layout->ids.empty()) id_line = line_of(bytes->view(), layout->ids.front().begin);
+    rewrites.insert(rewrites.end(), layout->ids.begin(), layout->ids.end());
+    if (!rewrites.empty()) {
+      auto text = syntax::FileBytes::copy_of(rewritten(bytes->view(), std::move(rewrites)));
+      if (!text) return refuse(0, "is too large for the memory");
+      *bytes = std::move(*text);
+      layout = scan(*syntax, bytes->view(), limits);
+      if (layout) layout->bases = std::move(bases);
+    }
+  }
   if (!layout) return refuse(layout.error().line, std::move(layout.error().text));
-  return ScannedFile{std::move(*bytes), content, *syntax, std::move(*layout)};
+  return ScannedFile{std::move(*bytes), content, *syntax, std::move(*layout), id_line};
 }
 
 /// One load, file by file.
@@ -176,6 +193,8 @@ class Loading {
     if (!scanned) return std::move(scanned.error());
     const syntax::Syntax syntax = scanned->syntax;
     loaded_.source.set_content(file, scanned->content);
+    if (scanned->id_line != 0)
+      loaded_.source.remark("rdf:ID given twice or no name of XML, read as rdf:about", file, scanned->id_line);
     loaded_.syntaxes.push_back(syntax);
     if (syntax::has_triples(syntax)) return redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_);
     graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
@@ -273,7 +292,7 @@ class Loading {
 std::expected<TextFile, syntax::LoadError> read_text(const std::string& path, const syntax::FileLimits& limits) {
   auto scanned = read_and_scan(path, limits);
   if (!scanned) return std::unexpected(std::move(scanned.error()));
-  return TextFile{std::move(scanned->bytes), scanned->syntax, base_iri(path)};
+  return TextFile{std::move(scanned->bytes), scanned->syntax, syntax::base_iri(path), std::move(scanned->layout.bases)};
 }
 
 namespace {
@@ -311,6 +330,7 @@ std::expected<Loaded, syntax::LoadError> load(std::span<const std::string> argum
   while (true) {
     auto loaded = load_listed(*listing, limits, other, threads, left_out);
     if (loaded) loaded->listing = std::move(*listing);
+    if (loaded && left_out != nullptr) loaded->refused = *left_out;
     if (loaded || left_out == nullptr || left_out->size() >= syntax::max_left_out) return loaded;
     const auto is_refused = [&](const std::string& path) {
       return loaded.error().file == path || loaded.error().file == base::printable(path, 4096);

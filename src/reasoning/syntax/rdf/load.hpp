@@ -16,6 +16,7 @@
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/folders.hpp"
 #include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/scan/bases.hpp"
 #include "reasoning/syntax/rdf/used_names.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
@@ -55,6 +56,7 @@ struct Loaded {
   std::vector<syntax::Syntax> syntaxes;  ///< of the source's files
   syntax::Listing listing;               ///< the files of the arguments
   std::uint64_t triples = 0;
+  std::vector<syntax::LoadError> refused;    ///< files of folders that were left out
   std::vector<UnresolvedImport> unresolved;  ///< in the order of reading, each IRI once; in source's left-outs, too
   std::vector<PrefixConflict> conflicts;     ///< sorted by prefix
   /// Of files without triples where their reader keeps them, and of triples where the limits say so.
@@ -68,6 +70,7 @@ struct TextFile {
   syntax::FileBytes bytes;
   syntax::Syntax syntax = syntax::Syntax::turtle;
   std::string base_iri;  ///< the base of its relative IRIs
+  Bases bases;           ///< in the text some bases stand marked; IRIs that raptor resolves go through it
 };
 
 /// Reads the text of a file, for users of its triples who do not need its axioms.

@@ -68,8 +68,6 @@ TEST(Document, IsRefusedWithTheLineAndWhatWasExpected) {
             "t.omn:2: expected a frame like Class:, an axiom like DisjointClasses:, or the end, found 'Domain:'");
   EXPECT_EQ(refusal("Class: A SubClasOf: B"),
             "t.omn:2: expected a frame like Class:, an axiom like DisjointClasses:, or the end, found 'SubClasOf:'");
-  EXPECT_EQ(refusal("ObjectProperty: p SubPropertyChain: q"),
-            "t.omn:3: expected 'o' and another property of the chain, found the end");
   EXPECT_EQ(refusal("Individual: a Facts: p \"x\"@1"), "t.omn:2: a language tag that is none: @1");
   EXPECT_EQ(refusal("Class: A SubClassOf: p some \"x"), "t.omn:2: a text that begins with \" does not end");
   EXPECT_EQ(Reading("Class: A").error, "t.omn:1: expected Prefix: or Ontology:, found 'Class:'");

@@ -110,6 +110,19 @@ TEST(Frames, LetAnUndeclaredPropertyHaveTheKindOfItsValues) {
                   "SubClassOf(:A ObjectHasSelf(:p))"));
 }
 
+TEST(Frames, OfListsThatAreTooShortMeanWhatTheyMean) {
+  const Reading reading(
+      ontology("ObjectProperty: p SubPropertyChain: q\nDataProperty: d\n"
+               "Class: A SubClassOf: {}, d some {}\nDisjointClasses: A\n"));
+  ASSERT_EQ(reading.error, "");
+  EXPECT_THAT(reading.axioms(), ElementsAre("Declaration(:p)", "SubObjectPropertyOf(:q :p)", "Declaration(:d)",
+                                            "Declaration(:A)", "SubClassOf(:A owl:Nothing)",
+                                            "SubClassOf(:A DataSomeValuesFrom(:d DataComplementOf(rdfs:Literal)))"));
+  ASSERT_EQ(reading.source.remarks().size(), 3U);
+  EXPECT_EQ(reading.source.remarks()[0].line, 4U);
+  EXPECT_EQ(reading.source.remarks()[2].line, 5U);
+}
+
 TEST(Frames, HaveConversionsWithTheirCosts) {
   const Reading reading(
       "Prefix: : <http://e/> Prefix: g: <https://geminga.example/core#> Ontology:\n"

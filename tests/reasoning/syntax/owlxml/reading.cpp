@@ -17,6 +17,14 @@ Reading::Reading(std::string_view text, const XmlLimits& limits) {
 
 std::vector<std::string> Reading::axioms() const { return rdf::functional_with_left_out(source); }
 
+std::vector<std::string> Reading::remarks() const {
+  std::vector<std::string> lines;
+  for (const owl::Ontology::Omission& remark : source.remarks())
+    lines.push_back(std::string(source.name(remark.construct)) + ", " + std::to_string(remark.count) + ", line " +
+                    std::to_string(remark.line));
+  return lines;
+}
+
 std::vector<std::string> Reading::labels() const { return rdf::labels(source); }
 
 std::string ontology(std::string_view lines) {

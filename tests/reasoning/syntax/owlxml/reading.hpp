@@ -21,6 +21,8 @@ struct Reading {
   /// Axioms as the writer of tests/reasoning/syntax/rdf writes them, declarations included; then "left out: CONSTRUCT,
   /// COUNT, line N".
   [[nodiscard]] std::vector<std::string> axioms() const;
+  /// "TEXT, COUNT, line N".
+  [[nodiscard]] std::vector<std::string> remarks() const;
   /// "IRI text" or "IRI text@en".
   [[nodiscard]] std::vector<std::string> labels() const;
 };

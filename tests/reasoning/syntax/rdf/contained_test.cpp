@@ -93,7 +93,7 @@ std::vector<Hostile> hostile_files() {
       {"attribute.owl", xml("<e:A e:p='" + times(4'000'000, "x") + "'/>"), ":3: has an attribute"},
       {"nul.ttl", "\n<http://a> <http://b\0c> <http://d> .\n"s, ":2: holds a NUL byte"},
       {"utf8.owl", xml("\n" + described("\xc3\x28")), ":4: holds bytes that are no UTF-8"},
-      {"wide.owl", "\xff\xfe<\0?\0"s, ": is in UTF-16"},
+      {"wide.owl", "\xff\xfe\0\0<\0\0\0"s, ": is in UTF-32"},
       {"page.owl", "<!DOCTYPE html>\n<html>" + times(1000, "<p>") + "</html>", ": is an HTML page"},
       {"empty.owl", "", ": is empty"},
       {"dashes.owl", xml("<!--" + times(1'000'000, "-")), ":3: has -- inside a comment"},

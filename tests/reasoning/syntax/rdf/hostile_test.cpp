@@ -91,7 +91,7 @@ TEST(Hostile, BadUtf8FailsTheWholeFile) {
   EXPECT_EQ(refusal("overlong.nt", "<http://a> <http://b> \"\xc0\xaf\" .\n"), "overlong.nt:1: " + words);
   EXPECT_EQ(refusal("cut.ttl", "<http://a> <http://b> \"\xe2\x82"), "cut.ttl:1: " + words);
   EXPECT_EQ(refusal("bad.owl", xml("\n\n<!-- \xa4 -->")), "bad.owl:5: " + words);
-  EXPECT_EQ(refusal("sixteen.owl", "\xff\xfe<"), "sixteen.owl: is in UTF-16, which is not read: convert it to UTF-8");
+  EXPECT_EQ(refusal("sixteen.owl", "\xff\xfe<"), "sixteen.owl: is in UTF-16 and ends within a character");
   EXPECT_EQ(refusal("seven.owl", "<?xml version=\"1.0\" encoding=\"UTF-7\"?>\n"),
             "seven.owl:1: is in an encoding that is not read: convert it to UTF-8");
 }

@@ -232,6 +232,40 @@ TEST(Load, ReadsAByteOrderMarkInEverySyntax) {
             "a.owl:1: begins as UTF-8 and declares ISO-8859-1: correct its declaration");
 }
 
+TEST(Load, ReadsAnIdThatIsGivenTwiceOrIsNoNameOfXmlAsAName) {
+  const std::string of_class = "<rdfs:subClassOf rdf:resource='http://e/C'/></owl:Class>\n";
+  const auto loaded =
+      load_text("a.owl", xml("<rdf:Description xmlns:owl='http://www.w3.org/2002/07/owl#' xml:base='http://e/x'>\n<e:p>"
+                             "<owl:Class rdf:ID='A'>" +
+                             of_class + "</e:p><e:p><owl:Class rdf:ID = \"1 b\">" + of_class +
+                             "</e:p><e:p><owl:Class rdf:ID='A'>" + of_class + "</e:p></rdf:Description>"));
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  const auto axioms = functional(loaded->source);
+  EXPECT_THAT(axioms, testing::Contains("SubClassOf(:x#A :C)"));
+  EXPECT_THAT(axioms, testing::Contains("SubClassOf(:x#1 b :C)"));
+  ASSERT_THAT(loaded->source.remarks(), SizeIs(1));
+  EXPECT_EQ(loaded->source.remarks()[0].line, 5U);
+  const std::string statement = "<e:A rdf:about='http://e/a'><e:p rdf:ID='s' rdf:resource='http://e/B'/></e:A>\n";
+  EXPECT_EQ(refusal("a.owl", xml(statement + statement)), "a.owl:4: Duplicated rdf:ID value 's'")
+      << "a name of a statement";
+}
+
+TEST(Load, RemarksListsThatAreTooShort) {
+  const auto loaded = load_text("a.ttl", std::string(turtle_prefixes) +
+                                             ":A rdfs:subClassOf [ a owl:Class ; owl:unionOf () ] .\n"
+                                             ":A rdfs:subClassOf [ a owl:Class ; owl:intersectionOf ( :B ) ] .\n"
+                                             "[] a owl:AllDisjointClasses ; owl:members ( :A ) .");
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_THAT(functional(loaded->source), ElementsAre("SubClassOf(:A owl:Nothing)", "SubClassOf(:A :B)"));
+  std::vector<std::string> remarks;
+  for (const owl::Ontology::Omission& remark : loaded->source.remarks())
+    remarks.push_back(std::string(loaded->source.name(remark.construct)) + ", line " + std::to_string(remark.line));
+  EXPECT_THAT(remarks,
+              testing::UnorderedElementsAre("ObjectUnionOf of nothing, read as owl:Nothing, line 2",
+                                            "ObjectIntersectionOf of one operand, read as that operand, line 3",
+                                            "DisjointClasses of fewer than two operands, which says nothing, line 4"));
+}
+
 TEST(Load, LosesNothingBehindAQuotationMarkInAComment) {
   const std::string sub = "> <http://www.w3.org/2000/01/rdf-schema#subClassOf> <http://e/";
   const std::string triples =

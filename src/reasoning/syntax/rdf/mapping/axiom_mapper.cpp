@@ -82,7 +82,7 @@ void AxiomMapper::map_definition(std::uint32_t number) {
     return axioms_.leave_out(number, "an owl:Restriction with several constraints");
   // OWL 1 described a named class without owl:equivalentClass (mapping, table 18).
   const Mapped description = predicate == Word::owl_on_property ? expressions_.restriction(triple.subject)
-                                                                : expressions_.boolean_class(predicate, triple.object);
+                                                                : expressions_.boolean_class(number);
   axioms_.add(number, Kind::equivalent_classes, {expressions_.class_expression(triple.subject), description});
 }
 

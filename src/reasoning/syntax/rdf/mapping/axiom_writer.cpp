@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "reasoning/syntax/document/lists.hpp"
+
 namespace geminga::rdf {
 namespace {
 
@@ -42,6 +44,16 @@ std::optional<AxiomWriter::Place> AxiomWriter::axiom_of(std::uint32_t triple) co
   const std::uint32_t place = place_of_.empty() ? no_place : place_of_[triple];
   if (place == no_place) return std::nullopt;
   return Place{place & ~ill_typed_place, (place & ill_typed_place) != 0};
+}
+
+owl::TermId AxiomWriter::term_of_list(std::uint32_t triple, owl::TermKind kind,
+                                      const std::vector<owl::TermId>& members) {
+  return document::term_of_list(ontology_, kind, members, file_of(triple), graph_.triple(triple).line);
+}
+
+void AxiomWriter::add_of_list(std::uint32_t triple, owl::AxiomKind kind, const std::vector<owl::TermId>& members) {
+  if (!document::says_nothing(ontology_, kind, members.size(), file_of(triple), graph_.triple(triple).line))
+    add(triple, kind, members);
 }
 
 void AxiomWriter::declare(std::uint32_t triple, owl::TermKind kind) {

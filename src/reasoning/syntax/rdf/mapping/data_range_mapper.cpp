@@ -32,6 +32,7 @@ Mapped DataRangeMapper::described_range(NodeId node, std::uint32_t depth) {
   Word constructor = Word::none;
   NodeId object{};
   NodeId facets{};
+  std::uint32_t description = 0;
   for (const std::uint32_t number : graph_.about(node)) {
     const Triple& triple = graph_.triple(number);
     switch (const Word predicate = word_of(triple.predicate)) {
@@ -43,6 +44,7 @@ Mapped DataRangeMapper::described_range(NodeId node, std::uint32_t depth) {
       case Word::owl_on_datatype:
         if (constructor != Word::none) return std::unexpected("a blank data range with several descriptions");
         constructor = predicate;
+        description = number;
         object = triple.object;
         triples_.use(number);
         break;
@@ -64,27 +66,21 @@ Mapped DataRangeMapper::described_range(NodeId node, std::uint32_t depth) {
       if (!complement) return complement;
       return ontology_.term(Term::data_complement_of, {*complement});
     }
-    case Word::owl_one_of: {
-      const auto members = triples_.terms(object, [&](NodeId member) { return literal(member); });
-      if (!members) return std::unexpected(members.error());
-      if (members->empty()) return ontology_.term(Term::data_complement_of, {all_values()});
-      return ontology_.term(Term::data_one_of, *members);
-    }
+    case Word::owl_one_of:
+      return range_of_list(description, Term::data_one_of,
+                           triples_.terms(object, [&](NodeId member) { return literal(member); }));
     case Word::owl_intersection_of:
-      return boolean_range(Term::data_intersection_of, ranges());
+      return range_of_list(description, Term::data_intersection_of, ranges());
     case Word::owl_union_of:
-      return boolean_range(Term::data_union_of, ranges());
+      return range_of_list(description, Term::data_union_of, ranges());
     default:
       return std::unexpected("a blank data range without a description");
   }
 }
 
-Mapped DataRangeMapper::boolean_range(owl::TermKind kind, const MappedList& members) {
+Mapped DataRangeMapper::range_of_list(std::uint32_t triple, owl::TermKind kind, const MappedList& members) {
   if (!members) return std::unexpected(members.error());
-  if (members->size() == 1) return members->front();
-  if (!members->empty()) return ontology_.term(kind, *members);
-  if (kind == owl::TermKind::data_intersection_of) return all_values();
-  return ontology_.term(owl::TermKind::data_complement_of, {all_values()});
+  return axioms_.term_of_list(triple, kind, *members);
 }
 
 Mapped DataRangeMapper::restricted_datatype(NodeId datatype, NodeId facets) {

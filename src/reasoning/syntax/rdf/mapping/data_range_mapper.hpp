@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/rdf/mapping/axiom_writer.hpp"
 #include "reasoning/syntax/rdf/mapping/mapped_once.hpp"
 
 namespace geminga::rdf {
@@ -13,8 +14,8 @@ namespace geminga::rdf {
 /// Maps nodes to the data ranges and literals of an ontology.
 class DataRangeMapper {
  public:
-  DataRangeMapper(TripleReader& triples, owl::Ontology& ontology)
-      : graph_(triples.graph()), triples_(triples), ontology_(ontology) {}
+  DataRangeMapper(TripleReader& triples, AxiomWriter& axioms, owl::Ontology& ontology)
+      : graph_(triples.graph()), triples_(triples), axioms_(axioms), ontology_(ontology) {}
 
   /// `depth` is how deep the data range is nested in other expressions.
   Mapped data_range(NodeId node, std::uint32_t depth = 0);
@@ -25,12 +26,12 @@ class DataRangeMapper {
 
  private:
   Mapped restricted_datatype(NodeId datatype, NodeId facets);
-  /// A union or intersection. An empty union is no value, an empty intersection is every value.
-  Mapped boolean_range(owl::TermKind kind, const MappedList& members);
-  owl::TermId all_values() { return ontology_.datatype(iri_of(syntax::Word::rdfs_literal)); }
+  /// A union, intersection or enumeration.
+  Mapped range_of_list(std::uint32_t triple, owl::TermKind kind, const MappedList& members);
 
   const Graph& graph_;
   TripleReader& triples_;
+  AxiomWriter& axioms_;
   owl::Ontology& ontology_;
   std::unordered_map<std::uint32_t, MappedOnce> ranges_;  ///< by blank node
 };

@@ -41,7 +41,7 @@ Mapped ExpressionMapper::described_class(NodeId node) {
     return ontology_.named_class(graph_.text(node));
   }
   Word constructor = Word::none;
-  NodeId object{};
+  std::uint32_t description = 0;
   for (const std::uint32_t number : graph_.about(node)) {
     const Triple& triple = graph_.triple(number);
     switch (const Word predicate = word_of(triple.predicate)) {
@@ -55,7 +55,7 @@ Mapped ExpressionMapper::described_class(NodeId node) {
       case Word::owl_one_of:
         if (constructor != Word::none) return std::unexpected("a blank class with several descriptions");
         constructor = predicate;
-        object = triple.object;
+        description = number;
         triples_.use(number);
         break;
       default:
@@ -65,10 +65,12 @@ Mapped ExpressionMapper::described_class(NodeId node) {
   if (constructor == Word::none) return std::unexpected("a blank class without a description");
   if (constructor == Word::owl_on_properties) return std::unexpected("owl:onProperties");
   if (constructor == Word::owl_on_property) return restriction(node);
-  return boolean_class(constructor, object);
+  return boolean_class(description);
 }
 
-Mapped ExpressionMapper::boolean_class(Word constructor, NodeId object) {
+Mapped ExpressionMapper::boolean_class(std::uint32_t triple) {
+  const Word constructor = word_of(graph_.triple(triple).predicate);
+  const NodeId object = graph_.triple(triple).object;
   if (constructor == Word::owl_complement_of) {
     const Mapped complement = class_expression(object);
     if (!complement) return complement;
@@ -77,13 +79,10 @@ Mapped ExpressionMapper::boolean_class(Word constructor, NodeId object) {
   const bool is_enumeration = constructor == Word::owl_one_of;
   const auto members = is_enumeration ? individuals(object) : class_expressions(object);
   if (!members) return std::unexpected(members.error());
-  if (constructor == Word::owl_intersection_of) {
-    if (members->empty()) return ontology_.named_class(owl::owl_thing);
-    return members->size() == 1 ? members->front() : ontology_.term(owl::TermKind::object_intersection_of, *members);
-  }
-  if (members->empty()) return ontology_.named_class(owl::owl_nothing);
-  if (is_enumeration) return ontology_.term(owl::TermKind::object_one_of, *members);
-  return members->size() == 1 ? members->front() : ontology_.term(owl::TermKind::object_union_of, *members);
+  const owl::TermKind kind = is_enumeration                             ? owl::TermKind::object_one_of
+                             : constructor == Word::owl_intersection_of ? owl::TermKind::object_intersection_of
+                                                                        : owl::TermKind::object_union_of;
+  return axioms_.term_of_list(triple, kind, *members);
 }
 
 Mapped ExpressionMapper::object_property(NodeId node) {

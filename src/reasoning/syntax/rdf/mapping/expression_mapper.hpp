@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reasoning/owl/source.hpp"
+#include "reasoning/syntax/rdf/mapping/axiom_writer.hpp"
 #include "reasoning/syntax/rdf/mapping/data_range_mapper.hpp"
 #include "reasoning/syntax/rdf/mapping/mapped_once.hpp"
 #include "reasoning/syntax/rdf/mapping/node_types.hpp"
@@ -15,17 +16,19 @@ namespace geminga::rdf {
 /// Maps nodes to the class expressions, properties and individuals of an ontology.
 class ExpressionMapper {
  public:
-  ExpressionMapper(TripleReader& triples, const NodeTypes& types, DataRangeMapper& ranges, owl::Ontology& ontology)
+  ExpressionMapper(TripleReader& triples, const NodeTypes& types, DataRangeMapper& ranges, AxiomWriter& axioms,
+                   owl::Ontology& ontology)
       : graph_(triples.graph()),
         triples_(triples),
         types_(types),
         ranges_(ranges),
+        axioms_(axioms),
         ontology_(ontology),
         classes_(graph_.node_count()) {}
 
   Mapped class_expression(NodeId node);
-  /// The class that a constructor over these operands describes: a Boolean one, or an enumeration.
-  Mapped boolean_class(syntax::Word constructor, NodeId object);
+  /// The class that a triple with a constructor describes: a Boolean one, or an enumeration.
+  Mapped boolean_class(std::uint32_t triple);
   /// The class that a node with owl:onProperty describes.
   Mapped restriction(NodeId node);
   Mapped object_property(NodeId node);
@@ -63,6 +66,7 @@ class ExpressionMapper {
   TripleReader& triples_;
   const NodeTypes& types_;
   DataRangeMapper& ranges_;
+  AxiomWriter& axioms_;
   owl::Ontology& ontology_;
   std::vector<MappedOnce> classes_;  ///< by node
   std::uint32_t depth_ = 0;          ///< class expressions around the node in hand

@@ -150,10 +150,10 @@ void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl:
   add_unit_statements(graph, files, ontology);
   TripleReader triples(graph);
   const NodeTypes types(triples);
-  DataRangeMapper ranges(triples, ontology);
-  ExpressionMapper expressions(triples, types, ranges, ontology);
   AxiomWriter axioms(graph, ontology, std::move(files));
   if (annotations != nullptr) axioms.remember_places();
+  DataRangeMapper ranges(triples, axioms, ontology);
+  ExpressionMapper expressions(triples, types, ranges, axioms, ontology);
   AxiomMapper mapper(triples, types, ranges, expressions, axioms);
   for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
     if (!triples.is_used(number)) mapper.map(number);

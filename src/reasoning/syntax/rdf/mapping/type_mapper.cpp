@@ -181,7 +181,7 @@ void TypeMapper::map_reified(std::uint32_t number) {
 
 void TypeMapper::add_list(std::uint32_t number, owl::AxiomKind kind, const MappedList& members) {
   if (!members) return axioms_.leave_out(number, members.error());
-  if (members->size() >= 2) axioms_.add(number, kind, *members);
+  axioms_.add_of_list(number, kind, *members);
 }
 
 bool TypeMapper::has_described(NodeId subject, NodeId property, owl::TermId described) {

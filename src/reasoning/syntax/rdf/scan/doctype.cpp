@@ -1,6 +1,8 @@
 // Reads the internal subset of a DOCTYPE (XML 1.0, section 2.8) as far as it declares entities, and refuses the rest.
 #include "reasoning/syntax/rdf/scan/doctype.hpp"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -147,13 +149,43 @@ std::expected<Doctype, ScanProblem> Doctype::read(std::string_view bytes, std::s
   if (auto problem = reader.read()) return std::unexpected(std::move(*problem));
   Doctype doctype;
   doctype.end_ = reader.end();
-  for (const auto& [name, entity] : reader.entities()) doctype.sizes_.emplace(name, entity.bytes);
+  for (const auto& [name, entity] : reader.entities())
+    doctype.entities_.emplace(name, Doctype::Entity{entity.value, entity.bytes});
   return doctype;
 }
 
 std::size_t Doctype::expanded_bytes(std::string_view name) const {
-  const auto found = sizes_.find(name);
-  return found == sizes_.end() ? 1 : found->second;
+  const auto found = entities_.find(name);
+  return found == entities_.end() ? 1 : found->second.bytes;
+}
+
+std::optional<std::string_view> Doctype::value_of(std::string_view name) const {
+  const auto found = entities_.find(name);
+  return found == entities_.end() ? std::nullopt : std::optional(found->second.value);
+}
+
+std::optional<std::string> expanded(std::string_view written, const Doctype* doctype) {
+  constexpr std::array<std::pair<std::string_view, char>, 5> of_xml{
+      {{"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}}};
+  std::string out;
+  for (;;) {
+    const std::size_t open = std::min(written.find('&'), written.size());
+    out += written.substr(0, open);
+    if (open == written.size()) return out;
+    const std::size_t close = written.find(';', open);
+    if (close == std::string_view::npos) return std::nullopt;
+    const std::string_view name = written.substr(open + 1, close - open - 1);
+    const auto* const known = std::ranges::find(of_xml, name, &std::pair<std::string_view, char>::first);
+    const auto value = doctype == nullptr ? std::nullopt : doctype->value_of(name);
+    if (known != of_xml.end()) {
+      out += known->second;
+    } else if (const auto inner = value ? expanded(*value, doctype) : std::nullopt) {
+      out += *inner;
+    } else {
+      return std::nullopt;
+    }
+    written.remove_prefix(close + 1);
+  }
 }
 
 }  // namespace geminga::rdf

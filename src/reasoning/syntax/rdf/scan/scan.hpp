@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/scan/bases.hpp"
 #include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
@@ -30,6 +31,9 @@ struct Layout {
   Pieces pieces;
   std::vector<std::uint32_t> lines{};  ///< of the triples of Turtle and N-Triples, in raptor's order
   bool has_quote_in_comment = false;   ///< so that raptor's N-Triples reader would skip what follows
+  std::vector<BaseText> base_texts{};  ///< the bases that the file names
+  std::vector<Rewrite> ids{};          ///< rdf:ID that raptor would refuse the file for, as rdf:about
+  Bases bases{};                       ///< those of them that stand marked in the text
 };
 
 /// The layout of a file, or its first problem. Linear in the file.

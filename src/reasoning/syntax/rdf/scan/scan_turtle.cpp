@@ -29,7 +29,7 @@ class TurtleScan {
         fail(place_, "declares more than " + std::to_string(limits_.prefixes) + " prefixes");
     }
     if (problem_) return std::unexpected(std::move(*problem_));
-    return Layout{std::move(pieces_), lines_.take(), has_quote_in_comment_};
+    return Layout{std::move(pieces_), lines_.take(), has_quote_in_comment_, std::move(bases_), {}, {}};
   }
 
  private:
@@ -137,6 +137,10 @@ class TurtleScan {
       }
     }
     if (place_ - begin > limits_.iri_bytes) too_long(begin, "an IRI", limits_.iri_bytes);
+    const std::string_view text = bytes_.substr(begin + 1, place_ - begin - 1);
+    // An escape may stand for a character that a base must not have; such a base is left as it is.
+    if (lines_.is_base_next() && text.find('\\') == std::string_view::npos)
+      bases_.push_back({begin + 1, text.size(), std::string(text)});
     ++place_;
     lines_.term(line_at(begin));
   }
@@ -201,6 +205,7 @@ class TurtleScan {
   const syntax::FileLimits& limits_;
   TurtleLines lines_;
   Pieces pieces_;
+  std::vector<BaseText> bases_;
   bool has_quote_in_comment_ = false;
   bool has_begun_ = false;      ///< the first statement
   std::size_t directives_ = 0;  ///< before it

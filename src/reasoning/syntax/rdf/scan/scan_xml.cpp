@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <unordered_set>
 
 #include "base/text.hpp"
 #include "reasoning/syntax/rdf/scan/doctype.hpp"
@@ -19,7 +20,9 @@ class XmlScan {
   std::expected<Layout, ScanProblem> run() {
     while (place_ < bytes_.size() && !problem_) step();
     if (problem_) return std::unexpected(std::move(*problem_));
-    return Layout{std::move(pieces_)};
+    // Below such an element the roles of elements would be exchanged.
+    if (bytes_.find("parseType=\"Resource\"") != std::string_view::npos) ids_.clear();
+    return Layout{std::move(pieces_), {}, false, std::move(bases_), std::move(ids_), {}};
   }
 
  private:
@@ -121,6 +124,7 @@ class XmlScan {
         continue;
       }
       const std::size_t close = std::min(bytes_.find(c, place_ + 1), bytes_.size());
+      if (is_base(bytes_.substr(begin, place_ - begin))) add_base(place_ + 1, close);
       const std::size_t value_bytes = close - place_ + references(place_, close);
       if (value_bytes > limits_.literal_bytes)
         return fail("has an attribute of more than " + std::to_string(limits_.literal_bytes) + " bytes");
@@ -140,6 +144,24 @@ class XmlScan {
     if (!is_empty_element && literal_depth_ == 0 && makes_literal(tag)) literal_depth_ = depth_;
     if (depth_ == 1 && !is_empty_element) root(tag);
     if (names_by_id(tag)) pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
+    note_id(begin, tag, is_empty_element ? depth_ + 1 : depth_);
+  }
+
+  /// Whether a tag up to a quotation mark ends with the name of xml:base.
+  [[nodiscard]] static bool is_base(std::string_view tag) {
+    constexpr std::string_view space = " \t\r\n";
+    constexpr std::string_view name = "xml:base";
+    while (!tag.empty() && (tag.back() == '=' || space.find(tag.back()) != std::string_view::npos))
+      tag.remove_suffix(1);
+    return tag.ends_with(name) && tag.size() > name.size() &&
+           space.find(tag[tag.size() - name.size() - 1]) != std::string_view::npos;
+  }
+
+  void add_base(std::size_t begin, std::size_t end) {
+    const std::string_view written = bytes_.substr(begin, end - begin);
+    if (written.size() > limits_.iri_bytes) return;
+    if (auto iri = expanded(written, doctype_ ? &*doctype_ : nullptr); iri && iri->size() <= limits_.iri_bytes)
+      bases_.push_back({begin, written.size(), std::move(*iri)});
   }
 
   /// Only elements directly below rdf:RDF can be parsed by themselves.
@@ -154,6 +176,36 @@ class XmlScan {
       if (tag.substr(at + 3, 1).find_first_of("= \t\r\n") == 0) return true;
     }
     return false;
+  }
+
+  /// A name by rdf:ID that is given twice, or is no name of XML, stands as rdf:about, which may be anything. Only on
+  /// elements of nodes, which stand at even depths below rdf:RDF: on those of properties it names a statement.
+  void note_id(std::size_t begin, std::string_view tag, std::size_t depth) {
+    constexpr std::string_view space = " \t\r\n";
+    constexpr std::string_view name = "rdf:ID";
+    if (depth % 2 != 0 || depth_ == literal_depth_) return;
+    const std::size_t at = tag.find(name);
+    if (at == std::string_view::npos || at == 0 || space.find(tag[at - 1]) == std::string_view::npos) return;
+    const std::size_t equals = tag.find_first_not_of(space, at + name.size());
+    if (equals == std::string_view::npos || tag[equals] != '=') return;
+    const std::size_t open = tag.find_first_not_of(space, equals + 1);
+    if (open == std::string_view::npos || (tag[open] != '"' && tag[open] != '\'')) return;
+    const std::size_t close = tag.find(tag[open], open + 1);
+    if (close == std::string_view::npos) return;
+    const std::string_view id = tag.substr(open + 1, close - open - 1);
+    const bool is_new = known_ids_.emplace(std::to_string(bases_.size()) + ' ' + std::string(id)).second;
+    if (is_new && is_xml_name(id)) return;
+    ids_.push_back({begin + at, open + 1 - at, std::string("rdf:about=") + tag[open] + '#'});
+  }
+
+  /// XML's NCName, where every character beyond ASCII counts as a letter: raptor decides about those.
+  [[nodiscard]] static bool is_xml_name(std::string_view name) {
+    const auto is_letter = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+    };
+    return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [&](char c) {
+      return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '&' || c == ';';
+    });
   }
 
   /// The line of the place, which only grows.
@@ -189,6 +241,9 @@ class XmlScan {
   std::size_t text_bytes_ = 0;     ///< character data since the last tag
   std::size_t expansion_ = 0;      ///< of all references so far
   std::optional<Doctype> doctype_;
+  std::vector<BaseText> bases_;
+  std::vector<Rewrite> ids_;
+  std::unordered_set<std::string> known_ids_;  ///< with the number of bases before it
   std::optional<ScanProblem> problem_;
 };
 

@@ -22,6 +22,7 @@ void TurtleLines::word(std::string_view text, std::uint32_t line) {
     ++directive_count_;
   } else if (is_statement_start && (text == "@base" || is_keyword(text, "base"))) {
     directive_left_ = 1;
+    is_base_next_ = true;
     ++directive_count_;
   } else if (text.starts_with('@')) {
     if (text.ends_with('.')) end_statement();  // the language of the literal before it
@@ -40,6 +41,7 @@ void TurtleLines::term(std::uint32_t line) {
   }
   if (directive_left_ > 0) {
     --directive_left_;
+    is_base_next_ = false;
     return;
   }
   Frame& frame = frames_.back();
@@ -80,6 +82,7 @@ void TurtleLines::punctuation(char mark) {
 void TurtleLines::end_statement() {
   // A directive in SPARQL's style has no dot, but its IRI may be followed by one that belongs to nothing.
   directive_left_ = 0;
+  is_base_next_ = false;
   is_datatype_next_ = false;
   frames_.resize(1);
   flush(frames_.front());

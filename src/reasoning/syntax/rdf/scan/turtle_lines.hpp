@@ -26,6 +26,9 @@ class TurtleLines {
   /// The next word or IRI is the datatype of the literal before it.
   void datatype() { is_datatype_next_ = true; }
 
+  /// Whether the next IRI is the base of those behind it.
+  [[nodiscard]] bool is_base_next() const { return is_base_next_; }
+
   /// Triples of the open statement, those of its closed brackets included.
   [[nodiscard]] std::size_t statement_triples() const { return statement_triples_; }
   [[nodiscard]] std::size_t prefix_count() const { return prefix_count_; }
@@ -53,6 +56,7 @@ class TurtleLines {
   std::size_t statement_triples_ = 0;
   std::size_t prefix_count_ = 0;
   std::size_t directive_count_ = 0;
+  bool is_base_next_ = false;
   bool is_datatype_next_ = false;
   int directive_left_ = 0;  ///< terms of a directive that are still to come
 };

@@ -2,26 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <set>
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "reasoning/syntax/rdf/scan/encoding.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
 
 namespace geminga::rdf {
 namespace {
-
-/// The characters 0x80 to 0x9f of windows-1252. Undefined ones stay control characters (WHATWG Encoding, section 9).
-/// iconv(3) loads its tables from files, which the cage around the reader forbids.
-constexpr std::array<std::uint16_t, 32> upper_controls{0x20AC, 0x0081, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
-                                                       0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x008D, 0x017D, 0x008F,
-                                                       0x0090, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
-                                                       0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x009D, 0x017E, 0x0178};
-
-void append_windows_1252(unsigned char byte, std::string& out) {
-  base::append_character(byte >= 0x80 && byte < 0xa0 ? upper_controls[byte - 0x80] : byte, out);
-}
 
 bool is_letter(unsigned char c) { return (c | 0x20U) - 'a' < 26U || c == '_' || c >= 0x80; }
 

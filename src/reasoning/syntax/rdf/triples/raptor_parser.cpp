@@ -94,6 +94,7 @@ struct RaptorParser::World {
   bool out_of_memory = false;
 
   std::string label;
+  std::string restored;
 
   [[nodiscard]] std::uint32_t line() const {
     raptor_locator* locator = parser == nullptr ? nullptr : raptor_parser_get_locator(parser);
@@ -118,10 +119,13 @@ struct RaptorParser::World {
     if (parser != nullptr) raptor_parser_parse_abort(parser);
   }
 
+  /// An IRI as the file means it. Valid until the next one.
+  std::string_view full_iri(raptor_uri* uri) { return file->layout.bases.restored(view_of(uri), restored); }
+
   NodeId node(raptor_term* term) {
     switch (term->type) {
       case RAPTOR_TERM_TYPE_URI: {
-        const std::string_view iri = view_of(term->value.uri);
+        const std::string_view iri = full_iri(term->value.uri);
         if (iri.size() > limits.iri_bytes)
           fail("has an IRI of more than " + std::to_string(limits.iri_bytes) + " bytes");
         if (!is_writable(iri)) fail("has an IRI with a control character or an angle bracket in it");
@@ -144,7 +148,7 @@ struct RaptorParser::World {
     if (lexical.size() > limits.literal_bytes)
       fail("has a literal of more than " + std::to_string(limits.literal_bytes) + " bytes");
     if (lexical.find('\0') != std::string_view::npos) fail("has a literal with a NUL in it");
-    const NodeId datatype = value.datatype == nullptr ? NodeId{} : graph->iri(view_of(value.datatype));
+    const NodeId datatype = value.datatype == nullptr ? NodeId{} : graph->iri(full_iri(value.datatype));
     if (value.language == nullptr) return graph->literal(lexical, datatype, NodeId{});
     // Raptor does this for RDF/XML and not for Turtle.
     const std::string language = base::in_lower_case(view_of(value.language, value.language_len));
@@ -178,7 +182,7 @@ struct RaptorParser::World {
     if (uri == nullptr) return;
     const auto* prefix = reinterpret_cast<const char*>(raptor_namespace_get_prefix(name));
     try {
-      std::pair declared(std::string(prefix == nullptr ? "" : prefix), std::string(view_of(uri)));
+      std::pair declared(std::string(prefix == nullptr ? "" : prefix), std::string(world->full_iri(uri)));
       // The same declaration on every element is common, and has nothing to say.
       if (!world->known_prefixes.insert(declared.first + ' ' + declared.second).second) return;
       world->prefixes.push_back(std::move(declared));

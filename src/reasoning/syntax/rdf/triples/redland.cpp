@@ -12,7 +12,7 @@
 #include "base/parallel/crew.hpp"
 #include "base/text.hpp"
 #include "reasoning/owl/blank_prefix.hpp"
-#include "reasoning/syntax/rdf/triples/base_iri.hpp"
+#include "reasoning/syntax/base_iri.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -101,7 +101,7 @@ Redland::Redland(const syntax::FileLimits& limits, unsigned threads)
 std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::Syntax syntax, syntax::FileBytes& bytes,
                                                const Layout& layout, Graph& graph) {
   if (syntax == syntax::Syntax::n_triples && layout.has_quote_in_comment) syntax = syntax::Syntax::turtle;
-  const std::string base = base_iri(path);
+  const std::string base = syntax::base_iri(path);
   const std::string blank_prefix = owl::blank_prefix_of(bytes.view());
   const FileText text{bytes, syntax, base, blank_prefix, layout};
   known_prefixes_.clear();

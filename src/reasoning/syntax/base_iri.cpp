@@ -1,4 +1,4 @@
-#include "reasoning/syntax/rdf/triples/base_iri.hpp"
+#include "reasoning/syntax/base_iri.hpp"
 
 #include <filesystem>
 #include <string_view>
@@ -6,11 +6,11 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/inflate.hpp"
 
-namespace geminga::rdf {
+namespace geminga::syntax {
 
 std::string base_iri(const std::string& path) {
   std::string iri = "file:///";
-  for (const char c : std::filesystem::path(syntax::name_without_gz(path)).filename().string()) {
+  for (const char c : std::filesystem::path(name_without_gz(path)).filename().string()) {
     const auto byte = static_cast<unsigned char>(c);
     const bool is_plain =
         (byte > 0x20 && byte < 0x7f && std::string_view("<>\"{}|\\^`%#?").find(c) == std::string_view::npos);
@@ -23,4 +23,4 @@ std::string base_iri(const std::string& path) {
   return iri;
 }
 
-}  // namespace geminga::rdf
+}  // namespace geminga::syntax
