@@ -7,7 +7,7 @@
 namespace geminga::owl {
 namespace {
 
-constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
+constexpr std::string_view every_value = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
 /// The words of the Manchester syntax for facets.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
@@ -137,16 +137,16 @@ std::string Printer::term(TermId id) {
     case TermKind::object_union_of:
       return arguments.empty() ? short_name_(owl_nothing) : joined(arguments, " or ");
     case TermKind::data_intersection_of:
-      return arguments.empty() ? short_name_(rdfs_literal) : joined(arguments, " and ");
+      return arguments.empty() ? short_name_(every_value) : joined(arguments, " and ");
     case TermKind::data_union_of:
-      return arguments.empty() ? "not " + short_name_(rdfs_literal) : joined(arguments, " or ");
+      return arguments.empty() ? "not " + short_name_(every_value) : joined(arguments, " or ");
     case TermKind::object_complement_of:
     case TermKind::data_complement_of:
       return "not " + nested(arguments[0]);
     case TermKind::object_one_of:
     case TermKind::data_one_of:
       if (arguments.empty() && style_ == PrintStyle::document)
-        return term.kind == TermKind::object_one_of ? short_name_(owl_nothing) : "not " + short_name_(rdfs_literal);
+        return term.kind == TermKind::object_one_of ? short_name_(owl_nothing) : "not " + short_name_(every_value);
       return "{" + joined(arguments, ", ") + "}";
     case TermKind::object_some_values_from:
     case TermKind::data_some_values_from:
