@@ -41,6 +41,14 @@ std::string left_out_as_text(const Findings& findings, bool shows_all) {
   if (!findings.remarks.empty()) text += "Read otherwise than written:\n";
   for (const owl::LeftOut& remark : findings.remarks)
     text += "  " + remark.construct + ": " + std::to_string(remark.count) + ", first at " + remark.first + '\n';
+  const auto is_not_simple = [](const LeftOutGroup& entry) {
+    return entry.summary.construct.ends_with("of a property that is not simple");
+  };
+  if (std::ranges::any_of(findings.left_out, is_not_simple))
+    text +=
+        "OWL 2 DL allows none of this for a property that is transitive or has a chain. Characteristics of it are "
+        "used\n"
+        "for neighbours that are told or made, and the rest is left out.\n";
   if (!findings.gaps.empty()) text += "Not searched to the end:\n";
   for (const std::string& gap : findings.gaps) text += "  " + gap + '\n';
   return text;

@@ -47,6 +47,17 @@ TEST(Consistency, LooksBackAlongInverses) {
             "no");
 }
 
+TEST(Consistency, IsLostByToldFactsThoughThePropertyIsNotSimple) {
+  const std::string both = "ObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(r i:b i:a)\n";
+  const std::string paths = "TransitiveObjectProperty(r)\n";
+  EXPECT_EQ(consistency_of(paths + both + "AsymmetricObjectProperty(r)"), "no");
+  EXPECT_EQ(consistency_of(paths + "ObjectPropertyAssertion(r i:a i:a)\nIrreflexiveObjectProperty(r)"), "no");
+  EXPECT_EQ(consistency_of(paths + "ObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(r i:a i:c)\n"
+                                   "DifferentIndividuals(i:b i:c)\nFunctionalObjectProperty(r)"),
+            "no");
+  EXPECT_NE(consistency_of(paths + "ObjectPropertyAssertion(r i:a i:b)\nAsymmetricObjectProperty(r)"), "no");
+}
+
 TEST(Consistency, KnowsValues) {
   EXPECT_EQ(consistency_of("FunctionalDataProperty(d:p)\nDataPropertyAssertion(d:p i:a \"1\"^x:integer)\n"
                            "DataPropertyAssertion(d:p i:a \"2\"^x:integer)"),

@@ -121,6 +121,24 @@ std::string_view problem_of(const OrderedAxiom& axiom, const owl::Ontology& sour
   return found.empty() ? of_properties.problem(axiom) : found;
 }
 
+/// Whether an axiom with a problem has clauses for the rest of it: other inclusions of the same axiom; and of what is
+/// said of a property that is not simple, what it says of the edges that clauses derive. Its paths are no edges.
+bool is_used_in_part(AxiomKind kind) {
+  switch (kind) {
+    case AxiomKind::equivalent_classes:
+    case AxiomKind::disjoint_union:
+    case AxiomKind::disjoint_classes:
+    case AxiomKind::functional_object_property:
+    case AxiomKind::inverse_functional_object_property:
+    case AxiomKind::irreflexive_object_property:
+    case AxiomKind::asymmetric_object_property:
+    case AxiomKind::disjoint_object_properties:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<const std::uint32_t>> axioms,
                                                         std::span<const TermId> queries,
                                                         std::span<const TermId> complements) {
@@ -162,10 +180,7 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
   for (const OrderedAxiom& axiom : all) {
     const std::string_view reason = problem_of(axiom, source_, allowed, of_classes, of_properties);
     if (!reason.empty()) set_.unused.push_back({axiom.axiom, reason});
-    // Other inclusions of the same axiom may still be used.
-    const bool has_parts = axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union ||
-                           axiom.kind == AxiomKind::disjoint_classes;
-    if (!reason.empty() && !has_parts) continue;
+    if (!reason.empty() && !is_used_in_part(axiom.kind)) continue;
     if (axiom.kind == AxiomKind::declaration) {
       const TermKind kind = source_.kind(axiom.arguments[0]);
       if (kind == TermKind::named_class) vocabulary_.concept_of(axiom.arguments[0]);

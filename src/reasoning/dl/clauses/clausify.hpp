@@ -29,7 +29,8 @@ struct ClausifyError {
 
 /// Translates the axioms with these numbers (nothing: all). Every construct of OWL 2 DL has a translation. What OWL 2
 /// DL forbids (irregular chains, cardinalities of properties that are not simple) is left out and named in `unused`, so
-/// the clauses never say more than the axioms. `queries` are class expressions of the source. Each gets a concept Q
+/// the clauses never say more than the axioms. Characteristics of properties that are not simple are named, too, and
+/// have the clauses that hold of derived edges. `queries` are class expressions of the source. Each gets a concept Q
 /// with Q SubClassOf expression, so that Q is satisfiable exactly if the expression is. Each of `complements` gets one
 /// with Q SubClassOf not expression. The result depends on the set of axioms, not on their order.
 [[nodiscard]] std::expected<ClauseSet, ClausifyError> clausify(const owl::Ontology& source,
