@@ -20,6 +20,9 @@ namespace geminga::hypertableau {
 /// whether there are enough.
 inline constexpr std::size_t max_value_attempts = 100'000;
 
+/// As many values may rules make that no literal names.
+inline constexpr std::size_t max_made_values = 100'000;
+
 /// Knows the value spaces of one ClauseSet.
 class ValueCheck {
  public:
@@ -31,6 +34,12 @@ class ValueCheck {
   [[nodiscard]] bool are_different(owl::TermId first, owl::TermId second);
   /// The first literal that was asked about with the same value.
   [[nodiscard]] owl::TermId representative(owl::TermId literal);
+  [[nodiscard]] const std::optional<Value>& value(owl::TermId literal) { return ranges_.value(literal); }
+  /// A literal with this value, which may stand in no ontology; nothing if max_made_values are made.
+  [[nodiscard]] std::optional<owl::TermId> made(const Value& value);
+  /// The only value that the ranges of a node allow, and the facts that say so. `is_free`: they allow infinitely many.
+  [[nodiscard]] std::optional<owl::TermId> only_value(const Graph& graph, DependencySets& sets, NodeId node,
+                                                      DependencySet& dependency, bool& is_free);
   /// The facts because of which the values that are active cannot all exist; nothing where they can. `unknown` is set
   /// to a reason where that could not be found out.
   [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
@@ -61,6 +70,7 @@ class ValueCheck {
   std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
   std::vector<Counted> sets_;
   std::map<Value, owl::TermId> representative_;
+  std::uint32_t made_ = 0;  ///< values that no literal names
 };
 
 }  // namespace geminga::hypertableau

@@ -33,6 +33,13 @@ bool Parser::operand(Operand wanted) {
       return true;
     case Operand::facet:
       return facet();
+    case Operand::rule_argument:
+      if (tokens_.is(TokenKind::word)) return expression(wanted);
+      return operand(is_name() || tokens_.is(TokenKind::node_id) ? Operand::individual : Operand::literal);
+    case Operand::atom:
+    case Operand::body:
+    case Operand::head:
+      return expression(wanted);
     case Operand::none:
       break;
   }
@@ -83,13 +90,27 @@ bool Parser::expression(Operand wanted) {
   std::uint32_t number = 0;
   if (production->is_counted && !counted(number)) return false;
   const std::size_t base = terms_.size();
-  const bool is_read = production->form == Form::n_ary_data ? n_ary_data() : operands(*production);
+  std::string name;
+  const bool is_read = production->form == Form::n_ary_data  ? n_ary_data()
+                       : production->form == Form::expression ? operands(*production)
+                                                              : rule_operands(*production, name);
   --depth_;
   if (!is_read || !expect(TokenKind::close, "')' behind the operands")) return false;
-  const owl::TermId term = term_of(*production, base, number);
+  const owl::TermId term = production->form == Form::expression || production->form == Form::n_ary_data
+                               ? term_of(*production, base, number)
+                               : source_.copy(production->term(), name, 0, std::span(terms_).subspan(base));
   terms_.resize(base);
   terms_.push_back(term);
   return true;
+}
+
+bool Parser::rule_operands(const Production& production, std::string& name) {
+  const Operand repeated = production.form == Form::atoms ? Operand::atom : Operand::rule_argument;
+  if (production.form != Form::atoms) {
+    if (!iri(production.form == Form::variable ? "the IRI of a variable" : "the IRI of a built-in")) return false;
+    name = iri_;
+  }
+  return production.form == Form::variable || tokens_.is(TokenKind::close) || this->repeated(repeated);
 }
 
 owl::TermId Parser::term_of(const Production& production, std::size_t base, std::uint32_t number) {

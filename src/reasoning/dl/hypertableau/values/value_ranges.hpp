@@ -33,6 +33,8 @@ class ValueRanges {
   [[nodiscard]] const KnownSet& known_set(clauses::DataRangeId range);
   /// Whether it is a datatype that is neither of OWL 2 nor defined. It is taken to have values.
   [[nodiscard]] bool is_unknown_datatype(clauses::DataRangeId range) const;
+  /// Gives a value to a literal that is in no source.
+  void set_value(owl::TermId literal, const Value& value) { literals_.insert_or_assign(literal, value); }
   /// Of a literal; its value is kept.
   [[nodiscard]] const std::optional<Value>& value(owl::TermId literal);
 
