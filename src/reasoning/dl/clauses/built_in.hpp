@@ -54,7 +54,7 @@ enum class BuiltIn : std::uint8_t {
 struct BuiltInForm {
   BuiltIn built_in{};
   std::uint8_t least = 2;
-  std::uint8_t most = 2;    ///< many_arguments: no limit
+  std::uint8_t most = 2;     ///< many_arguments: no limit
   bool binds_first = false;  ///< its first argument follows from the others
 };
 inline constexpr std::uint8_t many_arguments = 255;

@@ -178,9 +178,9 @@ struct ClauseSet {
   std::vector<AtMost> at_mosts;
   std::vector<DataAtMost> data_at_mosts;
   std::vector<Key> keys;
-  std::vector<Rule> rules;              ///< none where no individual is named
-  std::vector<owl::Automaton> paths;    ///< of the properties in rules that are not simple, in canonical roles
-  std::vector<Clause> clauses;  ///< sorted, without doubles
+  std::vector<Rule> rules;            ///< none where no individual is named
+  std::vector<owl::Automaton> paths;  ///< of the properties in rules that are not simple, in canonical roles
+  std::vector<Clause> clauses;        ///< sorted, without doubles
   std::vector<ConceptFact> concept_facts;
   std::vector<RoleFact> role_facts;
   std::vector<DataFact> data_facts;

@@ -1,5 +1,5 @@
-// Rules of SWRL that hold for named individuals (DL-safe: Motik, Sattler, Studer: Query Answering for OWL-DL with Rules,
-// 2005).
+// Rules of SWRL that hold for named individuals (DL-safe: Motik, Sattler, Studer: Query Answering for OWL-DL with
+// Rules, 2005).
 //
 //   body and not (a1 = b1) ... and not (ak = bk) -> head     is     body -> head or a1 = b1 ... or ak = bk
 //
@@ -42,10 +42,10 @@ struct RuleAtom {
 struct Rule {
   std::vector<RuleAtom> body;
   std::vector<RuleAtom> heads;
-  std::vector<RuleAtom> alternatives;   ///< equalities
-  std::vector<bool> is_value;           ///< by variable
-  std::uint32_t axiom = 0;              ///< its number in the source
-  std::string_view problem;             ///< why some atom is unknown
+  std::vector<RuleAtom> alternatives;  ///< equalities
+  std::vector<bool> is_value;          ///< by variable
+  std::uint32_t axiom = 0;             ///< its number in the source
+  std::string_view problem;            ///< why some atom is unknown
 };
 
 /// Rules of more atoms, or whose atoms have more arguments together, are left out and named.

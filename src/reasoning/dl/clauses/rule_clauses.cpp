@@ -31,9 +31,8 @@ std::string_view RuleClauses::add(const OrderedAxiom& axiom) {
   if (is_mixed_) return "a swrl:Variable for an individual and for a value";
   // No value or individual follows for a variable of the head alone.
   for (RuleAtom& atom : rule_.heads) {
-    const bool is_free = std::ranges::any_of(atom.terms, [&](const RuleTerm& term) {
-      return term.kind == RuleTermKind::variable && term.number >= bound;
-    });
+    const bool is_free = std::ranges::any_of(
+        atom.terms, [&](const RuleTerm& term) { return term.kind == RuleTermKind::variable && term.number >= bound; });
     if (!is_free) continue;
     atom.kind = RuleAtomKind::unknown;
     rule_.problem = "a swrl:Variable of a head that the body does not bind";
@@ -90,13 +89,12 @@ void RuleClauses::add_to_body(TermId id) {
       rule_.body.push_back(data_atom(atom, false));
       return;
     case TermKind::data_range_atom:
-      rule_.body.push_back({RuleAtomKind::data_range, number(vocabulary_.data_range(range_of(
-                                                          vocabulary_.source(), atom.arguments[0], false))),
+      rule_.body.push_back({RuleAtomKind::data_range,
+                            number(vocabulary_.data_range(range_of(vocabulary_.source(), atom.arguments[0], false))),
                             {term(atom.arguments[1], true)}});
       return;
     case TermKind::same_individual_atom:
-      rule_.body.push_back(
-          {RuleAtomKind::equal, 0, {term(atom.arguments[0], false), term(atom.arguments[1], false)}});
+      rule_.body.push_back({RuleAtomKind::equal, 0, {term(atom.arguments[0], false), term(atom.arguments[1], false)}});
       return;
     case TermKind::different_individuals_atom:
       for (const TermId argument : atom.arguments)
@@ -127,16 +125,15 @@ void RuleClauses::add_to_head(TermId id) {
       rule_.heads.push_back(data_atom(atom, true));
       return;
     case TermKind::data_range_atom:
-      rule_.heads.push_back({RuleAtomKind::data_range, number(vocabulary_.data_range(range_of(
-                                                           vocabulary_.source(), atom.arguments[0], false))),
+      rule_.heads.push_back({RuleAtomKind::data_range,
+                             number(vocabulary_.data_range(range_of(vocabulary_.source(), atom.arguments[0], false))),
                              {term(atom.arguments[1], true)}});
       return;
     case TermKind::same_individual_atom:
     case TermKind::different_individuals_atom:
-      rule_.heads.push_back(
-          {atom.kind == TermKind::same_individual_atom ? RuleAtomKind::equal : RuleAtomKind::unequal,
-           0,
-           {term(atom.arguments[0], false), term(atom.arguments[1], false)}});
+      rule_.heads.push_back({atom.kind == TermKind::same_individual_atom ? RuleAtomKind::equal : RuleAtomKind::unequal,
+                             0,
+                             {term(atom.arguments[0], false), term(atom.arguments[1], false)}});
       return;
     default:
       rule_.heads.push_back(built_in(atom));

@@ -29,7 +29,8 @@ void Rules::refresh() {
     const NodeId node = graph_.current(facts_.individuals()[at], sets_, dependency);
     nodes.push_back(node);
     const owl::TermId term = set_.individuals[at];
-    if (term == clauses::no_term || source_.kind(term) != owl::TermKind::individual || !graph_.is_active(node)) continue;
+    if (term == clauses::no_term || source_.kind(term) != owl::TermKind::individual || !graph_.is_active(node))
+      continue;
     if (!is_named_[node] || dependency == no_dependency) named_by_[node] = dependency;
     is_named_[node] = true;
     named.push_back(node);

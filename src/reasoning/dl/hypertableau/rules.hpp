@@ -108,12 +108,12 @@ class Rules {
   RulePlans plans_;
 
   FactId processed_ = 0;
-  FactId seen_by_paths_ = none;  ///< the number of facts when rules about paths were last matched
-  bool is_stale_ = true;         ///< going back may have changed who is named
-  std::size_t merges_ = 0;       ///< the trail of the graph when it was last found out who is named
-  std::vector<NodeId> nodes_;    ///< by individual: the node that stands for it
-  std::vector<NodeId> named_;    ///< nodes of named individuals, ascending
-  std::vector<bool> is_named_;   ///< by node
+  FactId seen_by_paths_ = none;          ///< the number of facts when rules about paths were last matched
+  bool is_stale_ = true;                 ///< going back may have changed who is named
+  std::size_t merges_ = 0;               ///< the trail of the graph when it was last found out who is named
+  std::vector<NodeId> nodes_;            ///< by individual: the node that stands for it
+  std::vector<NodeId> named_;            ///< nodes of named individuals, ascending
+  std::vector<bool> is_named_;           ///< by node
   std::vector<DependencySet> named_by_;  ///< by node: why
   std::vector<Bound> bounds_;            ///< by variable of the rule that is being matched
   bool is_open_ = false;                 ///< matches with unknown atoms are looked for

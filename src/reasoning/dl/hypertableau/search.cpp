@@ -220,9 +220,8 @@ void Search::begin_again() {
 }
 
 Search::Sizes Search::sizes() const {
-  return {graph_.mark(),         facts_.sizes(),  derivation_.sizes(),
-          disjunctions_.sizes(), bounds_.sizes(), expansion_.sizes(),
-          rules_.sizes()};
+  return {graph_.mark(),   facts_.sizes(),     derivation_.sizes(), disjunctions_.sizes(),
+          bounds_.sizes(), expansion_.sizes(), rules_.sizes()};
 }
 
 void Search::restore(const Sizes& sizes) {

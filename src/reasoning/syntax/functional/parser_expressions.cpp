@@ -91,7 +91,7 @@ bool Parser::expression(Operand wanted) {
   if (production->is_counted && !counted(number)) return false;
   const std::size_t base = terms_.size();
   std::string name;
-  const bool is_read = production->form == Form::n_ary_data  ? n_ary_data()
+  const bool is_read = production->form == Form::n_ary_data   ? n_ary_data()
                        : production->form == Form::expression ? operands(*production)
                                                               : rule_operands(*production, name);
   --depth_;

@@ -24,10 +24,7 @@ void RuleMapper::map_all() {
 
 Mapped RuleMapper::atoms(NodeId rule, Word part) {
   const NodeId head = triples_.object_of(rule, part);
-  if (head == NodeId{}) {
-    if (graph_.about(rule, part).empty()) return ontology_.term(TermKind::atom_list, {});
-    return std::unexpected("a broken swrl:Imp");
-  }
+  if (head == NodeId{}) return std::unexpected("a broken swrl:Imp");
   const MappedList members = triples_.terms(head, [this](NodeId node) { return atom(node); });
   if (!members) return std::unexpected(members.error());
   return ontology_.term(TermKind::atom_list, *members);
