@@ -175,7 +175,7 @@ TEST(Document, LeavesOutByNameWhatNoTermCanExpress) {
   ASSERT_EQ(reading.error, "");
   EXPECT_THAT(reading.axioms(),
               ElementsAre("SubClassOf(:A :B)", "left out: owl:onProperties, 2, line 2",
-                          "DLSafeRule(Atoms(ClassAtom(:A <urn:x>)) Atoms(ClassAtom(:B <urn:x>)))",
+                          "DLSafeRule(Atoms(ClassAtom(:A ?<urn:x>)) Atoms(ClassAtom(:B ?<urn:x>)))",
                           "left out: a cardinality above 4294967295, 1, line 5", "left out: DGRule, 1, line 7",
                           "left out: DescriptionGraph, 1, line 8", "left out: malformed HasKey, 1, line 9"));
   EXPECT_EQ(reading.document.axioms, 2U);

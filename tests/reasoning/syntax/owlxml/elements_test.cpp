@@ -126,15 +126,15 @@ TEST(Elements, ThatNoAxiomCanExpressAreLeftOutByName) {
 }
 
 TEST(Elements, OfRules) {
-  EXPECT_THAT(
-      said("<DLSafeRule><Body><ClassAtom><Class IRI='A'/><Variable IRI='x'/></ClassAtom>"
-           "<DataPropertyAtom><DataProperty IRI='d'/><Variable IRI='x'/><Variable IRI='v'/></DataPropertyAtom>"
-           "<BuiltInAtom IRI='http://www.w3.org/2003/11/swrlb#lessThan'><Variable IRI='v'/><Literal "
-           "datatypeIRI='http://www.w3.org/2001/XMLSchema#int'>5</Literal></BuiltInAtom></Body>"
-           "<Head><ObjectPropertyAtom><ObjectProperty IRI='p'/><Variable IRI='x'/><NamedIndividual IRI='a'/>"
-           "</ObjectPropertyAtom></Head></DLSafeRule>"),
-      ElementsAre("DLSafeRule(Atoms(ClassAtom(:A :x) DataPropertyAtom(:d :x :v) BuiltInAtom(:v \"5\"^^xsd:int)) "
-                  "Atoms(ObjectPropertyAtom(:p :x :a)))"));
+  EXPECT_THAT(said("<DLSafeRule><Body><ClassAtom><Class IRI='A'/><Variable IRI='x'/></ClassAtom>"
+                   "<DataPropertyAtom><DataProperty IRI='d'/><Variable IRI='x'/><Variable IRI='v'/></DataPropertyAtom>"
+                   "<BuiltInAtom IRI='http://www.w3.org/2003/11/swrlb#lessThan'><Variable IRI='v'/><Literal "
+                   "datatypeIRI='http://www.w3.org/2001/XMLSchema#int'>5</Literal></BuiltInAtom></Body>"
+                   "<Head><ObjectPropertyAtom><ObjectProperty IRI='p'/><Variable IRI='x'/><NamedIndividual IRI='a'/>"
+                   "</ObjectPropertyAtom></Head></DLSafeRule>"),
+              ElementsAre("DLSafeRule(Atoms(ClassAtom(:A ?:x) DataPropertyAtom(:d ?:x ?:v) "
+                          "BuiltInAtom(<http://www.w3.org/2003/11/swrlb#lessThan> ?:v \"5\"^^xsd:int)) "
+                          "Atoms(ObjectPropertyAtom(:p ?:x :a)))"));
 }
 
 TEST(Elements, OfRulesThatDoNotFitAreRefused) {
