@@ -28,7 +28,7 @@ class Shape {
 
 constexpr auto is = [](TermKind wanted) { return [wanted](TermKind kind) { return kind == wanted; }; };
 
-/// What an atom of a rule may be about.
+/// The terms that an atom of a rule may be about.
 bool is_object(TermKind kind) { return is_individual(kind) || kind == TermKind::variable; }
 bool is_value(TermKind kind) { return kind == TermKind::literal || kind == TermKind::variable; }
 

@@ -66,7 +66,7 @@ RuleAtom RuleClauses::unknown(std::string_view problem, const owl::Term& atom) {
   for (const TermId id : atom.arguments) {
     const TermKind kind = vocabulary_.source().kind(id);
     if (kind == TermKind::variable || owl::is_individual(kind)) {
-      // What the variable stands for is told by its other atoms, or by the kind of this one.
+      // The kind of the atom tells whether the variable stands for an individual or a value.
       const bool is_value =
           atom.kind == TermKind::built_in_atom || atom.kind == TermKind::data_range_atom ||
           (atom.kind == TermKind::data_property_atom && id == atom.arguments[2] && id != atom.arguments[1]);
@@ -219,7 +219,7 @@ void RuleClauses::check_bound() {
   for (bool changed = true; changed;) {
     changed = false;
     for (const RuleAtom& atom : rule_.body) {
-      // What an unknown atom binds is some value.
+      // An unknown atom binds nothing.
       if (atom.kind == RuleAtomKind::data_role) bind(atom.terms[1], changed);
       if (atom.kind != RuleAtomKind::built_in) continue;
       const auto built_in = static_cast<BuiltIn>(atom.predicate);

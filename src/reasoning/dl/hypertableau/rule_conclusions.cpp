@@ -1,4 +1,4 @@
-// What a match of a rule concludes.
+// The conclusions of a match.
 #include <algorithm>
 
 #include "reasoning/dl/hypertableau/rules.hpp"
