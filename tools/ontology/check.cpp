@@ -23,6 +23,7 @@ struct CheckRequest {
   std::vector<std::string> files;
   bool as_json = false;
   bool shows_all = false;
+  bool is_lenient = false;
 };
 
 std::string left_out_as_text(const Findings& findings, bool shows_all) {
@@ -36,6 +37,9 @@ std::string left_out_as_text(const Findings& findings, bool shows_all) {
     if (shown < entry.axioms.size())
       text += "    and " + std::to_string(entry.axioms.size() - shown) + " more: --all\n";
   }
+  if (!findings.remarks.empty()) text += "Read otherwise than written:\n";
+  for (const owl::LeftOut& remark : findings.remarks)
+    text += "  " + remark.construct + ": " + std::to_string(remark.count) + ", first at " + remark.first + '\n';
   if (!findings.gaps.empty()) text += "Not searched to the end:\n";
   for (const std::string& gap : findings.gaps) text += "  " + gap + '\n';
   return text;
@@ -183,7 +187,8 @@ Exit check(const CheckRequest& request, const WorkLimits& limits) {
     if (!compiled) return say_failure(compiled.error().text, request.as_json, Exit::no);
     return after_reasons(budget, report(find(*compiled, budget), request));
   }
-  const auto classified = classify_files(request.files, {.as_json = request.as_json, .budget = &budget});
+  const auto classified =
+      classify_files(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
   if (!classified)
     return say_failure(classified.error().text, request.as_json,
                        classified.error().is_unreadable ? Exit::usage : Exit::no);
@@ -212,6 +217,7 @@ void add_check(CLI::App& program, Choice& choice) {
   command->add_flag("--json", request->as_json, "print one JSON document, with every axiom that was left out");
   command->add_flag("--all", request->shows_all,
                     "list every axiom that was left out, not only " + std::to_string(max_shown) + " a construct");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status 2: a file that cannot be read (it is not there, its packing is damaged, it is in no known "

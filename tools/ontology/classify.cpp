@@ -21,6 +21,7 @@ struct ClassifyRequest {
   bool as_closure = false;
   bool as_json = false;
   bool are_properties = false;
+  bool is_lenient = false;
   unsigned threads = 1;
   std::string stats;
 };
@@ -98,8 +99,9 @@ bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& 
 
 Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto classified =
-      classify_or_say(request.files, {.threads = request.threads, .as_json = request.as_json, .budget = &budget});
+  const auto classified = classify_or_say(
+      request.files,
+      {.threads = request.threads, .as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
   if (!classified) return Exit::usage;
   if (!write_taxonomies(*classified, request) || !print("")) return say_unwritten();
   if (!request.stats.empty() && !write_stats(*classified, request.threads, request.stats))
@@ -126,6 +128,7 @@ void add_classify(CLI::App& program, Choice& choice) {
                                            "print SUB<TAB>SUPER for every entailed subsumption, full IRIs, sorted");
   command->add_flag("--json", request->as_json, "print the taxonomy as one JSON document")->excludes(closure);
   add_number(*command, "--threads", request->threads, 1, 256, "how many threads saturate; the result is the same");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->add_option("--stats", request->stats, "write counts, times and memory of the run as JSON")
       ->type_name("FILE");

@@ -26,6 +26,7 @@ struct CompileRequest {
   std::vector<std::string> prefixes;  ///< NAME=IRI
   std::string out;
   bool leaves_out_refused = false;
+  bool is_lenient = false;
 };
 
 /// Adds a line for each sort of doubtful names: their number, and the first.
@@ -81,6 +82,7 @@ Exit compile(const CompileRequest& request, const WorkLimits& limits) {
   // The daemon reads standard output, and logs each line on standard error as a warning.
   auto classified = classify_or_say(request.files, {.says_files = request.out != to_standard_output,
                                                     .leaves_out_refused = request.leaves_out_refused,
+                                                    .is_lenient = request.is_lenient,
                                                     .budget = &budget});
   if (!classified) return Exit::usage;
   if (const auto problem = add_prefixes(request.prefixes, classified->loaded.source)) return say_error(*problem);
@@ -115,6 +117,7 @@ void add_compile(CLI::App& program, Choice& choice) {
       ->type_name("NAME=IRI")
       ->type_size(1)
       ->allow_extra_args(false);
+  add_lenient(*command, request->is_lenient);
   command->add_flag("--leave-out-refused", request->leaves_out_refused,
                     "leave out the files of folders that cannot be read, at most " +
                         std::to_string(syntax::max_left_out) + ", with a line on standard error for each");

@@ -19,6 +19,7 @@ using reasoner::Verdict;
 struct ConsistentRequest {
   std::vector<std::string> files;
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 std::string as_json(const Answer& answer) {
@@ -37,7 +38,7 @@ std::string as_text(const Answer& answer) {
 
 Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
-  auto loaded = load(request.files, progress);
+  auto loaded = load(request.files, progress, {.is_lenient = request.is_lenient});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   progress.show("deciding");
   base::Budget budget = budget_of(limits);
@@ -59,6 +60,7 @@ void add_consistent(CLI::App& program, Choice& choice) {
   CLI::App* command = program.add_subcommand("consistent", "Tell whether the files contradict themselves");
   add_files(*command, request->files);
   command->add_flag("--json", request->as_json, "print one JSON document");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status: 0 they do not, 1 they do, 2 it cannot be decided (the reason is printed), or a file cannot be\n"

@@ -11,6 +11,7 @@
 #include "ontology/commands.hpp"
 #include "ontology/format.hpp"
 #include "ontology/graph/asserted.hpp"
+#include "ontology/graph/document.hpp"
 #include "ontology/loading/classified_files.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 
@@ -24,13 +25,13 @@ struct ConvertRequest {
   bool merges = false;
 };
 
-/// Names the constructs that were read and cannot be written. Triples are written as they stand, and ill-typed literals
-/// as they were read.
-void say_lost(const rdf::Loaded& loaded) {
+/// Names the constructs that were read and cannot be written. Where triples are written, those of files stand as they
+/// are. Axioms with ill-typed literals are written as they were read.
+void say_lost(const rdf::Loaded& loaded, bool writes_triples) {
   for (const owl::Ontology::Omission& lost : loaded.source.omissions()) {
     const auto file = static_cast<std::size_t>(lost.file);
     const std::string_view construct = loaded.source.name(lost.construct);
-    if (syntax::has_triples(loaded.syntaxes[file]) || construct == owl::ill_typed_literal ||
+    if ((writes_triples && syntax::has_triples(loaded.syntaxes[file])) || owl::is_ill_typed(construct) ||
         construct.starts_with("owl:imports "))
       continue;
     say_error(base::printable(loaded.source.files()[file].path, 4096) + ':' + std::to_string(lost.line) + ": " +
@@ -41,22 +42,29 @@ void say_lost(const rdf::Loaded& loaded) {
 }
 
 Exit convert(const ConvertRequest& request, const WorkLimits&) {
-  const auto format = chosen_format(request.format, request.out);
+  const auto format = chosen_document_format(request.format, request.out);
   if (!format) return say_error(format.error());
   Progress progress(true);
-  const auto loaded = load(request.files, progress, {.keeps_annotations = true});
+  const auto* const syntax = std::get_if<syntax::Syntax>(&*format);
+  const auto loaded =
+      load(request.files, progress, {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr});
   progress.clear();
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
   if (!request.merges && loaded->syntaxes.size() != 1)
     return say_error("these are " + std::to_string(loaded->syntaxes.size()) +
                      " files, and convert writes one: geminga-ontology merge makes one of many");
+  if (syntax != nullptr) {
+    say_lost(*loaded, false);
+    const owl::Annotations annotations(loaded->annotations);
+    return put_document(request.out, document_of(*loaded, annotations), *syntax);
+  }
   graph::Graph graph({.octets = std::numeric_limits<std::size_t>::max()});  // it holds what the files hold
   if (const auto problem = add_asserted(*loaded, graph)) return say_error(*problem);
   graph.sort();
-  const auto text = graph.write(*format, prefixes_of(loaded->source));
+  const auto text = graph.write(std::get<graph::Format>(*format), prefixes_of(loaded->source));
   if (!text) return say_error(text.error());
-  say_lost(*loaded);
+  say_lost(*loaded, true);
   return put(request.out, std::as_bytes(std::span(*text)));
 }
 
@@ -73,11 +81,12 @@ void add(CLI::App& program, Choice& choice, bool merges) {
       merges ? "\nThe result has the name and the header of the first file that has one, and imports what none of the\n"
                "files is.\n"
                "\nExample:\n  geminga-ontology merge team/ -o team.owl"
-             : "\nFiles of triples are written triple by triple. Of OWL's own syntaxes all axioms and annotations are\n"
-               "written, those of axioms as owl:Axiom; what they hold beside them, as rules, is named on standard "
-               "error.\n"
+             : "\nFrom triples to triples every triple is written as it stands. Otherwise all axioms and annotations "
+               "are\n"
+               "written, with the prefixes of the file; what no axiom of OWL 2 says is named on standard error.\n"
                "\nExamples:\n  geminga-ontology convert oeo.omn -o oeo.ttl\n"
-               "  geminga-ontology convert pizza.owl -o - --to ntriples");
+               "  geminga-ontology convert pizza.owl -o pizza.omn\n"
+               "  geminga-ontology convert pizza.owl -o - --to functional");
   run_when_named(*command, choice, request, convert);
 }
 

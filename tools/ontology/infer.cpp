@@ -10,6 +10,7 @@
 #include "ontology/commands.hpp"
 #include "ontology/format.hpp"
 #include "ontology/graph/asserted.hpp"
+#include "ontology/graph/document.hpp"
 #include "ontology/graph/inferred.hpp"
 
 namespace geminga::ontology {
@@ -35,18 +36,39 @@ Exit judge(const std::expected<ClassifiedFiles, LoadFailure>& classified) {
   return Exit::yes;
 }
 
+/// Writes the first `said` axioms of the source, or none of them, and those that follow.
+Exit put_axioms(const InferRequest& request, syntax::Syntax syntax, const graph::Graph& inferred, std::size_t said,
+                ClassifiedFiles& classified) {
+  owl::Ontology& source = classified.loaded.source;
+  const std::vector<std::uint32_t> following = add_inferred_axioms(inferred, classified);
+  const std::vector<std::uint32_t> names =
+      request.only_inferred ? add_declarations(following, source) : std::vector<std::uint32_t>();
+  if (const auto& problem = source.problem()) return say_error(*problem, Exit::timed_out);
+  const owl::Annotations annotations(classified.loaded.annotations);
+  writing::Document document = document_of(classified.loaded, annotations);
+  document.axioms.resize(request.only_inferred ? 0 : said);
+  document.axioms.insert(document.axioms.end(), names.begin(), names.end());
+  document.axioms.insert(document.axioms.end(), following.begin(), following.end());
+  document.has_ill_typed = document.has_annotations = !request.only_inferred;
+  const Exit exit = put_document(request.out, document, syntax);
+  return exit == Exit::yes ? exit_of(classified, exit) : exit;
+}
+
 Exit infer(const InferRequest& request, const WorkLimits& limits) {
-  const auto format = chosen_format(request.format, request.out);
+  const auto format = chosen_document_format(request.format, request.out);
   if (!format) return say_error(format.error());
   Progress progress(true);
-  auto loaded = load(request.files, progress, {.keeps_annotations = true});
+  const auto* const syntax = std::get_if<syntax::Syntax>(&*format);
+  auto loaded =
+      load(request.files, progress, {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr});
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
   const graph::GraphLimits graph_limits{.octets = graph_octets(limits)};
   graph::Graph asserted(graph_limits);
   if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem, exit_of(asserted));
   base::Budget budget = budget_of(limits);
-  const auto classified = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
+  const std::size_t said = loaded->source.axiom_count();
+  auto classified = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
   progress.clear();
   if (const Exit exit = judge(classified); exit != Exit::yes) return exit;
   progress.show("collecting what follows");
@@ -55,20 +77,24 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
     return say_error(text, status);
   };
   graph::Graph alone(graph_limits);
-  graph::Graph& graph = request.only_inferred ? alone : asserted;
+  graph::Graph& graph = request.only_inferred || syntax != nullptr ? alone : asserted;
   base::Budget writing(WorkLimits::default_steps);  // its own: what a search has settled within its limits is written
   if (const auto problem = add_inferred(*classified, request.as_closure, writing, graph))
     return fail(*problem, Exit::timed_out);
   if (graph.problem()) return fail(*graph.problem(), exit_of(graph));
   graph.sort();
-  if (request.only_inferred) {
+  if (&graph == &alone) {
     asserted.sort();
     alone.remove(asserted);
+  }
+  if (syntax != nullptr) progress.clear();
+  if (syntax != nullptr) return put_axioms(request, *syntax, alone, said, *classified);
+  if (request.only_inferred) {
     add_declarations(*classified, alone);
     if (alone.problem()) return fail(*alone.problem(), exit_of(alone));
     alone.sort();
   }
-  const auto text = graph.write(*format, prefixes_of(classified->loaded.source));
+  const auto text = graph.write(std::get<graph::Format>(*format), prefixes_of(classified->loaded.source));
   if (!text) return fail(text.error(), Exit::usage);
   progress.clear();
   const Exit exit = put(request.out, std::as_bytes(std::span(*text)));

@@ -23,6 +23,7 @@ struct SubsumesRequest {
   std::string sub;
   std::string super;
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 /// Reads a class expression, of which a name is the simplest; nothing after saying what is wrong.
@@ -82,7 +83,8 @@ Exit exit_of(const reasoner::Answer& answer, const base::Budget& budget) {
 
 Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  auto classified = classify_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
+  auto classified =
+      classify_or_say(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
   if (!classified) return Exit::usage;
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
@@ -114,6 +116,7 @@ void add_subsumes(CLI::App& program, Choice& choice) {
       ->required()
       ->type_name("B");
   command->add_flag("--json", request->as_json, "print one JSON document");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nExamples:\n"

@@ -10,6 +10,28 @@ std::string property_of_annotation_axiom(std::string_view word) {
   return rdfs + (word == "AnnotationPropertyRange" ? "range" : "subPropertyOf");
 }
 
+std::string_view annotation_axiom_of(const Annotation& annotation) {
+  if (annotation.is_literal || annotation.value.starts_with("_:") || annotation.subject.starts_with("_:"))
+    return annotation_assertion;
+  for (const std::string_view word :
+       {sub_annotation_property_of, annotation_property_domain, annotation_property_range}) {
+    if (annotation.property == property_of_annotation_axiom(word)) return word;
+  }
+  return annotation_assertion;
+}
+
+Annotations::Annotations(std::span<const Annotation> all) : all_(all) {
+  for (std::uint32_t number = 0; number < all.size(); ++number) {
+    const Annotation& annotation = all[number];
+    if (annotation.of != Annotation::Of::name) about_[{annotation.of, annotation.number}].push_back(number);
+  }
+}
+
+std::span<const std::uint32_t> Annotations::about(Annotation::Of of, std::uint32_t number) const {
+  const auto found = about_.find({of, number});
+  return found == about_.end() ? std::span<const std::uint32_t>() : found->second;
+}
+
 void AnnotationStack::begin() {
   if (kept_ == nullptr) return;
   begin_ = kept_->size();

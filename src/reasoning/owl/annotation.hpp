@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,6 +48,30 @@ struct Annotation {
 /// rdfs:subPropertyOf, rdfs:domain or rdfs:range. `word` is its word in the functional-style syntax, such as
 /// SubAnnotationPropertyOf.
 [[nodiscard]] std::string property_of_annotation_axiom(std::string_view word);
+
+inline constexpr std::string_view annotation_assertion = "AnnotationAssertion";
+inline constexpr std::string_view sub_annotation_property_of = "SubAnnotationPropertyOf";
+inline constexpr std::string_view annotation_property_domain = "AnnotationPropertyDomain";
+inline constexpr std::string_view annotation_property_range = "AnnotationPropertyRange";
+/// The axiom that an annotation of a name is, by its word in the functional-style syntax: one about an annotation
+/// property where its value is a name and its property one of property_of_annotation_axiom().
+[[nodiscard]] std::string_view annotation_axiom_of(const Annotation& annotation);
+
+/// The annotations of all files, and which of them are about which axiom or annotation.
+class Annotations {
+ public:
+  /// The list must outlive it.
+  explicit Annotations(std::span<const Annotation> all);
+
+  [[nodiscard]] const Annotation& at(std::uint32_t number) const { return all_[number]; }
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+  /// The numbers of the annotations of ontologies, axioms and annotations, ascending.
+  [[nodiscard]] std::span<const std::uint32_t> about(Annotation::Of of, std::uint32_t number) const;
+
+ private:
+  std::span<const Annotation> all_;
+  std::map<std::pair<Annotation::Of, std::uint32_t>, std::vector<std::uint32_t>> about_;
+};
 
 /// Collects annotations in the order in which a reader meets them. They stand before their subjects, and may be
 /// annotated themselves.

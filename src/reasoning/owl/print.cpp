@@ -7,6 +7,8 @@
 namespace geminga::owl {
 namespace {
 
+constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
+
 /// The words of the Manchester syntax for facets.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
     {"http://www.w3.org/2001/XMLSchema#maxInclusive", "<="},
@@ -35,6 +37,21 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> compariso
 std::string variable_name(std::string_view iri) {
   const std::size_t end = iri.find_last_of("#/:?");
   return "?" + std::string(end == std::string_view::npos ? iri : iri.substr(end + 1));
+}
+
+std::string quoted_on_one_line(std::string_view written) {
+  constexpr std::string_view controls = "\n\r\t";
+  constexpr std::string_view control_letters = "nrt";
+  std::string text;
+  for (const char character : quoted(written)) {
+    const std::size_t control = controls.find(character);
+    if (control == std::string_view::npos) {
+      text += character;
+    } else {
+      text.append(1, '\\').append(1, control_letters[control]);
+    }
+  }
+  return text;
 }
 
 /// Prints terms of one source. Depth is bounded by SourceLimits::nesting.
@@ -85,19 +102,8 @@ std::string Printer::joined(std::span<const TermId> terms, std::string_view betw
 }
 
 std::string Printer::literal(const Term& term) {
-  constexpr std::string_view controls = "\n\r\t";
-  constexpr std::string_view control_letters = "nrt";
-  std::string text = "\"";
-  for (const char character : source_.name(term.name)) {
-    if (character == '"' || character == '\\') text += '\\';
-    const std::size_t control = style_ == PrintStyle::parsing ? std::string_view::npos : controls.find(character);
-    if (control == std::string_view::npos) {
-      text += character;
-    } else {
-      text.append(1, '\\').append(1, control_letters[control]);
-    }
-  }
-  text += '"';
+  std::string text =
+      style_ == PrintStyle::reading ? quoted_on_one_line(source_.name(term.name)) : quoted(source_.name(term.name));
   if (term.arguments.size() == 2) return text + "@" + std::string(source_.name_of(term.arguments[1]));
   const std::string_view datatype = source_.name_of(term.arguments[0]);
   if (datatype == "http://www.w3.org/2001/XMLSchema#string") return text;
@@ -136,6 +142,8 @@ std::string Printer::term(TermId id) {
     case TermKind::individual:
       return short_name_(source_.name(term.name));
     case TermKind::anonymous_individual:
+      if (style_ == PrintStyle::document) return short_name_(source_.name(term.name));
+      [[fallthrough]];
     case TermKind::language_tag:
       return std::string(source_.name(term.name));
     case TermKind::literal:
@@ -145,16 +153,20 @@ std::string Printer::term(TermId id) {
     case TermKind::object_property_chain:
       return joined(arguments, " o ");
     case TermKind::object_intersection_of:
-    case TermKind::data_intersection_of:
       return arguments.empty() ? short_name_(owl_thing) : joined(arguments, " and ");
     case TermKind::object_union_of:
-    case TermKind::data_union_of:
       return arguments.empty() ? short_name_(owl_nothing) : joined(arguments, " or ");
+    case TermKind::data_intersection_of:
+      return arguments.empty() ? short_name_(rdfs_literal) : joined(arguments, " and ");
+    case TermKind::data_union_of:
+      return arguments.empty() ? "not " + short_name_(rdfs_literal) : joined(arguments, " or ");
     case TermKind::object_complement_of:
     case TermKind::data_complement_of:
       return "not " + nested(arguments[0]);
     case TermKind::object_one_of:
     case TermKind::data_one_of:
+      if (arguments.empty() && style_ == PrintStyle::document)
+        return term.kind == TermKind::object_one_of ? short_name_(owl_nothing) : "not " + short_name_(rdfs_literal);
       return "{" + joined(arguments, ", ") + "}";
     case TermKind::object_some_values_from:
     case TermKind::data_some_values_from:
@@ -320,6 +332,15 @@ std::string print(const Ontology& source, TermId term, const ShortName& short_na
 
 std::string print(const Ontology& source, const Axiom& axiom, const ShortName& short_name) {
   return Printer(source, short_name, PrintStyle::reading).axiom(axiom);
+}
+
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char character : text) {
+    if (character == '"' || character == '\\') result += '\\';
+    result += character;
+  }
+  return result += '"';
 }
 
 std::string shorten(std::string_view iri, std::span<const std::pair<std::string_view, std::string_view>> prefixes) {

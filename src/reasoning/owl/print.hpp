@@ -21,8 +21,9 @@ using ShortName = std::function<std::string(std::string_view iri)>;
 inline constexpr std::size_t max_printed_terms = 2'000;
 
 enum class PrintStyle : std::uint8_t {
-  reading,  ///< on one line: line ends in literals are written \n, \r, \t
-  parsing,  ///< so that manchester::parse() reads the same term again
+  reading,   ///< on one line: line ends in literals are written \n, \r, \t
+  parsing,   ///< so that manchester::parse() reads the same term again
+  document,  ///< the same for frames::read(): an anonymous individual is named by ShortName, too
 };
 
 /// "soccer:Camera and (core:observes some soccer:Ball)".
@@ -34,6 +35,9 @@ enum class PrintStyle : std::uint8_t {
 /// Whether a name may stand behind the colon of a short name: not empty, of letters, digits, `_`, `-` and `.`, with no
 /// `.` or `-` at its beginning and no `.` at its end.
 [[nodiscard]] bool is_plain_local_name(std::string_view name);
+
+/// A text in quotation marks, with a backslash before each quotation mark and backslash in it.
+[[nodiscard]] std::string quoted(std::string_view text);
 
 /// `prefix:local` by the longest prefix IRI that leaves a plain local name, else `<iri>`. A prefix with two IRIs is not
 /// used. `prefixes` are pairs of a word and an IRI, sorted.

@@ -10,6 +10,7 @@
 #include "base/hash.hpp"
 #include "base/text.hpp"
 #include "reasoning/owl/datatypes.hpp"
+#include "reasoning/owl/literal_value.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/unit.hpp"
 
@@ -17,6 +18,7 @@ namespace geminga::owl {
 namespace {
 
 constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string";
+constexpr std::string_view xsd_decimal = "http://www.w3.org/2001/XMLSchema#decimal";
 constexpr std::string_view rdf_lang_string = "http://www.w3.org/1999/02/22-rdf-syntax-ns#langString";
 
 /// The octets that all names together may take: this many, and as many again for each different name as names usually
@@ -121,10 +123,7 @@ TermId Ontology::intern_term(TermKind kind, NameId name, std::uint32_t number, s
     if (terms_.size() > 1) return thing_term;  // some valid term must come back
   }
   std::uint32_t depth = 0;
-  Form form = is_well_formed(kind, kinds_of(arguments)) ? Form::good : Form::malformed;
-  if (kind == TermKind::literal && form == Form::good && !is_of_its_datatype(this->name(name), arguments)) {
-    form = Form::ill_typed;
-  }
+  Form form = own_form(kind, name, arguments);
   for (const TermId argument : arguments) {
     const TermRecord& record = terms_[static_cast<std::size_t>(argument)];
     depth = std::max(depth, record.depth + 1U);
@@ -136,6 +135,13 @@ TermId Ontology::intern_term(TermKind kind, NameId name, std::uint32_t number, s
   term_arguments_.insert(term_arguments_.end(), arguments.begin(), arguments.end());
   term_table_.insert(hash, id);
   return TermId{id};
+}
+
+Ontology::Form Ontology::own_form(TermKind kind, NameId name, std::span<const TermId> arguments) {
+  if (!is_well_formed(kind, kinds_of(arguments))) return Form::malformed;
+  if (kind == TermKind::literal && !is_of_its_datatype(this->name(name), arguments)) return Form::ill_typed;
+  if (kind == TermKind::datatype_restriction && !has_its_facets(*this, arguments)) return Form::foreign;
+  return Form::good;
 }
 
 bool Ontology::is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const {
@@ -157,6 +163,10 @@ TermId Ontology::entity(TermKind kind, std::string_view name) {
 
 TermId Ontology::literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language) {
   if (datatype_iri.empty()) datatype_iri = language.empty() ? xsd_string : rdf_lang_string;
+  if (is_lenient_ && language.empty() && is_decimal_instead(lexical, datatype_iri)) {
+    datatype_iri = xsd_decimal;
+    ++lenient_readings_;
+  }
   std::array<TermId, 2> arguments = {datatype(datatype_iri), TermId{}};
   std::size_t count = 1;
   if (!language.empty()) arguments[count++] = entity(TermKind::language_tag, language);
@@ -185,6 +195,14 @@ TermId Ontology::copy(const Ontology& from, TermId id) {
 TermId Ontology::term(TermKind kind, std::span<const TermId> arguments, std::uint32_t number) {
   GEMINGA_ASSERT(std::ranges::all_of(
       arguments, [&](TermId argument) { return static_cast<std::size_t>(argument) < terms_.size(); }));
+  if (is_lenient_ && kind == TermKind::datatype_restriction && is_well_formed(kind, kinds_of(arguments))) {
+    const std::vector<TermId> written(arguments.begin(), arguments.end());
+    if (const auto read = with_numeric_bounds(*this, written)) {
+      ++lenient_readings_;
+      return intern_term(kind, NameId{0}, number, *read);
+    }
+    return intern_term(kind, NameId{0}, number, written);
+  }
   return intern_term(kind, NameId{0}, number, arguments);
 }
 
@@ -206,15 +224,17 @@ void Ontology::add(AxiomKind kind, std::span<const TermId> arguments, FileId fil
     leave_out("nesting over " + std::to_string(limits_.nesting) + " levels", file, line);
     return;
   }
-  const bool is_ill_typed = form == Form::ill_typed;
-  if (is_ill_typed) leave_out(ill_typed_literal, file, line);
+  const bool is_left_out = is_ill_typed(form);
+  if (is_left_out) leave_out(form == Form::ill_typed ? ill_typed_literal : foreign_facet, file, line);
+  if (!is_left_out && lenient_readings_ > 0) remark(read_as_number, file, line);
+  lenient_readings_ = 0;
   if (axioms_.size() + ill_typed_.size() >= limits_.axioms ||
       axiom_arguments_.size() + arguments.size() > limits_.arguments) {
     fail("the ontology has more than " + std::to_string(limits_.axioms) + " axioms or " +
          std::to_string(limits_.arguments) + " arguments");
     return;
   }
-  (is_ill_typed ? ill_typed_ : axioms_)
+  (is_left_out ? ill_typed_ : axioms_)
       .push_back({kind, static_cast<std::uint32_t>(axiom_arguments_.size()),
                   static_cast<std::uint32_t>(arguments.size()), file, line});
   axiom_arguments_.insert(axiom_arguments_.end(), arguments.begin(), arguments.end());
@@ -285,17 +305,26 @@ void Ontology::add_prefix(std::string_view prefix, std::string_view iri) {
 }
 
 void Ontology::leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count) {
+  note(omissions_, construct, file, line, count);
+}
+
+void Ontology::remark(std::string_view text, FileId file, std::uint32_t line, std::uint32_t count) {
+  note(remarks_, text, file, line, count);
+}
+
+void Ontology::note(std::vector<Omission>& notes, std::string_view text, FileId file, std::uint32_t line,
+                    std::uint32_t count) {
   if (problem_) return;
-  const NameId name = intern(construct.substr(0, limits_.name_bytes), limits_.name_bytes);
+  const NameId name = intern(text.substr(0, limits_.name_bytes), limits_.name_bytes);
   // One record for each construct and file, so that a hostile file cannot make this list long by repetition.
-  for (Omission& known : omissions_) {
+  for (Omission& known : notes) {
     if (known.construct == name && known.file == file) {
       known.count += count;
       known.line = std::min(known.line, line);
       return;
     }
   }
-  omissions_.push_back({name, file, line, count});
+  notes.push_back({name, file, line, count});
 }
 
 std::vector<TermId> terms_in(const Ontology& source, std::span<const TermId> roots) {

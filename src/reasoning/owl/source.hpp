@@ -42,6 +42,14 @@ inline constexpr TermId nothing_term{1};
 
 /// The construct under which an axiom with an ill-typed literal is left out.
 inline constexpr std::string_view ill_typed_literal = "a literal that is not of its datatype";
+/// The construct under which an axiom with a facet outside of the facet space of its datatype is left out.
+inline constexpr std::string_view foreign_facet = "a facet or bound that its datatype does not have";
+/// Whether axioms that are left out under this construct are among the ill-typed ones.
+[[nodiscard]] constexpr bool is_ill_typed(std::string_view construct) {
+  return construct == ill_typed_literal || construct == foreign_facet;
+}
+/// The remark about an axiom that read_leniently() takes in.
+inline constexpr std::string_view read_as_number = "a bound or literal of another datatype, read as the number";
 
 /// An ontology as it was read, in no particular order. Only appended to; ids stay valid. Not thread-safe.
 class Ontology {
@@ -82,6 +90,10 @@ class Ontology {
   Ontology& operator=(const Ontology&);
   Ontology& operator=(Ontology&&) noexcept;
   ~Ontology();
+
+  /// From here on a bound or literal of another numeric datatype is read as the number that it writes, with the remark
+  /// `read_as_number` at the first axiom that has it: xsd:double[<= "1"^^xsd:integer], "5.0"^^xsd:integer.
+  void read_leniently() { is_lenient_ = true; }
 
   /// Files are numbered in the order in which they are added. `ontology_iri` may be set later.
   FileId add_file(std::string_view path, std::string_view ontology_iri = {});
@@ -137,6 +149,8 @@ class Ontology {
   void add_prefix(std::string_view prefix, std::string_view iri);
   /// Notes something that was read and that no axiom can express. `construct` is a short name like "owl:onProperties".
   void leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count = 1);
+  /// Notes something that is not as OWL 2 has it and costs no axiom: a bound that is read as a number of its datatype.
+  void remark(std::string_view text, FileId file, std::uint32_t line, std::uint32_t count = 1);
 
   /// Why this ontology must be refused: one line that names the limit. Nothing if no limit was exceeded.
   [[nodiscard]] const std::optional<std::string>& problem() const { return problem_; }
@@ -144,10 +158,8 @@ class Ontology {
   [[nodiscard]] std::string_view name(NameId id) const;
   [[nodiscard]] std::optional<NameId> find_name(std::string_view name) const;
   [[nodiscard]] Term term(TermId id) const;
-  /// Whether no literal in it is ill-typed.
-  [[nodiscard]] bool is_well_typed(TermId id) const {
-    return terms_[static_cast<std::size_t>(id)].form != Form::ill_typed;
-  }
+  /// Whether no literal in it is ill-typed, and no facet foreign to its datatype.
+  [[nodiscard]] bool is_well_typed(TermId id) const { return !is_ill_typed(terms_[static_cast<std::size_t>(id)].form); }
   [[nodiscard]] TermKind kind(TermId id) const { return terms_[static_cast<std::size_t>(id)].kind; }
   /// The name of an entity, literal, language tag or facet.
   [[nodiscard]] std::string_view name_of(TermId id) const { return name(terms_[static_cast<std::size_t>(id)].name); }
@@ -157,7 +169,7 @@ class Ontology {
   [[nodiscard]] std::size_t term_count() const { return terms_.size(); }
   [[nodiscard]] std::size_t axiom_count() const { return axioms_.size(); }
   [[nodiscard]] Axiom axiom(std::size_t index) const { return axiom_of(axioms_[index]); }
-  /// Axioms that were left out only because a literal in them is ill-typed.
+  /// Axioms that were left out only because a literal in them is ill-typed, or a facet foreign to its datatype.
   [[nodiscard]] std::size_t ill_typed_count() const { return ill_typed_.size(); }
   [[nodiscard]] Axiom ill_typed(std::size_t index) const { return axiom_of(ill_typed_[index]); }
   [[nodiscard]] std::span<const Label> labels() const { return labels_; }
@@ -168,10 +180,15 @@ class Ontology {
   [[nodiscard]] std::span<const Prefix> prefixes() const { return prefixes_; }
   [[nodiscard]] std::span<const LoadedFile> files() const;
   [[nodiscard]] std::span<const Omission> omissions() const { return omissions_; }
+  /// The notes of remark(), one record for each text and file.
+  [[nodiscard]] std::span<const Omission> remarks() const { return remarks_; }
 
  private:
   /// The worst form among a term and its arguments.
-  enum class Form : std::uint8_t { good, ill_typed, malformed };
+  enum class Form : std::uint8_t { good, ill_typed, foreign, malformed };
+  [[nodiscard]] static constexpr bool is_ill_typed(Form form) {
+    return form == Form::ill_typed || form == Form::foreign;
+  }
   struct TermRecord {
     TermKind kind;
     Form form;  ///< of it and everything in it
@@ -194,7 +211,9 @@ class Ontology {
   }
   NameId intern(std::string_view name, std::size_t max_bytes);
   TermId intern_term(TermKind kind, NameId name, std::uint32_t number, std::span<const TermId> arguments);
+  [[nodiscard]] Form own_form(TermKind kind, NameId name, std::span<const TermId> arguments);
   [[nodiscard]] bool is_of_its_datatype(std::string_view lexical, std::span<const TermId> arguments) const;
+  void note(std::vector<Omission>& notes, std::string_view text, FileId file, std::uint32_t line, std::uint32_t count);
   void fail(std::string text);
   [[nodiscard]] std::span<const TermKind> kinds_of(std::span<const TermId> arguments);
 
@@ -217,6 +236,9 @@ class Ontology {
   std::vector<Prefix> prefixes_;
   std::vector<LoadedFile> files_;
   std::vector<Omission> omissions_;
+  std::vector<Omission> remarks_;
+  bool is_lenient_ = false;
+  std::uint32_t lenient_readings_ = 0;  ///< since the last axiom
 };
 
 /// These terms and everything in them, each once. Written out as a tree, one part can occur 2^60 times.

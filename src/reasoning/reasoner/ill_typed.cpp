@@ -10,10 +10,18 @@
 namespace geminga::reasoner {
 namespace {
 
+/// The construct under which the axiom was left out.
+std::string_view construct_of(const owl::Ontology& source, const owl::Axiom& axiom) {
+  for (const owl::TermId id : owl::terms_in(source, axiom.arguments)) {
+    if (source.kind(id) == owl::TermKind::literal && !source.is_well_typed(id)) return owl::ill_typed_literal;
+  }
+  return owl::foreign_facet;
+}
+
 /// An answer that stays open because of an axiom with an ill-typed literal.
 Answer open_answer(const owl::Ontology& source, std::size_t ill_typed, const std::string& why) {
   const owl::Axiom axiom = source.ill_typed(ill_typed);
-  std::string text = "it may hang on " + std::string(owl::ill_typed_literal) + ": " +
+  std::string text = "it may hang on " + std::string(construct_of(source, axiom)) + ": " +
                      base::printable(source.files()[static_cast<std::size_t>(axiom.file)].path, 4096);
   if (axiom.line != 0) text += ':' + std::to_string(axiom.line);
   return {Verdict::unknown, why.empty() ? text : text + " (" + why + ')'};

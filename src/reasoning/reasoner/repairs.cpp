@@ -66,7 +66,7 @@ class Repairs {
     const auto terms = owl::terms_in(source_, source_.ill_typed(ill_typed_[axiom]).arguments);
     for (const TermId id : terms) {
       if (source_.is_well_typed(id)) continue;
-      if (source_.kind(id) == TermKind::facet) return false;
+      if (source_.kind(id) == TermKind::facet || source_.kind(id) == TermKind::datatype_restriction) return false;
       if (source_.kind(id) == TermKind::literal) slots_.push_back({axiom, id, {}});
     }
     return true;

@@ -23,6 +23,10 @@ struct FileLimits {
   std::size_t watched_bytes = std::size_t{8} << 20;
   /// Not a limit: the size of the pieces in which several threads read a large file. Smaller files are read whole.
   std::size_t piece_bytes = std::size_t{2} << 20;
+  /// Not a limit: the annotations of triples are kept, comments as well.
+  bool keeps_annotations = false;
+  /// Not a limit: bounds and literals of another numeric datatype are read as numbers (owl::Ontology).
+  bool is_lenient = false;
   std::size_t triples = 100'000'000;  ///< of all files together
   /// Of one text: raptor's N-Triples reader is quadratic in it.
   std::size_t literal_bytes = std::size_t{1} << 20;

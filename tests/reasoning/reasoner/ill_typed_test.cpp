@@ -101,6 +101,17 @@ TEST(DamagedLiteral, BeyondWhatCanBeToldApartLeavesEveryNoOpen) {
       << "a bound";
 }
 
+TEST(ForeignFacet, LeavesOpenWhatMayHangOnItsAxiom) {
+  const std::string bound =
+      "SubClassOf(A DataSomeValuesFrom(d:p DatatypeRestriction(x:double x:maxInclusive \"1\"^x:integer)))\n"
+      "SubClassOf(A B)\n";
+  EXPECT_EQ(asked(bound, "SubClassOf(A B)"), "yes");
+  EXPECT_EQ(asked(bound, "SubClassOf(A Nothing)"), "open") << "no class is empty because of it";
+  Argued argued(bound, "SubClassOf(A Nothing)");
+  const auto answers = entails_each(argued.source, argued.premise, argued.conclusion, ill_typed_of(argued.source));
+  EXPECT_THAT(answers.at(0).reason, HasSubstr("a facet or bound that its datatype does not have: premise.ofn:1"));
+}
+
 TEST(DamagedLiteral, HasAsManyReadingsAsTheLimitAllows) {
   // A number is one of these or in one of the gaps between them: 2 n + 1 repairs.
   for (const auto& [points, expected] : {std::pair{30, "no"}, {31, "no"}, {32, "open"}}) {

@@ -48,6 +48,25 @@ TEST(Check, SaysWhereALimitEndedTheSearchForReasons) {
   EXPECT_THAT(outcome.err, HasSubstr("there may be more reasons than are printed"));
 }
 
+TEST(Check, MakesNoClassEmptyOfABoundOfAnotherDatatype) {
+  const Program program;
+  program.turtle("a.ttl",
+                 "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> . :u a owl:DatatypeProperty . :A a owl:Class ; "
+                 "rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :u ; "
+                 "owl:someValuesFrom [ a rdfs:Datatype ; owl:onDatatype xsd:double ; owl:withRestrictions ( [ "
+                 "xsd:maxInclusive 1 ] ) ] ] .");
+  const Outcome strict = program.run({"check", "a.ttl"});
+  EXPECT_EQ(strict.status, 0) << strict.out;
+  EXPECT_THAT(strict.out,
+              HasSubstr("Left out:\n  a facet or bound that its datatype does not have: 1, first at a.ttl:2"));
+  EXPECT_THAT(strict.out, HasSubstr("Incomplete"));
+  const Outcome lenient = program.run({"check", "a.ttl", "--lenient"});
+  EXPECT_EQ(lenient.status, 0) << lenient.out;
+  EXPECT_THAT(lenient.out, HasSubstr("Read otherwise than written:\n  a bound or literal of another datatype, read as "
+                                     "the number: 1, first at a.ttl:2\n"));
+  EXPECT_THAT(lenient.out, HasSubstr("Complete: everything that follows"));
+}
+
 TEST(Check, ListsWhatWasLeftOutWithItsFirstPlace) {
   const Program program;
   program.turtle(

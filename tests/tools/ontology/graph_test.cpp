@@ -231,7 +231,7 @@ TEST(Convert, RefusesManyFilesWrongFormatsAndItsOwnSource) {
   program.turtle("b.ttl", ":B a owl:Class .");
   EXPECT_THAT(program.run({"convert", "a.ttl", "b.ttl", "-o", "c.ttl"}).err, HasSubstr("geminga-ontology merge"));
   EXPECT_EQ(program.run({"convert", "a.ttl", "-o", "c.ttl", "--to", "json"}).status, 2);
-  EXPECT_THAT(program.run({"convert", "a.ttl", "-o", "c.ofn"}).err, HasSubstr("c.ofn: the name ends in none of .ttl"));
+  EXPECT_THAT(program.run({"convert", "a.ttl", "-o", "c.txt"}).err, HasSubstr("c.txt: the name ends in none of .ttl"));
   EXPECT_THAT(program.run({"convert", "a.ttl", "-o", "a.ttl"}).err, HasSubstr("is one of the sources"));
 }
 

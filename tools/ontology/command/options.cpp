@@ -16,6 +16,12 @@ CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files) {
   return command.add_option("FILES", files, "ontology files, or folders of them")->required()->type_name("");
 }
 
+void add_lenient(CLI::App& command, bool& is_lenient) {
+  command.add_flag("--lenient", is_lenient,
+                   "read a bound or literal of another numeric datatype as the number that it writes, such as "
+                   "xsd:double[<= \"1\"^^xsd:integer], instead of leaving its axiom out");
+}
+
 void add_output(CLI::App& command, std::string& out) {
   command.add_option("-o,--output", out, "the file to write, replaced as a whole or not at all; - is standard output")
       ->required()

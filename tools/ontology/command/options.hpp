@@ -16,6 +16,8 @@ namespace geminga::ontology {
 
 /// Adds the positional FILES, required.
 CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files);
+/// Adds `--lenient`, for a command that reads files.
+void add_lenient(CLI::App& command, bool& is_lenient);
 /// Adds `-o OUT`, required.
 void add_output(CLI::App& command, std::string& out);
 /// Adds an option that takes a decimal number between two bounds and nothing else.

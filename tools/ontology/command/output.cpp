@@ -32,15 +32,18 @@ bool write_all(int file, std::span<const std::byte> bytes) {
 /// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. The
 /// file is not forced to the disk, which would take most of the time: a file that a power cut damaged fails its
 /// checksum.
-Exit replace(const std::string& target, std::span<const std::byte> bytes) {
+Exit replace(const std::string& target, const std::function<std::optional<std::string>(const PutPiece&)>& write) {
   struct stat status{};
   if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
     return say_error(target + " is not a regular file: name another one behind -o");
   const std::filesystem::path folder = std::filesystem::path(target).parent_path();
   std::string temporary;
-  const auto fail = [&](int error) {
+  const auto refuse = [&](const std::string& why) {
     unlink(temporary.c_str());
-    return say_error(target + " cannot be written: " + std::generic_category().message(error));
+    return say_error(why);
+  };
+  const auto fail = [&](int error) {
+    return refuse(target + " cannot be written: " + std::generic_category().message(error));
   };
   // For writing only: the folder of the output need not be one that may be read.
   int file = -1;
@@ -52,9 +55,19 @@ Exit replace(const std::string& target, std::span<const std::byte> bytes) {
   if (file < 0) return say_error(target + " cannot be written: " + std::generic_category().message(errno));
   const mode_t mask = umask(0);
   umask(mask);
-  const bool is_written = write_all(file, bytes) && fchmod(file, static_cast<mode_t>(0666 & ~mask)) == 0;
-  const int error = errno;
+  bool is_written = true;
+  int error = 0;
+  const auto problem = write([&](std::string_view piece) {
+    is_written = write_all(file, std::as_bytes(std::span(piece)));
+    error = errno;
+    return is_written;
+  });
+  if (is_written && fchmod(file, static_cast<mode_t>(0666 & ~mask)) != 0) {
+    is_written = false;
+    error = errno;
+  }
   if (close(file) != 0 || !is_written) return fail(error);
+  if (problem) return refuse(*problem);
   if (std::rename(temporary.c_str(), target.c_str()) != 0) return fail(errno);
   return Exit::yes;
 }
@@ -62,10 +75,27 @@ Exit replace(const std::string& target, std::span<const std::byte> bytes) {
 }  // namespace
 
 Exit put(const std::string& out, std::span<const std::byte> bytes) {
-  if (out != to_standard_output) return replace(out, bytes);
+  const std::string_view all{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  if (out != to_standard_output) {
+    return replace(out, [&](const PutPiece& piece) -> std::optional<std::string> {
+      static_cast<void>(piece(all));
+      return std::nullopt;
+    });
+  }
   // The daemon reads a compiled form of any size there: it is not copied.
   if (isatty(STDOUT_FILENO) == 0) return write_all(STDOUT_FILENO, bytes) ? Exit::yes : say_unwritten();
-  return print_or_say({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return print_or_say(std::string(all));
+}
+
+Exit put_pieces(const std::string& out, const std::function<std::optional<std::string>(const PutPiece&)>& write) {
+  if (out != to_standard_output) return replace(out, write);
+  bool is_written = true;
+  const auto problem = write([&](std::string_view piece) {
+    is_written = write_all(STDOUT_FILENO, std::as_bytes(std::span(piece)));
+    return is_written;
+  });
+  if (!is_written) return say_unwritten();
+  return problem ? say_error(*problem) : Exit::yes;
 }
 
 bool would_destroy_source(const std::string& out, const std::vector<std::string>& files, const owl::Ontology& source) {

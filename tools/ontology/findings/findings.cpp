@@ -48,6 +48,20 @@ std::vector<LeftOutGroup> group(const ClassifiedFiles& classified) {
   return groups;
 }
 
+std::vector<owl::LeftOut> remarks_of(const owl::Ontology& source) {
+  std::map<std::string_view, owl::LeftOut> remarks;
+  for (const owl::Ontology::Omission& remark : source.remarks()) {
+    const auto file = static_cast<std::uint32_t>(remark.file);
+    const std::string_view text = source.name(remark.construct);
+    const auto [found, is_new] = remarks.try_emplace(text, owl::LeftOut{std::string(text), 0, {}, file, remark.line});
+    if (is_new) found->second.first = place(source.files()[file].path, remark.line);
+    found->second.count += remark.count;
+  }
+  std::vector<owl::LeftOut> found;
+  for (auto& [text, remark] : remarks) found.push_back(std::move(remark));
+  return found;
+}
+
 std::vector<LeftOutGroup> group(const compiled::Ontology& ontology) {
   std::vector<LeftOutGroup> groups;
   for (owl::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}});
@@ -134,6 +148,7 @@ Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontol
   findings.sources.conflicts = loaded.conflicts;
   find_units(ontology, findings.sources);
   findings.left_out = group(classified);
+  findings.remarks = remarks_of(loaded.source);
   findings.gaps = classified.classification.gaps;
   findings.open = find_open(classified, ontology);
   findings.names = find_doubtful_names(loaded);

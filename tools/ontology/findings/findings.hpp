@@ -54,6 +54,7 @@ struct Sources {
 struct Findings {
   Sources sources;
   std::vector<LeftOutGroup> left_out;  ///< by construct
+  std::vector<owl::LeftOut> remarks;   ///< of the readers: what was used, but is not quite what the files say
   std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
   Open open;                           ///< of sources; a compiled ontology has it among its gaps
   bool is_consistent = true;

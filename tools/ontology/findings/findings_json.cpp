@@ -63,6 +63,10 @@ std::string as_json(const Findings& findings) {
   for (const owl::LoadedFile& file : sources.files)
     files.push_back(boost::json::object{{"path", file.path}, {"ontology", file.ontology_iri}});
   document["left_out"] = left_out_as_json(findings);
+  boost::json::array& remarks = document["remarks"].emplace_array();
+  for (const owl::LeftOut& remark : findings.remarks)
+    remarks.push_back(
+        boost::json::object{{"text", remark.construct}, {"count", remark.count}, {"first", remark.first}});
   document["units"] = units_as_json(sources);
   document["gaps"] = boost::json::value_from(findings.gaps);
   boost::json::object& open = document["undecided"].emplace_object();

@@ -95,7 +95,7 @@ class OtherFiles {
   const std::vector<bool>& has_triples_;
   graph::Graph& graph_;
   graph::AxiomTriples triples_;
-  const graph::Annotations annotations_;
+  const owl::Annotations annotations_;
   const std::string name_ = ontology_name(loaded_);
   std::set<std::string> others_;  ///< the names of other ontologies than the one that is written
 };

@@ -36,7 +36,7 @@ std::optional<std::string> find_unread(const owl::Ontology& source, const std::v
     const auto file = static_cast<std::size_t>(omission.file);
     if (!files.empty() && !files[file]) continue;
     const std::string_view construct = source.name(omission.construct);
-    if (construct.starts_with(import_words) || (!with_ill_typed && construct == owl::ill_typed_literal)) continue;
+    if (construct.starts_with(import_words) || (!with_ill_typed && owl::is_ill_typed(construct))) continue;
     std::string text = std::string(construct) + " is not understood: " + source.files()[file].path;
     if (omission.line != 0) text += ':' + std::to_string(omission.line);
     return text;

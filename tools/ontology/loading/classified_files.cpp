@@ -68,7 +68,9 @@ std::expected<rdf::Loaded, LoadFailure> load(const std::vector<std::string>& fil
   progress.show("reading" + (octets >> 20U == 0 ? "" : ' ' + std::to_string(octets >> 20U) + " MiB"));
   Readers readers(options.keeps_annotations);
   std::vector<syntax::LoadError> left_out;
-  auto loaded = rdf::load(files, {}, &readers, options.threads, options.leaves_out_refused ? &left_out : nullptr);
+  const syntax::FileLimits limits{.keeps_annotations = options.keeps_triple_annotations,
+                                  .is_lenient = options.is_lenient};
+  auto loaded = rdf::load(files, limits, &readers, options.threads, options.leaves_out_refused ? &left_out : nullptr);
   progress.clear();
   for (const syntax::LoadError& error : left_out)
     say_error(std::string(compiled::left_out_words) + syntax::to_string(error));

@@ -35,12 +35,14 @@ struct LoadFailure {
 
 struct LoadOptions {
   unsigned threads = 1;
-  bool as_json = false;    ///< errors are also printed as JSON, and no progress is shown
-  bool says_files = true;  ///< says how many files the folders hold
-  bool keeps_annotations = false;
+  bool as_json = false;                   ///< errors are also printed as JSON, and no progress is shown
+  bool says_files = true;                 ///< says how many files the folders hold
+  bool keeps_annotations = false;         ///< of OWL's own syntaxes
+  bool keeps_triple_annotations = false;  ///< of triples, too
   /// Leaves out files of folders that are refused, and says so on standard error in lines that begin with
   /// compiled::left_out_words.
   bool leaves_out_refused = false;
+  bool is_lenient = false;         ///< reads bounds and literals of another numeric datatype as numbers
   base::Budget* budget = nullptr;  ///< of the search; borrowed, null: no limit
 };
 

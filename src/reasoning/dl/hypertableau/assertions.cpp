@@ -15,7 +15,12 @@ using clauses::number;
 
 Assertions::Assertions(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, Graph& graph,
                        DependencySets& sets, Effort& effort)
-    : program_(program), graph_(graph), sets_(sets), effort_(effort), values_(source, set) {}
+    : program_(program),
+      graph_(graph),
+      sets_(sets),
+      effort_(effort),
+      values_(source, set),
+      has_individuals_(!set.individuals.empty()) {}
 
 void Assertions::clash(DependencySet dependency) {
   if (has_clash_) return;
@@ -233,7 +238,8 @@ std::string Assertions::check_values() {
   if (graph_.value_count() == 0) return unknown;
   constexpr std::size_t values_a_step = 4;  // all of them are looked at again
   effort_.count_steps(graph_.value_count() / values_a_step);
-  if (const auto dependency = values_.clash(graph_, sets_, unknown)) clash(*dependency);
+  const bool has_all_facts = !has_individuals_ || !individuals_.empty();
+  if (const auto dependency = values_.clash(graph_, sets_, unknown, has_all_facts)) clash(*dependency);
   return unknown;
 }
 

@@ -107,6 +107,7 @@ class Assertions {
   DependencySets& sets_;
   Effort& effort_;
   ValueCheck values_;
+  const bool has_individuals_;  ///< of the ontology; they are in the graph where individuals_ has them
   bool has_clash_ = false;
   DependencySet clash_ = no_dependency;
   bool have_values_changed_ = false;

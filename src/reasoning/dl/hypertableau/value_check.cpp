@@ -3,6 +3,11 @@
 // A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside. The
 // remaining nodes are few, and assignments are tried. If a range is not fully known, a clash must follow from its upper
 // bound, and a model from its lower bound.
+//
+// A model chooses its opaque sets (value_ranges.hpp). The values in one must differ from those outside of it, and that
+// is all: let each node have a value so that this holds; then the set of the values of the nodes inside is a choice. If
+// one of two nodes has infinitely many values to choose from, they can differ without more ado, as the model has fewer
+// nodes with different values than there are values.
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
 #include <algorithm>
@@ -21,8 +26,8 @@ std::optional<bool> ValueCheck::is_in(owl::TermId literal, std::uint32_t range) 
   const auto& value = ranges_.value(literal);
   if (!value) return std::nullopt;
   const KnownSet& set = ranges_.known_set(DataRangeId{range});
-  if (set.least.contains(*value)) return true;
   if (!set.most.contains(*value)) return false;
+  if (set.opaque.empty() && set.least.contains(*value)) return true;
   return std::nullopt;
 }
 
@@ -67,25 +72,10 @@ std::optional<owl::TermId> ValueCheck::only_value(const Graph& graph, Dependency
 std::uint32_t ValueCheck::known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal) {
   const auto [found, is_new] = set_of_ranges_.try_emplace({ranges, literal}, static_cast<std::uint32_t>(sets_.size()));
   if (!is_new) return found->second;
-  Counted counted{{ValueSet::everything(), ValueSet::everything(), {}}};
+  Counted counted{literal == none ? KnownSet::exactly(ValueSet::everything())
+                                  : ranges_.set_of_literal(owl::TermId{literal})};
   KnownSet& set = counted.set;
-  if (literal != none) {
-    const auto& value = ranges_.value(owl::TermId{literal});
-    if (value) {
-      set = {ValueSet::one(*value), ValueSet::one(*value), {}};
-    } else {
-      set.least = ValueSet::nothing();
-      set.reason = "literals of datatypes that are not known";
-      counted.is_harmless = ranges.empty();
-    }
-  }
-  for (const std::uint32_t range : ranges) {
-    const KnownSet& one = ranges_.known_set(DataRangeId{range});
-    set.least = set.least.intersection(one.least);
-    set.most = set.most.intersection(one.most);
-    if (set.reason.empty()) set.reason = one.reason;
-    counted.is_harmless = literal == none && ranges.size() == 1 && ranges_.is_unknown_datatype(DataRangeId{range});
-  }
+  for (const std::uint32_t range : ranges) set.restrict_to(ranges_.known_set(DataRangeId{range}));
   counted.least = set.least.count();
   counted.most = set.most.count();
   sets_.push_back(std::move(counted));
@@ -129,8 +119,46 @@ std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, D
   return variables;
 }
 
-std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySets& sets, std::string& unknown) {
-  const std::vector<Variable> variables = variables_of(graph, sets);
+std::string ValueCheck::separate_opaque(std::vector<Variable>& variables, bool has_all_facts) const {
+  struct Sides {
+    std::vector<std::uint32_t> inside;
+    std::vector<std::uint32_t> outside;
+  };
+  std::map<owl::TermId, Sides> sides;
+  for (std::uint32_t at = 0; at < variables.size(); ++at) {
+    const Counted& counted = sets_[variables[at].known];
+    if (!has_all_facts && !counted.set.opaque.empty() && counted.least < many_values)
+      return "values of a datatype that is not known, of which facts may say something else";
+    for (const OpaqueSet& opaque : counted.set.opaque) {
+      Sides& its = sides[opaque.term];
+      (opaque.is_complement ? its.outside : its.inside).push_back(at);
+    }
+  }
+  std::size_t pairs = 0;
+  for (const auto& [term, its] : sides) {
+    // Two nodes with the value of one literal are equal, which is more than that they differ from others.
+    if (ranges_.is_literal(term) && its.inside.size() > 1) return "values whose equality is not known";
+    for (const std::uint32_t one : its.inside) {
+      if (sets_[variables[one].known].least >= many_values) continue;
+      for (const std::uint32_t other : its.outside) {
+        if (sets_[variables[other].known].least >= many_values) continue;
+        if (++pairs > max_opaque_pairs) return "values that must differ are too many to try out";
+        // The ranges of both are the reason, and clash() has these already.
+        for (const auto& [from, to] : {std::pair{one, other}, std::pair{other, one}}) {
+          variables[from].differs.push_back(to);
+          variables[from].because.push_back(no_dependency);
+        }
+      }
+    }
+  }
+  return {};
+}
+
+std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySets& sets, std::string& unknown,
+                                               bool has_all_facts) {
+  std::vector<Variable> variables = variables_of(graph, sets);
+  const std::string unsaid = separate_opaque(variables, has_all_facts);
+  if (!unsaid.empty()) unknown = unsaid;
   std::vector<bool> is_seen(variables.size(), false);
   for (std::uint32_t start = 0; start < variables.size(); ++start) {
     if (is_seen[start]) continue;
@@ -155,8 +183,6 @@ std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySet
       return dependency;
     }
     if (!can_with_most) unknown = "values that must differ are too many to try out";
-    const Counted& first = sets_[variables[start].known];
-    if (group.size() == 1 && first.is_harmless) continue;
     if (can_with_most && can_differ(variables, group, false) != true) {
       for (const std::uint32_t at : group) {
         if (unknown.empty()) unknown = sets_[variables[at].known].set.reason;

@@ -22,6 +22,8 @@ inline constexpr std::size_t max_value_attempts = 100'000;
 
 /// As many values may rules make that no literal names.
 inline constexpr std::size_t max_made_values = 100'000;
+/// The most pairs of values that must differ because one is in an opaque set and the other is not.
+inline constexpr std::size_t max_opaque_pairs = 100'000;
 
 /// Knows the value spaces of one ClauseSet.
 class ValueCheck {
@@ -41,8 +43,10 @@ class ValueCheck {
   [[nodiscard]] std::optional<owl::TermId> only_value(const Graph& graph, DependencySets& sets, NodeId node,
                                                       DependencySet& dependency, bool& is_free);
   /// The facts because of which the values that are active cannot all exist; nothing where they can. `unknown` is set
-  /// to a reason where that could not be found out.
-  [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown);
+  /// to a reason where that could not be found out. Where the facts of individuals are not in the graph, they may say
+  /// of some of few values that they are in an opaque set, or not.
+  [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown,
+                                                   bool has_all_facts);
 
  private:
   /// A node that has ranges or must differ from others.
@@ -57,10 +61,12 @@ class ValueCheck {
     KnownSet set;
     std::uint64_t least = 0;
     std::uint64_t most = 0;
-    bool is_harmless = false;  ///< one datatype that is not known, which is taken to have values
   };
 
   [[nodiscard]] std::vector<Variable> variables_of(const Graph& graph, DependencySets& sets);
+  /// Lets the values in an opaque set differ from those outside of it. Returns why that is not all that opaque sets
+  /// say; empty: it is.
+  std::string separate_opaque(std::vector<Variable>& variables, bool has_all_facts) const;
   std::uint32_t known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal);
   /// Whether different values can be given; nothing after too many attempts.
   [[nodiscard]] std::optional<bool> can_differ(const std::vector<Variable>& variables,

@@ -66,7 +66,15 @@ void DataNormaliser::note_wanted_literal(owl::TermId id) {
 }
 
 void DataNormaliser::note_datatype(const owl::Term& term) {
-  if (const auto type = owl::Datatype::find(source_.name(term.name))) pending_.note(*type);
+  if (const auto type = owl::Datatype::find(source_.name(term.name))) {
+    pending_.note(*type);
+  } else {
+    pending_.note(OpaqueUse{term.name});
+  }
+}
+
+void DataNormaliser::note_wanted_datatype(const owl::Term& term) {
+  if (!owl::Datatype::find(source_.name(term.name))) wanted_opaque_.insert(term.name);
 }
 
 void DataNormaliser::relate() {
@@ -123,15 +131,22 @@ void DataNormaliser::exclude(ExprId one, ExprId other) {
   index_.add_told(both_of_them, bottom_expr);
 }
 
-// Three facts are beyond EL. An element of a finite datatype is one of its values; this matters if a value is asked
+// Four facts are beyond EL. An element of a finite datatype is one of its values; this matters if a value is asked
 // for. An element of two overlapping datatypes is in their intersection, which may be finite or a part of a third; the
 // datatypes of OWL 2 EL never overlap. A literal may have the value of an inexact one.
+// A value of few that is in a datatype of which nothing is known is in it wherever it stands, and has an atom in each
+// place; this matters if the datatype is asked for, too.
 void DataNormaliser::find_unused(UnusedAxioms& unused) const {
   const std::vector<owl::Datatype> used = find_used(pending_);
   std::array<std::size_t, owl::data_family_count> value_counts{};
   for (const auto& [value, expr] : values_) ++value_counts[static_cast<std::size_t>(value.family)];
+  const bool has_few = !values_.empty() ||
+                       std::ranges::any_of(datatypes_, [](const auto& datatype) { return datatype.first.is_finite(); });
   for (const PendingUse& use : pending_.all()) {
-    if (const auto* family = std::get_if<owl::DataFamily>(&use.what)) {
+    if (const auto* opaque = std::get_if<OpaqueUse>(&use.what)) {
+      if (has_few && wanted_opaque_.contains(opaque->datatype))
+        unused.emplace_back(use.axiom, owl::Construct::overlapping_datatypes);
+    } else if (const auto* family = std::get_if<owl::DataFamily>(&use.what)) {
       if (value_counts[static_cast<std::size_t>(*family)] > 1)
         unused.emplace_back(use.axiom, owl::Construct::inexact_literal);
     } else if (const auto* type = std::get_if<owl::Datatype>(&use.what)) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ class DataNormaliser {
   /// Notes that the current axiom says that values are in the datatype.
   void note_datatype(const owl::Term& term);
 
+  /// Notes that the current axiom asks for values in the datatype, or says that values are not in it.
+  void note_wanted_datatype(const owl::Term& term);
+
   /// Adds how literals and datatypes relate. To be called once, after the last literal and datatype.
   void relate();
   /// Adds the axioms of which literals or datatypes are not used in full.
@@ -58,6 +62,7 @@ class DataNormaliser {
   std::map<std::pair<owl::DataFamily, std::string>, ExprId> expr_of_value_;
   std::map<owl::TermId, Literal> literals_;  ///< literals of known datatypes
   std::array<bool, owl::data_family_count> is_wanted_{};
+  std::set<owl::NameId> wanted_opaque_;  ///< datatypes of which nothing is known
 };
 
 }  // namespace geminga::el

@@ -62,9 +62,11 @@ owl::Construct ExpressionNormaliser::make_left(owl::TermId id) {
   owl::Construct unused = owl::Construct::none;
   switch (term.kind) {
     case owl::TermKind::named_class:
-    case owl::TermKind::datatype:
     case owl::TermKind::individual:
     case owl::TermKind::anonymous_individual:
+      return owl::Construct::none;
+    case owl::TermKind::datatype:
+      data_.note_wanted_datatype(term);
       return owl::Construct::none;
     case owl::TermKind::literal:
       data_.note_wanted_literal(id);

@@ -39,10 +39,15 @@ struct UniversalUse {
   std::size_t universal = 0;
 };
 
+/// A datatype of which nothing is known, that values are said to be in.
+struct OpaqueUse {
+  owl::NameId datatype{};
+};
+
 struct PendingUse {
-  /// A datatype that values are said to be in, the family of a literal whose value is not exact, a property that must
-  /// be simple, or a universal.
-  using What = std::variant<owl::Datatype, owl::DataFamily, SimpleUse, UniversalUse>;
+  /// A datatype that values are said to be in, one of which nothing is known, the family of a literal whose value is
+  /// not exact, a property that must be simple, or a universal.
+  using What = std::variant<owl::Datatype, owl::DataFamily, SimpleUse, UniversalUse, OpaqueUse>;
 
   std::uint32_t axiom = 0;
   What what;

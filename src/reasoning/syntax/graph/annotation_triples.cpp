@@ -8,18 +8,6 @@ namespace geminga::graph {
 
 using owl::Annotation;
 
-Annotations::Annotations(std::span<const Annotation> all) : all_(all) {
-  for (std::uint32_t number = 0; number < all.size(); ++number) {
-    const Annotation& annotation = all[number];
-    if (annotation.of != Annotation::Of::name) about_[{annotation.of, annotation.number}].push_back(number);
-  }
-}
-
-std::span<const std::uint32_t> Annotations::about(Annotation::Of of, std::uint32_t number) const {
-  const auto found = about_.find({of, number});
-  return found == about_.end() ? std::span<const std::uint32_t>() : found->second;
-}
-
 Node AxiomTriples::reify(const Triple& triple, std::string_view type) {
   const Node made = fresh();
   const std::string owl(syntax::owl_namespace);
@@ -31,7 +19,7 @@ Node AxiomTriples::reify(const Triple& triple, std::string_view type) {
 }
 
 /// The readers bound how deep annotations nest.
-void AxiomTriples::annotate(const Node& holder, const Annotations& annotations, std::span<const std::uint32_t> own,
+void AxiomTriples::annotate(const Node& holder, const owl::Annotations& annotations, std::span<const std::uint32_t> own,
                             std::string_view type) {
   for (const std::uint32_t number : own) {
     const Annotation& annotation = annotations.at(number);
@@ -46,13 +34,13 @@ void AxiomTriples::annotate(const Node& holder, const Annotations& annotations, 
   }
 }
 
-void AxiomTriples::annotate(const Annotations& annotations, std::span<const std::uint32_t> own) {
+void AxiomTriples::annotate(const owl::Annotations& annotations, std::span<const std::uint32_t> own) {
   if (own.empty()) return;
   if (holder_) annotate(*holder_, annotations, own);
   for (const Triple& triple : std::exchange(said_, {})) annotate(reify(triple, "Axiom"), annotations, own);
 }
 
-void AxiomTriples::add(const Annotations& annotations, std::uint32_t number) {
+void AxiomTriples::add(const owl::Annotations& annotations, std::uint32_t number) {
   const Annotation& annotation = annotations.at(number);
   const std::uint32_t own[]{number};
   if (annotation.of == Annotation::Of::ontology)

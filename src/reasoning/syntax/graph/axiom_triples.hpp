@@ -4,7 +4,6 @@
 #define GEMINGA_REASONING_SYNTAX_GRAPH_AXIOM_TRIPLES_HPP
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,21 +18,6 @@
 
 namespace geminga::graph {
 
-/// The annotations of all files, and which of them are about which axiom or annotation.
-class Annotations {
- public:
-  explicit Annotations(std::span<const owl::Annotation> all);
-
-  [[nodiscard]] const owl::Annotation& at(std::uint32_t number) const { return all_[number]; }
-  [[nodiscard]] std::size_t size() const { return all_.size(); }
-  /// The numbers of the annotations of axioms and of annotations, ascending.
-  [[nodiscard]] std::span<const std::uint32_t> about(owl::Annotation::Of of, std::uint32_t number) const;
-
- private:
-  std::span<const owl::Annotation> all_;
-  std::map<std::pair<owl::Annotation::Of, std::uint32_t>, std::vector<std::uint32_t>> about_;
-};
-
 /// Writes the axioms of one source; the source must outlive it and may grow. Blank nodes of expressions are numbered.
 class AxiomTriples {
  public:
@@ -41,9 +25,9 @@ class AxiomTriples {
 
   void add(const owl::Axiom& axiom);
   /// Writes annotations of the axiom that was added last, with their own annotations. `own` are numbers in the list.
-  void annotate(const Annotations& annotations, std::span<const std::uint32_t> own);
+  void annotate(const owl::Annotations& annotations, std::span<const std::uint32_t> own);
   /// Writes an annotation of a name or of an ontology, with its own annotations.
-  void add(const Annotations& annotations, std::uint32_t number);
+  void add(const owl::Annotations& annotations, std::uint32_t number);
   /// The node of a file's ontology: its name, or a blank node.
   [[nodiscard]] Node ontology(owl::FileId file) const;
 
@@ -68,7 +52,7 @@ class AxiomTriples {
   Node fresh() { return blank("g" + std::to_string(++blanks_)); }
 
   // annotation_triples.cpp
-  void annotate(const Node& holder, const Annotations& annotations, std::span<const std::uint32_t> own,
+  void annotate(const Node& holder, const owl::Annotations& annotations, std::span<const std::uint32_t> own,
                 std::string_view type = "Annotation");
   Node reify(const Triple& triple, std::string_view type);
 

@@ -165,7 +165,9 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
 class Loading {
  public:
   Loading(const std::vector<std::string>& paths, const syntax::FileLimits& limits, OtherReader* other, unsigned threads)
-      : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {}
+      : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {
+    if (limits.is_lenient) loaded_.source.read_leniently();
+  }
 
   std::optional<syntax::LoadError> read(std::size_t number) {
     const std::string& path = paths_[number];
@@ -214,7 +216,7 @@ class Loading {
     loaded_.undeclared_predicates = undeclared_predicates(graph_);
     std::vector<owl::FileId> files;
     for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(owl::FileId{number});
-    map_to_axioms(graph_, loaded_.source, std::move(files));
+    map_to_axioms(graph_, loaded_.source, std::move(files), limits_.keeps_annotations ? &loaded_.annotations : nullptr);
     for (const Waiting& waiting : waiting_) {
       if (auto error = read_other(waiting.number, loaded_.syntaxes[waiting.number], waiting.bytes.view()))
         return std::unexpected(std::move(*error));

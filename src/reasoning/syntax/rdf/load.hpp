@@ -55,9 +55,10 @@ struct Loaded {
   std::vector<syntax::Syntax> syntaxes;  ///< of the source's files
   syntax::Listing listing;               ///< the files of the arguments
   std::uint64_t triples = 0;
-  std::vector<UnresolvedImport> unresolved;     ///< in the order of reading, each IRI once; in source's left-outs, too
-  std::vector<PrefixConflict> conflicts;        ///< sorted by prefix
-  std::vector<owl::Annotation> annotations;     ///< of files without triples, where their reader keeps them
+  std::vector<UnresolvedImport> unresolved;  ///< in the order of reading, each IRI once; in source's left-outs, too
+  std::vector<PrefixConflict> conflicts;     ///< sorted by prefix
+  /// Of files without triples where their reader keeps them, and of triples where the limits say so.
+  std::vector<owl::Annotation> annotations;
   std::vector<UsedName> unknown_words;          ///< of triples, in the order of reading (used_names.hpp)
   std::vector<UsedName> undeclared_predicates;  ///< likewise
 };

@@ -1,6 +1,7 @@
 #include "reasoning/dl/consequence/rules/range_conflicts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
@@ -99,9 +100,7 @@ using Kind = Understood::Kind;
 /// Whether pairs do not tell everything about the two, or one of them is not understood.
 [[nodiscard]] bool may_hide_more(const Understood& a, const Understood& b) {
   if (is_empty(a) || is_empty(b) || a.kind == Kind::everything || b.kind == Kind::everything) return false;
-  if (a.kind == Kind::unknown_datatype || b.kind == Kind::unknown_datatype) {
-    return a.is_complement || b.is_complement || a.kind == Kind::value || b.kind == Kind::value;
-  }
+  if (a.kind == Kind::unknown_datatype || b.kind == Kind::unknown_datatype) return false;  // mark_opaque()
   // Two complements always have values in common. With a third range, its pairs with them decide.
   if (a.is_complement && b.is_complement) return false;
   if (a.is_complement) return may_hide_more(b, a);
@@ -123,6 +122,29 @@ using Kind = Understood::Kind;
             .first->second;
   }
   return numbers;
+}
+
+/// Marks the datatypes of which nothing is known that single values may be in and may not be in.
+///
+/// A model chooses the values of such a datatype U. If it occurs without its complement, or only its complement occurs,
+/// it is chosen to hold all values or none. Otherwise a value in U must differ from each value outside of it. Let every
+/// value of a model have infinitely many others in the same ranges, of which finitely many tell it apart: then the
+/// values can be exchanged for others so that infinitely many are left over, inside of U and outside of it, for any
+/// other model beside it. So only values of which there are finitely many matter.
+void mark_opaque(const std::vector<Understood>& ranges, std::vector<bool>& is_unclear) {
+  const bool has_few = std::ranges::any_of(ranges, [](const Understood& range) {
+    return range.kind == Kind::value || (range.kind == Kind::datatype && range.datatype->is_finite());
+  });
+  if (!has_few) return;
+  std::map<owl::TermId, std::array<bool, 2>> has_sign;
+  for (const Understood& range : ranges) {
+    if (range.kind == Kind::unknown_datatype) has_sign[range.term][range.is_complement ? 1 : 0] = true;
+  }
+  for (std::size_t at = 0; at < ranges.size(); ++at) {
+    if (ranges[at].kind != Kind::unknown_datatype) continue;
+    const auto& signs = has_sign.at(ranges[at].term);
+    if (signs[0] && signs[1]) is_unclear[at] = true;
+  }
 }
 
 }  // namespace
@@ -203,6 +225,7 @@ ValueConflicts conflicts_of(const owl::Ontology& source, std::span<const clauses
       }
     }
   }
+  mark_opaque(understood, result.is_unclear);
   if (std::ranges::find(result.is_unclear, true) != result.is_unclear.end()) result.gaps.emplace_back(range_gap);
   return result;
 }

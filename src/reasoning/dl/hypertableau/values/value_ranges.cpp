@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/sorted.hpp"
+
 namespace geminga::hypertableau {
 namespace {
 
@@ -40,8 +42,6 @@ constexpr std::array integer_types = {
 /// The chain of texts, each with the first layer that is in it.
 constexpr std::array<std::string_view, 7> text_types = {"string", "normalizedString", "token",   "NMTOKEN",
                                                         "Name",   "NCName",           "language"};
-
-KnownSet exactly(const ValueSet& set) { return {set, set, {}}; }
 
 ValueSet layers(DataFamily family, std::uint8_t first, std::uint8_t end) {
   ValueSet result;
@@ -80,7 +80,47 @@ std::optional<ValueSet> built_in(std::string_view iri) {
   return layers(type->family(), 0, layer_count(type->family()));
 }
 
+/// Whether a set of values is known to be all of them, without regard to opaque sets.
+bool is_everything(const KnownSet& set) { return set.reason.empty() && set.most.complement().count() == 0; }
+
 }  // namespace
+
+void KnownSet::restrict_to(const KnownSet& other) {
+  least = least.intersection(other.least);
+  most = most.intersection(other.most);
+  if (reason.empty()) reason = other.reason;
+  opaque.insert(opaque.end(), other.opaque.begin(), other.opaque.end());
+  base::sort_unique(opaque);
+  const auto is_opposite = [](const OpaqueSet& a, const OpaqueSet& b) { return a.term == b.term; };
+  if (std::ranges::adjacent_find(opaque, is_opposite) != opaque.end()) *this = exactly(ValueSet::nothing());
+}
+
+void KnownSet::extend_by(const KnownSet& other) {
+  KnownSet part = other;
+  part.forget_opaque();
+  forget_opaque();
+  least = least.union_with(part.least);
+  most = most.union_with(part.most);
+  if (reason.empty()) reason = part.reason;
+}
+
+KnownSet KnownSet::complement() const {
+  if (opaque.size() == 1 && is_everything(*this)) {
+    KnownSet result = *this;
+    result.opaque.front().is_complement = !result.opaque.front().is_complement;
+    return result;
+  }
+  KnownSet whole = *this;
+  whole.forget_opaque();
+  return {whole.most.complement(), whole.least.complement(), whole.reason};
+}
+
+void KnownSet::forget_opaque() {
+  if (opaque.empty()) return;
+  least = ValueSet::nothing();
+  reason = "a datatype is not known";
+  opaque.clear();
+}
 
 ValueRanges::ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set) : source_(source), set_(set) {
   for (const clauses::DatatypeDefinition& one : set.datatype_definitions) {
@@ -98,20 +138,17 @@ const KnownSet& ValueRanges::known_set(clauses::DataRangeId range) {
   const auto [found, is_new] = known_.try_emplace(clauses::number(range));
   if (!is_new) return found->second;
   const clauses::DataRange& one = set_.data_ranges[clauses::number(range)];
-  KnownSet set = one.term == no_term ? exactly(ValueSet::everything()) : evaluate(one.term, 0);
-  if (one.is_complement) {
-    ValueSet least = set.most.complement();
-    set.most = set.least.complement();
-    set.least = std::move(least);
+  TermId term = one.term;
+  if (term != no_term && source_.kind(term) == TermKind::data_one_of && source_.term(term).arguments.size() == 1)
+    term = source_.term(term).arguments[0];
+  KnownSet set = KnownSet::exactly(ValueSet::everything());
+  if (term != no_term && is_literal(term)) {
+    set = set_of_literal(term, one.is_complement);
+  } else {
+    if (term != no_term) set = evaluate(term, 0);
+    if (one.is_complement) set = set.complement();
   }
   return known_.insert_or_assign(clauses::number(range), std::move(set)).first->second;
-}
-
-bool ValueRanges::is_unknown_datatype(clauses::DataRangeId range) const {
-  const clauses::DataRange& one = set_.data_ranges[clauses::number(range)];
-  if (one.is_complement || one.term == no_term || source_.kind(one.term) != TermKind::datatype) return false;
-  const std::string_view iri = source_.name_of(one.term);
-  return iri != rdfs_literal && !definitions_.contains(one.term) && !owl::Datatype::find(iri);
 }
 
 KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
@@ -125,32 +162,23 @@ KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
     case TermKind::datatype_restriction:
       set = restriction(term, depth);
       break;
-    case TermKind::data_complement_of: {
-      const KnownSet inner = evaluate(term.arguments[0], depth + 1);
-      set = {inner.most.complement(), inner.least.complement(), inner.reason};
+    case TermKind::data_complement_of:
+      set = evaluate(term.arguments[0], depth + 1).complement();
       break;
-    }
     case TermKind::data_intersection_of:
-    case TermKind::data_union_of: {
-      const bool is_union = term.kind == TermKind::data_union_of;
-      set = exactly(is_union ? ValueSet::nothing() : ValueSet::everything());
-      for (const TermId argument : term.arguments) {
-        const KnownSet part = evaluate(argument, depth + 1);
-        set.least = is_union ? set.least.union_with(part.least) : set.least.intersection(part.least);
-        set.most = is_union ? set.most.union_with(part.most) : set.most.intersection(part.most);
-        if (set.reason.empty()) set.reason = part.reason;
-      }
+      set = KnownSet::exactly(ValueSet::everything());
+      for (const TermId argument : term.arguments) set.restrict_to(evaluate(argument, depth + 1));
       break;
-    }
+    case TermKind::data_union_of:
+      set = KnownSet::exactly(ValueSet::nothing());
+      for (const TermId argument : term.arguments) set.extend_by(evaluate(argument, depth + 1));
+      break;
     case TermKind::data_one_of:
       set = enumeration(term);
       break;
-    case TermKind::literal: {
-      const std::optional<Value>& one = value(id);
-      set = one ? exactly(ValueSet::one(*one))
-                : KnownSet{ValueSet::nothing(), ValueSet::everything(), "literals of datatypes that are not known"};
+    case TermKind::literal:
+      set = set_of_literal(id);
       break;
-    }
     default:
       break;
   }
@@ -158,12 +186,29 @@ KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
   return set;
 }
 
+KnownSet ValueRanges::set_of_literal(TermId literal, bool is_complement) {
+  if (const auto& one = value(literal)) {
+    const ValueSet set = ValueSet::one(*one);
+    return KnownSet::exactly(is_complement ? set.complement() : set);
+  }
+  const ValueSet everything = ValueSet::everything();
+  // A literal of OWL 2's datatypes that has no value here is not worked out, e.g. XML.
+  const TermId type = source_.term(literal).arguments[0];
+  if (owl::Datatype::find(source_.name_of(type)) || definitions_.contains(type))
+    return {ValueSet::nothing(), everything, "literals whose values are not worked out"};
+  if (is_complement) return {everything, everything, {}, {{literal, true}}};
+  KnownSet set{everything, everything, {}, {{literal, false}, {type, false}}};
+  std::ranges::sort(set.opaque);
+  return set;
+}
+
 KnownSet ValueRanges::datatype(TermId id, unsigned depth) {
   const std::string_view iri = source_.name_of(id);
-  if (iri == rdfs_literal) return exactly(ValueSet::everything());
-  if (const auto set = built_in(iri)) return exactly(*set);
+  if (iri == rdfs_literal) return KnownSet::exactly(ValueSet::everything());
+  if (const auto set = built_in(iri)) return KnownSet::exactly(*set);
   const auto definition = definitions_.find(id);
-  if (definition != definitions_.end() && depth < max_depth) return evaluate(definition->second, depth + 1);
+  if (definition == definitions_.end()) return {ValueSet::everything(), ValueSet::everything(), {}, {{id, false}}};
+  if (depth < max_depth) return evaluate(definition->second, depth + 1);
   return {ValueSet::nothing(), ValueSet::everything(), "the datatype <" + std::string(iri) + "> is not known"};
 }
 
@@ -178,12 +223,15 @@ KnownSet ValueRanges::enumeration(const owl::Term& term) {
   }
   const bool is_known = values.size() == term.arguments.size();
   ValueSet listed = ValueSet::enumerated(values);
-  if (is_known) return exactly(std::move(listed));
+  if (is_known) return KnownSet::exactly(listed);
   return {std::move(listed), ValueSet::everything(), "literals of datatypes that are not known"};
 }
 
 KnownSet ValueRanges::restriction(const owl::Term& term, unsigned depth) {
   KnownSet set = evaluate(term.arguments[0], depth + 1);
+  // The values that a facet leaves of a datatype of which nothing is known are some of its values.
+  if (!set.opaque.empty())
+    return {ValueSet::nothing(), set.most, "a facet of a datatype that is not known", set.opaque};
   if (term.arguments.size() - 1 > max_facets) {
     set.least = ValueSet::nothing();
     set.reason = "a restriction has more than " + std::to_string(max_facets) + " facets";

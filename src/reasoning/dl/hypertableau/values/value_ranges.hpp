@@ -1,4 +1,9 @@
-// The values of data ranges: datatypes, facets, enumerations, and defined datatypes.
+// The values of data ranges: datatypes, facets, enumerations, defined datatypes, and datatypes of which nothing is
+// known.
+//
+// A datatype that is neither of OWL 2 nor defined is a name for some set of values, and a literal of it is a name for
+// some value in that set. An ontology entails what holds for every such set, so a model may choose the set, too: it is
+// a predicate over values. Its values are told from those outside of it by nothing but inequality.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_VALUES_VALUE_RANGES_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_VALUES_VALUE_RANGES_HPP
 
@@ -6,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
 #include "reasoning/dl/hypertableau/values/value_set.hpp"
@@ -16,25 +22,47 @@ namespace geminga::hypertableau {
 inline constexpr std::size_t max_enumerated_values = 20'000;
 inline constexpr std::size_t max_facets = 1000;
 
-/// A set of which two bounds are known: it has all values of `least` and no value outside of `most`.
+/// A set of values that a model may choose: those of a datatype of which nothing is known, or the value of a literal of
+/// such a datatype; or all other values.
+struct OpaqueSet {
+  owl::TermId term{};
+  bool is_complement = false;
+  friend auto operator<=>(const OpaqueSet&, const OpaqueSet&) = default;
+};
+
+/// A set of which two bounds are known: it has all values of `least` and no value outside of `most`, as far as they are
+/// in each of the opaque sets.
 struct KnownSet {
   ValueSet least;
   ValueSet most;
   /// Why they differ; empty: they do not.
   std::string reason;
+  std::vector<OpaqueSet> opaque = {};  ///< ascending
+
+  [[nodiscard]] static KnownSet exactly(const ValueSet& set) { return {set, set, {}}; }
+  /// Makes it the intersection with another set.
+  void restrict_to(const KnownSet& other);
+  /// Makes it the union with another set.
+  void extend_by(const KnownSet& other);
+  [[nodiscard]] KnownSet complement() const;
+
+ private:
+  /// The bounds without the opaque sets.
+  void forget_opaque();
 };
 
 /// The sets of the data ranges of one source. A facet that is not worked out (a pattern, a language range) leaves the
-/// set between nothing and the set that it restricts; so does a datatype that is not in the OWL 2 datatype map.
+/// set between nothing and the set that it restricts.
 class ValueRanges {
  public:
   ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set);
 
   [[nodiscard]] const KnownSet& known_set(clauses::DataRangeId range);
-  /// Whether it is a datatype that is neither of OWL 2 nor defined. It is taken to have values.
-  [[nodiscard]] bool is_unknown_datatype(clauses::DataRangeId range) const;
   /// Gives a value to a literal that is in no source.
   void set_value(owl::TermId literal, const Value& value) { literals_.insert_or_assign(literal, value); }
+  /// The set of the value of a literal, or of all other values.
+  [[nodiscard]] KnownSet set_of_literal(owl::TermId literal, bool is_complement = false);
+  [[nodiscard]] bool is_literal(owl::TermId term) const { return source_.kind(term) == owl::TermKind::literal; }
   /// Of a literal; its value is kept.
   [[nodiscard]] const std::optional<Value>& value(owl::TermId literal);
 

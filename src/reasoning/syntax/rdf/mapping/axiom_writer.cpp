@@ -30,7 +30,18 @@ void AxiomWriter::add(std::uint32_t triple, owl::AxiomKind kind, std::initialize
 }
 
 void AxiomWriter::add(std::uint32_t triple, owl::AxiomKind kind, const std::vector<owl::TermId>& arguments) {
+  const auto axioms = static_cast<std::uint32_t>(ontology_.axiom_count());
+  const auto ill_typed = static_cast<std::uint32_t>(ontology_.ill_typed_count());
   ontology_.add(kind, arguments, file_of(triple), graph_.triple(triple).line);
+  if (place_of_.empty()) return;
+  if (ontology_.axiom_count() > axioms) place_of_[triple] = axioms;
+  if (ontology_.ill_typed_count() > ill_typed) place_of_[triple] = ill_typed | ill_typed_place;
+}
+
+std::optional<AxiomWriter::Place> AxiomWriter::axiom_of(std::uint32_t triple) const {
+  const std::uint32_t place = place_of_.empty() ? no_place : place_of_[triple];
+  if (place == no_place) return std::nullopt;
+  return Place{place & ~ill_typed_place, (place & ill_typed_place) != 0};
 }
 
 void AxiomWriter::declare(std::uint32_t triple, owl::TermKind kind) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,14 +30,27 @@ class AxiomWriter {
   void declare(std::uint32_t triple, owl::TermKind kind);
   void leave_out(std::uint32_t triple, std::string_view construct);
 
- private:
+  /// An axiom of the ontology, or one that it left out because of an ill-typed literal.
+  struct Place {
+    std::uint32_t number = 0;
+    bool is_ill_typed = false;
+  };
+  /// From here on axiom_of() answers.
+  void remember_places() { place_of_.assign(graph_.triple_count(), no_place); }
+  /// The last axiom that a triple became; nothing if it became none.
+  [[nodiscard]] std::optional<Place> axiom_of(std::uint32_t triple) const;
   [[nodiscard]] owl::FileId file_of(std::uint32_t triple) const { return files_[graph_.file_of(triple)]; }
+
+ private:
+  static constexpr std::uint32_t no_place = 0xffffffff;
+  static constexpr std::uint32_t ill_typed_place = 0x80000000;  ///< added to the number
 
   const Graph& graph_;
   owl::Ontology& ontology_;
   std::vector<owl::FileId> files_;
   std::vector<bool> declared_;                     ///< by node and kind of entity
   std::set<std::string, std::less<>> constructs_;  ///< the names of what was left out
+  std::vector<std::uint32_t> place_of_;            ///< by triple; empty: not remembered
 };
 
 }  // namespace geminga::rdf

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reasoning/owl/unit.hpp"
+#include "reasoning/syntax/rdf/mapping/annotation_mapper.hpp"
 #include "reasoning/syntax/rdf/mapping/axiom_mapper.hpp"
 #include "reasoning/syntax/rdf/mapping/rule_mapper.hpp"
 
@@ -144,7 +145,8 @@ void leave_out_unused(TripleReader& triples, const NodeTypes& types, DataRangeMa
 
 }  // namespace
 
-void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files) {
+void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files,
+                   std::vector<owl::Annotation>* annotations) {
   add_conversions(graph, files, ontology);
   add_unit_statements(graph, files, ontology);
   TripleReader triples(graph);
@@ -152,12 +154,14 @@ void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl:
   DataRangeMapper ranges(triples, ontology);
   ExpressionMapper expressions(triples, types, ranges, ontology);
   AxiomWriter axioms(graph, ontology, std::move(files));
+  if (annotations != nullptr) axioms.remember_places();
   RuleMapper(triples, types, ranges, expressions, axioms, ontology).map_all();
   AxiomMapper mapper(triples, types, ranges, expressions, axioms);
   for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
     if (!triples.is_used(number)) mapper.map(number);
   }
   add_labels(types, expressions, graph, ontology);
+  if (annotations != nullptr) AnnotationMapper(graph, types, expressions, axioms, ontology).run(*annotations);
   leave_out_unused(triples, types, ranges, expressions, axioms);
 }
 

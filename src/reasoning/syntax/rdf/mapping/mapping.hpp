@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "reasoning/owl/annotation.hpp"
 #include "reasoning/owl/source.hpp"
 #include "reasoning/syntax/rdf/triples/graph.hpp"
 
@@ -13,7 +14,9 @@ namespace geminga::rdf {
 /// Adds the axioms of an indexed graph to an ontology. What cannot be mapped is left out by name; nothing is refused.
 /// All files are read before anything is mapped, so that the order of triples means nothing. `files` are the
 /// ontology's numbers of the graph's files.
-void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files);
+/// Annotations are appended where `annotations` is not null.
+void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl::FileId> files,
+                   std::vector<owl::Annotation>* annotations = nullptr);
 
 }  // namespace geminga::rdf
 

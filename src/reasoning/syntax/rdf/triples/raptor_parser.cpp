@@ -157,7 +157,7 @@ struct RaptorParser::World {
       return fail("is beyond " + std::to_string(limits.triples) + " triples in all files");
     const std::size_t number = place++;
     const NodeId predicate = node(statement->predicate);
-    if (is_comment(predicate)) return;
+    if (!limits.keeps_annotations && is_comment(predicate)) return;
     const Triple triple{node(statement->subject), predicate, node(statement->object),
                         number < file->layout.lines.size() ? file->layout.lines[number] : line()};
     if (!error) graph->add(triple);

@@ -1,0 +1,65 @@
+// convert and infer in OWL's own syntaxes, run as a user runs them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Robots that are defined by their tasks, and an individual that is one by its task.
+constexpr std::string_view team =
+    "<http://e/> a owl:Ontology ; rdfs:comment \"the team\" . "
+    ":Thing a owl:Class . :Robot a owl:Class ; rdfs:subClassOf :Thing . :sees a owl:ObjectProperty ; rdfs:domain "
+    ":Robot . "
+    ":observes a owl:ObjectProperty ; rdfs:subPropertyOf :sees . :Goalie a owl:Class ; owl:equivalentClass "
+    "[ owl:intersectionOf ( :Robot [ a owl:Restriction ; owl:onProperty :observes ; owl:someValuesFrom :Thing ] ) ] . "
+    ":Keeper a owl:Class ; owl:equivalentClass :Goalie . :Ball a owl:Class ; rdfs:subClassOf :Thing . "
+    ":ball a :Ball . :bob :observes :ball . :observes rdfs:comment \"a comment\" .";
+
+std::string closure_of(const Program& program, const std::string& file) {
+  const Outcome outcome = program.run({"classify", "--closure", file});
+  return outcome.status == 0 ? outcome.out : outcome.err;
+}
+
+TEST(Convert, WritesTheSyntaxesOfOwlWithAllThatTriplesSay) {
+  const Program program;
+  program.turtle("team.ttl", std::string(team) +
+                                 " [] a owl:Axiom ; owl:annotatedSource :Goalie ; owl:annotatedProperty "
+                                 "owl:equivalentClass ; owl:annotatedTarget :Nowhere ; rdfs:comment \"lost\" . "
+                                 "[] a owl:Axiom ; owl:annotatedSource :Ball ; owl:annotatedProperty rdfs:subClassOf ; "
+                                 "owl:annotatedTarget :Thing ; rdfs:comment \"of an axiom\" .");
+  for (const std::string out : {"out.ofn", "out.omn", "out.owx"}) {
+    const Outcome outcome = program.run({"convert", "team.ttl", "-o", out});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(closure_of(program, out), closure_of(program, "team.ttl")) << out << program.read(out);
+    EXPECT_THAT(program.read(out), HasSubstr("a comment")) << out;
+    EXPECT_THAT(program.read(out), HasSubstr("of an axiom")) << out;
+    EXPECT_THAT(program.read(out), HasSubstr("the team")) << out;
+    EXPECT_EQ(program.run({"convert", out, "-o", "again.ttl"}).status, 0);
+    EXPECT_THAT(program.read("again.ttl"), HasSubstr("of an axiom")) << out;
+    EXPECT_EQ(closure_of(program, "again.ttl"), closure_of(program, "team.ttl")) << out;
+  }
+  EXPECT_THAT(program.read("out.ofn"),
+              HasSubstr("SubClassOf(Annotation(rdfs:comment \"of an axiom\") e:Ball e:Thing)"));
+  EXPECT_THAT(program.run({"convert", "team.ttl", "-o", "-", "--to", "manchester"}).out, HasSubstr("Class: e:Robot\n"));
+  EXPECT_THAT(program.run({"convert", "team.ttl", "-o", "x.txt"}).err, HasSubstr("functional, manchester or owlxml"));
+}
+
+TEST(Infer, WritesTheSyntaxesOfOwl) {
+  const Program program;
+  program.turtle("team.ttl", team);
+  EXPECT_EQ(program.run({"infer", "team.ttl", "--only-inferred", "-o", "new.ofn"}).status, 0);
+  EXPECT_THAT(program.read("new.ofn"), HasSubstr("\nClassAssertion(e:Goalie e:bob)\n"));
+  EXPECT_THAT(program.read("new.ofn"), Not(HasSubstr("SubClassOf(e:Robot e:Thing)")));
+  EXPECT_EQ(program.run({"infer", "team.ttl", "-o", "all.omn"}).status, 0);
+  EXPECT_THAT(program.read("all.omn"), HasSubstr("a comment"));
+  EXPECT_THAT(program.read("all.omn"), Not(HasSubstr("urn:geminga:only:")));
+  EXPECT_EQ(closure_of(program, "all.omn"), closure_of(program, "team.ttl"));
+}
+
+}  // namespace
+}  // namespace geminga::ontology
