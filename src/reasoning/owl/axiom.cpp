@@ -41,6 +41,15 @@ constexpr std::array<std::string_view, term_kind_count> term_words = {
     "DataOneOf",
     "DatatypeRestriction",
     "Facet",
+    "Variable",
+    "ClassAtom",
+    "DataRangeAtom",
+    "ObjectPropertyAtom",
+    "DataPropertyAtom",
+    "SameIndividualAtom",
+    "DifferentIndividualsAtom",
+    "BuiltInAtom",
+    "Atoms",
 };
 
 constexpr std::array<std::string_view, axiom_kind_count> axiom_words = {
@@ -77,6 +86,7 @@ constexpr std::array<std::string_view, axiom_kind_count> axiom_words = {
     "NegativeObjectPropertyAssertion",
     "DataPropertyAssertion",
     "NegativeDataPropertyAssertion",
+    "DLSafeRule",
 };
 
 }  // namespace

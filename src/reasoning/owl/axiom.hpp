@@ -11,7 +11,7 @@
 //   source.add(AxiomKind::sub_class_of, {ball, seen}, file, 17);
 //   source.add_label("https://geminga.example/soccer#BallInfo", "ball", "en");
 //   source.add_prefix("soccer", "https://geminga.example/soccer#");
-//   source.leave_out("swrl:Imp", file, 30);                       // what no axiom kind can express
+//   source.leave_out("owl:onProperties", file, 30);               // what no axiom kind can express
 //   if (auto problem = source.problem()) ...                      // a limit was exceeded: refuse the ontology
 //   auto classification = classify(source, {});               // reasoning/el/classify.hpp
 //   std::vector<std::byte> bytes = compile(source, *classification);   // reasoning/compiled/compile.hpp
@@ -77,8 +77,18 @@ enum class TermKind : std::uint8_t {
   data_one_of = 31,           ///< literals
   datatype_restriction = 32,  ///< datatype, then facets
   facet = 33,                 ///< the name is the facet's IRI; a literal
+  // Rules (SWRL). An object of an atom is an individual or a variable, and a value is a literal or a variable.
+  variable = 34,                    ///< a name, no arguments
+  class_atom = 35,                  ///< class expression, object
+  data_range_atom = 36,             ///< data range, value
+  object_property_atom = 37,        ///< object property expression, object, object
+  data_property_atom = 38,          ///< data property, object, value
+  same_individual_atom = 39,        ///< object, object
+  different_individuals_atom = 40,  ///< object, object
+  built_in_atom = 41,               ///< the name is the built-in's IRI; values
+  atom_list = 42,                   ///< atoms, all of which hold
 };
-inline constexpr std::uint8_t term_kind_count = 34;
+inline constexpr std::uint8_t term_kind_count = 43;
 
 /// The kind of an axiom. Comments give the arguments. The numbers are part of the compiled form: only ever appended.
 enum class AxiomKind : std::uint8_t {
@@ -115,8 +125,9 @@ enum class AxiomKind : std::uint8_t {
   negative_object_property_assertion = 30,  ///< the same
   data_property_assertion = 31,             ///< property, individual, literal
   negative_data_property_assertion = 32,    ///< the same
+  dl_safe_rule = 33,                        ///< an atom list as its body, another as its head
 };
-inline constexpr std::uint8_t axiom_kind_count = 33;
+inline constexpr std::uint8_t axiom_kind_count = 34;
 
 /// The word of the functional-style syntax: "ObjectSomeValuesFrom", "SubClassOf".
 [[nodiscard]] std::string_view to_string(TermKind kind);

@@ -56,6 +56,9 @@ std::size_t set_begin(TermKind kind, std::size_t count) {
     case TermKind::data_intersection_of:
     case TermKind::data_union_of:
     case TermKind::data_one_of:
+    case TermKind::same_individual_atom:
+    case TermKind::different_individuals_atom:
+    case TermKind::atom_list:
       return 0;
     case TermKind::datatype_restriction:
       return 1;

@@ -6,7 +6,7 @@
 namespace geminga::owl {
 
 std::string_view to_string(Construct construct) {
-  static constexpr std::array<std::string_view, 30> words = {
+  static constexpr std::array<std::string_view, 31> words = {
       "",
       "owl:unionOf",
       "owl:complementOf",
@@ -37,6 +37,7 @@ std::string_view to_string(Construct construct) {
       "owl:InverseFunctionalProperty of a property that is not simple",
       "owl:IrreflexiveProperty of a property that is not simple",
       "owl:hasSelf of a property that is not simple",
+      "swrl:Imp",
   };
   return words[static_cast<std::size_t>(construct)];
 }

@@ -39,6 +39,7 @@ enum class Construct : std::uint8_t {
   inverse_functional_not_simple,
   irreflexive_not_simple,
   self_not_simple,
+  rule,
 };
 
 [[nodiscard]] std::string_view to_string(Construct construct);

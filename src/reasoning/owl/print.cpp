@@ -22,6 +22,23 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> facets{{
     {"http://www.w3.org/1999/02/22-rdf-syntax-ns#langRange", "langRange"},
 }};
 
+constexpr std::string_view swrl_built_ins = "http://www.w3.org/2003/11/swrlb#";
+/// The signs of built-ins that compare two values.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> comparisons{{
+    {"equal", "="},
+    {"notEqual", "!="},
+    {"lessThan", "<"},
+    {"lessThanOrEqual", "<="},
+    {"greaterThan", ">"},
+    {"greaterThanOrEqual", ">="},
+}};
+
+/// "?x" for "urn:swrl:var#x".
+std::string variable_name(std::string_view iri) {
+  const std::size_t end = iri.find_last_of("#/:?");
+  return "?" + std::string(end == std::string_view::npos ? iri : iri.substr(end + 1));
+}
+
 std::string quoted_on_one_line(std::string_view written) {
   constexpr std::string_view controls = "\n\r\t";
   constexpr std::string_view control_letters = "nrt";
@@ -55,6 +72,9 @@ class Printer {
   std::string cardinality(const Term& term, std::string_view word);
   std::string facet(const Term& term);
   std::string listed(const Axiom& axiom, std::string_view pair_word);
+  std::string atom(const Term& atom);
+  std::string applied(std::string predicate, std::span<const TermId> arguments);
+  std::string rule_argument(TermId id);
 
   const Ontology& source_;
   const ShortName& short_name_;
@@ -172,8 +192,62 @@ std::string Printer::term(TermId id) {
       return nested(arguments[0]) + "[" + joined(arguments.subspan(1), ", ") + "]";
     case TermKind::facet:
       return facet(term);
+    case TermKind::variable:
+      return variable_name(source_.name(term.name));
+    case TermKind::atom_list: {
+      std::string text;
+      for (const TermId atom : arguments) {
+        if (!text.empty()) text += ", ";
+        text += this->term(atom);
+        if (is_cut()) break;
+      }
+      return text;
+    }
+    default:
+      return atom(term);
   }
-  return {};
+}
+
+std::string Printer::rule_argument(TermId id) {
+  const Term value = source_.term(id);
+  const bool is_number = value.kind == TermKind::literal && value.arguments.size() == 1 &&
+                         source_.name_of(value.arguments[0]) == "http://www.w3.org/2001/XMLSchema#integer" &&
+                         source_.is_well_typed(id);
+  return is_number ? std::string(source_.name(value.name)) : term(id);
+}
+
+std::string Printer::applied(std::string predicate, std::span<const TermId> arguments) {
+  predicate += '(';
+  for (std::size_t at = 0; at < arguments.size() && !is_cut(); ++at) {
+    if (at > 0) predicate += ", ";
+    predicate += rule_argument(arguments[at]);
+  }
+  return predicate += ')';
+}
+
+std::string Printer::atom(const Term& atom) {
+  const auto arguments = atom.arguments;
+  const auto between = [&](std::string_view word) {
+    std::string text = rule_argument(arguments[0]).append(" ").append(word).append(" ");
+    return text += rule_argument(arguments[1]);
+  };
+  switch (atom.kind) {
+    case TermKind::same_individual_atom:
+      return between("=");
+    case TermKind::different_individuals_atom:
+      return between("!=");
+    case TermKind::built_in_atom: {
+      const std::string_view iri = source_.name(atom.name);
+      const bool is_of_swrl = iri.starts_with(swrl_built_ins);
+      const std::string_view word = is_of_swrl ? iri.substr(swrl_built_ins.size()) : std::string_view();
+      const auto* const found =
+          std::ranges::find(comparisons, word, &std::pair<std::string_view, std::string_view>::first);
+      if (found != comparisons.end() && arguments.size() == 2) return between(found->second);
+      return applied(is_of_swrl ? "swrlb:" + std::string(word) : short_name_(iri), arguments);
+    }
+    default:
+      return applied(nested(arguments[0]), arguments.subspan(1));
+  }
 }
 
 std::string Printer::listed(const Axiom& axiom, std::string_view pair_word) {
@@ -222,6 +296,11 @@ std::string Printer::axiom(const Axiom& axiom) {
       return listed(axiom, "SameAs");
     case AxiomKind::different_individuals:
       return listed(axiom, "DifferentFrom");
+    case AxiomKind::dl_safe_rule: {
+      std::string text = term(arguments[0]);
+      text += text.empty() ? "-> " : " -> ";
+      return text += term(arguments[1]);
+    }
     case AxiomKind::class_assertion:
       return term(arguments[1]) + " Type " + term(arguments[0]);
     case AxiomKind::object_property_assertion:

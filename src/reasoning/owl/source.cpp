@@ -177,6 +177,10 @@ TermId Ontology::facet(std::string_view facet_iri, TermId value) {
   return intern_term(TermKind::facet, intern(facet_iri, limits_.name_bytes), 0, std::span(&value, 1));
 }
 
+TermId Ontology::built_in(std::string_view iri, std::span<const TermId> arguments) {
+  return intern_term(TermKind::built_in_atom, intern(iri, limits_.name_bytes), 0, arguments);
+}
+
 TermId Ontology::copy(TermKind kind, std::string_view name, std::uint32_t number, std::span<const TermId> arguments) {
   return intern_term(kind, intern(name, limits_.literal_bytes), number, arguments);
 }

@@ -117,6 +117,8 @@ class Ontology {
   /// rdf:langString if there is a language.
   TermId literal(std::string_view lexical, std::string_view datatype_iri, std::string_view language = {});
   TermId facet(std::string_view facet_iri, TermId value);
+  /// An atom of a rule whose built-in has this IRI. `arguments` are literals and variables.
+  TermId built_in(std::string_view iri, std::span<const TermId> arguments);
   /// A term of any kind, with the parts that another source or a compiled ontology has for it.
   TermId copy(TermKind kind, std::string_view name, std::uint32_t number, std::span<const TermId> arguments);
   /// Copies a term of another source, with everything in it.
@@ -145,7 +147,7 @@ class Ontology {
   void add_unit_statement(std::string_view subject_iri, UnitWord word, std::string_view value, FileId file,
                           std::uint32_t line);
   void add_prefix(std::string_view prefix, std::string_view iri);
-  /// Notes something that was read and that no axiom can express. `construct` is a short name like "swrl:Imp".
+  /// Notes something that was read and that no axiom can express. `construct` is a short name like "owl:onProperties".
   void leave_out(std::string_view construct, FileId file, std::uint32_t line, std::uint32_t count = 1);
   /// Notes something that is not as OWL 2 has it and costs no axiom: a bound that is read as a number of its datatype.
   void remark(std::string_view text, FileId file, std::uint32_t line, std::uint32_t count = 1);

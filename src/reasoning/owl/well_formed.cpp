@@ -28,6 +28,10 @@ class Shape {
 
 constexpr auto is = [](TermKind wanted) { return [wanted](TermKind kind) { return kind == wanted; }; };
 
+/// The terms that an atom of a rule may be about.
+bool is_object(TermKind kind) { return is_individual(kind) || kind == TermKind::variable; }
+bool is_value(TermKind kind) { return kind == TermKind::literal || kind == TermKind::variable; }
+
 }  // namespace
 
 bool is_class_expression(TermKind kind) {
@@ -104,6 +108,24 @@ bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
       return shape.has_at_least(2) && shape.at(0, is(TermKind::datatype)) && shape.all(is(TermKind::facet), 1);
     case TermKind::facet:
       return shape.has(1) && shape.at(0, is(TermKind::literal));
+    case TermKind::variable:
+      return shape.has(0);
+    case TermKind::class_atom:
+      return shape.has(2) && shape.at(0, is_class_expression) && shape.at(1, is_object);
+    case TermKind::data_range_atom:
+      return shape.has(2) && shape.at(0, is_data_range) && shape.at(1, is_value);
+    case TermKind::object_property_atom:
+      return shape.has(3) && shape.at(0, is_object_property_expression) && shape.all(is_object, 1);
+    case TermKind::data_property_atom:
+      return shape.has(3) && shape.at(0, is(TermKind::data_property)) && shape.at(1, is_object) &&
+             shape.at(2, is_value);
+    case TermKind::same_individual_atom:
+    case TermKind::different_individuals_atom:
+      return shape.has(2) && shape.all(is_object);
+    case TermKind::built_in_atom:
+      return shape.all(is_value);
+    case TermKind::atom_list:
+      return shape.all([](TermKind atom) { return atom >= TermKind::class_atom && atom <= TermKind::built_in_atom; });
   }
   return false;
 }
@@ -170,6 +192,8 @@ bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
     case AxiomKind::negative_data_property_assertion:
       return shape.has(3) && shape.at(0, is(TermKind::data_property)) && shape.at(1, is_individual) &&
              shape.at(2, is(TermKind::literal));
+    case AxiomKind::dl_safe_rule:
+      return shape.has(2) && shape.all(is(TermKind::atom_list));
   }
   return false;
 }

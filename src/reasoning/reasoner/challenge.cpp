@@ -26,7 +26,10 @@ Challenger::Challenger(Excerpt& excerpt) : excerpt_(excerpt), any_value_(excerpt
 
 Refutation Challenger::refute(AxiomKind kind, const Terms& terms) {
   Refutation result;
-  if (kind >= AxiomKind::same_individual) {
+  if (kind == AxiomKind::dl_safe_rule) {
+    // Its body would have to hold of individuals that nothing else is known of.
+    result.undecided = "rules follow only where they are stated";
+  } else if (kind >= AxiomKind::same_individual) {
     refute_fact(result, kind, terms);
   } else if (kind >= AxiomKind::sub_data_property_of) {
     refute_data_property_axiom(result, kind, terms);
@@ -280,6 +283,11 @@ void Challenger::identify_by_key(Refutation& into, const Terms& terms) {
   pair.statements = {{AxiomKind::class_assertion, {terms[0], one}},
                      {AxiomKind::class_assertion, {terms[0], other}},
                      {AxiomKind::different_individuals, {one, other}}};
+  // A rule holds for named individuals only, and whether it holds for others is not asked.
+  for (std::size_t axiom = 0; axiom < source.axiom_count(); ++axiom) {
+    if (source.axiom(axiom).kind == AxiomKind::dl_safe_rule) into.undecided = "keys are not refuted beside rules";
+  }
+  if (!into.undecided.empty()) return;
   Terms data;
   for (const TermId property : std::span(terms).subspan(1)) {
     if (source.kind(property) == TermKind::data_property) {

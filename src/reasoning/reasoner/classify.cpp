@@ -83,7 +83,9 @@ class Deepening {
       }
     }
     if (is_open && !is_finished()) search(*clauses, {});
-    note_unused(clauses->unused);
+    std::vector<clauses::Unused> unused = clauses->unused;
+    unused.insert(unused.end(), clauses->open_rules.begin(), clauses->open_rules.end());
+    note_unused(unused);
   }
 
  private:

@@ -11,6 +11,7 @@ namespace {
 #define RDF(name) "http://www.w3.org/1999/02/22-rdf-syntax-ns#" name
 #define RDFS(name) "http://www.w3.org/2000/01/rdf-schema#" name
 #define OWL(name) "http://www.w3.org/2002/07/owl#" name
+#define SWRL(name) "http://www.w3.org/2003/11/swrl#" name
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(Word::count)> words{
     "",
@@ -115,8 +116,27 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Word::count)> wo
     OWL("backwardCompatibleWith"),
     OWL("incompatibleWith"),
     OWL("deprecated"),
+    SWRL("Imp"),
+    SWRL("body"),
+    SWRL("head"),
+    SWRL("Variable"),
+    SWRL("ClassAtom"),
+    SWRL("DataRangeAtom"),
+    SWRL("IndividualPropertyAtom"),
+    SWRL("DatavaluedPropertyAtom"),
+    SWRL("SameIndividualAtom"),
+    SWRL("DifferentIndividualsAtom"),
+    SWRL("BuiltinAtom"),
+    SWRL("classPredicate"),
+    SWRL("dataRange"),
+    SWRL("propertyPredicate"),
+    SWRL("argument1"),
+    SWRL("argument2"),
+    SWRL("builtin"),
+    SWRL("arguments"),
 };
 
+#undef SWRL
 #undef RDF
 #undef RDFS
 #undef OWL

@@ -191,12 +191,10 @@ TEST(Convert, KeepsABlankNodeOneNodeWhateverItsLabelIs) {
 
 TEST(Convert, NamesWhatItCannotWrite) {
   const Program program;
-  program.write("a.ofn",
-                "Prefix(:=<http://e/>)\nOntology(SubClassOf(:A :B)\nDLSafeRule(Body(ClassAtom(:A Variable(:x))) "
-                "Head(ClassAtom(:B Variable(:x)))))\n");
+  program.write("a.ofn", "Prefix(:=<http://e/>)\nOntology(SubClassOf(:A :B)\nDGRule(Body() Head()))\n");
   const Outcome outcome = program.run({"convert", "a.ofn", "-o", "-"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("a.ofn:3: swrl:Imp is not written"));
+  EXPECT_THAT(outcome.err, HasSubstr("a.ofn:3: DGRule is not written"));
 }
 
 TEST(Convert, KeepsTheAnnotationsOfNamesAndOfTheOntology) {

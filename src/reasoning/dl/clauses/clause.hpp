@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reasoning/dl/clauses/rule.hpp"
+#include "reasoning/owl/automaton.hpp"
 #include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/role.hpp"
 
@@ -176,13 +178,16 @@ struct ClauseSet {
   std::vector<AtMost> at_mosts;
   std::vector<DataAtMost> data_at_mosts;
   std::vector<Key> keys;
-  std::vector<Clause> clauses;  ///< sorted, without doubles
+  std::vector<Rule> rules;            ///< none where no individual is named
+  std::vector<owl::Automaton> paths;  ///< of the properties in rules that are not simple, in canonical roles
+  std::vector<Clause> clauses;        ///< sorted, without doubles
   std::vector<ConceptFact> concept_facts;
   std::vector<RoleFact> role_facts;
   std::vector<DataFact> data_facts;
   std::vector<Equality> equalities;
   std::vector<ConceptId> queries;      ///< of each expression asked for: a concept whose instances are in it
   std::vector<ConceptId> complements;  ///< of each expression whose complement is asked for: one whose are not in it
+  std::vector<Unused> open_rules;      ///< rules of which something is not known; a model that keeps them all is one
   std::vector<Unused> unused;          ///< ascending by axiom
 };
 

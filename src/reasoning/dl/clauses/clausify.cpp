@@ -8,6 +8,7 @@
 #include "reasoning/dl/clauses/class_clauses.hpp"
 #include "reasoning/dl/clauses/fact_clauses.hpp"
 #include "reasoning/dl/clauses/property_clauses.hpp"
+#include "reasoning/dl/clauses/rule_clauses.hpp"
 
 namespace geminga::clauses {
 namespace {
@@ -50,6 +51,7 @@ class Clausifier {
   ClauseSet set_;
   Vocabulary vocabulary_;
   std::vector<bool> is_seen_;  ///< by term, in find_properties()
+  bool has_named_ = false;     ///< some axiom or query names an individual
   std::optional<Role> top_role_;
   std::optional<Role> bottom_role_;
   std::optional<DataPropertyId> bottom_data_;
@@ -93,6 +95,7 @@ void Clausifier::find_properties(std::span<const TermId> terms) {
     is_seen_[static_cast<std::size_t>(id)] = true;
     find_property(id);
     const owl::Term term = source_.term(id);
+    has_named_ = has_named_ || term.kind == TermKind::individual;
     const auto arguments = hashes_.sorted(term.arguments, owl::set_begin(term.kind, term.arguments.size()));
     open.insert(open.end(), arguments.rbegin(), arguments.rend());
   }
@@ -144,7 +147,10 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
                                                         std::span<const TermId> complements) {
   const std::vector<OrderedAxiom> all = ordered(axioms);
   for (const OrderedAxiom& axiom : all) {
-    if (axiom.kind == AxiomKind::declaration) continue;
+    if (axiom.kind == AxiomKind::declaration) {
+      has_named_ = has_named_ || source_.kind(axiom.arguments[0]) == TermKind::individual;
+      continue;
+    }
     std::span<const TermId> arguments(axiom.arguments);
     // R SubPropertyOf owl:topObjectProperty says nothing.
     const bool has_super = axiom.kind == AxiomKind::sub_object_property_of;
@@ -168,6 +174,7 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
   PropertyClauses of_properties(vocabulary_, allowed, translator);
   ClassClauses of_classes(vocabulary_, allowed, translator, set_);
   FactClauses of_facts(vocabulary_, translator, set_, limits_.clauses);
+  RuleClauses of_rules(vocabulary_, roles, allowed, translator, set_);
   for (const std::uint32_t axiom : roles.left_out()) set_.unused.push_back({axiom, "an irregular property chain"});
   of_properties.add_hierarchy(inclusions, roles, set_.properties.size());
   if (top_role_) {
@@ -187,6 +194,11 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
       if (kind == TermKind::individual) vocabulary_.individual(axiom.arguments[0]);
     } else if (axiom.kind == AxiomKind::datatype_definition) {
       set_.datatype_definitions.push_back({axiom.arguments[0], axiom.arguments[1]});
+    } else if (axiom.kind == AxiomKind::dl_safe_rule) {
+      // Without named individuals a rule says nothing.
+      if (!has_named_) continue;
+      if (const std::string_view problem = of_rules.add(axiom); !problem.empty())
+        set_.unused.push_back({axiom.axiom, problem});
     } else {
       of_classes.add(axiom);
       of_properties.add(axiom);

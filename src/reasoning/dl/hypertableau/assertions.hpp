@@ -61,6 +61,19 @@ class Assertions {
   // Values.
   /// Whether facts of values came since the last call.
   [[nodiscard]] bool take_values_changed() { return std::exchange(have_values_changed_, false); }
+  /// The first literal that was asked about with the same value.
+  [[nodiscard]] owl::TermId representative(owl::TermId literal) { return values_.representative(literal); }
+  /// The value of a literal; nothing where it is not known.
+  [[nodiscard]] const std::optional<Value>& value(owl::TermId literal) { return values_.value(literal); }
+  /// The literal of a value that a rule has made; nothing if there are too many.
+  [[nodiscard]] std::optional<owl::TermId> made_value(const Value& value) { return values_.made(value); }
+  [[nodiscard]] std::optional<bool> is_in(owl::TermId literal, std::uint32_t range) {
+    return values_.is_in(literal, range);
+  }
+  /// The only value that the ranges of a node allow, and why. `is_free`: they allow infinitely many.
+  [[nodiscard]] std::optional<owl::TermId> only_value(NodeId node, DependencySet& dependency, bool& is_free) {
+    return values_.only_value(graph_, sets_, node, dependency, is_free);
+  }
   /// Clashes if the values cannot all exist. Returns why this is unknown, or nothing.
   std::string check_values();
 

@@ -29,7 +29,8 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       blocking_(program_, graph_, effort_),
       expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_),
       derivation_(set, program_, graph_, sets_, effort_, facts_, disjunctions_, bounds_, expansion_),
-      keys_(source, set, graph_, sets_, facts_) {}
+      keys_(source, set, graph_, sets_, facts_),
+      rules_(source, set, graph_, sets_, effort_, facts_, disjunctions_) {}
 
 void Search::begin(bool is_about_world) {
   effort_.begin(is_about_world);
@@ -107,6 +108,7 @@ Outcome Search::run() {
     std::string unknown_value = facts_.check_values();
     if (facts_.has_clash()) continue;
     if (effort_.reason().empty()) effort_.set_reason(std::move(unknown_value));
+    if (effort_.reason().empty()) effort_.set_reason(rules_.find_open());
     return effort_.reason().empty() ? Outcome::model : Outcome::unknown;
   }
 }
@@ -121,6 +123,9 @@ bool Search::saturate() {
       if (effort_.is_over_limit()) return true;
     } else if (bounds_.has_suspects()) {
       bounds_.check_last();
+    } else if (rules_.has_next()) {
+      rules_.derive();
+      if (effort_.is_over_limit()) return true;
     } else if (facts_.take_values_changed()) {
       facts_.check_values();
     } else {
@@ -215,8 +220,8 @@ void Search::begin_again() {
 }
 
 Search::Sizes Search::sizes() const {
-  return {graph_.mark(),         facts_.sizes(),  derivation_.sizes(),
-          disjunctions_.sizes(), bounds_.sizes(), expansion_.sizes()};
+  return {graph_.mark(),   facts_.sizes(),     derivation_.sizes(), disjunctions_.sizes(),
+          bounds_.sizes(), expansion_.sizes(), rules_.sizes()};
 }
 
 void Search::restore(const Sizes& sizes) {
@@ -226,6 +231,7 @@ void Search::restore(const Sizes& sizes) {
   disjunctions_.restore(sizes.disjunctions);
   bounds_.restore(sizes.bounds);
   expansion_.restore(sizes.expansion);
+  rules_.restore(sizes.rules);
 }
 
 void Search::forget_base() {

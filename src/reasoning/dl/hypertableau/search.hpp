@@ -24,6 +24,7 @@
 #include "reasoning/dl/hypertableau/keys.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
+#include "reasoning/dl/hypertableau/rules.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
 namespace geminga::hypertableau {
@@ -74,6 +75,7 @@ class Search {
     Disjunctions::Sizes disjunctions;
     Bounds::Sizes bounds;
     Expansion::Sizes expansion;
+    FactId rules = 0;  ///< facts that were matched
   };
   struct Branch {
     Sizes sizes;
@@ -113,6 +115,7 @@ class Search {
   Expansion expansion_;
   Derivation derivation_;
   Keys keys_;
+  Rules rules_;
 
   std::vector<Branch> branches_;
   std::size_t wrong_guesses_ = 0;  ///< since the search began, or began again

@@ -36,6 +36,39 @@ owl::TermId ValueCheck::representative(owl::TermId literal) {
   return value ? representative_.try_emplace(*value, literal).first->second : literal;
 }
 
+std::optional<owl::TermId> ValueCheck::made(const Value& value) {
+  // Sources hold fewer terms.
+  constexpr std::uint32_t first_made = 0x80000000U;
+  static_assert(owl::SourceLimits{}.terms < first_made);
+  const auto found = representative_.find(value);
+  if (found != representative_.end()) return found->second;
+  if (made_ >= max_made_values) return std::nullopt;
+  const owl::TermId literal{first_made + made_++};
+  ranges_.set_value(literal, value);
+  representative_.emplace(value, literal);
+  return literal;
+}
+
+std::optional<owl::TermId> ValueCheck::only_value(const Graph& graph, DependencySets& sets, NodeId node,
+                                                  DependencySet& dependency, bool& is_free) {
+  std::vector<std::uint32_t> ranges;
+  DependencySet because = no_dependency;
+  for (FactId id = graph.node(node).others; id != none; id = graph.next_other(id, node)) {
+    const Fact& fact = graph.fact(id);
+    if (fact.kind != FactKind::data_range) continue;
+    ranges.push_back(fact.predicate);
+    because = sets.unite(because, fact.dependency);
+  }
+  std::ranges::sort(ranges);
+  const Counted& counted = sets_[known_set(ranges, none)];
+  is_free = counted.least >= many_values;
+  if (counted.most != 1) return std::nullopt;
+  const std::vector<Value> values = counted.set.most.list(1);
+  if (values.empty()) return std::nullopt;
+  dependency = sets.unite(dependency, because);
+  return made(values.front());
+}
+
 std::uint32_t ValueCheck::known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal) {
   const auto [found, is_new] = set_of_ranges_.try_emplace({ranges, literal}, static_cast<std::uint32_t>(sets_.size()));
   if (!is_new) return found->second;

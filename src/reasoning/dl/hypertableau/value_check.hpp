@@ -20,6 +20,8 @@ namespace geminga::hypertableau {
 /// whether there are enough.
 inline constexpr std::size_t max_value_attempts = 100'000;
 
+/// As many values may rules make that no literal names.
+inline constexpr std::size_t max_made_values = 100'000;
 /// The most pairs of values that must differ because one is in an opaque set and the other is not.
 inline constexpr std::size_t max_opaque_pairs = 100'000;
 
@@ -34,6 +36,12 @@ class ValueCheck {
   [[nodiscard]] bool are_different(owl::TermId first, owl::TermId second);
   /// The first literal that was asked about with the same value.
   [[nodiscard]] owl::TermId representative(owl::TermId literal);
+  [[nodiscard]] const std::optional<Value>& value(owl::TermId literal) { return ranges_.value(literal); }
+  /// A literal with this value, which may stand in no ontology; nothing if max_made_values are made.
+  [[nodiscard]] std::optional<owl::TermId> made(const Value& value);
+  /// The only value that the ranges of a node allow, and the facts that say so. `is_free`: they allow infinitely many.
+  [[nodiscard]] std::optional<owl::TermId> only_value(const Graph& graph, DependencySets& sets, NodeId node,
+                                                      DependencySet& dependency, bool& is_free);
   /// The facts because of which the values that are active cannot all exist; nothing where they can. `unknown` is set
   /// to a reason where that could not be found out. Where the facts of individuals are not in the graph, they may say
   /// of some of few values that they are in an opaque set, or not.
@@ -68,6 +76,7 @@ class ValueCheck {
   std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
   std::vector<Counted> sets_;
   std::map<Value, owl::TermId> representative_;
+  std::uint32_t made_ = 0;  ///< values that no literal names
 };
 
 }  // namespace geminga::hypertableau

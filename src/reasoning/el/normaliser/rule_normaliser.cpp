@@ -29,6 +29,9 @@ owl::Construct RuleNormaliser::add(std::uint32_t number) {
     case owl::AxiomKind::disjoint_union:
     case owl::AxiomKind::datatype_definition:
       return add_class_axiom(axiom);
+    case owl::AxiomKind::dl_safe_rule:
+      // A rule is about named individuals.
+      return names_individuals() ? open_.beyond(owl::Construct::rule) : owl::Construct::none;
     case owl::AxiomKind::has_key:
       return open_.beyond(keys_.add(axiom));
     case owl::AxiomKind::sub_data_property_of:
@@ -47,6 +50,15 @@ owl::Construct RuleNormaliser::add(std::uint32_t number) {
     default:
       return properties_.add_object(axiom);
   }
+}
+
+bool RuleNormaliser::names_individuals() {
+  if (!names_individuals_) {
+    names_individuals_ = false;
+    for (std::uint32_t id = 0; id < source_.term_count() && !*names_individuals_; ++id)
+      names_individuals_ = source_.kind(owl::TermId{id}) == owl::TermKind::individual;
+  }
+  return *names_individuals_;
 }
 
 UnusedAxioms RuleNormaliser::finish(Universals universals) {

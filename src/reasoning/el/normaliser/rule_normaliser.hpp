@@ -58,7 +58,10 @@ class RuleNormaliser {
   owl::Construct add_disjoint(std::span<const owl::TermId> members);
   owl::Construct add_disjoint_union(std::span<const owl::TermId> whole_and_parts);
   void exclude_each_other(std::vector<ExprId> members);
+  /// Whether some term of the source is a named individual.
+  bool names_individuals();
 
+  std::optional<bool> names_individuals_;
   const owl::Ontology& source_;
   IndexedOntology& index_;
   PendingUses pending_;

@@ -28,6 +28,10 @@ constexpr Production cardinality(std::string_view word, TermKind kind, Operand p
   return {word, Form::expression, static_cast<std::uint8_t>(kind), class_expression, true, {property}, filler, none};
 }
 
+constexpr Production of_rules(std::string_view word, Form form, TermKind kind, Operand result) {
+  return {word, form, static_cast<std::uint8_t>(kind), result, false, {}, none, none};
+}
+
 constexpr Production quantified_data(std::string_view word, TermKind kind) {
   return {word, Form::n_ary_data, static_cast<std::uint8_t>(kind), class_expression, false, {}, none, none};
 }
@@ -128,8 +132,20 @@ constexpr std::array productions{
     special("AnnotationPropertyDomain", Form::annotation_axiom),
     special("AnnotationPropertyRange", Form::annotation_axiom),
 
-    // SWRL rules and description graphs, as the OWL API writes them.
-    special("DLSafeRule", Form::extension),
+    // Rules of SWRL, in the words of Glimm, Horridge, Parsia, Patel-Schneider: A Syntax for Rules in OWL 2, 2009.
+    axiom("DLSafeRule", AxiomKind::dl_safe_rule, {body, head}),
+    of_rules("Body", Form::atoms, TermKind::atom_list, body),
+    of_rules("Head", Form::atoms, TermKind::atom_list, head),
+    term("ClassAtom", TermKind::class_atom, atom, {class_expression, rule_argument}),
+    term("DataRangeAtom", TermKind::data_range_atom, atom, {data_range, rule_argument}),
+    term("ObjectPropertyAtom", TermKind::object_property_atom, atom, {object_property, rule_argument, rule_argument}),
+    term("DataPropertyAtom", TermKind::data_property_atom, atom, {data_property, rule_argument, rule_argument}),
+    term("SameIndividualAtom", TermKind::same_individual_atom, atom, {rule_argument, rule_argument}),
+    term("DifferentIndividualsAtom", TermKind::different_individuals_atom, atom, {rule_argument, rule_argument}),
+    of_rules("BuiltInAtom", Form::built_in, TermKind::built_in_atom, atom),
+    of_rules("Variable", Form::variable, TermKind::variable, rule_argument),
+
+    // Description graphs, as the OWL API writes them.
     special("DGRule", Form::extension),
     special("DescriptionGraph", Form::extension),
 };
@@ -202,6 +218,14 @@ std::string_view to_string(Operand operand) {
       return "a literal";
     case facet:
       return "a facet";
+    case rule_argument:
+      return "an individual, a literal or a variable";
+    case atom:
+      return "an atom of a rule";
+    case body:
+      return "the body of a rule";
+    case head:
+      return "the head of a rule";
   }
   return "";
 }

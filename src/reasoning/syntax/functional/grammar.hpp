@@ -24,6 +24,11 @@ enum class Operand : std::uint8_t {
   individual,
   literal,
   facet,  ///< an IRI and a literal
+  // Of rules.
+  rule_argument,  ///< an individual, a literal or a variable
+  atom,
+  body,  ///< atoms in brackets
+  head,  ///< the same
 };
 
 /// The kind of production that a word begins. The parser reads it by a function of its own or by its operands.
@@ -33,6 +38,9 @@ enum class Form : std::uint8_t {
   annotation,  ///< Annotation
   entity,      ///< Class and its like, in declarations
   expression,  ///< a term: its operands
+  variable,    ///< an expression that is an IRI
+  built_in,    ///< an IRI, and arguments
+  atoms,       ///< none or more
   n_ary_data,  ///< DataSomeValuesFrom and DataAllValuesFrom: data properties, and a data range of as many values
   axiom,       ///< its operands
   declaration,

@@ -70,6 +70,8 @@ class Parser {
   bool operands(const Production& production);
   bool expression(Operand wanted);
   bool n_ary_data();
+  /// The operands of a part of a rule that the table does not describe, and the IRI that it begins with.
+  bool rule_operands(const Production& production, std::string& name);
   bool facet();
   bool counted(std::uint32_t& number);
   /// One or more, up to the closing bracket, which is left.

@@ -17,10 +17,7 @@ bool Parser::axiom() {
   obstacle_ = nullptr;
   names_.forget_cost();
   annotations_.begin();
-  if (production->form == Form::extension) {
-    // Rules have one name in all syntaxes.
-    return extension(production->word == "DLSafeRule" ? "swrl:Imp" : production->word, line);
-  }
+  if (production->form == Form::extension) return extension(production->word, line);
   if (!annotations() || !axiom_operands(*production)) return false;
   if (!expect(TokenKind::close, "')' behind the operands")) return false;
   switch (production->form) {

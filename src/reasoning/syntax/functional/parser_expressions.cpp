@@ -34,6 +34,13 @@ bool Parser::operand(Operand wanted) {
       return true;
     case Operand::facet:
       return facet();
+    case Operand::rule_argument:
+      if (tokens_.is(TokenKind::word)) return expression(wanted);
+      return operand(is_name() || tokens_.is(TokenKind::node_id) ? Operand::individual : Operand::literal);
+    case Operand::atom:
+    case Operand::body:
+    case Operand::head:
+      return expression(wanted);
     case Operand::none:
       break;
   }
@@ -86,16 +93,33 @@ bool Parser::expression(Operand wanted) {
   std::uint32_t number = 0;
   if (production->is_counted && !counted(number)) return false;
   const std::size_t base = terms_.size();
-  const bool is_read = production->form == Form::n_ary_data ? n_ary_data() : operands(*production);
+  std::string name;
+  const bool is_read = production->form == Form::n_ary_data   ? n_ary_data()
+                       : production->form == Form::expression ? operands(*production)
+                                                              : rule_operands(*production, name);
   --depth_;
   if (!is_read || !expect(TokenKind::close, "')' behind the operands")) return false;
   const auto arguments = std::span<const owl::TermId>(terms_).subspan(base);
-  const owl::TermId term = production->repeated != Operand::none
-                               ? document::term_of_list(source_, production->term(), arguments, file_, line)
-                               : source_.term(production->term(), arguments, number);
+  owl::TermId term{};
+  if (production->form != Form::expression && production->form != Form::n_ary_data) {
+    term = source_.copy(production->term(), name, 0, arguments);
+  } else if (production->repeated != Operand::none) {
+    term = document::term_of_list(source_, production->term(), arguments, file_, line);
+  } else {
+    term = source_.term(production->term(), arguments, number);
+  }
   terms_.resize(base);
   terms_.push_back(term);
   return true;
+}
+
+bool Parser::rule_operands(const Production& production, std::string& name) {
+  const Operand repeated = production.form == Form::atoms ? Operand::atom : Operand::rule_argument;
+  if (production.form != Form::atoms) {
+    if (!iri(production.form == Form::variable ? "the IRI of a variable" : "the IRI of a built-in")) return false;
+    name = iri_;
+  }
+  return production.form == Form::variable || tokens_.is(TokenKind::close) || this->repeated(repeated);
 }
 
 bool Parser::counted(std::uint32_t& number) {

@@ -112,6 +112,8 @@ Node AxiomTriples::node(owl::TermId id) {
   const owl::Term term = source_.term(id);
   if (term.kind <= TermKind::individual) return iri(source_.name(term.name));
   if (term.kind == TermKind::literal) return literal(term);
+  if (term.kind == TermKind::variable) return variable(term);
+  if (term.kind >= TermKind::class_atom) return atom(term);
   if (term.kind != TermKind::anonymous_individual) return expression(term);
   return individual(source_.name(term.name));
 }

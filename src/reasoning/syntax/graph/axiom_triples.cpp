@@ -96,6 +96,8 @@ void AxiomTriples::add(const owl::Axiom& axiom) {
     case AxiomKind::negative_object_property_assertion:
     case AxiomKind::negative_data_property_assertion:
       return negative(axiom);
+    case AxiomKind::dl_safe_rule:
+      return rule(terms);
     default:
       if (terms.size() == 1) return say(node(terms[0]), rdf_type, iri(characteristic_of(axiom.kind)));
       return say(node(terms[0]), predicate_of(axiom.kind), node(terms[1]));

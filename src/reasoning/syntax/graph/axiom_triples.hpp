@@ -56,6 +56,11 @@ class AxiomTriples {
                 std::string_view type = "Annotation");
   Node reify(const Triple& triple, std::string_view type);
 
+  // rule_triples.cpp
+  void rule(Terms parts);
+  Node atom(const owl::Term& term);
+  Node variable(const owl::Term& term);
+
   // axiom_terms.cpp: the node of a term, after the triples that describe it.
   Node node(owl::TermId id);
   /// The blank node of an anonymous individual.

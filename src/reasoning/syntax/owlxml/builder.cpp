@@ -152,9 +152,11 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
   switch (form) {
     case Form::extension:
       open.role = Role::left_out;
-      // Rules have one name in all syntaxes.
-      source_.leave_out(name == "DLSafeRule" ? "swrl:Imp" : name, file_, open.line);
+      source_.leave_out(name, file_, open.line);
       return std::nullopt;
+    case Form::variable:
+    case Form::built_in:
+      return named_part(open, attributes);
     case Form::annotation:
     case Form::annotation_assertion:
     case Form::annotation_axiom:
@@ -239,6 +241,10 @@ Listener::Refusal Builder::close_element(const Open& open) {
     case Form::expression:
     case Form::n_ary_data:
       return end_expression(open);
+    case Form::variable:
+    case Form::built_in:
+    case Form::atoms:
+      return end_part_of_rule(open);
     case Form::entity:
       return std::nullopt;
     default:

@@ -52,6 +52,7 @@ class Builder final : public Listener {
     std::uint32_t number = 0;     ///< cardinality
     std::size_t bases = 0;        ///< the number of xml:base around it
     std::size_t annotations = 0;  ///< the place of the first annotation in it
+    std::string name{};           ///< of a variable or built-in: its IRI
   };
 
   /// An operand in an element that is still open.
@@ -97,6 +98,8 @@ class Builder final : public Listener {
 
   // builder_elements.cpp: the ends of elements.
   Refusal end_expression(const Open& open);
+  /// The end of a variable, a built-in, or the body or head of a rule.
+  Refusal end_part_of_rule(const Open& open);
   Refusal end_axiom(const Open& open);
   Refusal end_annotation(const Open& open);
   Refusal end_annotation_assertion(const Open& open);
@@ -113,6 +116,8 @@ class Builder final : public Listener {
 
   // builder_names.cpp: names and literals.
   Refusal entity(const Open& open, std::span<const Attribute> attributes);
+  /// Reads the IRI of a variable or built-in of a rule.
+  Refusal named_part(Open& open, std::span<const Attribute> attributes) const;
   Refusal end_literal(const Open& open);
   Refusal end_facet(const Open& open);
   Refusal end_iri(const Open& open);

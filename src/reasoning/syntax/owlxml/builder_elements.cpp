@@ -43,6 +43,13 @@ bool Builder::fits(Wanted wanted, const Operand& operand) const {
       return kind == TermKind::literal;
     case Wanted::facet:
       return kind == TermKind::facet;
+    case Wanted::rule_argument:
+      return owl::is_individual(kind) || kind == TermKind::literal || kind == TermKind::variable;
+    case Wanted::atom:
+      return kind >= TermKind::class_atom && kind <= TermKind::built_in_atom;
+    case Wanted::body:
+    case Wanted::head:
+      return kind == TermKind::atom_list;
   }
   return false;
 }
@@ -98,6 +105,21 @@ Listener::Refusal Builder::end_expression(const Open& open) {
   const owl::TermId term = production.repeated != Wanted::none
                                ? document::term_of_list(source_, production.term(), arguments, file_, open.line)
                                : source_.term(production.term(), arguments, open.number);
+  operands_.push_back({Operand::Kind::term, term, {}, {}, {}, {}});
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::end_part_of_rule(const Open& open) {
+  const functional::Production& production = *open.production;
+  const Wanted wanted = production.form == Form::atoms ? Wanted::atom : Wanted::rule_argument;
+  std::vector<owl::TermId> arguments;
+  for (std::size_t place = open.first; place < operands_.size(); ++place) {
+    if (production.form == Form::variable) return expected("no more", open, place);
+    if (!fits(wanted, operands_[place])) return expected(functional::to_string(wanted), open, place);
+    arguments.push_back(operands_[place].term);
+  }
+  operands_.resize(open.first);
+  const owl::TermId term = source_.copy(production.term(), open.name, 0, arguments);
   operands_.push_back({Operand::Kind::term, term, {}, {}, {}, {}});
   return std::nullopt;
 }

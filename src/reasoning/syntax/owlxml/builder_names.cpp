@@ -69,6 +69,15 @@ Listener::Refusal Builder::entity(const Open& open, std::span<const Attribute> a
   return std::nullopt;
 }
 
+Listener::Refusal Builder::named_part(Open& open, std::span<const Attribute> attributes) const {
+  for (const Attribute& attribute : attributes) {
+    if (!attribute.space.empty()) continue;
+    if (attribute.name == "IRI") return full_iri(attribute.value, open.name);
+    if (attribute.name == "abbreviatedIRI") return short_iri(attribute.value, open.name);
+  }
+  return "expected the IRI of <" + std::string(open.production->word) + '>';
+}
+
 Listener::Refusal Builder::blank(const Open& open, std::span<const Attribute> attributes) {
   std::string_view label;
   for (const Attribute& attribute : attributes) {

@@ -199,6 +199,8 @@ class Writer {
       case AxiomKind::negative_object_property_assertion:
       case AxiomKind::negative_data_property_assertion:
         return fact("not ");
+      case AxiomKind::dl_safe_rule:
+        break;
     }
     return {};
   }

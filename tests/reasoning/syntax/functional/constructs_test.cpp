@@ -203,7 +203,7 @@ TEST(Grammar, HasACaseForEveryWord) {
   for (const char* word :
        {"Class", "Datatype", "ObjectProperty", "DataProperty", "AnnotationProperty", "NamedIndividual"})
     EXPECT_NE(all.find("(" + std::string(word) + "("), std::string::npos) << word;
-  for (std::uint8_t kind = 0; kind < owl::axiom_kind_count; ++kind)
+  for (std::uint8_t kind = 0; kind < static_cast<std::uint8_t>(owl::AxiomKind::dl_safe_rule); ++kind)
     EXPECT_NE(all.find(std::string(owl::to_string(static_cast<owl::AxiomKind>(kind))) + '('), std::string::npos);
   for (auto kind = static_cast<std::uint8_t>(owl::TermKind::object_inverse_of);
        kind < static_cast<std::uint8_t>(owl::TermKind::facet); ++kind)

@@ -113,7 +113,7 @@ TEST(Elements, OfKeysListsAndCardinalities) {
 
 TEST(Elements, ThatNoAxiomCanExpressAreLeftOutByName) {
   EXPECT_THAT(
-      said("<DLSafeRule><Body><ClassAtom><Class IRI='A'/><Variable IRI='x'/></ClassAtom>text</Body></DLSafeRule>\n"
+      said("<DGRule><Body>text</Body></DGRule>\n"
            "<SubClassOf><Class IRI='A'/><DataSomeValuesFrom><DataProperty IRI='d'/><DataProperty IRI='e'/>"
            "<Datatype IRI='T'/></DataSomeValuesFrom></SubClassOf>\n"
            "<SubClassOf><Class IRI='A'/><ObjectMaxCardinality cardinality='4294967296'><ObjectProperty IRI='p'/>"
@@ -121,13 +121,32 @@ TEST(Elements, ThatNoAxiomCanExpressAreLeftOutByName) {
            "<ClassAssertion><DataHasValue><DataProperty IRI='d'/><Literal "
            "datatypeIRI='http://www.w3.org/2001/XMLSchema#int'>x</Literal></DataHasValue><NamedIndividual IRI='a'/>"
            "</ClassAssertion>"),
-      ElementsAre("left out: swrl:Imp, 1, line 2", "left out: owl:onProperties, 1, line 3",
+      ElementsAre("left out: DGRule, 1, line 2", "left out: owl:onProperties, 1, line 3",
                   "left out: a cardinality above 4294967295, 1, line 4",
                   "left out: a literal that is not of its datatype, 1, line 5"));
 }
 
+TEST(Elements, OfRules) {
+  EXPECT_THAT(said("<DLSafeRule><Body><ClassAtom><Class IRI='A'/><Variable IRI='x'/></ClassAtom>"
+                   "<DataPropertyAtom><DataProperty IRI='d'/><Variable IRI='x'/><Variable IRI='v'/></DataPropertyAtom>"
+                   "<BuiltInAtom IRI='http://www.w3.org/2003/11/swrlb#lessThan'><Variable IRI='v'/><Literal "
+                   "datatypeIRI='http://www.w3.org/2001/XMLSchema#int'>5</Literal></BuiltInAtom></Body>"
+                   "<Head><ObjectPropertyAtom><ObjectProperty IRI='p'/><Variable IRI='x'/><NamedIndividual IRI='a'/>"
+                   "</ObjectPropertyAtom></Head></DLSafeRule>"),
+              ElementsAre("DLSafeRule(Atoms(ClassAtom(:A ?:x) DataPropertyAtom(:d ?:x ?:v) "
+                          "BuiltInAtom(<http://www.w3.org/2003/11/swrlb#lessThan> ?:v \"5\"^^xsd:int)) "
+                          "Atoms(ObjectPropertyAtom(:p ?:x :a)))"));
+}
+
 std::string unread(std::string_view fault, int line) {
   return "left out: an axiom that cannot be read (" + std::string(fault) + "), 1, line " + std::to_string(line);
+}
+
+TEST(Elements, OfRulesThatDoNotFitCostTheirRule) {
+  EXPECT_THAT(said("<DLSafeRule><Body/></DLSafeRule>"),
+              ElementsAre(unread("expected the head of a rule in <DLSafeRule>, found the end of the element", 2)));
+  EXPECT_THAT(said("<DLSafeRule><Body><Class IRI='A'/></Body><Head/></DLSafeRule>"),
+              ElementsAre(unread("expected an atom of a rule in <Body>, found Class", 2)));
 }
 
 TEST(Elements, ThatDoNotFitCostTheirAxiomAndNoOther) {

@@ -47,11 +47,13 @@ class Writer {
         return "_:" + std::to_string(blanks_.try_emplace(std::string(name), blanks_.size() + 1).first->second);
       default:
         if (term.kind <= owl::TermKind::individual) return iri(name);
+        if (term.kind == owl::TermKind::variable) return '?' + iri(name);
         break;
     }
     const bool is_counted =
         (term.kind >= owl::TermKind::object_min_cardinality && term.kind <= owl::TermKind::object_exact_cardinality) ||
         (term.kind >= owl::TermKind::data_min_cardinality && term.kind <= owl::TermKind::data_exact_cardinality);
+    if (term.kind == owl::TermKind::built_in_atom) return "BuiltInAtom" + arguments(term.arguments, iri(name));
     return std::string(owl::to_string(term.kind)) +
            arguments(term.arguments, is_counted ? std::to_string(term.number) : "");
   }

@@ -35,7 +35,8 @@ class Author {
     source_.add(AxiomKind::declaration, {source_.datatype(iri("t"))}, file, 1);
     source_.add(AxiomKind::declaration, {source_.annotation_property(iri("note"))}, file, 1);
     while (source_.axiom_count() < axioms + 13) {
-      const auto kind = static_cast<AxiomKind>(1 + random_.below(owl::axiom_kind_count - 1));
+      const auto kind = static_cast<AxiomKind>(
+          1 + random_.below(static_cast<std::uint64_t>(AxiomKind::negative_data_property_assertion)));
       source_.add(kind, arguments(kind), file, 1);
     }
   }

@@ -42,12 +42,10 @@ bool is_decimal(const Number& number) {
 
 std::optional<Value> number_value(std::string_view canonical) {
   if (canonical.size() > max_number_digits) return std::nullopt;
-  Value value{DataFamily::number, 0, 0, {}};
   const std::size_t slash = canonical.find('/');
-  value.position = read_decimal(canonical.substr(0, slash));
-  if (slash != std::string_view::npos) value.position /= read_decimal(canonical.substr(slash + 1));
-  if (boost::multiprecision::denominator(value.position) != 1) value.layer = is_decimal(value.position) ? 1 : 2;
-  return value;
+  Number number = read_decimal(canonical.substr(0, slash));
+  if (slash != std::string_view::npos) number /= read_decimal(canonical.substr(slash + 1));
+  return value_of_number(number);
 }
 
 template <typename Float>
@@ -150,26 +148,36 @@ std::uint8_t layer_count(DataFamily family) {
 std::optional<Value> value_of(const owl::Ontology& source, owl::TermId literal) {
   auto read = owl::value_of(source, source.term(literal));
   if (!read) return std::nullopt;
-  std::string& canonical = read->canonical;
-  switch (read->family) {
+  return value_of(std::move(*read));
+}
+
+Value value_of_number(const Number& number) {
+  Value value{DataFamily::number, 0, number, {}};
+  if (boost::multiprecision::denominator(number) != 1) value.layer = is_decimal(number) ? 1 : 2;
+  return value;
+}
+
+std::optional<Value> value_of(owl::DataValue read) {
+  std::string& canonical = read.canonical;
+  switch (read.family) {
     case DataFamily::number:
       return number_value(canonical);
     case DataFamily::text:
       return text_value(std::move(canonical));
     case DataFamily::double_:
-      return float_value<double>(read->family, canonical);
+      return float_value<double>(read.family, canonical);
     case DataFamily::float_:
-      return float_value<float>(read->family, canonical);
+      return float_value<float>(read.family, canonical);
     case DataFamily::boolean:
-      return Value{read->family, 0, canonical == "true" ? 1 : 0, {}};
+      return Value{read.family, 0, canonical == "true" ? 1 : 0, {}};
     case DataFamily::hex:
-      return Value{read->family, 0, canonical.size() / 2, std::move(canonical)};
+      return Value{read.family, 0, canonical.size() / 2, std::move(canonical)};
     case DataFamily::base64: {
       std::erase(canonical, '=');
-      return Value{read->family, 0, canonical.size() * 3 / 4, std::move(canonical)};
+      return Value{read.family, 0, canonical.size() * 3 / 4, std::move(canonical)};
     }
     case DataFamily::uri:
-      return Value{read->family, 0, base::count_characters(canonical), std::move(canonical)};
+      return Value{read.family, 0, base::count_characters(canonical), std::move(canonical)};
     case DataFamily::time:
       return time_value(canonical);
     case DataFamily::xml:
@@ -178,7 +186,7 @@ std::optional<Value> value_of(const owl::Ontology& source, owl::TermId literal) 
       for (const std::string_view other : {"/>", "<!", "'", "\r"}) {
         if (canonical.find(other) != std::string::npos) return std::nullopt;
       }
-      return Value{read->family, 0, canonical.size(), std::move(canonical)};
+      return Value{read.family, 0, canonical.size(), std::move(canonical)};
   }
   return std::nullopt;
 }

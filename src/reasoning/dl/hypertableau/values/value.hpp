@@ -43,6 +43,10 @@ struct Value {
 
 /// The value of a literal term; nothing where its datatype is unknown or it is too long.
 [[nodiscard]] std::optional<Value> value_of(const owl::Ontology& source, owl::TermId literal);
+/// The same of a literal that was read.
+[[nodiscard]] std::optional<Value> value_of(owl::DataValue read);
+/// The value that is this rational number.
+[[nodiscard]] Value value_of_number(const Number& number);
 
 /// A finite or infinite float by its rank: neighbours differ by 1, and -0 comes just before 0.
 [[nodiscard]] Number rank_of(double value);

@@ -58,6 +58,8 @@ class ValueRanges {
   ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set);
 
   [[nodiscard]] const KnownSet& known_set(clauses::DataRangeId range);
+  /// Gives a value to a literal that is in no source.
+  void set_value(owl::TermId literal, const Value& value) { literals_.insert_or_assign(literal, value); }
   /// The set of the value of a literal, or of all other values.
   [[nodiscard]] KnownSet set_of_literal(owl::TermId literal, bool is_complement = false);
   [[nodiscard]] bool is_literal(owl::TermId term) const { return source_.kind(term) == owl::TermKind::literal; }

@@ -11,6 +11,7 @@
 #include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/rdf/mapping/annotation_mapper.hpp"
 #include "reasoning/syntax/rdf/mapping/axiom_mapper.hpp"
+#include "reasoning/syntax/rdf/mapping/rule_mapper.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -154,6 +155,7 @@ void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl:
   if (annotations != nullptr) axioms.remember_places();
   DataRangeMapper ranges(triples, axioms, ontology);
   ExpressionMapper expressions(triples, types, ranges, axioms, ontology);
+  RuleMapper(triples, types, ranges, expressions, axioms, ontology).map_all();
   AxiomMapper mapper(triples, types, ranges, expressions, axioms);
   for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
     if (!triples.is_used(number)) mapper.map(number);

@@ -105,11 +105,8 @@ void TypeMapper::map_assertion(std::uint32_t number) {
     const std::string_view type = graph_.text(triple.object);
     if (type.starts_with(syntax::owl_namespace))
       return axioms_.leave_out(number, "rdf:type " + syntax::short_word(type));
-    if (type.starts_with(syntax::swrl_namespace)) {
-      if (type.substr(syntax::swrl_namespace.size()) == "Imp") axioms_.leave_out(number, "swrl:Imp");
-      return;
-    }
-    if (type.starts_with(syntax::rdf_namespace)) return;  // rdf:Bag and the like say nothing here
+    // Parts of rules, and rdf:Bag and the like, say nothing here.
+    if (type.starts_with(syntax::swrl_namespace) || type.starts_with(syntax::rdf_namespace)) return;
   }
   axioms_.add(number, owl::AxiomKind::class_assertion,
               {expressions_.class_expression(triple.object), expressions_.individual(triple.subject)});

@@ -1,0 +1,156 @@
+// Texts are UTF-8; positions and lengths count characters.
+#include "reasoning/dl/hypertableau/rules/texts.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/text.hpp"
+#include "base/utf8.hpp"
+
+namespace geminga::hypertableau {
+namespace {
+
+using clauses::BuiltIn;
+using owl::DataFamily;
+
+bool is_text(const Value& value) { return value.family == DataFamily::text; }
+
+bool is_ascii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+Computed text_value(std::string_view text) {
+  if (text.size() > max_text_octets) return {Holds::unknown, std::nullopt};
+  bool is_ill_formed = false;
+  auto read = owl::DataValue::read(text, "http://www.w3.org/2001/XMLSchema#string", {}, is_ill_formed);
+  if (!read || is_ill_formed) return {};  // a character that no text may have
+  auto value = value_of(std::move(*read));
+  if (!value) return {};
+  return {Holds::yes, std::move(value)};
+}
+
+std::string in_upper_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return result;
+}
+
+/// A finite number rounded as fn:round() does.
+std::optional<Number> rounded(const Value& value) {
+  const std::array<Value, 1> operand{value};
+  const Computed result = compute(BuiltIn::round, operand);
+  if (result.holds != Holds::yes || result.value->family != DataFamily::number) return std::nullopt;
+  return result.value->position;
+}
+
+/// The characters whose position p, from 1, has  start <= p < start + length.
+Computed substring(std::span<const Value> operands) {
+  const std::string_view text = text_of(operands[0]);
+  const auto start = rounded(operands[1]);
+  if (!start) return {};
+  std::optional<Number> end;
+  if (operands.size() > 2) {
+    const auto length = rounded(operands[2]);
+    if (!length) return {};
+    end = *start + *length;
+  }
+  std::string result;
+  std::size_t position = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t next = at + 1;
+    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0U) == 0x80U) ++next;
+    ++position;
+    if (*start <= position && (!end || position < *end)) result += text.substr(at, next - at);
+    at = next;
+  }
+  return text_value(result);
+}
+
+std::string without_surplus_space(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const bool is_space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (is_space && (result.empty() || result.back() == ' ')) continue;
+    result += is_space ? ' ' : c;
+  }
+  if (result.ends_with(' ')) result.pop_back();
+  return result;
+}
+
+}  // namespace
+
+std::string_view text_of(const Value& value) {
+  if (value.family != DataFamily::text || value.text.empty()) return {};
+  const std::string_view canonical = value.text;
+  return value.layer == language_layer ? canonical.substr(canonical.find('\0') + 1) : canonical.substr(1);
+}
+
+Computed make_text(BuiltIn built_in, std::span<const Value> operands) {
+  if (operands.empty() || !is_text(operands[0])) return {};
+  const std::string_view text = text_of(operands[0]);
+  if (text.size() > max_text_octets) return {Holds::unknown, std::nullopt};
+  switch (built_in) {
+    case BuiltIn::string_concat: {
+      std::string all;
+      for (const Value& one : operands) {
+        if (!is_text(one)) return {};
+        all += text_of(one);
+        if (all.size() > max_text_octets) return {Holds::unknown, std::nullopt};
+      }
+      return text_value(all);
+    }
+    case BuiltIn::substring:
+      return substring(operands);
+    case BuiltIn::string_length:
+      return {Holds::yes, value_of_number(Number(base::count_characters(text)))};
+    case BuiltIn::normalize_space:
+      return text_value(without_surplus_space(text));
+    case BuiltIn::upper_case:
+      return is_ascii(text) ? text_value(in_upper_case(text)) : Computed{Holds::unknown, std::nullopt};
+    case BuiltIn::lower_case:
+      return is_ascii(text) ? text_value(base::in_lower_case(text)) : Computed{Holds::unknown, std::nullopt};
+    case BuiltIn::substring_before:
+    case BuiltIn::substring_after: {
+      if (!is_text(operands[1])) return {};
+      const std::string_view part = text_of(operands[1]);
+      const std::size_t at = text.find(part);
+      if (built_in == BuiltIn::substring_before)
+        return text_value(at == std::string_view::npos ? std::string_view() : text.substr(0, at));
+      return text_value(at == std::string_view::npos ? std::string_view() : text.substr(at + part.size()));
+    }
+    default:
+      return {};
+  }
+}
+
+Holds compare_texts(BuiltIn built_in, const Value& first, const Value& second) {
+  if (!is_text(first) || !is_text(second)) return Holds::no;
+  const std::string_view text = text_of(first);
+  const std::string_view part = text_of(second);
+  if (text.size() > max_text_octets || part.size() > max_text_octets) return Holds::unknown;
+  const auto answer = [](bool holds) { return holds ? Holds::yes : Holds::no; };
+  switch (built_in) {
+    case BuiltIn::contains:
+      return answer(text.find(part) != std::string_view::npos);
+    case BuiltIn::starts_with:
+      return answer(text.starts_with(part));
+    case BuiltIn::ends_with:
+      return answer(text.ends_with(part));
+    case BuiltIn::string_equal_ignore_case:
+      if (text == part) return Holds::yes;
+      if (!is_ascii(text) || !is_ascii(part)) return Holds::unknown;
+      return answer(base::in_lower_case(text) == base::in_lower_case(part));
+    case BuiltIn::contains_ignore_case:
+      if (text.find(part) != std::string_view::npos) return Holds::yes;
+      if (!is_ascii(text) || !is_ascii(part)) return Holds::unknown;
+      return answer(base::in_lower_case(text).find(base::in_lower_case(part)) != std::string::npos);
+    default:
+      return Holds::unknown;
+  }
+}
+
+}  // namespace geminga::hypertableau
