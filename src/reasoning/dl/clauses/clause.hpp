@@ -11,11 +11,13 @@
 #define GEMINGA_REASONING_DL_CLAUSES_CLAUSE_HPP
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/role.hpp"
+#include "reasoning/owl/role_box.hpp"
 
 namespace geminga::clauses {
 
@@ -184,6 +186,7 @@ struct ClauseSet {
   std::vector<ConceptId> queries;      ///< of each expression asked for: a concept whose instances are in it
   std::vector<ConceptId> complements;  ///< of each expression whose complement is asked for: one whose are not in it
   std::vector<Unused> unused;          ///< ascending by axiom
+  std::optional<owl::RoleBox> roles;   ///< of the properties
 };
 
 }  // namespace geminga::clauses
