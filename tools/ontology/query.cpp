@@ -283,8 +283,9 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   limit_asking(limits);
   Progress progress(!request.as_json);
   progress.show("asking");
-  const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking,
-      request.only_asserted ? graph::Expressions::are_triples : graph::Expressions::are_refused);
+  const auto answer =
+      graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking,
+                 request.only_asserted ? graph::Expressions::are_triples : graph::Expressions::are_refused);
   progress.clear();
   if (!answer)
     return say_failure(answer.error().text, request.as_json, answer.error().is_limit ? Exit::timed_out : Exit::usage);

@@ -1,4 +1,5 @@
-// The consequences for the individuals of an ontology: types, who is the same, facts, and the instances of an expression.
+// The consequences for the individuals of an ontology: types, who is the same, facts, and the instances of an
+// expression.
 //
 // One model of all facts says what is certain and what is possible; only what lies between is asked (Glimm, Horrocks,
 // Motik, Shearer, Stoilos: A novel approach to ontology classification, 2012, sections 4 and 6). On Horn axioms the
