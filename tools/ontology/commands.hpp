@@ -23,6 +23,8 @@ void add_infer(CLI::App& program, Choice& choice);
 void add_convert(CLI::App& program, Choice& choice);
 void add_merge(CLI::App& program, Choice& choice);
 void add_query(CLI::App& program, Choice& choice);
+void add_realize(CLI::App& program, Choice& choice);
+void add_instances(CLI::App& program, Choice& choice);
 void add_rank(CLI::App& program, Choice& choice);
 void add_repair(CLI::App& program, Choice& choice);
 

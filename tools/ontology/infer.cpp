@@ -12,6 +12,7 @@
 #include "ontology/graph/asserted.hpp"
 #include "ontology/graph/document.hpp"
 #include "ontology/graph/inferred.hpp"
+#include "ontology/individuals/realized_files.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -22,18 +23,16 @@ struct InferRequest {
   std::string format;
   bool only_inferred = false;
   bool as_closure = false;
+  bool with_facts = false;
 };
 
-/// Says that relations may be missing. An error or a contradiction ends the command with its exit status.
-Exit judge(const std::expected<ClassifiedFiles, LoadFailure>& classified) {
-  if (!classified) return say_error(classified.error().text);
-  if (!classified->classification.is_consistent)
-    return say_error("the ontology contradicts itself, so that everything follows from it: see geminga-ontology check",
-                     Exit::no);
+/// Says that relations may be missing.
+void say_open(const ClassifiedFiles& classified, const realization::Realization& realization) {
   // exit_of() tells of a limit that was reached.
-  const auto why = why_incomplete(*classified);
-  if (why && !classified->classification.is_cut_off) say_error("more may follow: " + *why);
-  return Exit::yes;
+  if (classified.classification.is_cut_off) return;
+  auto why = why_incomplete(classified);
+  if (!why) why = describe_open(classified.loaded.source, undecided_individuals(realization), realization.gaps);
+  if (why) say_error("more may follow: " + *why);
 }
 
 /// Writes the first `said` axioms of the source, or none of them, and those that follow.
@@ -66,11 +65,15 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   const graph::GraphLimits graph_limits{.octets = graph_octets(limits)};
   graph::Graph asserted(graph_limits);
   if (const auto problem = add_asserted(*loaded, asserted)) return say_error(*problem, exit_of(asserted));
-  base::Budget budget = budget_of(limits);
   const std::size_t said = loaded->source.axiom_count();
-  auto classified = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
+  base::Budget classifying = budget_of(first_half(limits));
+  auto classified = classify_files(std::move(*loaded), 0, progress, {.budget = &classifying});
+  if (!classified) return say_error(classified.error().text);
+  base::Budget budget = budget_of(limits);
+  const auto realization = realize_files(*classified, budget, progress, request.with_facts);
   progress.clear();
-  if (const Exit exit = judge(classified); exit != Exit::yes) return exit;
+  if (!realization.is_consistent) return say_error(contradiction_words, Exit::no);
+  say_open(*classified, realization);
   progress.show("collecting what follows");
   const auto fail = [&](std::string_view text, Exit status) {
     progress.clear();
@@ -79,7 +82,7 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   graph::Graph alone(graph_limits);
   graph::Graph& graph = request.only_inferred || syntax != nullptr ? alone : asserted;
   base::Budget writing(WorkLimits::default_steps);  // its own: what a search has settled within its limits is written
-  if (const auto problem = add_inferred(*classified, request.as_closure, writing, graph))
+  if (const auto problem = add_inferred(*classified, realization, request.as_closure, writing, graph))
     return fail(*problem, Exit::timed_out);
   if (graph.problem()) return fail(*graph.problem(), exit_of(graph));
   graph.sort();
@@ -98,7 +101,8 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   if (!text) return fail(text.error(), Exit::usage);
   progress.clear();
   const Exit exit = put(request.out, std::as_bytes(std::span(*text)));
-  return exit == Exit::yes ? exit_of(*classified, exit) : exit;
+  if (exit != Exit::yes) return exit;
+  return budget.is_spent() && !classified->classification.is_cut_off ? Exit::timed_out : exit_of(*classified, exit);
 }
 
 }  // namespace
@@ -111,12 +115,14 @@ void add_infer(CLI::App& program, Choice& choice) {
   add_output(*command, request->out, request->format);
   command->add_flag("--only-inferred", request->only_inferred, "write only what the files do not say themselves");
   command->add_flag("--closure", request->as_closure, "write all that follows, not only the direct relations");
+  command->add_flag("--facts", request->with_facts, "write the facts of individuals that follow, too");
   add_memory_limit(*command, choice);
   add_graph_limit(*command, choice.limits);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nWritten are rdfs:subClassOf and owl:equivalentClass, rdfs:subPropertyOf and owl:equivalentProperty, rdf:type\n"
-      "and owl:sameAs, between names. Exit status 1 if the ontology contradicts itself; 4 if a limit was reached: "
+      "and owl:sameAs, between names, and with --facts what holds between individuals, and their values. Exit status 1 "
+      "if the ontology contradicts itself; 4 if a limit was reached: "
       "what\n"
       "is written follows, and standard error says what is not decided. Nothing is written where the triples take "
       "more\n"

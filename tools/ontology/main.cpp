@@ -33,6 +33,8 @@ Examples:
   geminga-ontology convert oeo.omn -o oeo.ttl
   geminga-ontology merge team/ -o team.owl
   geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'
+  geminga-ontology realize team/                    the most specific types of each individual
+  geminga-ontology instances team/ 'soccer:BallInfo and (soccer:seenBy some geminga:Robot)'
   geminga-ontology rank --services services/ --requests queries/ --ontologies ontology/
 
 FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester syntax or OWL/XML, also packed by gzip
@@ -46,8 +48,9 @@ int run(int argc, char** argv) {
   program.footer(examples);
   program.require_subcommand(1);
   Choice choice;
-  for (const auto add : {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
-                         add_compile, add_draw, add_infer, add_convert, add_merge, add_query, add_rank, add_repair})
+  for (const auto add :
+       {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id, add_compile, add_draw,
+        add_infer, add_convert, add_merge, add_realize, add_instances, add_query, add_rank, add_repair})
     add(program, choice);
   if (const auto description = geminga::manual::described(program, argc, argv)) {
     return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0

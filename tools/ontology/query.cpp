@@ -22,6 +22,7 @@
 #include "ontology/format.hpp"
 #include "ontology/graph/asserted.hpp"
 #include "ontology/graph/inferred.hpp"
+#include "ontology/individuals/realized_files.hpp"
 #include "reasoning/syntax/files.hpp"
 
 namespace geminga::ontology {
@@ -211,8 +212,8 @@ struct Asked {
 };
 
 /// Fills the graph, or says what is wrong.
-Exit fill(const std::vector<std::string>& files, const QueryRequest& request, base::Budget& budget, Asked& asked,
-          std::optional<ClassifiedFiles>& classified) {
+Exit fill(const std::vector<std::string>& files, const QueryRequest& request, const WorkLimits& limits,
+          base::Budget& budget, Asked& asked, std::optional<ClassifiedFiles>& classified) {
   Progress progress(!request.as_json);
   auto loaded = load(files, progress, {.keeps_annotations = true});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
@@ -222,21 +223,24 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, ba
   if (request.only_asserted) {
     classified.emplace(std::move(*loaded), reasoner::Classified{}, 0, 0);
   } else {
-    auto learned = classify_with_individuals(std::move(*loaded), progress, {.budget = &budget});
+    base::Budget classifying = budget_of(first_half(limits));
+    auto learned = classify_files(std::move(*loaded), 0, progress, {.budget = &classifying});
     if (!learned) return say_failure(learned.error().text, request.as_json);
     classified.emplace(std::move(*learned));
-    if (!classified->classification.is_consistent)
+    const auto realization = realize_files(*classified, budget, progress, true);
+    if (!realization.is_consistent)
       return say_failure(
           "the ontology contradicts itself, so that everything follows from it: ask --asserted only, or "
           "see geminga-ontology check",
           request.as_json);
     base::Budget writing(WorkLimits::default_steps);
     progress.show("collecting what follows");
-    const auto problem = add_inferred(*classified, true, writing, asked.graph);
+    const auto problem = add_inferred(*classified, realization, true, writing, asked.graph);
     progress.clear();
     if (problem) return say_failure(*problem, request.as_json, Exit::timed_out);
     // exit_of() tells of a limit that was reached.
-    const auto why = why_incomplete(*classified);
+    auto why = why_incomplete(*classified);
+    if (!why) why = describe_open(classified->loaded.source, undecided_individuals(realization), realization.gaps);
     if (why && !classified->classification.is_cut_off) say_error("more may follow: " + *why);
   }
   progress.clear();
@@ -274,17 +278,20 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   std::optional<ClassifiedFiles> classified;
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
   base::Budget budget = budget_of(limits);
-  if (const Exit exit = fill(files, request, budget, asked, classified); exit != Exit::yes) return exit;
+  if (const Exit exit = fill(files, request, limits, budget, asked, classified); exit != Exit::yes) return exit;
   base::Budget asking = budget_of(limits, request.most_steps);
   limit_asking(limits);
   Progress progress(!request.as_json);
   progress.show("asking");
-  const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking);
+  const auto answer =
+      graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking,
+                 request.only_asserted ? graph::Expressions::are_triples : graph::Expressions::are_refused);
   progress.clear();
   if (!answer)
     return say_failure(answer.error().text, request.as_json, answer.error().is_limit ? Exit::timed_out : Exit::usage);
   const Exit exit = write(*answer, request, *rows, asked);
-  return exit == Exit::usage ? exit : exit_of(*classified, exit);
+  if (exit == Exit::usage) return exit;
+  return budget.is_spent() && !classified->classification.is_cut_off ? Exit::timed_out : exit_of(*classified, exit);
 }
 
 }  // namespace
@@ -311,7 +318,8 @@ void add_query(CLI::App& program, Choice& choice) {
       "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file that ends in .rq. The prefixes of the "
       "files\n"
       "need no declaration. Nothing is fetched: FROM and SERVICE are refused. What follows are all relations between\n"
-      "named classes and properties, and all types of named individuals.\n"
+      "named classes and properties, and all types and facts of named individuals. Instances of a class expression,\n"
+      "as in ?x a [ a owl:Restriction ; ... ], are no triples and are refused: see geminga-ontology instances.\n"
       "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no; 4 a limit was reached: of\n"
       "the search, and the answer is that of what is settled by then; or of the query, which then has no answer\n"
       "(--query-steps; --graph-limit; --time-limit, or 300 s of processor time where there is none).\n"

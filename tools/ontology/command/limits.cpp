@@ -50,6 +50,12 @@ base::Budget budget_of(const WorkLimits& limits, std::uint64_t steps) {
   return base::Budget(steps, [end] { return std::chrono::steady_clock::now() >= end; });
 }
 
+WorkLimits first_half(const WorkLimits& limits) {
+  WorkLimits half = limits;
+  half.seconds = (limits.seconds + 1) / 2;
+  return half;
+}
+
 std::size_t graph_octets(const WorkLimits& limits) {
   if (limits.graph_mib != 0) return std::size_t{limits.graph_mib} << 20U;
   if (limits.memory_mib != 0) return (std::size_t{limits.memory_mib} << 20U) / 2;

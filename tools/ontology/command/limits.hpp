@@ -32,6 +32,9 @@ struct WorkLimits {
 /// The same with a number of steps of its own.
 [[nodiscard]] base::Budget budget_of(const WorkLimits& limits, std::uint64_t steps);
 
+/// The limits of a first search after which another one follows: half of the time.
+[[nodiscard]] WorkLimits first_half(const WorkLimits& limits);
+
 /// The limit of the triples that infer writes and query asks, in octets.
 [[nodiscard]] std::size_t graph_octets(const WorkLimits& limits);
 /// Ends this process with Exit::timed_out and a line on standard error when it has used so much processor time from now

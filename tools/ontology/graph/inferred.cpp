@@ -17,22 +17,6 @@ namespace {
 using graph::iri;
 using graph::Node;
 
-/// The named individuals of the axioms.
-std::vector<owl::TermId> individuals_of(const owl::Ontology& source) {
-  std::vector<bool> is_found(source.term_count(), false);
-  std::vector<owl::TermId> roots;
-  for (std::size_t number = 0; number < source.axiom_count(); ++number) {
-    for (const owl::TermId id : source.axiom(number).arguments) roots.push_back(id);
-  }
-  std::vector<owl::TermId> found;
-  for (const owl::TermId id : owl::terms_in(source, roots)) {
-    if (source.kind(id) != owl::TermKind::individual || is_found[static_cast<std::size_t>(id)]) continue;
-    is_found[static_cast<std::size_t>(id)] = true;
-    found.push_back(id);
-  }
-  return found;
-}
-
 /// The predicates of one hierarchy.
 struct Predicates {
   std::string below;
@@ -58,27 +42,58 @@ class Writer {
     }
   }
 
+  /// Writes the types of individuals, and which are the same.
+  void write(const owl::Ontology& source, const Hierarchy& classes, const taxonomy::Classification& classification,
+             const realization::Realization& realization) {
+    const std::string same = std::string(syntax::owl_namespace) + "sameAs";
+    std::vector<std::vector<std::string_view>> things(realization.individuals.size());
+    for (std::uint32_t at = 0; at < things.size() && goes_on(); ++at) {
+      const std::string_view individual = source.name_of(realization.individuals[at]);
+      things[realization.representative[at]].push_back(individual);
+      const auto& all = realization.type_sets[realization.types[at]];
+      for (const taxonomy::ClassNumber of : as_closure_ ? all : realization::most_specific(classification, all)) {
+        for (const std::string_view type : names(classes, static_cast<std::uint32_t>(of))) {
+          if (!goes_on()) return;
+          link(individual, graph::rdf_type, type);
+        }
+      }
+    }
+    for (const auto& names_of_one : things) write_equal(names_of_one, same);
+  }
+  void write(const owl::Ontology& source, const std::vector<realization::Fact>& facts) {
+    for (const realization::Fact& fact : facts) {
+      if (!goes_on()) return;
+      graph_.add(iri(source.name_of(fact.subject)), iri(source.name_of(fact.property)), node_of(source, fact.object));
+    }
+  }
+
  private:
+  static Node node_of(const owl::Ontology& source, owl::TermId object) {
+    const owl::Term term = source.term(object);
+    Node node = iri(source.name(term.name));
+    if (term.kind != owl::TermKind::literal) return node;
+    node.kind = Node::Kind::literal;
+    if (term.arguments.size() > 1) {
+      node.language = source.name_of(term.arguments[1]);
+    } else {
+      node.datatype = source.name_of(term.arguments[0]);
+    }
+    return node;
+  }
+
   /// Counts a step. False where a limit was reached.
   bool goes_on() {
     if (!steps_.spend(1)) is_spent_ = true;
     return !is_spent_ && !graph_.problem();
   }
 
-  static bool is_individual(std::string_view name) { return name.starts_with(only_individual); }
-
-  /// The names of a node: those of individuals, or all others.
-  static std::vector<std::string_view> names(const Hierarchy& hierarchy, std::uint32_t node, bool are_individuals) {
+  static std::vector<std::string_view> names(const Hierarchy& hierarchy, std::uint32_t node) {
     std::vector<std::string_view> found;
-    for (const std::uint32_t member : hierarchy.members[node]) {
-      const std::string_view name = hierarchy.iris[member];
-      if (is_individual(name) == are_individuals)
-        found.push_back(are_individuals ? name.substr(only_individual.size()) : name);
-    }
+    for (const std::uint32_t member : hierarchy.members[node]) found.push_back(hierarchy.iris[member]);
     return found;
   }
 
-  /// The nodes with class names right above a node, or all above it; without the top one.
+  /// The nodes right above a node, or all above it; without the top one.
   std::vector<std::uint32_t> above(const Hierarchy& hierarchy, std::uint32_t node) {
     std::vector<std::uint32_t> found;
     std::set<std::uint32_t> seen{node};
@@ -88,9 +103,8 @@ class Writer {
       stack.pop_back();
       for (const std::uint32_t parent : hierarchy.parents_of(at)) {
         if (!seen.insert(parent).second || parent == hierarchy.representative[hierarchy.top]) continue;
-        const bool is_named = !names(hierarchy, parent, false).empty();
-        if (is_named) found.push_back(parent);
-        if (!is_named || as_closure_) stack.push_back(parent);
+        found.push_back(parent);
+        if (as_closure_) stack.push_back(parent);
       }
     }
     std::ranges::sort(found);
@@ -112,20 +126,10 @@ class Writer {
   }
 
   void write_node(const Hierarchy& hierarchy, std::uint32_t node, const Predicates& words) {
-    const auto classes = names(hierarchy, node, false);
-    const auto individuals = names(hierarchy, node, true);
+    const auto classes = names(hierarchy, node);
     write_equal(classes, words.equal);
-    write_equal(individuals, std::string(syntax::owl_namespace) + "sameAs");
-    const auto type_all = [&](std::string_view type) {
-      if (type == owl::owl_thing) return;
-      for (const std::string_view individual : individuals) {
-        if (!goes_on()) return;
-        link(individual, graph::rdf_type, type);
-      }
-    };
-    for (const std::string_view type : classes) type_all(type);
     for (const std::uint32_t parent : above(hierarchy, node)) {
-      const auto supers = names(hierarchy, parent, false);
+      const auto supers = names(hierarchy, parent);
       // Of equivalent superclasses one is enough where only direct relations are written.
       const std::size_t count = as_closure_ ? supers.size() : std::min<std::size_t>(supers.size(), 1);
       for (std::size_t at = 0; at < count; ++at) {
@@ -133,10 +137,6 @@ class Writer {
           if (!goes_on()) return;
           link(name, words.below, supers[at]);
         }
-      }
-      // The types of an individual include the superclasses of a class that holds it alone.
-      if (classes.empty() || as_closure_) {
-        for (const std::string_view super : supers) type_all(super);
       }
     }
   }
@@ -157,27 +157,16 @@ class Writer {
 
 }  // namespace
 
-std::expected<ClassifiedFiles, LoadFailure> classify_with_individuals(rdf::Loaded loaded, Progress& progress,
-                                                                      const LoadOptions& how) {
-  owl::Ontology& source = loaded.source;
-  for (const owl::TermId individual : individuals_of(source)) {
-    const owl::TermId itself =
-        source.named_class(std::string(only_individual) + std::string(source.name_of(individual)));
-    const owl::TermId one = source.term(owl::TermKind::object_one_of, {individual});
-    source.add(owl::AxiomKind::equivalent_classes, {itself, one}, owl::FileId{0}, 0);
-  }
-  if (const auto& problem = source.problem()) return std::unexpected(LoadFailure{*problem, false});
-  return classify_files(std::move(loaded), 0, progress, how);
-}
-
-std::optional<std::string> add_inferred(const ClassifiedFiles& classified, bool as_closure, base::Budget& budget,
-                                        graph::Graph& graph) {
+std::optional<std::string> add_inferred(const ClassifiedFiles& classified, const realization::Realization& realization,
+                                        bool as_closure, base::Budget& budget, graph::Graph& graph) {
   const owl::Ontology& source = classified.loaded.source;
   const taxonomy::Classification& classification = classified.classification;
   const std::string owl(syntax::owl_namespace);
   Writer writer(as_closure, budget, graph);
-  writer.write(class_hierarchy(source, classification),
-               {std::string(graph::rdfs_sub_class_of), owl + "equivalentClass"});
+  const Hierarchy classes = class_hierarchy(source, classification);
+  writer.write(classes, {std::string(graph::rdfs_sub_class_of), owl + "equivalentClass"});
+  writer.write(source, classes, classification, realization);
+  writer.write(source, realization.facts);
   const auto properties = [&](const taxonomy::PropertyTaxonomy& taxonomy) {
     writer.write(property_hierarchy(source, taxonomy, classification.is_consistent),
                  {std::string(graph::rdfs_sub_property_of), owl + "equivalentProperty"});

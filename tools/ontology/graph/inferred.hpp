@@ -1,26 +1,23 @@
-// The triples that follow from an ontology: the hierarchies of classes and properties, and the types of individuals.
+// The triples that follow from an ontology: the hierarchies of classes and properties, and the types and facts of
+// individuals.
 #ifndef GEMINGA_ONTOLOGY_GRAPH_INFERRED_HPP
 #define GEMINGA_ONTOLOGY_GRAPH_INFERRED_HPP
 
-#include <expected>
 #include <optional>
 #include <string>
 
+#include "ontology/individuals/realized_files.hpp"
 #include "ontology/loading/classified_files.hpp"
 #include "reasoning/syntax/graph/graph.hpp"
 
 namespace geminga::ontology {
 
-/// Classifies with one more class for each individual, which holds it alone, so that the taxonomy has the types of the
-/// individuals. add_inferred() writes no such class.
-[[nodiscard]] std::expected<ClassifiedFiles, LoadFailure> classify_with_individuals(rdf::Loaded loaded,
-                                                                                    Progress& progress,
-                                                                                    const LoadOptions& how = {});
-
-/// Adds the relations that follow, all of them or the direct ones. Requires a consistent ontology. Each relation that
+/// Adds the relations that follow, all of them or the direct ones. The types of
+/// individuals and their facts are those of the realisation. Requires a consistent ontology. Each relation that
 /// is looked at costs a step; where the budget ends that, returns so in one line, and relations are missing. The graph
 /// has its own limit.
-[[nodiscard]] std::optional<std::string> add_inferred(const ClassifiedFiles& classified, bool as_closure,
+[[nodiscard]] std::optional<std::string> add_inferred(const ClassifiedFiles& classified,
+                                                      const realization::Realization& realization, bool as_closure,
                                                       base::Budget& budget, graph::Graph& graph);
 /// Adds the declaration of each name in these relations, for readers of nothing else.
 void add_declarations(const ClassifiedFiles& classified, graph::Graph& graph);

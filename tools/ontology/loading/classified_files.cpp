@@ -112,17 +112,11 @@ std::optional<std::string> describe_undecided(const ClassifiedFiles& classified)
   const std::size_t count = undecided.classes.size();
   if (count == 0 && !undecided.consistency) return std::nullopt;
   const auto short_name = short_names(classified.loaded.source);
-  const auto iri = [&](taxonomy::ClassNumber of) {
-    return classified.loaded.source.name(classified.classification.classes[static_cast<std::size_t>(of)]);
-  };
-  const auto is_individual = [&](taxonomy::ClassNumber of) { return iri(of).starts_with(only_individual); };
   const auto name = [&](taxonomy::ClassNumber of) {
-    return short_name(is_individual(of) ? iri(of).substr(only_individual.size()) : iri(of));
+    return short_name(classified.loaded.source.name(classified.classification.classes[static_cast<std::size_t>(of)]));
   };
-  const auto individuals = static_cast<std::size_t>(std::ranges::count_if(undecided.classes, is_individual));
   std::string line(compiled::undecided_words);
-  if (count > individuals) line += counted(count - individuals, "class", "classes");
-  if (individuals > 0) line += (count > individuals ? " and " : "") + counted(individuals, "individual", "individuals");
+  if (count > 0) line += counted(count, "class", "classes");
   if (count > 0) line += " (" + name(undecided.classes.front()) + (count == 1 ? ")" : ", ...)");
   if (undecided.consistency) line += std::string(count > 0 ? ", and " : "") + "whether there is a contradiction";
   if (undecided.held_up_by) line += "; held up by " + name(*undecided.held_up_by);

@@ -62,10 +62,6 @@ struct LoadOptions {
 [[nodiscard]] std::optional<ClassifiedFiles> classify_or_say(const std::vector<std::string>& files,
                                                              const LoadOptions& options = {});
 
-/// Begins the IRI of a class that holds one individual alone. classify_with_individuals() adds such classes, so that
-/// the taxonomy has the types of the individuals.
-inline constexpr std::string_view only_individual = "urn:geminga:only:";
-
 /// Named classes without owl:Thing and owl:Nothing.
 [[nodiscard]] std::size_t class_count(const ClassifiedFiles& classified);
 /// Whether a class can have no instance. No class can where the ontology is inconsistent.

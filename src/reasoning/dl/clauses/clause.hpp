@@ -11,6 +11,7 @@
 #define GEMINGA_REASONING_DL_CLAUSES_CLAUSE_HPP
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "reasoning/owl/automaton.hpp"
 #include "reasoning/owl/axiom.hpp"
 #include "reasoning/owl/role.hpp"
+#include "reasoning/owl/role_box.hpp"
 
 namespace geminga::clauses {
 
@@ -189,6 +191,7 @@ struct ClauseSet {
   std::vector<ConceptId> complements;  ///< of each expression whose complement is asked for: one whose are not in it
   std::vector<Unused> open_rules;      ///< rules of which something is not known; a model that keeps them all is one
   std::vector<Unused> unused;          ///< ascending by axiom
+  std::optional<owl::RoleBox> roles;   ///< of the properties
 };
 
 }  // namespace geminga::clauses

@@ -168,7 +168,7 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
     inclusions.push_back({inverse(*top_role_), *top_role_});
     chains.push_back({{*top_role_, *top_role_}, *top_role_, 0});
   }
-  const owl::RoleBox roles(set_.properties.size(), inclusions, chains, limits_.automaton_states);
+  owl::RoleBox roles(set_.properties.size(), inclusions, chains, limits_.automaton_states);
   Translator translator(vocabulary_, roles, set_, limits_.clauses);
   Allowed allowed(vocabulary_, roles, limits_.cardinality);
   PropertyClauses of_properties(vocabulary_, allowed, translator);
@@ -219,6 +219,7 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
   if (translator.is_full()) return too_many_clauses();
   base::sort_unique(set_.clauses);
   std::ranges::sort(set_.unused, {}, &Unused::axiom);
+  set_.roles.emplace(std::move(roles));
   return std::move(set_);
 }
 

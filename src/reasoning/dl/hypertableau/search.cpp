@@ -18,8 +18,10 @@ constexpr std::size_t first_patience = 64;
 
 }  // namespace
 
-Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits)
+Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits,
+               bool is_about_facts)
     : set_(set),
+      is_about_facts_(is_about_facts),
       program_(set),
       effort_(limits, graph_),
       facts_(source, set, program_, graph_, sets_, effort_),
@@ -42,6 +44,30 @@ void Search::begin(bool is_about_world) {
 Outcome Search::find_world() {
   begin(true);
   assert_told_facts(set_, program_, facts_);
+  if (is_about_facts_) {
+    branches_.push_back({sizes(), {}});
+    base_branches_ = 1;
+  }
+  const Outcome outcome = run();
+  if (is_about_facts_ && !before_choices_) before_choices_ = sizes();
+  return outcome;
+}
+
+Outcome Search::find_world_again() {
+  branches_.resize(1);
+  restore(*before_choices_);
+  forget_base();
+  has_question_ = false;
+  facts_.forget_clash();
+  begin(true);
+  return run();
+}
+
+Outcome Search::find_supposing(Supposition supposed) {
+  supposed_ = std::move(supposed);
+  has_question_ = true;
+  begin(true);
+  ask();
   return run();
 }
 
@@ -53,8 +79,30 @@ Outcome Search::find_instance(std::vector<clauses::ConceptId> together) {
   return run();
 }
 
+void Search::suppose() {
+  const DependencySet dependency = sets_.single(0);
+  const auto node_of = [&](clauses::IndividualId individual, DependencySet& merged_by) {
+    return graph_.current(facts_.individuals()[number(individual)], sets_, merged_by);
+  };
+  for (const clauses::ConceptFact& fact : supposed_.facts) {
+    DependencySet reasons = dependency;
+    const NodeId node = node_of(fact.individual, reasons);
+    facts_.add_fact(FactKind::concept_of, number(fact.of), node, 0, reasons);
+  }
+  for (const auto& [first, second] : supposed_.different) {
+    DependencySet reasons = dependency;
+    const NodeId one = node_of(first, reasons);
+    const NodeId other = node_of(second, reasons);
+    facts_.add_unequal(one, other, reasons);
+  }
+}
+
 void Search::ask() {
   question_mark_ = graph_.mark().facts;
+  if (is_about_facts_) {
+    suppose();
+    return;
+  }
   question_node_ = facts_.add_node(NodeKind::root, none, no_dependency);
   if (!program_.needs_thing() && question_.empty()) {
     // So that cutting it off is seen.
@@ -91,6 +139,17 @@ void Search::end_question(Outcome outcome) {
   } else {
     branches_.resize(base_branches_);
     restore(*base_);
+  }
+}
+
+void Search::end_supposing(Outcome outcome) {
+  has_question_ = false;
+  facts_.forget_clash();
+  if (base_) {
+    branches_.resize(base_branches_);
+    restore(*base_);
+  } else if (outcome == Outcome::model) {
+    keep();
   }
 }
 
@@ -153,7 +212,7 @@ bool Search::choose_for_bound() {
 
 bool Search::expand() {
   // Without nominals no fact reaches into the models of earlier questions. Their open at-leasts are blocked.
-  const std::size_t first = base_ && !program_.has_nominals() ? base_->expansion.existentials : 0;
+  const std::size_t first = base_ && !keeps_world() ? base_->expansion.existentials : 0;
   return expansion_.expand(first, branches_.size() > base_branches_);
 }
 
@@ -163,6 +222,7 @@ void Search::note(const Suspect& suspect) {
 
 void Search::branch(Decision decision) {
   const auto number = static_cast<std::uint32_t>(branches_.size());
+  if (is_about_facts_ && !before_choices_) before_choices_ = sizes();
   records_.order_by_promise(decision.alternatives, program_.burdens());
   const Choice first = decision.alternatives.front();
   const DependencySet dependency = decision.dependency;
@@ -178,6 +238,7 @@ bool Search::go_back() {
   const DependencySet clash = facts_.clash_dependency();
   if (clash == no_dependency) return false;
   const std::uint32_t number = sets_.last(clash);
+  if (is_supposition(number)) return false;
   branches_.resize(number + 1);
   Branch& branch = branches_.back();
   const Decision& decision = branch.decision;
@@ -236,13 +297,14 @@ void Search::restore(const Sizes& sizes) {
 
 void Search::forget_base() {
   base_.reset();
-  base_branches_ = 0;
+  base_branches_ = is_about_facts_ && !branches_.empty() ? 1 : 0;
   effort_.set_base({});
 }
 
 void Search::reset() {
   restore({});
   branches_.clear();
+  before_choices_.reset();
   sets_.clear();
   forget_base();
   facts_.clear();

@@ -21,6 +21,7 @@
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
 #include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/individuals.hpp"
 #include "reasoning/dl/hypertableau/keys.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
@@ -36,7 +37,9 @@ enum class Outcome : std::uint8_t { model, no_model, unknown };
 /// Each rule is a class. It owns its state and knows only the classes that are declared before it here.
 class Search {
  public:
-  Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits);
+  /// With `is_about_facts` the base is the model of the facts in every ontology, and find_supposing() may be asked.
+  Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits,
+         bool is_about_facts = false);
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
@@ -46,6 +49,13 @@ class Search {
   Outcome find_world();
   /// Looks for a model in which one thing is in all of these concepts, together with the base.
   Outcome find_instance(std::vector<clauses::ConceptId> together);
+  /// The same after find_world() found a model: takes back all choices and what was supposed, and makes others.
+  Outcome find_world_again();
+  /// Looks for a model of the facts in which these hold, too. Requires find_world() since reset(). Facts that depend on
+  /// what is supposed are not certain. The search may leave the base, and then has none.
+  Outcome find_supposing(Supposition supposed);
+  /// Reads the model in the graph for the individuals.
+  [[nodiscard]] Individuals individuals() const { return {set_, graph_, facts_.individuals()}; }
   /// The labels of the model that the last question found. To be called before end_question().
   [[nodiscard]] Model model();
   /// The steps of all questions.
@@ -63,6 +73,10 @@ class Search {
   /// To be called after find_instance(): keeps the model, or takes the question back. Models with values are not kept,
   /// as models would share values.
   void end_question(Outcome outcome);
+
+  /// The same after find_supposing(). A model that was found outside of the base becomes the base. Whatever is still
+  /// supposed in it depends on a choice.
+  void end_supposing(Outcome outcome);
 
   [[nodiscard]] bool has_nominals() const { return program_.has_nominals(); }
 
@@ -87,6 +101,7 @@ class Search {
   Outcome run();
   void begin(bool is_about_world);
   void ask();
+  void suppose();
   void ask_again();
   bool saturate();
   bool choose();
@@ -97,11 +112,17 @@ class Search {
   void begin_again();
   void note(const Suspect& suspect);
   void forget_base();
+  /// Whether the base is the model of the facts.
+  [[nodiscard]] bool keeps_world() const { return is_about_facts_ || program_.has_nominals(); }
+  /// All that is supposed depends on this branch, which has no alternatives and is the first. A clash that depends on
+  /// nothing else refutes what is supposed. Being the first it stays among the reasons of later branches.
+  [[nodiscard]] bool is_supposition(std::uint32_t branch) const { return is_about_facts_ && branch == 0; }
   [[nodiscard]] Sizes sizes() const;
   void restore(const Sizes& sizes);
   [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
 
   const clauses::ClauseSet& set_;
+  const bool is_about_facts_;
   Program program_;
   Graph graph_;
   DependencySets sets_;
@@ -122,12 +143,14 @@ class Search {
   std::size_t patience_ = 0;       ///< wrong guesses beyond those that stand, after which the search begins again
 
   std::vector<clauses::ConceptId> question_;
+  Supposition supposed_;
   bool has_question_ = false;
   std::size_t question_mark_ = 0;  ///< facts that are older than it
   NodeId question_node_ = none;
   /// With nominals the model of the facts; otherwise the models of the questions whose answer was yes.
   std::optional<Sizes> base_;
   std::size_t base_branches_ = 0;
+  std::optional<Sizes> before_choices_;  ///< of a search about facts: all that is derived without a choice
 };
 
 }  // namespace geminga::hypertableau

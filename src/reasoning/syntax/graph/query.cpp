@@ -1,9 +1,13 @@
 #include "reasoning/syntax/graph/query.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
+#include <set>
+#include <string_view>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/graph/axiom_triples.hpp"
 #include "reasoning/syntax/graph/store.hpp"
 #include "reasoning/syntax/graph/triple_index.hpp"
 
@@ -104,8 +108,41 @@ bool has_service(rasqal_graph_pattern* pattern) {
   }
 }
 
+/// The name of a blank node or of a variable that stands for one; empty for what is named.
+std::string_view blank_name(const rasqal_literal* literal) {
+  if (literal == nullptr) return {};
+  if (literal->type == RASQAL_LITERAL_BLANK) return reinterpret_cast<const char*>(literal->string);
+  if (literal->type != RASQAL_LITERAL_VARIABLE || literal->value.variable->type != RASQAL_VARIABLE_TYPE_ANONYMOUS)
+    return {};
+  return reinterpret_cast<const char*>(literal->value.variable->name);
+}
+
+bool is_one_of(const rasqal_literal* literal, std::initializer_list<std::string_view> names) {
+  if (literal == nullptr || literal->type != RASQAL_LITERAL_URI) return false;
+  const std::string_view uri = reinterpret_cast<const char*>(raptor_uri_as_string(literal->value.uri));
+  return std::ranges::find(names, uri) != names.end();
+}
+
+/// Whether a query asks for the instances of a class expression: ?x a [ owl:onProperty ... ].
+bool asks_for_instances(rasqal_query* query) {
+  std::set<std::string_view> types;
+  std::set<std::string_view> expressions;
+  raptor_sequence* triples = rasqal_query_get_triple_sequence(query);
+  for (int at = 0; triples != nullptr && at < raptor_sequence_size(triples); ++at) {
+    const auto* triple = static_cast<const rasqal_triple*>(raptor_sequence_get_at(triples, at));
+    if (is_one_of(triple->predicate, {rdf_type})) types.insert(blank_name(triple->object));
+    if (is_one_of(triple->predicate,
+                  {"http://www.w3.org/2002/07/owl#onProperty", "http://www.w3.org/2002/07/owl#unionOf",
+                   "http://www.w3.org/2002/07/owl#intersectionOf", "http://www.w3.org/2002/07/owl#complementOf",
+                   "http://www.w3.org/2002/07/owl#oneOf"}))
+      expressions.insert(blank_name(triple->subject));
+  }
+  return std::ranges::any_of(types, [&](std::string_view of) { return !of.empty() && expressions.contains(of); });
+}
+
 /// Why a query is refused, or its variables. Rasqal reads the query and does nothing else with it.
-std::optional<std::string> refusal_of(World& world, const std::string& query, std::vector<std::string>& variables) {
+std::optional<std::string> refusal_of(World& world, const std::string& query, Expressions expressions,
+                                      std::vector<std::string>& variables) {
   const Owned<rasqal_query> read(rasqal_new_query(world.rasqal(), language, nullptr));
   if (read == nullptr) return "memory is short";
   if (rasqal_query_prepare(read.get(), octets(query), nullptr) != 0) {
@@ -122,6 +159,8 @@ std::optional<std::string> refusal_of(World& world, const std::string& query, st
     return "FROM would fetch a graph, and nothing is fetched: name the file before the query";
   if (has_service(rasqal_query_get_query_graph_pattern(read.get())))
     return "SERVICE would ask another host, and nothing is fetched";
+  if (expressions == Expressions::are_refused && asks_for_instances(read.get()))
+    return "the instances of a class expression are no triples: ask geminga-ontology instances, or --asserted only";
   raptor_sequence* named = rasqal_query_get_bound_variable_sequence(read.get());
   for (int at = 0; named != nullptr && at < raptor_sequence_size(named); ++at) {
     const auto* variable = static_cast<const rasqal_variable*>(raptor_sequence_get_at(named, at));
@@ -183,7 +222,8 @@ std::optional<std::string> read_triples(World& world, librdf_query_results* resu
 }  // namespace
 
 std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
-                                    Format format, const GraphLimits& limits, base::Budget* budget) {
+                                    Format format, const GraphLimits& limits, base::Budget* budget,
+                                    Expressions expressions) {
   const auto refuse = [](std::string text) { return std::unexpected(AskError{std::move(text)}); };
   if (query.size() > limits.query_bytes)
     return refuse("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
@@ -195,7 +235,7 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
   World& world = graph.store().world;
   const std::string text = with_prefixes(query, prefixes);
   Answer answer;
-  if (auto refusal = refusal_of(world, text, answer.variables)) return refuse(std::move(*refusal));
+  if (auto refusal = refusal_of(world, text, expressions, answer.variables)) return refuse(std::move(*refusal));
 
   TripleIndex index(graph.store().statements.all(), limits, budget);
   const Owned<librdf_storage> storage(index.storage(world));

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_QUERY_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_QUERY_HPP
 
+#include <cstdint>
 #include <expected>
 #include <optional>
 #include <string>
@@ -28,13 +29,18 @@ struct AskError {
   bool is_limit = false;
 };
 
+/// Whether a query may ask for what is of a class expression (?x a [ owl:onProperty ... ]). It finds what the graph
+/// says in so many triples, and no instance that follows.
+enum class Expressions : std::uint8_t { are_triples, are_refused };
+
 /// Asks a sorted graph. SELECT, ASK and CONSTRUCT are answered. What would fetch or change something (SERVICE, FROM,
 /// LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares them. `budget`
 /// (null: no limit) counts the triples that are looked at; what rasqal computes without them, only the process limits.
 /// Beyond a limit there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS).
 [[nodiscard]] std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query,
                                                   const Prefixes& prefixes, Format format = Format::turtle,
-                                                  const GraphLimits& limits = {}, base::Budget* budget = nullptr);
+                                                  const GraphLimits& limits = {}, base::Budget* budget = nullptr,
+                                                  Expressions expressions = Expressions::are_triples);
 
 }  // namespace geminga::graph
 

@@ -1,0 +1,96 @@
+#include "reasoning/realization/facts.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "base/sorted.hpp"
+
+namespace geminga::realization {
+
+using clauses::number;
+using hypertableau::Individuals;
+using hypertableau::NodeId;
+
+FactNames::FactNames(const owl::Ontology& source, const clauses::ClauseSet& set, const std::vector<Row>& rows)
+    : source_(source), set_(set), links_(source, set) {
+  for (const Row& row : rows) rows_.emplace(row.certain, &row);
+}
+
+const Row* FactNames::row_of(NodeId node) const {
+  const auto found = rows_.find(node);
+  return found == rows_.end() ? nullptr : found->second;
+}
+
+std::vector<Fact> FactNames::write(const Individuals& individuals, const CertainFacts& certain, base::Budget* budget,
+                                   Gaps& gaps) const {
+  std::vector<Fact> facts;
+  const auto term = [&](clauses::IndividualId name) { return set_.individuals[number(name)]; };
+  const UseLink use = [&](owl::TermId property, NodeId from, NodeId to) {
+    const Row* const subject = row_of(from);
+    const Row* const object = row_of(to);
+    if (subject == nullptr || object == nullptr) return;
+    for (const clauses::IndividualId first : subject->names) {
+      for (const clauses::IndividualId second : object->names) facts.push_back({term(first), property, term(second)});
+    }
+  };
+  for (const Individuals::Link& link : certain.links) links_.name(link, use);
+  const Paths paths = links_.follow(certain.links, individuals, budget, use);
+  if (paths.is_cut_off) gaps.insert(budget->reason().value_or(""));
+  if (paths.are_open) gaps.insert("chains of properties were not followed through everything without a name");
+  for (const Individuals::Value& value : certain.values) {
+    const Row* const subject = row_of(value.subject);
+    if (subject == nullptr) continue;
+    const owl::TermId property = set_.data_properties[number(value.property)];
+    if (source_.name_of(property) == owl::owl_top_data_property) continue;
+    for (const clauses::IndividualId name : subject->names) facts.push_back({term(name), property, value.literal});
+  }
+  base::sort_unique(facts);
+  return facts;
+}
+
+namespace {
+
+/// The rows that each node of the model stands for.
+std::unordered_map<NodeId, std::vector<const Row*>> rows_by_node(const std::vector<Row>& rows) {
+  std::unordered_map<NodeId, std::vector<const Row*>> found;
+  for (const Row& row : rows) found[row.node].push_back(&row);
+  return found;
+}
+
+}  // namespace
+
+std::vector<UncertainLink> uncertain_links(const Individuals& individuals, const std::vector<Row>& rows) {
+  std::set<std::tuple<clauses::PropertyId, NodeId, NodeId>> certain;
+  for (const Individuals::Link& link : individuals.certain_links())
+    certain.emplace(link.property, link.first, link.second);
+  const auto rows_of = rows_by_node(rows);
+  std::vector<UncertainLink> found;
+  for (const Individuals::Link& link : individuals.links()) {
+    const auto subjects = rows_of.find(link.first);
+    const auto objects = rows_of.find(link.second);
+    if (subjects == rows_of.end() || objects == rows_of.end()) continue;
+    for (const Row* const subject : subjects->second) {
+      for (const Row* const object : objects->second) {
+        if (!certain.contains({link.property, subject->certain, object->certain}))
+          found.push_back({link.property, subject->names.front(), object->names.front()});
+      }
+    }
+  }
+  return found;
+}
+
+bool has_uncertain_values(const Individuals& individuals, const std::vector<Row>& rows) {
+  std::set<std::tuple<clauses::DataPropertyId, NodeId, owl::TermId>> certain;
+  for (const Individuals::Value& value : individuals.certain_values())
+    certain.emplace(value.property, value.subject, value.literal);
+  const auto rows_of = rows_by_node(rows);
+  return std::ranges::any_of(individuals.values(), [&](const Individuals::Value& value) {
+    const auto subjects = rows_of.find(value.subject);
+    return subjects != rows_of.end() && std::ranges::any_of(subjects->second, [&](const Row* subject) {
+             return !certain.contains({value.property, subject->certain, value.literal});
+           });
+  });
+}
+
+}  // namespace geminga::realization

@@ -1,0 +1,122 @@
+// Facts that follow, what a limit leaves open, and the instances of expressions.
+#include "reasoning/realization/realization.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "reasoning/reasoner/reasoner.hpp"
+#include "support/written.hpp"
+
+namespace geminga::realization {
+namespace {
+
+using owl::written;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string local(std::string_view iri) { return std::string(iri.substr(iri.find('#') + 1)); }
+
+Realization realized(const owl::Ontology& source, const Options& options = {.with_facts = true}) {
+  const auto classification = reasoner::classify(source);
+  EXPECT_TRUE(classification);
+  return realize(source, *classification, options);
+}
+
+/// `subject property object` with local names.
+std::vector<std::string> facts_of(std::string_view text) {
+  const owl::Ontology source = written(text);
+  const Realization found = realized(source);
+  EXPECT_THAT(found.gaps, IsEmpty());
+  std::vector<std::string> lines;
+  for (const Fact& fact : found.facts) {
+    lines.push_back(local(source.name_of(fact.subject)) + ' ' + local(source.name_of(fact.property)) + ' ' +
+                    local(source.name_of(fact.object)));
+  }
+  std::ranges::sort(lines);
+  return lines;
+}
+
+TEST(Facts, FollowByInversesAndSuperProperties) {
+  EXPECT_THAT(facts_of("ObjectPropertyAssertion(r i:a i:b)\nInverseObjectProperties(r s)\nSubObjectPropertyOf(s t)\n"),
+              ElementsAre("a r b", "b s a", "b t a"));
+}
+
+TEST(Facts, FollowByTransitivityAndChains) {
+  EXPECT_THAT(facts_of("ObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(r i:b i:c)\n"
+                       "TransitiveObjectProperty(r)\n"),
+              ElementsAre("a r b", "a r c", "b r c"));
+  EXPECT_THAT(facts_of("ObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(s i:b i:c)\n"
+                       "SubObjectPropertyOf(ObjectPropertyChain(r s) t)\n"),
+              ElementsAre("a r b", "a t c", "b s c"));
+}
+
+TEST(Facts, AreSharedByIndividualsThatAreTheSame) {
+  EXPECT_THAT(facts_of("ObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(r i:a i:c)\n"
+                       "FunctionalObjectProperty(r)\nDataPropertyAssertion(d:u i:b \"1\"^x:integer)\n"),
+              ElementsAre("a r b", "a r c", "b u 1", "c u 1"));
+}
+
+TEST(Facts, ThatHoldInEachCaseAreFound) {
+  EXPECT_THAT(facts_of("ClassAssertion(ObjectUnionOf(ObjectHasValue(r i:b) ObjectHasValue(s i:b)) i:a)\n"
+                       "SubObjectPropertyOf(r t)\nSubObjectPropertyOf(s t)\n"),
+              ElementsAre("a t b"));
+}
+
+TEST(Types, OfACoveringAxiomAreTestedAndNotTakenFromTheModel) {
+  const owl::Ontology source = written(
+      "EquivalentClasses(P ObjectUnionOf(M W))\nDisjointClasses(M W)\nClassAssertion(P i:a)\n"
+      "ClassAssertion(P i:b)\nClassAssertion(ObjectComplementOf(M) i:b)\n");
+  const auto classification = reasoner::classify(source);
+  const Realization found = realize(source, *classification);
+  ASSERT_EQ(found.individuals.size(), 2U);
+  EXPECT_EQ(found.type_sets[found.types[0]].size(), 1U) << "P";
+  EXPECT_EQ(found.type_sets[found.types[1]].size(), 2U) << "P and W";
+  EXPECT_THAT(found.gaps, IsEmpty());
+}
+
+TEST(Realization, OfAContradictionSaysSo) {
+  EXPECT_FALSE(realized(written("DisjointClasses(A B)\nClassAssertion(A i:a)\nClassAssertion(B i:a)\n")).is_consistent);
+}
+
+TEST(Realization, WithoutABudgetLeftNamesWhatIsOpen) {
+  const owl::Ontology source = written("ClassAssertion(A i:a)\nClassAssertion(B i:b)\n");
+  base::Budget budget(1);
+  while (budget.spend(1)) {
+  }
+  const Realization found = realized(source, {.budget = &budget});
+  EXPECT_TRUE(found.is_consistent);
+  EXPECT_THAT(found.gaps, Not(IsEmpty()));
+  EXPECT_THAT(found.undecided, ElementsAre(0U, 1U));
+}
+
+TEST(Realization, OfNothingIsEmpty) {
+  const Realization found = realized(written("SubClassOf(A B)\n"));
+  EXPECT_TRUE(found.is_consistent);
+  EXPECT_THAT(found.individuals, IsEmpty());
+  EXPECT_THAT(found.gaps, IsEmpty());
+}
+
+TEST(Instances, OfAnExpressionThatNeedsCasesAreFound) {
+  owl::Ontology source = written(
+      "ObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(r i:a i:c)\nObjectPropertyAssertion(r i:b i:c)\n"
+      "ObjectPropertyAssertion(r i:c i:d)\nClassAssertion(P i:b)\nClassAssertion(ObjectComplementOf(P) i:d)\n");
+  const owl::TermId r = source.object_property("https://t.example/#r");
+  const owl::TermId p = source.named_class("https://t.example/#P");
+  const owl::TermId not_p = source.term(owl::TermKind::object_complement_of, {p});
+  const owl::TermId inner = source.term(owl::TermKind::object_some_values_from, {r, not_p});
+  const owl::TermId both = source.term(owl::TermKind::object_intersection_of, {p, inner});
+  const owl::TermId asked = source.term(owl::TermKind::object_some_values_from, {r, both});
+  const Instances found = find_instances(source, asked);
+  ASSERT_EQ(found.found.size(), 1U);
+  EXPECT_EQ(local(source.name_of(found.found.front())), "a");
+  EXPECT_THAT(found.undecided, IsEmpty());
+  EXPECT_THAT(found.gaps, IsEmpty());
+}
+
+}  // namespace
+}  // namespace geminga::realization

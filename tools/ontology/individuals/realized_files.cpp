@@ -1,0 +1,33 @@
+#include "ontology/individuals/realized_files.hpp"
+
+#include "base/text.hpp"
+#include "ontology/command/words.hpp"
+
+namespace geminga::ontology {
+realization::Realization realize_files(const ClassifiedFiles& classified, base::Budget& budget, Progress& progress,
+                                       bool with_facts) {
+  realization::Options options{.budget = &budget, .with_facts = with_facts};
+  options.progress = [&](std::string_view phase, double done) { progress.show(phase, done); };
+  auto found = realization::realize(classified.loaded.source, classified.classification, options);
+  progress.clear();
+  return found;
+}
+
+std::optional<std::string> describe_open(const owl::Ontology& source, const std::vector<owl::TermId>& undecided,
+                                         const std::vector<std::string>& gaps) {
+  if (gaps.empty() && undecided.empty()) return std::nullopt;
+  std::string line = base::joined(gaps, "; ");
+  if (undecided.empty()) return line;
+  if (!line.empty()) line += "; ";
+  line += "undecided: " + counted(undecided.size(), "individual", "individuals") + " (" +
+          short_names(source)(source.name_of(undecided.front())) + (undecided.size() == 1 ? ")" : ", ...)");
+  return line;
+}
+
+std::vector<owl::TermId> undecided_individuals(const realization::Realization& realization) {
+  std::vector<owl::TermId> found;
+  for (const std::uint32_t at : realization.undecided) found.push_back(realization.individuals[at]);
+  return found;
+}
+
+}  // namespace geminga::ontology

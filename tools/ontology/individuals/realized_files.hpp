@@ -1,0 +1,33 @@
+// Ontology files with what follows for their individuals.
+#ifndef GEMINGA_ONTOLOGY_INDIVIDUALS_REALIZED_FILES_HPP
+#define GEMINGA_ONTOLOGY_INDIVIDUALS_REALIZED_FILES_HPP
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ontology/loading/classified_files.hpp"
+#include "reasoning/realization/realization.hpp"
+
+namespace geminga::ontology {
+
+inline constexpr std::string_view contradiction_words =
+    "the ontology contradicts itself, so that everything follows from it: see geminga-ontology check";
+
+/// Realises classified files, which must be consistent as far as classification says. Shows on a terminal what it does.
+[[nodiscard]] realization::Realization realize_files(const ClassifiedFiles& classified, base::Budget& budget,
+                                                     Progress& progress, bool with_facts);
+
+/// The reasons why something may be missing, and the individuals that are not decided, in one line; nothing where
+/// everything is decided.
+[[nodiscard]] std::optional<std::string> describe_open(const owl::Ontology& source,
+                                                       const std::vector<owl::TermId>& undecided,
+                                                       const std::vector<std::string>& gaps);
+/// The undecided individuals of a realisation.
+[[nodiscard]] std::vector<owl::TermId> undecided_individuals(const realization::Realization& realization);
+
+}  // namespace geminga::ontology
+
+#endif

@@ -1,0 +1,122 @@
+// `geminga-ontology instances`: the individuals that are in a class expression.
+#include <CLI/CLI.hpp>
+#include <boost/json.hpp>
+#include <memory>
+
+#include "base/text.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/individuals/realized_files.hpp"
+#include "ontology/loading/argument.hpp"
+#include "ontology/loading/class_names.hpp"
+#include "ontology/loading/compiled_form.hpp"
+#include "reasoning/compiled/entity_names.hpp"
+#include "reasoning/syntax/manchester/parse.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct InstancesRequest {
+  std::vector<std::string> words;  ///< the files, and last the expression
+  bool as_json = false;
+};
+
+/// Reads a class expression, of which a name is the simplest; nothing after saying what is wrong.
+std::optional<owl::TermId> read_or_say(ClassifiedFiles& classified, const std::string& text, bool as_json) {
+  const auto ontology = compile_or_say(classified);
+  if (!ontology) return std::nullopt;
+  owl::Ontology& source = classified.loaded.source;
+  // A label may hold words that are operators of an expression.
+  if (find_class(*ontology, text) || !manchester::is_compound(text)) {
+    const auto number = find_or_say(*ontology, text, as_json);
+    if (!number) return std::nullopt;
+    return source.named_class(ontology->iri(*number));
+  }
+  const compiled::EntityNames names(*ontology);
+  const auto expression = manchester::parse(text, names);
+  if (expression) return source.copy(expression->source, expression->term);
+  say_failure("'" + base::printable(text) + "': " + to_string(expression.error()), as_json);
+  return std::nullopt;
+}
+
+std::string as_json(const owl::Ontology& source, const realization::Instances& found) {
+  const auto iris = [&](const std::vector<owl::TermId>& individuals) {
+    boost::json::array array;
+    for (const owl::TermId individual : individuals) array.emplace_back(source.name_of(individual));
+    return array;
+  };
+  boost::json::object document{{"consistent", found.is_consistent}, {"instances", iris(found.found)}};
+  if (!found.undecided.empty()) document["undecided"] = iris(found.undecided);
+  if (!found.gaps.empty()) document["gaps"] = boost::json::value_from(found.gaps);
+  return json_text(document) + '\n';
+}
+
+std::string as_text(const owl::Ontology& source, const realization::Instances& found) {
+  const auto short_name = short_names(source);
+  std::string text;
+  for (const owl::TermId individual : found.found) text += short_name(source.name_of(individual)) + '\n';
+  return text;
+}
+
+/// The exit status of the contract; says what is not decided.
+Exit judge(const owl::Ontology& source, const realization::Instances& found, const base::Budget& budget) {
+  const auto open = describe_open(source, found.undecided, found.gaps);
+  if (!open) return found.found.empty() ? Exit::no : Exit::yes;
+  say_error((found.found.empty() ? "it cannot be decided whether there is an instance: "
+                                 : "what is printed follows, and more may: ") +
+            *open);
+  if (budget.is_spent()) return Exit::timed_out;
+  return found.found.empty() ? Exit::usage : Exit::yes;
+}
+
+Exit instances(const InstancesRequest& request, const WorkLimits& limits) {
+  if (request.words.size() < 2)
+    return say_failure("name the files, and behind them the class expression", request.as_json);
+  base::Budget classifying = budget_of(first_half(limits));
+  const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
+  auto classified = classify_or_say(files, {.as_json = request.as_json, .budget = &classifying});
+  if (!classified) return Exit::usage;
+  const auto expression = read_or_say(*classified, request.words.back(), request.as_json);
+  if (!expression) return Exit::usage;
+  owl::Ontology& source = classified->loaded.source;
+  base::Budget budget = budget_of(limits);
+  realization::Instances found;
+  found.is_consistent = classified->classification.is_consistent;
+  if (found.is_consistent) {
+    Progress progress(!request.as_json);
+    realization::Options options{.budget = &budget};
+    options.progress = [&](std::string_view phase, double done) { progress.show(phase, done); };
+    found = realization::find_instances(source, *expression, options);
+    progress.clear();
+  }
+  say_unresolved(classified->loaded);
+  if (!found.is_consistent) say_error(contradiction_words);
+  if (!print(request.as_json ? as_json(source, found) : as_text(source, found))) return say_unwritten();
+  return found.is_consistent ? judge(source, found, budget) : Exit::yes;
+}
+
+}  // namespace
+
+void add_instances(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<InstancesRequest>();
+  CLI::App* command = program.add_subcommand("instances", "Print the individuals that are in a class expression");
+  command
+      ->add_option("FILES EXPRESSION", request->words,
+                   "ontology files, or folders of them, and a class expression in Manchester syntax behind them")
+      ->required()
+      ->type_name("");
+  command->add_flag("--json", request->as_json, "print one JSON document");
+  add_work_limits(*command, choice.limits);
+  command->footer(
+      "\nPrinted are the named individuals that are in the expression in every model, as Protege's DL query does.\n"
+      "Exit status: 0 there are some, 1 there are none, 2 it cannot be decided whether there are (the reason is\n"
+      "printed) or a file cannot be loaded, 4 a limit was reached. Where more may be found, standard error names the\n"
+      "individuals that are not decided.\n"
+      "\nExamples:\n"
+      "  geminga-ontology instances team/ soccer:BallInfo\n"
+      "  geminga-ontology instances team/ 'geminga:Service and (soccer:sees some soccer:Ball)' --json");
+  run_when_named(*command, choice, request, instances);
+}
+
+}  // namespace geminga::ontology

@@ -1,0 +1,87 @@
+// `geminga-ontology realize`: the types of individuals, who is the same, and the facts that follow.
+#include <CLI/CLI.hpp>
+#include <boost/json.hpp>
+#include <memory>
+
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/individuals/realized_files.hpp"
+#include "ontology/individuals/realized_forms.hpp"
+#include "ontology/loading/argument.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct RealizeRequest {
+  std::vector<std::string> files;
+  bool all = false;
+  bool as_closure = false;
+  bool with_facts = false;
+  bool as_json = false;
+};
+
+bool write(const RealizedForms& forms, const RealizeRequest& request, const std::optional<std::string>& open) {
+  if (request.as_json) {
+    boost::json::object document = forms.json(request.with_facts);
+    if (open) document["undecided"] = *open;
+    return print_more(json_text(document) + '\n');
+  }
+  if (request.with_facts)
+    return request.as_closure ? forms.write_fact_closure(print_more) : forms.write_facts(print_more);
+  return request.as_closure ? forms.write_closure(print_more) : forms.write_types(print_more);
+}
+
+Exit say_contradiction(bool as_json) {
+  say_error(contradiction_words);
+  return as_json ? print_or_say(json_text(boost::json::object{{"consistent", false}}) + '\n') : Exit::yes;
+}
+
+Exit realize(const RealizeRequest& request, const WorkLimits& limits) {
+  base::Budget classifying = budget_of(first_half(limits));
+  const auto classified = classify_or_say(request.files, {.as_json = request.as_json, .budget = &classifying});
+  if (!classified) return Exit::usage;
+  if (!classified->classification.is_consistent) return say_contradiction(request.as_json);
+  base::Budget budget = budget_of(limits);
+  Progress progress(!request.as_json);
+  const auto found = realize_files(*classified, budget, progress, request.with_facts);
+  if (!found.is_consistent) return say_contradiction(request.as_json);
+  const owl::Ontology& source = classified->loaded.source;
+  auto open = describe_open(source, undecided_individuals(found), found.gaps);
+  if (const auto classes = describe_undecided(*classified)) open = open ? *open + "; " + *classes : *classes;
+  if (!write(RealizedForms(*classified, found, request.all), request, open) || !print("")) return say_unwritten();
+  say_unresolved(classified->loaded);
+  if (open) say_error("what is printed follows, and more may: " + *open);
+  return budget.is_spent() || classified->classification.is_cut_off ? Exit::timed_out : Exit::yes;
+}
+
+}  // namespace
+
+void add_realize(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<RealizeRequest>();
+  CLI::App* command = program.add_subcommand(
+      "realize", "Print the most specific types of each individual, and which individuals are the same");
+  add_files(*command, request->files);
+  command->add_flag("--all", request->all, "print all types, not only the most specific ones");
+  CLI::Option* closure =
+      command->add_flag("--closure", request->as_closure,
+                        "print INDIVIDUAL<TAB>CLASS for every type, full IRIs, sorted, without owl:Thing");
+  command->add_flag("--facts", request->with_facts,
+                    "print the facts that hold between individuals, and their values, instead (with --json: too)");
+  command->add_flag("--json", request->as_json, "print one JSON document")->excludes(closure);
+  add_work_limits(*command, choice.limits);
+  command->footer(
+      "\nFacts are those of the files and those that follow from them: by inverses, super-properties, chains,\n"
+      "transitivity, keys and individuals that are the same. With --closure they are\n"
+      "SUBJECT<TAB>PROPERTY<TAB>OBJECT lines. An individual without a class is an owl:Thing. Anonymous individuals "
+      "are\n"
+      "not printed. What is printed follows; where more may follow, standard error says why and which individuals are\n"
+      "not decided. Exit status: 0 done, also if the ontology contradicts itself, which standard error says; 2 a file\n"
+      "cannot be loaded; 4 a limit was reached.\n"
+      "\nExamples:\n  geminga-ontology realize team/\n"
+      "  geminga-ontology realize team/ --closure --time-limit 10\n"
+      "  geminga-ontology realize team/ --facts");
+  run_when_named(*command, choice, request, realize);
+}
+
+}  // namespace geminga::ontology
