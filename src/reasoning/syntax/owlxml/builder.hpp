@@ -117,7 +117,7 @@ class Builder final : public Listener {
   // builder_names.cpp: names and literals.
   Refusal entity(const Open& open, std::span<const Attribute> attributes);
   /// Reads the IRI of a variable or built-in of a rule.
-  Refusal named_part(Open& open, std::span<const Attribute> attributes) const;
+  Refusal named_part(Open& open, std::span<const Attribute> attributes);
   Refusal end_literal(const Open& open);
   Refusal end_facet(const Open& open);
   Refusal end_iri(const Open& open);

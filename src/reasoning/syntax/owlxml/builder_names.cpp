@@ -69,7 +69,7 @@ Listener::Refusal Builder::entity(const Open& open, std::span<const Attribute> a
   return std::nullopt;
 }
 
-Listener::Refusal Builder::named_part(Open& open, std::span<const Attribute> attributes) const {
+Listener::Refusal Builder::named_part(Open& open, std::span<const Attribute> attributes) {
   for (const Attribute& attribute : attributes) {
     if (!attribute.space.empty()) continue;
     if (attribute.name == "IRI") return full_iri(attribute.value, open.name);
