@@ -38,6 +38,8 @@ class Assertions {
   // Facts. A fact that is added again keeps its first dependency set.
   void add_fact(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b, DependencySet dependency);
   void add_unequal(NodeId a, NodeId b, DependencySet dependency);
+  /// The newest nodes, from `first` on, all differ from each other.
+  void add_siblings(NodeId first, DependencySet dependency);
   /// Makes a choice true.
   void apply(Choice choice, DependencySet dependency);
   [[nodiscard]] bool holds(const Choice& choice);
@@ -88,6 +90,7 @@ class Assertions {
   void merge(const Merge& merge);
   [[nodiscard]] bool is_kept(NodeId node, NodeId other) const;
   void copy_facts(NodeId from, NodeId to, DependencySet dependency);
+  void keep_from_siblings(NodeId from, NodeId to, DependencySet dependency);
 
   const Program& program_;
   Graph& graph_;

@@ -20,15 +20,16 @@ constexpr std::size_t first_patience = 64;
 
 Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits)
     : set_(set),
-      program_(set),
+      program_(set, limits.counts),
       effort_(limits, graph_),
       facts_(source, set, program_, graph_, sets_, effort_),
       neighbours_(program_, graph_, sets_, effort_, facts_),
-      disjunctions_(set, program_, graph_, sets_, effort_, facts_, neighbours_, records_),
+      numbers_(program_, graph_, sets_, effort_),
+      disjunctions_(set, program_, graph_, sets_, effort_, facts_, neighbours_, numbers_, records_),
       bounds_(program_, graph_, sets_, facts_, neighbours_, disjunctions_),
       blocking_(program_, graph_, effort_),
       expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_),
-      derivation_(set, program_, graph_, sets_, effort_, facts_, disjunctions_, bounds_, expansion_),
+      derivation_(set, program_, graph_, sets_, effort_, facts_, numbers_, disjunctions_, bounds_, expansion_),
       keys_(source, set, graph_, sets_, facts_) {}
 
 void Search::begin(bool is_about_world) {

@@ -23,6 +23,7 @@
 #include "reasoning/dl/hypertableau/graph.hpp"
 #include "reasoning/dl/hypertableau/keys.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
@@ -106,6 +107,7 @@ class Search {
   Effort effort_;
   Assertions facts_;
   Neighbours neighbours_;
+  Numbers numbers_;
   ChoiceRecords records_;
   Disjunctions disjunctions_;
   Bounds bounds_;
