@@ -99,7 +99,12 @@ Opinion of_consequence(const owl::Ontology& source) {
   return opinion;
 }
 
-Opinion of_the_tableau(const owl::Ontology& original) {
+namespace {
+
+/// Most questions without counting have an answer within these steps, and the others are not worth the time.
+constexpr std::size_t few_steps = 5'000;
+
+Opinion of_the_tableau(const owl::Ontology& original, const hypertableau::QuestionLimits& limits) {
   owl::Ontology source = copy_of(original);
   const std::vector<TermId> classes = named_classes(original);
   std::vector<std::pair<TermId, TermId>> asked;
@@ -117,7 +122,7 @@ Opinion of_the_tableau(const owl::Ontology& original) {
   const auto set = clauses::clausify(source, {}, queries);
   if (!set) return {{}, false, {set.error().text}};
   Opinion opinion{{}, set->unused.empty(), {}};
-  hypertableau::Tableau tableau(source, *set);
+  hypertableau::Tableau tableau(source, *set, limits);
   const hypertableau::Answer is_consistent = tableau.is_consistent();
   if (is_consistent.verdict == hypertableau::Verdict::no) return {{"inconsistent"}, true, {}};
   std::vector<std::pair<std::string, std::string>> pairs;
@@ -131,6 +136,14 @@ Opinion of_the_tableau(const owl::Ontology& original) {
   opinion.is_complete = opinion.is_complete && opinion.unknown.empty();
   opinion.closure = cases::closure_of_pairs(pairs);
   return opinion;
+}
+
+}  // namespace
+
+Opinion of_the_tableau(const owl::Ontology& source) { return of_the_tableau(source, {}); }
+
+Opinion of_the_tableau_without_counting(const owl::Ontology& source) {
+  return of_the_tableau(source, {.steps = few_steps, .counts = false});
 }
 
 std::vector<std::string> contradictions(const Opinion& first, const Opinion& second) {

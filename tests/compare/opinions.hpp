@@ -28,6 +28,8 @@ struct Opinion {
 /// The tableau alone, asked for each pair of named classes whether there can be something in the one and not in the
 /// other.
 [[nodiscard]] Opinion of_the_tableau(const owl::Ontology& source);
+/// The same, with every neighbour that an at-least asks for, within few steps.
+[[nodiscard]] Opinion of_the_tableau_without_counting(const owl::Ontology& source);
 
 /// How two opinions contradict each other, one line each: a pair that the first has and the second, being complete,
 /// has not, or the other way round.

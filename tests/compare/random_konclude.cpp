@@ -36,6 +36,8 @@ std::vector<Subject> subjects(std::uint64_t seed) {
   all.push_back({"pigeonhole", pigeonhole(2 + seed % 5)});
   all.push_back({"enumeration", enumeration(seed, 5 + seed % 30)});
   all.push_back({"numbers", qualified_numbers(seed)});
+  all.push_back({"large numbers", large_numbers(seed, static_cast<std::uint32_t>(2 + seed % 40))});
+  all.push_back({"family", family(seed, 2 + seed % 60)});
   all.push_back({"features", features(seed, 5 + seed % 20)});
   all.push_back({"anatomy", anatomy(seed, 6 + seed % 30)});
   all.push_back({"pairings", pairings(seed, 2 + seed % 12)});

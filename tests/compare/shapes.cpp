@@ -115,6 +115,91 @@ owl::Ontology qualified_numbers(std::uint64_t seed) {
   return writer.take();
 }
 
+owl::Ontology large_numbers(std::uint64_t seed, std::uint32_t greatest) {
+  base::Random random(seed);
+  Writer writer;
+  const auto property = [&]() -> TermId {
+    const TermId named = writer.property("p" + std::to_string(random.below(3)));
+    return random.chance(0.15) ? writer.term(TermKind::object_inverse_of, {named}) : named;
+  };
+  const auto kind = [&] { return writer.named("K" + std::to_string(random.below(4))); };
+  const auto filler = [&]() -> TermId {
+    if (random.chance(0.2)) return owl::thing_term;
+    if (random.chance(0.2)) return writer.term(TermKind::object_union_of, {kind(), kind()});
+    return random.chance(0.1) ? writer.term(TermKind::object_complement_of, {kind()}) : kind();
+  };
+  const auto number = [&] {
+    constexpr std::array kinds{TermKind::object_min_cardinality, TermKind::object_max_cardinality,
+                               TermKind::object_exact_cardinality};
+    const auto count = static_cast<std::uint32_t>(1 + random.below(greatest));
+    return writer.term(kinds[random.below(kinds.size())], {property(), filler()}, count);
+  };
+  const auto whole = [&] { return writer.named("C" + std::to_string(random.below(4))); };
+  writer.add(AxiomKind::sub_object_property_of, {writer.property("p1"), writer.property("p0")});
+  if (random.chance(0.5)) writer.add(AxiomKind::disjoint_classes, {writer.named("K0"), writer.named("K1")});
+  if (random.chance(0.5)) writer.add(AxiomKind::sub_class_of, {writer.named("K2"), writer.named("K0")});
+  if (random.chance(0.3)) writer.add(AxiomKind::functional_object_property, {property()});
+  if (random.chance(0.3)) {
+    const std::vector<TermId> parts{writer.named("K0"), writer.named("K1"), writer.named("K3")};
+    writer.add(AxiomKind::object_property_range,
+               {writer.property("p0"), writer.term(TermKind::object_union_of, parts)});
+  }
+  for (int at = 0; at < 7; ++at) {
+    if (random.chance(0.3)) {
+      writer.add(AxiomKind::equivalent_classes,
+                 {whole(), writer.term(TermKind::object_intersection_of, {whole(), number()})});
+    } else if (random.chance(0.2)) {
+      writer.add(AxiomKind::sub_class_of, {kind(), number()});
+    } else if (random.chance(0.2)) {
+      writer.add(AxiomKind::sub_class_of,
+                 {whole(), writer.term(TermKind::object_all_values_from, {property(), filler()})});
+    } else {
+      writer.add(AxiomKind::sub_class_of, {whole(), number()});
+    }
+  }
+  return writer.take();
+}
+
+owl::Ontology family(std::uint64_t seed, std::size_t individuals) {
+  base::Random random(seed);
+  Writer writer;
+  const TermId person = writer.named("Person");
+  const TermId child = writer.property("hasChild");
+  const TermId parent = writer.property("hasParent");
+  const std::vector<TermId> sexes{writer.named("Man"), writer.named("Woman")};
+  const std::vector<TermId> generations{writer.named("Old"), writer.named("Grown"), writer.named("Young")};
+  cover(writer, Covering::all_disjoint, person, sexes);
+  cover(writer, Covering::disjoint_union, person, generations);
+  writer.add(AxiomKind::inverse_object_properties, {child, parent});
+  writer.add(AxiomKind::object_property_domain, {child, person});
+  writer.add(AxiomKind::object_property_range, {child, person});
+  writer.add(AxiomKind::sub_class_of, {person, writer.term(TermKind::object_max_cardinality, {parent, person}, 2)});
+  for (const TermId sex : sexes) {
+    writer.add(AxiomKind::sub_class_of, {person, writer.term(TermKind::object_max_cardinality, {parent, sex}, 1)});
+  }
+  writer.add(AxiomKind::sub_class_of,
+             {generations[2], writer.term(TermKind::object_exact_cardinality, {parent, person}, 2)});
+  writer.add(AxiomKind::sub_class_of, {generations[2], writer.term(TermKind::object_max_cardinality, {child}, 0)});
+  for (const std::uint32_t count : {1U, 2U, 3U, 6U}) {
+    const TermId number = writer.term(TermKind::object_min_cardinality, {child, person}, count);
+    writer.add(AxiomKind::equivalent_classes, {writer.named("ParentOf" + std::to_string(count)),
+                                               writer.term(TermKind::object_intersection_of, {person, number})});
+  }
+  writer.add(AxiomKind::equivalent_classes,
+             {writer.named("Mother"),
+              writer.term(TermKind::object_intersection_of,
+                          {sexes[1], writer.term(TermKind::object_some_values_from, {child, person})})});
+  std::vector<TermId> members;
+  for (std::size_t at = 0; at < individuals; ++at) {
+    members.push_back(writer.individual("i" + std::to_string(at)));
+    writer.add(AxiomKind::class_assertion, {random.chance(0.5) ? person : sexes[random.below(2)], members.back()});
+    for (std::size_t of = random.below(3); of > 0 && at > 0; --of) {
+      writer.add(AxiomKind::object_property_assertion, {child, members[random.below(at)], members.back()});
+    }
+  }
+  return writer.take();
+}
+
 owl::Ontology features(std::uint64_t seed, std::size_t kinds) {
   constexpr std::size_t properties = 5;
   constexpr std::size_t values = 3;

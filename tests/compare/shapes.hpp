@@ -24,6 +24,14 @@ enum class Covering : std::uint8_t { disjoint_union, all_disjoint, pairwise_disj
 /// Qualified numbers of the same neighbours over a small tree with covering axioms; the same for the same seed.
 [[nodiscard]] owl::Ontology qualified_numbers(std::uint64_t seed);
 
+/// Numbers of up to `greatest` of a few properties, which have sub-properties and maybe inverses, and classes defined
+/// by such numbers, over kinds of which some are disjoint or cover each other; the same for the same seed.
+[[nodiscard]] owl::Ontology large_numbers(std::uint64_t seed, std::uint32_t greatest);
+
+/// A family of so many individuals: persons of disjoint generations, each person a man or a woman, with parents and
+/// children and classes defined by how many there are; the same for the same seed.
+[[nodiscard]] owl::Ontology family(std::uint64_t seed, std::size_t individuals);
+
 /// Disjoint kinds that are told apart by the values of five functional properties, as amino acids are, and as many
 /// classes defined by such values; a thing is of one of the kinds. The same for the same seed.
 [[nodiscard]] owl::Ontology features(std::uint64_t seed, std::size_t kinds);

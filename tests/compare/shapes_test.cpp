@@ -67,6 +67,40 @@ TEST(QualifiedNumbers, AreUnderstoodByModelsAsByTheTableau) {
   }
 }
 
+// Lemmas 1 and 2 of src/reasoning/dl/hypertableau/README.md.
+TEST(LargeNumbers, AreUnderstoodByEachEngineAsByTheTableauThatMakesEveryNeighbour) {
+  int compared = 0;
+  int complete = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    const owl::Ontology source = large_numbers(seed, static_cast<std::uint32_t>(2 + seed % 6));
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + functional_syntax(source));
+    const Opinion every = of_the_tableau_without_counting(source);
+    const Opinion whole = of_the_reasoner(source);
+    compared += static_cast<int>(every.is_complete);
+    complete += static_cast<int>(whole.is_complete);
+    for (const Opinion& other : {of_consequence(source), of_models(source), whole})
+      EXPECT_THAT(contradictions(other, every), IsEmpty());
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(compared, 50);
+  EXPECT_GT(complete, 70);
+}
+
+TEST(Family, IsUnderstoodByModelsAsByTheTableau) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_agreement(family(seed, 2 + seed % 6));
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Family, IsDecidedWithHundredsOfIndividuals) {
+  for (const std::size_t individuals : {400U, 600U}) {
+    const Opinion found = of_the_reasoner(family(individuals, individuals));
+    EXPECT_TRUE(found.is_complete) << individuals;
+  }
+}
+
 TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
   int complete = 0;
   int of_el_alone = 0;

@@ -19,7 +19,7 @@ namespace geminga::clauses {
 struct ClausifyLimits {
   std::size_t clauses = 4'000'000;
   std::size_t automaton_states = 100'000;  ///< of one property; a box of chains may need exponentially many
-  std::uint32_t cardinality = 256;         ///< axioms with a greater number are left out and named
+  std::uint32_t cardinality = 1'000'000;   ///< axioms with a greater number are left out and named
 };
 
 /// Why an ontology has no clauses: a limit was exceeded. `text` is one line.

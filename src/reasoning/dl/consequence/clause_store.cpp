@@ -142,12 +142,18 @@ bool ClauseStore::has_alternatives() const {
 bool ClauseStore::count_alternative(std::uint32_t most) {
   if (is_cut_) return false;
   if (++alternatives_ <= most) return true;
-  is_cut_ = true;
-  drop_alternatives();
+  cut();
   return false;
 }
 
-void ClauseStore::drop_alternatives() {
+bool ClauseStore::count_match(std::size_t most) {
+  if (++matches_ <= most) return true;
+  if (!is_cut_) cut();
+  return false;
+}
+
+void ClauseStore::cut() {
+  is_cut_ = true;
   for (Record& record : clauses_) {
     if (record.head > 1) record.state = State::redundant;
   }

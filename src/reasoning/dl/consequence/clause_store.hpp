@@ -102,6 +102,9 @@ class ClauseStore {
   /// Counts a conclusion with alternatives (more than one literal in the head). With more than `most` of them the store
   /// is cut: it drops every clause with alternatives and takes no more. False: it is cut.
   [[nodiscard]] bool count_alternative(std::uint32_t most);
+  /// Counts a step of matching a rule with alternatives in its head. With more than `most` of them the store is cut,
+  /// and such rules are matched no more. False: it was one too many.
+  [[nodiscard]] bool count_match(std::size_t most);
   [[nodiscard]] bool is_cut() const { return is_cut_; }
   void clear();
   /// The number of clauses that were compared since the last call.
@@ -137,7 +140,7 @@ class ClauseStore {
                              std::span<const Literal> body, std::span<const Literal> head) const;
   void drop_implied(ClauseNumber clause);
   void drop_implied(const Record& by, const Pooled<std::uint32_t>& candidates);
-  void drop_alternatives();
+  void cut();
 
   Pooled<Slot> slots_;
   std::size_t used_slots_ = 0;
@@ -146,6 +149,7 @@ class ClauseStore {
   Pooled<Record> clauses_;
   Pooled<ClauseNumber> headless_;
   std::uint32_t alternatives_ = 0;  ///< conclusions with alternatives
+  std::size_t matches_ = 0;         ///< steps of matching rules with alternatives
   bool is_cut_ = false;
   mutable std::size_t compared_ = 0;
 };

@@ -47,4 +47,12 @@ bool Conclusions::may_have_alternatives(ClauseStore& store) {
   return false;
 }
 
+// At-mosts match every combination of the neighbours. Nearly all of these matches conclude nothing that is new.
+bool Conclusions::may_match_alternatives(ClauseStore& store) {
+  const bool was_cut = store.is_cut();
+  if (store.count_match(shared_.max_matches())) return true;
+  if (!was_cut) shared_.count_cut_context();
+  return false;
+}
+
 }  // namespace geminga::consequence

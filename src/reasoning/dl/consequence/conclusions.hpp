@@ -30,6 +30,9 @@ class Conclusions {
   /// a store that is cut.
   void finish(ClauseStore& store, std::span<const Literal> head);
 
+  /// Counts a step of matching a rule with alternatives. False: the context has had too many, and is cut.
+  [[nodiscard]] bool may_match_alternatives(ClauseStore& store);
+
   /// Concludes G -> D v L' from the premise G -> D v [L].
   void conclude(ClauseStore& store, Premise premise, Literal instead);
   /// Concludes true -> L.

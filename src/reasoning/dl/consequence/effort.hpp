@@ -54,6 +54,10 @@ class SharedEffort {
                ? limits_.alternatives
                : std::min(limits_.alternatives, few_alternatives);
   }
+  /// The most steps of one context in which rules with alternatives are matched.
+  [[nodiscard]] std::size_t max_matches() const {
+    return always_matches + max_alternatives() * matches_per_alternative;
+  }
 
   void give_up() { is_cut_off_.store(true, std::memory_order_relaxed); }
   /// Notes that an individual cannot exist. Everything follows from that, so all threads stop.
@@ -77,6 +81,8 @@ class SharedEffort {
   /// Filing a clause takes about as long as this many attempts.
   static constexpr std::size_t steps_per_clause = 8;
   static constexpr std::size_t many_cut_contexts = 256;
+  static constexpr std::size_t always_matches = 10'000;
+  static constexpr std::size_t matches_per_alternative = 500;
   static constexpr std::uint32_t few_alternatives = 16;
   /// The messages that may wait at once, in addition to as many as there may be clauses. Each has some forty octets.
   static constexpr std::size_t always_waiting = 1'000'000;

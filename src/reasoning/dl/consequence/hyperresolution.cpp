@@ -48,6 +48,7 @@ bool Hyperresolution::may_hold(const RuleAtom& atom, Term term, const ClauseStor
 void Hyperresolution::join(const Rule& rule, MatchedContext context) {
   effort_.count_attempt();
   if (effort_.is_stopped()) return;
+  if (rule.head.size() > 1 && !conclusions_.may_match_alternatives(context.store)) return;
   // Atoms that can be looked up come first, then neighbours are tried.
   std::size_t open = rule.body.size();
   for (std::size_t at = 0; at < rule.body.size(); ++at) {

@@ -9,7 +9,7 @@ namespace geminga::consequence {
 SettledContexts::SettledContexts(const Saturation& saturation, std::span<const std::string> gaps) {
   const auto is_about_facts = [](std::string_view gap) { return gap == fact_gap || gap == key_gap || gap == rule_gap; };
   const auto is_local = [&](std::string_view gap) {
-    return is_about_facts(gap) || gap == nominal_gap || gap == range_gap || gap == alternative_gap;
+    return is_about_facts(gap) || gap == nominal_gap || gap == range_gap || gap == number_gap || gap == alternative_gap;
   };
   is_open_.assign(saturation.contexts().size(), !std::ranges::all_of(gaps, is_local));
   if (!std::ranges::all_of(gaps, is_about_facts) && std::ranges::all_of(gaps, is_local)) find_open(saturation);

@@ -82,6 +82,7 @@ void Assertions::add_unequal(NodeId a, NodeId b, DependencySet dependency) {
     clash(dependency);
     return;
   }
+  if (graph_.are_siblings(a, b)) return;
   add_fact(FactKind::unequal, 0, std::min(a, b), std::max(a, b), dependency);
   if (graph_.node(a).kind == NodeKind::value || graph_.node(a).kind == NodeKind::constant) have_values_changed_ = true;
 }
@@ -164,6 +165,11 @@ void Assertions::apply(Choice choice, DependencySet dependency) {
   }
 }
 
+void Assertions::add_siblings(NodeId first, DependencySet dependency) {
+  graph_.set_siblings(first, dependency);
+  if (graph_.node(first).kind == NodeKind::value) have_values_changed_ = true;
+}
+
 void Assertions::merge_all() {
   // In the order in which they were added. Merging may add more.
   for (std::size_t at = 0; at < merges_.size() && !has_clash_; ++at) merge(Merge(merges_[at]));
@@ -186,9 +192,8 @@ void Assertions::merge(const Merge& merge) {
   NodeId from = graph_.current(merge.b, sets_, dependency);
   if (to == from || !graph_.is_active(to) || !graph_.is_active(from)) return;
   if (!is_kept(to, from)) std::swap(to, from);
-  const FactId differ = graph_.find(FactKind::unequal, 0, std::min(to, from), std::max(to, from));
-  if (differ != none) {
-    clash(unite(dependency, graph_.fact(differ).dependency));
+  if (const auto difference = graph_.difference(to, from)) {
+    clash(unite(dependency, *difference));
     return;
   }
   if (graph_.node(to).kind == NodeKind::constant && graph_.node(from).kind == NodeKind::constant) {
@@ -202,8 +207,19 @@ void Assertions::merge(const Merge& merge) {
   }
   graph_.merge(from, to, dependency);
   copy_facts(from, to, dependency);
+  keep_from_siblings(from, to, dependency);
   if (graph_.node(to).kind == NodeKind::constant || graph_.node(to).kind == NodeKind::value)
     have_values_changed_ = true;
+}
+
+// The node that stands for a sibling differs from the others.
+void Assertions::keep_from_siblings(NodeId from, NodeId to, DependencySet dependency) {
+  if (graph_.node(from).siblings == none) return;
+  const Siblings siblings = graph_.siblings_of(from);
+  const DependencySet both = unite(dependency, siblings.dependency);
+  for (NodeId other = siblings.first; other < siblings.end; ++other) {
+    if (other != from && graph_.is_active(other)) add_unequal(other, to, both);
+  }
 }
 
 void Assertions::copy_facts(NodeId from, NodeId to, DependencySet dependency) {

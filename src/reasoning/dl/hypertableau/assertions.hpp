@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
@@ -38,6 +38,8 @@ class Assertions {
   // Facts. A fact that is added again keeps its first dependency set.
   void add_fact(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b, DependencySet dependency);
   void add_unequal(NodeId a, NodeId b, DependencySet dependency);
+  /// The newest nodes, from `first` on, all differ from each other.
+  void add_siblings(NodeId first, DependencySet dependency);
   /// Makes a choice true.
   void apply(Choice choice, DependencySet dependency);
   [[nodiscard]] bool holds(const Choice& choice);
@@ -101,6 +103,7 @@ class Assertions {
   void merge(const Merge& merge);
   [[nodiscard]] bool is_kept(NodeId node, NodeId other) const;
   void copy_facts(NodeId from, NodeId to, DependencySet dependency);
+  void keep_from_siblings(NodeId from, NodeId to, DependencySet dependency);
 
   const Program& program_;
   Graph& graph_;

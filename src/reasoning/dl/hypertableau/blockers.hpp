@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 
 namespace geminga::hypertableau {
 

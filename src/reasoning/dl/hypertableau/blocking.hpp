@@ -14,7 +14,7 @@
 
 #include "reasoning/dl/hypertableau/blockers.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {

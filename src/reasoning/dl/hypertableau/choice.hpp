@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/dependency.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {

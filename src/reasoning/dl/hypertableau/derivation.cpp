@@ -7,14 +7,15 @@ using clauses::Atom;
 using clauses::number;
 
 Derivation::Derivation(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
-                       Effort& effort, Assertions& facts, Disjunctions& disjunctions, Bounds& bounds,
-                       Expansion& expansion)
+                       Effort& effort, Assertions& facts, const Numbers& numbers, Disjunctions& disjunctions,
+                       Bounds& bounds, Expansion& expansion)
     : set_(set),
       program_(program),
       graph_(graph),
       sets_(sets),
       effort_(effort),
       facts_(facts),
+      numbers_(numbers),
       disjunctions_(disjunctions),
       bounds_(bounds),
       expansion_(expansion) {
@@ -37,6 +38,7 @@ void Derivation::process(FactId id) {
       process_at_least(fact, id);
       return;
     case FactKind::at_most:
+      if (contradicts({ChoiceKind::at_most, fact.predicate, fact.a, fact.a}, fact.dependency)) return;
       bounds_.note({fact.a, fact.predicate});
       return;
     default:
@@ -59,9 +61,18 @@ void Derivation::process_role(const Fact& fact, FactId id) {
   }
 }
 
+/// Clashes if another number restriction of the node excludes this one.
+bool Derivation::contradicts(const Choice& choice, DependencySet dependency) {
+  if (!numbers_.excludes(choice, dependency)) return false;
+  facts_.clash(dependency);
+  return true;
+}
+
 void Derivation::process_at_least(const Fact& fact, FactId id) {
-  expansion_.add(fact, id);
   const bool is_data = fact.kind == FactKind::data_at_least;
+  const ChoiceKind kind = is_data ? ChoiceKind::data_at_least : ChoiceKind::at_least;
+  if (contradicts({kind, fact.predicate, fact.a, fact.a}, fact.dependency)) return;
+  expansion_.add(fact, id);
   for (const std::uint32_t of :
        is_data ? program_.domains().of_data_at_least(fact.predicate) : program_.domains().of_at_least(fact.predicate)) {
     facts_.add_fact(FactKind::concept_of, of, fact.a, 0, fact.dependency);

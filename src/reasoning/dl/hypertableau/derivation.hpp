@@ -10,11 +10,12 @@
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
 #include "reasoning/dl/hypertableau/bounds.hpp"
-#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
+#include "reasoning/dl/hypertableau/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
@@ -24,7 +25,8 @@ namespace geminga::hypertableau {
 class Derivation {
  public:
   Derivation(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
-             Effort& effort, Assertions& facts, Disjunctions& disjunctions, Bounds& bounds, Expansion& expansion);
+             Effort& effort, Assertions& facts, const Numbers& numbers, Disjunctions& disjunctions, Bounds& bounds,
+             Expansion& expansion);
 
   [[nodiscard]] bool has_next() const { return processed_ < graph_.facts().size(); }
   /// Derives what follows from the next fact and those before it.
@@ -39,6 +41,7 @@ class Derivation {
   void process_concept(const Fact& fact, FactId id);
   void process_role(const Fact& fact, FactId id);
   void process_at_least(const Fact& fact, FactId id);
+  bool contradicts(const Choice& choice, DependencySet dependency);
   void keep_apart(const Fact& fact);
   void fire(const Plan& plan, FactId id);
   void match(const Plan& plan, std::span<const Step> steps, FactId limit, DependencySet dependency);
@@ -52,6 +55,7 @@ class Derivation {
   DependencySets& sets_;
   Effort& effort_;
   Assertions& facts_;
+  const Numbers& numbers_;
   Disjunctions& disjunctions_;
   Bounds& bounds_;
   Expansion& expansion_;

@@ -131,20 +131,19 @@ void Disjunctions::open(const Disjunction& disjunction, Open& result) {
     Choice choice = choices_[at];
     choice.a = graph_.current(choice.a, sets_, result.dependency);
     choice.b = graph_.current(choice.b, sets_, result.dependency);
-    result.is_done =
-        !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || facts_.holds(choice) || derive(choice);
+    result.is_done = !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || facts_.holds(choice) ||
+                     numbers_.implies(choice) || derive(choice);
     if (result.is_done) return;
     if (!is_excluded(choice, result.dependency)) result.alternatives.push_back(choice);
   }
 }
 
 bool Disjunctions::is_excluded(const Choice& choice, DependencySet& dependency) {
-  if (facts_.is_impossible(choice)) return true;
+  if (facts_.is_impossible(choice) || numbers_.excludes(choice, dependency)) return true;
   if (choice.kind == ChoiceKind::equal) {
-    const auto [a, b] = std::minmax(choice.a, choice.b);
-    const FactId differ = graph_.find(FactKind::unequal, 0, a, b);
-    if (differ != none) dependency = unite(dependency, graph_.fact(differ).dependency);
-    return differ != none;
+    const auto difference = graph_.difference(choice.a, choice.b);
+    if (difference) dependency = unite(dependency, *difference);
+    return difference.has_value();
   }
   if (choice.kind == ChoiceKind::concept_of) return is_excluded(choice.predicate, choice.a, dependency);
   if (choice.kind == ChoiceKind::at_most)
@@ -171,7 +170,7 @@ bool Disjunctions::is_excluded_by_neighbour(const Choice& choice, DependencySet&
 
 // Derives a choice that follows from the facts: an at-least that a neighbour satisfies.
 bool Disjunctions::derive(const Choice& choice) {
-  if (choice.kind != ChoiceKind::at_least || set_.at_leasts[choice.predicate].count > 1) return false;
+  if (choice.kind != ChoiceKind::at_least || program_.needed(choice.predicate) > 1) return false;
   const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
   const bool is_inverse = at_least.role.is_inverse;
   for (FactId id = is_inverse ? graph_.node(choice.a).in : graph_.node(choice.a).out; id != none;

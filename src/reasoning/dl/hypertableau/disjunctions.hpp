@@ -10,10 +10,11 @@
 #include "reasoning/dl/hypertableau/assertions.hpp"
 #include "reasoning/dl/hypertableau/choice.hpp"
 #include "reasoning/dl/hypertableau/choice_records.hpp"
-#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
@@ -24,7 +25,8 @@ namespace geminga::hypertableau {
 class Disjunctions {
  public:
   Disjunctions(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
-               Effort& effort, Assertions& facts, Neighbours& neighbours, ChoiceRecords& records)
+               Effort& effort, Assertions& facts, Neighbours& neighbours, const Numbers& numbers,
+               ChoiceRecords& records)
       : set_(set),
         program_(program),
         graph_(graph),
@@ -32,6 +34,7 @@ class Disjunctions {
         effort_(effort),
         facts_(facts),
         neighbours_(neighbours),
+        numbers_(numbers),
         records_(records) {}
 
   /// Adds a disjunction, and removes alternatives that cannot hold. A single one left is asserted at once.
@@ -99,6 +102,7 @@ class Disjunctions {
   Effort& effort_;
   Assertions& facts_;
   Neighbours& neighbours_;
+  const Numbers& numbers_;
   ChoiceRecords& records_;
   std::vector<Choice> choices_;
   std::vector<Disjunction> disjunctions_;

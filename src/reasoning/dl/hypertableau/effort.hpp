@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/budget.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
 namespace geminga::hypertableau {

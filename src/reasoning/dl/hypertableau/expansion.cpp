@@ -29,7 +29,7 @@ void Expansion::add(const Fact& fact, FactId id) {
   if (fact.kind != FactKind::at_least) return;
   const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
   const bool is_of_nominal = set_.concepts[number(at_least.filler)].kind == clauses::ConceptKind::nominal;
-  if (at_least.count != 1 || is_of_nominal || !give_to_neighbour(fact)) return;
+  if (program_.needed(fact.predicate) != 1 || is_of_nominal || !give_to_neighbour(fact)) return;
   note_done(static_cast<std::uint32_t>(existentials_.size() - 1));
 }
 
@@ -97,7 +97,7 @@ std::uint64_t Expansion::version_of_witness(std::uint32_t denial, NodeId node, N
 NodeId Expansion::find_witness(std::uint32_t at_least, NodeId node) {
   const clauses::AtLeast& one = set_.at_leasts[at_least];
   const std::uint32_t filler = number(one.filler);
-  if (one.count != 1 || !program_.denials().is_denial(filler)) return none;
+  if (program_.needed(at_least) != 1 || !program_.denials().is_denial(filler)) return none;
   const bool is_inverse = one.role.is_inverse;
   for (FactId id = is_inverse ? graph_.node(node).in : graph_.node(node).out; id != none;
        id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
@@ -115,7 +115,7 @@ bool Expansion::has_witness(Existential& existential) {
   if (fact.kind != FactKind::at_least) return false;
   const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
   const std::uint32_t filler = number(at_least.filler);
-  if (at_least.count != 1 || !program_.denials().is_denial(filler)) return false;
+  if (program_.needed(fact.predicate) != 1 || !program_.denials().is_denial(filler)) return false;
   effort_.count_look();
   // After a branch was taken back, the number may be that of another node, so the edge is looked up again.
   const NodeId known = existential.witness;
@@ -169,8 +169,7 @@ bool Expansion::is_forbidden(const Forbidden& all, NodeId node) {
 
 bool Expansion::is_satisfied(const Fact& fact) {
   const bool is_data = fact.kind == FactKind::data_at_least;
-  const std::uint32_t count =
-      is_data ? set_.data_at_leasts[fact.predicate].count : set_.at_leasts[fact.predicate].count;
+  const std::uint32_t count = is_data ? set_.data_at_leasts[fact.predicate].count : program_.needed(fact.predicate);
   const bool is_inverse = !is_data && set_.at_leasts[fact.predicate].role.is_inverse;
   const std::uint32_t property = is_data ? number(set_.data_at_leasts[fact.predicate].property)
                                          : number(set_.at_leasts[fact.predicate].role.property);
@@ -184,9 +183,8 @@ bool Expansion::is_satisfied(const Fact& fact) {
     const NodeId node = is_inverse ? edge.a : edge.b;
     if (edge.kind != kind || edge.predicate != property || !graph_.is_active(node)) continue;
     if (!facts_.holds({filler.kind, filler.predicate, node, node})) continue;
-    const bool is_different = std::ranges::all_of(found, [&](NodeId other) {
-      return graph_.find(FactKind::unequal, 0, std::min(node, other), std::max(node, other)) != none;
-    });
+    const bool is_different =
+        std::ranges::all_of(found, [&](NodeId other) { return graph_.difference(node, other).has_value(); });
     if (is_different) found.push_back(node);
   }
   return found.size() >= count;
@@ -199,7 +197,8 @@ void Expansion::expand_object(const Fact& fact) {
     facts_.add_fact(FactKind::role, number(at_least.role.property), from, other, dependency);
   };
   const clauses::Concept& filler = set_.concepts[number(at_least.filler)];
-  if (at_least.count == 1) {
+  const std::uint32_t needed = program_.needed(fact.predicate);
+  if (needed == 1) {
     if (filler.kind == clauses::ConceptKind::nominal) {
       DependencySet dependency = fact.dependency;
       const NodeId node = graph_.current(facts_.individuals()[number(filler.individual)], sets_, dependency);
@@ -209,15 +208,15 @@ void Expansion::expand_object(const Fact& fact) {
     if (give_to_neighbour(fact)) return;
   }
   const auto first = static_cast<NodeId>(graph_.node_count());
-  for (std::uint32_t at = 0; at < at_least.count; ++at) {
+  for (std::uint32_t at = 0; at < needed; ++at) {
     const NodeId node = facts_.add_node(NodeKind::tree, fact.a, fact.dependency);
     add_edge(node, fact.dependency);
     if (at_least.filler != clauses::thing) {
       facts_.add_fact(FactKind::concept_of, number(at_least.filler), node, 0, fact.dependency);
     }
-    for (NodeId other = first; other < node; ++other) facts_.add_unequal(other, node, fact.dependency);
     if (effort_.is_over_limit()) return;
   }
+  facts_.add_siblings(first, fact.dependency);
 }
 
 // If the property has at most one value, the neighbour in the graph must have the filler.
@@ -247,9 +246,9 @@ void Expansion::expand_data(const Fact& fact) {
     if (number(at_least.range) != 0) {
       facts_.add_fact(FactKind::data_range, number(at_least.range), node, 0, fact.dependency);
     }
-    for (NodeId other = first; other < node; ++other) facts_.add_unequal(other, node, fact.dependency);
     if (effort_.is_over_limit()) return;
   }
+  facts_.add_siblings(first, fact.dependency);
 }
 
 }  // namespace geminga::hypertableau

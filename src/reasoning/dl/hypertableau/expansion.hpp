@@ -10,9 +10,9 @@
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
 #include "reasoning/dl/hypertableau/blocking.hpp"
-#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 

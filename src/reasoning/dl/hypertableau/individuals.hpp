@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 
 namespace geminga::hypertableau {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
-#include "reasoning/dl/hypertableau/dependency.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 
 namespace geminga::hypertableau {
 

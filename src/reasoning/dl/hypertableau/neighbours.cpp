@@ -50,11 +50,10 @@ bool Neighbours::exceeds(const Bound& bound, std::span<const Neighbour> neighbou
   for (const Neighbour& one : neighbours) {
     DependencySet with_this = unite(reasons, one.dependency);
     const bool differs = std::ranges::all_of(taken, [&](NodeId other) {
-      effort_.count_look();
-      const auto [a, b] = std::minmax(one.node, other);
-      const FactId fact = graph_.find(FactKind::unequal, 0, a, b);
-      if (fact != none) with_this = unite(with_this, graph_.fact(fact).dependency);
-      return fact != none;
+      if (!graph_.are_siblings(one.node, other)) effort_.count_look();
+      const auto difference = graph_.difference(one.node, other);
+      if (difference) with_this = unite(with_this, *difference);
+      return difference.has_value();
     });
     if (!differs) continue;
     reasons = with_this;

@@ -22,15 +22,16 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
                bool is_about_facts)
     : set_(set),
       is_about_facts_(is_about_facts),
-      program_(set),
+      program_(set, limits.counts),
       effort_(limits, graph_),
       facts_(source, set, program_, graph_, sets_, effort_),
       neighbours_(program_, graph_, sets_, effort_, facts_),
-      disjunctions_(set, program_, graph_, sets_, effort_, facts_, neighbours_, records_),
+      numbers_(program_, graph_, sets_, effort_),
+      disjunctions_(set, program_, graph_, sets_, effort_, facts_, neighbours_, numbers_, records_),
       bounds_(program_, graph_, sets_, facts_, neighbours_, disjunctions_),
       blocking_(program_, graph_, effort_),
       expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_),
-      derivation_(set, program_, graph_, sets_, effort_, facts_, disjunctions_, bounds_, expansion_),
+      derivation_(set, program_, graph_, sets_, effort_, facts_, numbers_, disjunctions_, bounds_, expansion_),
       keys_(source, set, graph_, sets_, facts_),
       rules_(source, set, graph_, sets_, effort_, facts_, disjunctions_) {}
 

@@ -15,15 +15,16 @@
 #include "reasoning/dl/hypertableau/bounds.hpp"
 #include "reasoning/dl/hypertableau/choice.hpp"
 #include "reasoning/dl/hypertableau/choice_records.hpp"
-#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/derivation.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/individuals.hpp"
 #include "reasoning/dl/hypertableau/keys.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/rules.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
@@ -129,6 +130,7 @@ class Search {
   Effort effort_;
   Assertions facts_;
   Neighbours neighbours_;
+  Numbers numbers_;
   ChoiceRecords records_;
   Disjunctions disjunctions_;
   Bounds bounds_;

@@ -92,7 +92,8 @@ std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, D
     Variable variable;
     variable.node = node;
     ranges.clear();
-    bool is_free = true;
+    const bool has_siblings = graph.node(node).siblings != none;
+    bool is_free = !has_siblings;
     for (FactId id = graph.node(node).others; id != none; id = graph.next_other(id, node)) {
       const Fact& fact = graph.fact(id);
       is_free = false;
@@ -109,6 +110,16 @@ std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, D
     if (is_free) continue;
     std::ranges::sort(ranges);
     variable.known = known_set(ranges, graph.node(node).literal);
+    // With more values than there are nodes, one is left for it whatever the others take.
+    if (sets_[variable.known].least > graph.value_count()) continue;
+    if (has_siblings) {
+      const Siblings& siblings = graph.siblings_of(node);
+      for (NodeId other = siblings.first; other < node; ++other) {
+        if (number_of[other] == none) continue;
+        variable.differs.push_back(number_of[other]);
+        variable.because.push_back(siblings.dependency);
+      }
+    }
     number_of[node] = static_cast<std::uint32_t>(variables.size());
     for (std::size_t at = 0; at < variable.differs.size(); ++at) {
       variables[variable.differs[at]].differs.push_back(number_of[node]);

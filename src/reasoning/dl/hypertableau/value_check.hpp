@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/values/value_ranges.hpp"
 
 namespace geminga::hypertableau {

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "reasoning/dl/hypertableau/dependency.hpp"
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 
 namespace geminga::hypertableau {

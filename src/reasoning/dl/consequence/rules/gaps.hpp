@@ -14,6 +14,7 @@ inline constexpr std::string_view rule_gap = "swrl:Imp";
 inline constexpr std::string_view nominal_gap = "owl:oneOf, owl:hasValue";
 inline constexpr std::string_view range_gap = "data ranges that are more than datatypes and single values";
 inline constexpr std::string_view alternative_gap = "classes with many alternatives";
+inline constexpr std::string_view number_gap = "numbers of neighbours that are too great to write out";
 inline constexpr std::string_view value_gap = "numbers of values of finite data ranges";
 
 }  // namespace geminga::consequence

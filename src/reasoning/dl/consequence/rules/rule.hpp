@@ -59,8 +59,8 @@ struct RuleSet {
   std::vector<std::uint32_t> nominal_of;           ///< of each IndividualId, the predicate {a}
   std::uint32_t first_marker = 0;                  ///< the predicate of the first expansion; the others follow
   std::vector<Expansion> expansions;
-  /// By predicate: nominals, and ranges of values that are not understood. nominal_gap and range_gap matter only if one
-  /// of these may hold of a thing; see settled_contexts.hpp.
+  /// By predicate: nominals, ranges of values that are not understood, and numbers that are too great. nominal_gap,
+  /// range_gap and number_gap matter only if one of these may hold of a thing; see settled_contexts.hpp.
   std::vector<bool> is_open;
   std::vector<std::string> gaps;
 };

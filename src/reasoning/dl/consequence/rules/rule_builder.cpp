@@ -1,10 +1,12 @@
 #include "reasoning/dl/consequence/rules/rule_builder.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "reasoning/dl/clauses/counted_neighbours.hpp"
 #include "reasoning/dl/consequence/rules/centred_rules.hpp"
 #include "reasoning/dl/consequence/rules/expansions.hpp"
 #include "reasoning/dl/consequence/rules/fact_rules.hpp"
@@ -28,9 +30,12 @@ class ClauseRules {
   /// Adds the expansions of the at-leasts, which are the first, and the rules of the at-mosts.
   void make_expansions();
   void add_clause(const clauses::Clause& clause);
+  /// The predicates that the rules do not use fully.
+  [[nodiscard]] const std::vector<std::uint32_t>& open() const { return open_; }
 
  private:
-  void add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler);
+  /// Adds: an at-least and an at-most of a smaller number exclude each other.
+  void exclude_each_other();
   /// Appends the atom in the form of this calculus. False: it is a role between two neighbours, which no rule can have.
   /// Sets `is_redundant` if the atom is false in a body or true in a head.
   [[nodiscard]] bool convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const;
@@ -40,6 +45,7 @@ class ClauseRules {
   Expansions& expansions_;
   CentredRules& rules_;
   std::vector<std::string>& gaps_;
+  std::vector<std::uint32_t> open_;
 };
 
 void ClauseRules::make_expansions() {
@@ -49,49 +55,60 @@ void ClauseRules::make_expansions() {
   const auto data_role_of = [this](clauses::DataPropertyId property) {
     return RuleAtom{LiteralKind::outgoing, 1, 0, predicates_.data_role(property)};
   };
+  const clauses::CountedNeighbours counted(clauses_, clauses::UsedAtMosts::inlined);
+  std::uint32_t marker = predicates_.first_marker;
+  const auto expand = [&](std::uint32_t needed, Atoms atoms) {
+    if (needed > max_successors) open_.push_back(marker);
+    static_cast<void>(expansions_.add(std::min(needed, max_successors), std::move(atoms)));
+    return marker++;
+  };
   for (const clauses::AtLeast& at_least : clauses_.at_leasts) {
     Atoms atoms{role_of(at_least.role)};
     if (at_least.filler != clauses::thing) atoms.push_back(predicates_.concept_atom(at_least.filler, 1));
-    const std::uint32_t marker = expansions_.add(at_least.count, std::move(atoms));
-    if (at_least.filler == clauses::nothing) rules_.add({unary_atom(marker)}, {});
+    const std::uint32_t expanded = expand(counted.enough(at_least), std::move(atoms));
+    if (at_least.filler == clauses::nothing) rules_.add({unary_atom(expanded)}, {});
   }
   for (const clauses::DataAtLeast& at_least : clauses_.data_at_leasts) {
     Atoms atoms{data_role_of(at_least.property)};
     const std::uint32_t range = number(at_least.range);
     if (range != 0) atoms.push_back(unary_atom(predicates_.range[range], 1));
-    static_cast<void>(expansions_.add(at_least.count, std::move(atoms)));
+    expand(counted.enough(at_least), std::move(atoms));
   }
-  std::uint32_t marker = predicates_.first_at_most;
-  for (const clauses::AtMost& at_most : clauses_.at_mosts) {
-    add_at_most(marker++, at_most.count, role_of(at_most.role), predicates_.concept_atom(at_most.filler, 0).predicate);
-  }
-  for (const clauses::DataAtMost& at_most : clauses_.data_at_mosts) {
-    const std::uint32_t range = number(at_most.range);
-    if (range != 1)
-      add_at_most(marker, at_most.count, data_role_of(at_most.property),
-                  range == 0 ? predicates_.thing : predicates_.range[range]);
+  // The rules of the at-mosts would have too many variables.
+  const clauses::CountedNeighbours all(clauses_, clauses::UsedAtMosts::all);
+  marker = predicates_.first_at_most;
+  const auto leave_out = [&](const auto& at_most) {
+    if (all.may_exceed(at_most)) open_.push_back(marker);
     ++marker;
-  }
+  };
+  std::ranges::for_each(clauses_.at_mosts, leave_out);
+  std::ranges::for_each(clauses_.data_at_mosts, leave_out);
+  if (!open_.empty()) gaps_.emplace_back(number_gap);
+  exclude_each_other();
 }
 
-void ClauseRules::add_at_most(std::uint32_t marker, std::uint32_t count, RuleAtom role, std::uint32_t filler) {
-  if (filler == predicates_.nothing) return;
-  if (count > max_at_most) {
-    gaps_.push_back("at most " + std::to_string(count) + " of a property");
-    return;
-  }
-  Atoms body{unary_atom(marker)};
-  Atoms head;
-  for (std::uint32_t i = 1; i <= count + 1; ++i) {
-    const auto variable = static_cast<std::uint8_t>(i);
-    role.first = variable;
-    body.push_back(role);
-    if (filler != predicates_.thing) body.push_back(unary_atom(filler, variable));
-    for (std::uint32_t j = 1; j < i; ++j) {
-      head.push_back({LiteralKind::equal, static_cast<std::uint8_t>(j), variable, 0});
+//  >= n R.B, <= m R.B < F    >= n R.B, <= m R < F    where m < n
+void ClauseRules::exclude_each_other() {
+  std::size_t pairs = 0;
+  const auto exclude = [&](std::uint32_t first, const auto& at_leasts, std::uint32_t first_at_most,
+                           const auto& at_mosts, auto&& are_alike) {
+    for (std::uint32_t most = 0; most < at_mosts.size(); ++most) {
+      for (std::uint32_t least = 0; least < at_leasts.size(); ++least) {
+        if (at_leasts[least].count <= at_mosts[most].count || !are_alike(at_leasts[least], at_mosts[most])) continue;
+        if (++pairs > max_exclusive_numbers) return;
+        rules_.add({unary_atom(first + least), unary_atom(first_at_most + most)}, {});
+      }
     }
-  }
-  rules_.add(std::move(body), std::move(head));
+  };
+  exclude(predicates_.first_marker, clauses_.at_leasts, predicates_.first_at_most, clauses_.at_mosts,
+          [](const clauses::AtLeast& least, const clauses::AtMost& most) {
+            return least.role == most.role && (least.filler == most.filler || most.filler == clauses::thing);
+          });
+  exclude(predicates_.first_marker + static_cast<std::uint32_t>(clauses_.at_leasts.size()), clauses_.data_at_leasts,
+          predicates_.first_at_most + static_cast<std::uint32_t>(clauses_.at_mosts.size()), clauses_.data_at_mosts,
+          [](const clauses::DataAtLeast& least, const clauses::DataAtMost& most) {
+            return least.property == most.property && (least.range == most.range || number(most.range) == 0);
+          });
 }
 
 bool ClauseRules::convert(const clauses::Atom& atom, bool is_head, Atoms& atoms, bool& is_redundant) const {
@@ -164,9 +181,11 @@ void ClauseRules::add_clause(const clauses::Clause& clause) {
 }
 
 /// Notes which predicates are open, and which parts of the ontology the calculus cannot use fully.
-void find_gaps(const clauses::ClauseSet& clauses, const UnsaidOfRanges& unsaid, bool with_facts,
-               std::uint32_t first_data_role, RuleSet& set) {
+void find_gaps(const clauses::ClauseSet& clauses, const UnsaidOfRanges& unsaid,
+               std::span<const std::uint32_t> open_numbers, bool with_facts, std::uint32_t first_data_role,
+               RuleSet& set) {
   set.is_open.assign(set.predicate_count, false);
+  for (const std::uint32_t predicate : open_numbers) set.is_open[predicate] = true;
   for (const std::uint32_t range : unsaid.unclear) set.is_open[range] = true;
   for (const std::uint32_t nominal : set.nominal_of) set.is_open[nominal] = true;
   // A nominal matters beyond its own facts if a rule may conclude it.
@@ -227,7 +246,7 @@ RuleSet build_rules(const owl::Ontology& source, const clauses::ClauseSet& claus
   rules.move_to(set);
   expansions.move_to(set);
   set.gaps.insert(set.gaps.end(), unsaid.gaps.begin(), unsaid.gaps.end());
-  find_gaps(clauses, unsaid, with_facts, predicates.first_data_role, set);
+  find_gaps(clauses, unsaid, of_clauses.open(), with_facts, predicates.first_data_role, set);
   return set;
 }
 

@@ -13,8 +13,10 @@ class Ontology;
 
 namespace geminga::consequence {
 
-/// At-mosts with a greater number are left out and named, because their rules would have so many variables.
-inline constexpr std::uint32_t max_at_most = 64;
+/// At-leasts that need more successors make only so many, and are a gap.
+inline constexpr std::uint32_t max_successors = 64;
+/// The most pairs of an at-least and a greater at-most of which a rule says that they exclude each other.
+inline constexpr std::size_t max_exclusive_numbers = 100'000;
 
 /// The rules of the clauses and, `with_facts`, of the facts about individuals. Gaps are named.
 [[nodiscard]] RuleSet build_rules(const owl::Ontology& source, const clauses::ClauseSet& clauses, bool with_facts);

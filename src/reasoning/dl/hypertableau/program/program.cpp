@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/sorted.hpp"
+#include "reasoning/dl/clauses/counted_neighbours.hpp"
 
 namespace geminga::hypertableau {
 
@@ -15,7 +16,8 @@ using clauses::Clause;
 using clauses::number;
 using clauses::Variable;
 
-Program::Program(const clauses::ClauseSet& set) : set_(set), domains_(set), denials_(set), burdens_(set, domains_) {
+Program::Program(const clauses::ClauseSet& set, bool counts)
+    : set_(set), domains_(set), denials_(set), burdens_(set, domains_), counts_(counts) {
   by_concept_.resize(domains_.concept_count());
   bounds_of_filler_.resize(domains_.concept_count());
   bounds_of_guard_.resize(domains_.concept_count());
@@ -46,6 +48,9 @@ Program::Program(const clauses::ClauseSet& set) : set_(set), domains_(set), deni
   for (const Clause& clause : set.clauses) add_clause(clause);
   for (const Clause& clause : domains_.clauses()) add_plans(clause);
   find_disjoint_concepts();
+  if (counts_) numbers_ = NumberOrder(set, bounds_);
+  const clauses::CountedNeighbours counted(set, clauses::UsedAtMosts::all);
+  for (const clauses::AtLeast& one : set.at_leasts) needed_.push_back(counts_ ? counted.enough(one) : one.count);
 }
 
 std::uint32_t Program::bound_of_atom(const Atom& atom) const {

@@ -12,25 +12,13 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
+#include "reasoning/dl/hypertableau/program/bound.hpp"
 #include "reasoning/dl/hypertableau/program/burdens.hpp"
 #include "reasoning/dl/hypertableau/program/denials.hpp"
 #include "reasoning/dl/hypertableau/program/domains.hpp"
+#include "reasoning/dl/hypertableau/program/number_order.hpp"
 
 namespace geminga::hypertableau {
-
-inline constexpr std::uint32_t no_predicate = 0xffffffffU;
-
-/// At most `count` neighbours by a role (or values by a data property) that are in `filler`, or that are not in
-/// `unless`; without either, at all.
-struct Bound {
-  std::uint32_t count = 1;
-  bool is_data = false;
-  bool is_inverse = false;
-  std::uint32_t property = 0;
-  std::uint32_t filler = no_predicate;  ///< a concept
-  std::uint32_t unless = no_predicate;  ///< a concept or data range
-  friend auto operator<=>(const Bound&, const Bound&) = default;
-};
 
 /// guard -> alternatives or the bound; all of the centre. Looked at when the bound is exceeded.
 struct ConditionalBound {
@@ -66,7 +54,8 @@ struct Plan {
 
 class Program {
  public:
-  explicit Program(const clauses::ClauseSet& set);
+  /// With `counts` false, number restrictions are not compared, and at-leasts need what they say.
+  explicit Program(const clauses::ClauseSet& set, bool counts = true);
 
   [[nodiscard]] std::span<const Plan> of_concept(std::uint32_t id) const { return by_concept_[id]; }
   [[nodiscard]] std::span<const Plan> of_role(std::uint32_t id) const { return by_role_[id]; }
@@ -108,6 +97,11 @@ class Program {
   [[nodiscard]] const Denials& denials() const { return denials_; }
   /// The requirements of facts; see burdens.hpp.
   [[nodiscard]] const Burdens& burdens() const { return burdens_; }
+  [[nodiscard]] bool counts() const { return counts_; }
+  /// Requires counts(). Which number restrictions imply or exclude which others.
+  [[nodiscard]] const NumberOrder& numbers() const { return numbers_; }
+  /// How many neighbours an at-least needs (clauses/counted_neighbours.hpp).
+  [[nodiscard]] std::uint32_t needed(std::uint32_t at_least) const { return needed_[at_least]; }
   /// Whether every node needs the fact that it is in owl:Thing.
   [[nodiscard]] bool needs_thing() const { return needs_thing_; }
   /// Whether anything looks at a node from its successor's side, so that blocking must compare pairs.
@@ -149,6 +143,9 @@ class Program {
   std::vector<std::vector<std::uint32_t>> disjoint_with_;
   std::vector<std::uint32_t> bound_of_at_most_;
   std::vector<std::uint32_t> bound_of_data_at_most_;
+  bool counts_;
+  NumberOrder numbers_;
+  std::vector<std::uint32_t> needed_;  ///< by at-least
   bool needs_thing_ = false;
   bool has_inverses_ = false;
   bool has_nominals_ = false;

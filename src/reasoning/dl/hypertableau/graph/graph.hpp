@@ -1,14 +1,15 @@
 // The model under construction: nodes and facts on stacks, so that going back cuts them.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_GRAPH_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_GRAPH_HPP
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 
 namespace geminga::hypertableau {
 
@@ -56,6 +57,7 @@ struct Node {
   std::uint32_t literal = none;  ///< of constants: the term
   NodeId first_child = none;
   NodeId next_child = none;
+  std::uint32_t siblings = none;  ///< an index; see Graph::siblings_of()
   // The newest fact of each list.
   FactId labels = none;
   FactId out = none;
@@ -69,6 +71,14 @@ struct Node {
   std::uint64_t surroundings = 0;
   std::uint64_t label_hash = 0;  ///< of a set: order does not matter
   std::uint64_t edge_hash = 0;
+};
+
+/// Nodes that were made together for one at-least, with consecutive numbers. Each differs from each. It is known of
+/// them as a group, because the pairs are as many as the square of their number.
+struct Siblings {
+  NodeId first = 0;
+  NodeId end = 0;
+  DependencySet dependency = no_dependency;
 };
 
 /// A place on the stack.
@@ -94,6 +104,16 @@ class Graph {
   [[nodiscard]] FactId find(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b = 0) const;
   /// Adds a fact that find() did not find.
   FactId add(const Fact& fact);
+
+  /// Says that the newest nodes, from `first` on, all differ from each other.
+  void set_siblings(NodeId first, DependencySet dependency);
+  /// Requires that the node has siblings.
+  [[nodiscard]] const Siblings& siblings_of(NodeId node) const { return siblings_[nodes_[node].siblings]; }
+  [[nodiscard]] bool are_siblings(NodeId a, NodeId b) const {
+    return nodes_[a].siblings != none && nodes_[a].siblings == nodes_[b].siblings && a != b;
+  }
+  /// Why the nodes differ, if they are known to.
+  [[nodiscard]] std::optional<DependencySet> difference(NodeId a, NodeId b) const;
 
   /// Makes `to` stand for `from`, and prunes the tree below `from`.
   void merge(NodeId from, NodeId to, DependencySet by);
@@ -134,7 +154,8 @@ class Graph {
   std::vector<Fact> facts_;
   /// Open addressing. Facts are removed in the reverse order, so an emptied slot breaks no chain of slots.
   std::vector<FactId> slots_;
-  std::vector<NodeId> trail_;  ///< nodes that were merged or pruned
+  std::vector<Siblings> siblings_;  ///< ascending by their nodes
+  std::vector<NodeId> trail_;       ///< nodes that were merged or pruned
   NodeId changed_ = 0;
   std::size_t value_count_ = 0;
   std::uint64_t versions_ = 0;

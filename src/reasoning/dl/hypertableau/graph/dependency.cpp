@@ -1,5 +1,5 @@
 // Sharing by hashing of list cells.
-#include "reasoning/dl/hypertableau/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // The stack of facts, its hash table and the lists of each node.
-#include "reasoning/dl/hypertableau/graph.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 
 namespace geminga::hypertableau {
 namespace {
@@ -74,6 +74,22 @@ FactId Graph::find(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b) c
     if (fact.a == a && fact.predicate == predicate && fact.b == b && fact.kind == kind) return slots_[slot];
   }
   return none;
+}
+
+void Graph::set_siblings(NodeId first, DependencySet dependency) {
+  const auto end = static_cast<NodeId>(nodes_.size());
+  if (first + 1 >= end) return;
+  for (NodeId node = first; node < end; ++node) nodes_[node].siblings = static_cast<std::uint32_t>(siblings_.size());
+  siblings_.push_back({first, end, dependency});
+  const NodeId parent = nodes_[first].parent;
+  if (parent != none) nodes_[parent].surroundings = ++versions_;
+}
+
+std::optional<DependencySet> Graph::difference(NodeId a, NodeId b) const {
+  if (are_siblings(a, b)) return siblings_of(a).dependency;
+  const FactId fact = find(FactKind::unequal, 0, std::min(a, b), std::max(a, b));
+  if (fact == none) return std::nullopt;
+  return facts_[fact].dependency;
 }
 
 void Graph::grow() {
@@ -209,6 +225,12 @@ void Graph::cut(const Mark& mark) {
     node.version = ++versions_;
     node.merged_into = none;
     trail_.pop_back();
+  }
+  while (!siblings_.empty() && siblings_.back().end > mark.nodes) {
+    for (NodeId node = siblings_.back().first; node < std::min<std::size_t>(siblings_.back().end, mark.nodes); ++node) {
+      nodes_[node].siblings = none;
+    }
+    siblings_.pop_back();
   }
   while (nodes_.size() > mark.nodes) {
     const Node& node = nodes_.back();

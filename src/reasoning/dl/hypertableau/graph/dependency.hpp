@@ -1,6 +1,6 @@
 // Which choices a fact depends on: sets of branch numbers, each stored once.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_DEPENDENCY_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_DEPENDENCY_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_DEPENDENCY_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_DEPENDENCY_HPP
 
 #include <array>
 #include <cstdint>

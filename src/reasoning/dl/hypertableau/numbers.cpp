@@ -1,0 +1,90 @@
+// The restrictions of a node are looked through one by one.
+#include "reasoning/dl/hypertableau/numbers.hpp"
+
+#include <algorithm>
+
+namespace geminga::hypertableau {
+
+namespace {
+
+/// Bounds that are looked up in the time of a look at a fact.
+constexpr std::uint32_t bounds_a_look = 8;
+
+bool is_at_least(const Choice& choice) {
+  return choice.kind == ChoiceKind::at_least || choice.kind == ChoiceKind::data_at_least;
+}
+
+bool is_at_least(const Fact& fact) { return fact.kind == FactKind::at_least || fact.kind == FactKind::data_at_least; }
+
+NumberOrder::AtLeastId id_of(const Choice& choice) {
+  return {choice.predicate, choice.kind == ChoiceKind::data_at_least};
+}
+
+NumberOrder::AtLeastId id_of(const Fact& fact) { return {fact.predicate, fact.kind == FactKind::data_at_least}; }
+
+}  // namespace
+
+// Whether the bound holds of the node: of everything, as a fact, or by a rule without alternatives whose guard holds.
+// If so, unites the reasons into `dependency`.
+bool Numbers::is_in_force(std::uint32_t bound, NodeId node, DependencySet& dependency) const {
+  if (++bounds_looked_at_ % bounds_a_look == 0) effort_.count_look();
+  if (program_.is_global(bound)) return true;
+  if (const FactId fact = graph_.find(FactKind::at_most, bound, node); fact != none) {
+    dependency = sets_.unite(dependency, graph_.fact(fact).dependency);
+    return true;
+  }
+  return std::ranges::any_of(program_.conditional(bound), [&](const ConditionalBound& rule) {
+    if (!rule.alternatives.empty()) return false;
+    DependencySet reasons = dependency;
+    for (const clauses::Atom& atom : rule.guard) {
+      const bool is_role = atom.kind == clauses::AtomKind::role;
+      const FactId fact = is_role ? graph_.find(FactKind::role, atom.predicate, node, node)
+                                  : graph_.find(FactKind::concept_of, atom.predicate, node);
+      if (fact == none) return false;
+      reasons = sets_.unite(reasons, graph_.fact(fact).dependency);
+    }
+    dependency = reasons;
+    return true;
+  });
+}
+
+bool Numbers::implies(const Choice& choice) const {
+  const bool is_at_most = choice.kind == ChoiceKind::at_most;
+  if (!program_.counts() || (!is_at_most && !is_at_least(choice))) return false;
+  const NumberOrder& numbers = program_.numbers();
+  if (is_at_most) {
+    DependencySet ignored = no_dependency;
+    return numbers.may_be_implied(choice.predicate) && numbers.any_implying(choice.predicate, [&](std::uint32_t bound) {
+      return bound != choice.predicate && is_in_force(bound, choice.a, ignored);
+    });
+  }
+  if (!numbers.may_be_implied(id_of(choice))) return false;
+  for (FactId id = graph_.node(choice.a).others; id != none; id = graph_.next_other(id, choice.a)) {
+    effort_.count_look();
+    const Fact& fact = graph_.fact(id);
+    if (is_at_least(fact) && numbers.implies(id_of(fact), id_of(choice))) return true;
+  }
+  return false;
+}
+
+bool Numbers::excludes(const Choice& choice, DependencySet& dependency) const {
+  const bool is_at_most = choice.kind == ChoiceKind::at_most;
+  if (!program_.counts() || (!is_at_most && !is_at_least(choice))) return false;
+  const NumberOrder& numbers = program_.numbers();
+  if (!is_at_most) {
+    return numbers.may_be_excluded(id_of(choice)) && numbers.any_excluding(id_of(choice), [&](std::uint32_t bound) {
+      return is_in_force(bound, choice.a, dependency);
+    });
+  }
+  if (!numbers.may_be_excluded(choice.predicate)) return false;
+  for (FactId id = graph_.node(choice.a).others; id != none; id = graph_.next_other(id, choice.a)) {
+    effort_.count_look();
+    const Fact& fact = graph_.fact(id);
+    if (!is_at_least(fact) || !numbers.excludes(id_of(fact), choice.predicate)) continue;
+    dependency = sets_.unite(dependency, fact.dependency);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace geminga::hypertableau

@@ -1,0 +1,36 @@
+// Number restrictions of a node, compared with each other without any neighbour (program/number_order.hpp).
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_NUMBERS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_NUMBERS_HPP
+
+#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
+#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
+#include "reasoning/dl/hypertableau/program/program.hpp"
+
+namespace geminga::hypertableau {
+
+/// Says what the number restrictions in the graph imply about others. It changes nothing.
+class Numbers {
+ public:
+  Numbers(const Program& program, const Graph& graph, DependencySets& sets, Effort& effort)
+      : program_(program), graph_(graph), sets_(sets), effort_(effort) {}
+
+  /// Whether another restriction of the node implies the choice. False of choices that are no number restrictions.
+  [[nodiscard]] bool implies(const Choice& choice) const;
+  /// Whether another restriction of the node excludes the choice. If so, unites the reasons into `dependency`.
+  [[nodiscard]] bool excludes(const Choice& choice, DependencySet& dependency) const;
+
+ private:
+  [[nodiscard]] bool is_in_force(std::uint32_t bound, NodeId node, DependencySet& dependency) const;
+
+  const Program& program_;
+  const Graph& graph_;
+  DependencySets& sets_;
+  Effort& effort_;
+  mutable std::uint32_t bounds_looked_at_ = 0;
+};
+
+}  // namespace geminga::hypertableau
+
+#endif

@@ -1,0 +1,154 @@
+// How number restrictions are grouped into families of one role and filler, and the families ordered.
+#include "reasoning/dl/hypertableau/program/number_order.hpp"
+
+#include <algorithm>
+
+#include "base/sorted.hpp"
+
+namespace geminga::hypertableau {
+
+using clauses::Atom;
+using clauses::AtomKind;
+using clauses::centre;
+using clauses::Clause;
+using clauses::number;
+
+namespace {
+
+/// The things above each of many things, as far as it is told.
+class Hierarchy {
+ public:
+  explicit Hierarchy(std::size_t count) : above_(count), found_by_(count, 0) {}
+  void add(std::uint32_t low, std::uint32_t high) { above_[low].push_back(high); }
+  /// Ascending, with `start`.
+  [[nodiscard]] std::vector<std::uint32_t> all_above(std::uint32_t start) {
+    std::vector<std::uint32_t> found = {start};
+    found_by_[start] = ++searches_;
+    for (std::size_t at = 0; at < found.size(); ++at) {
+      for (const std::uint32_t next : above_[found[at]]) {
+        if (found_by_[next] != searches_) found.push_back(next);
+        found_by_[next] = searches_;
+      }
+    }
+    base::sort_unique(found);
+    return found;
+  }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> above_;
+  std::vector<std::uint32_t> found_by_;  ///< the last search that found it
+  std::uint32_t searches_ = 0;
+};
+
+}  // namespace
+
+NumberOrder::NumberOrder(const clauses::ClauseSet& set, std::span<const Bound> bounds)
+    : first_data_(static_cast<std::uint32_t>(set.properties.size()) * 2) {
+  const auto direction = [](std::uint32_t property, bool is_inverse) { return property * 2 + (is_inverse ? 1U : 0U); };
+  for (const clauses::AtLeast& one : set.at_leasts) {
+    const Family family{direction(number(one.role.property), one.role.is_inverse), number(one.filler)};
+    at_leasts_.push_back({one.count, family_of(family)});
+  }
+  for (const clauses::DataAtLeast& one : set.data_at_leasts) {
+    data_at_leasts_.push_back({one.count, family_of({first_data_ + number(one.property), number(one.range)})});
+  }
+  for (const Bound& bound : bounds) {
+    Restriction restriction{bound.count, no_predicate};
+    const std::uint32_t filler = bound.filler == no_predicate ? number(clauses::thing) : bound.filler;
+    if (bound.unless == no_predicate) {
+      restriction.family = bound.is_data ? family_of({first_data_ + bound.property, 0})
+                                         : family_of({direction(bound.property, bound.is_inverse), filler});
+    }
+    bounds_.push_back(restriction);
+  }
+  find_above(set);
+  find_comparable();
+}
+
+// The greatest at-least and the least bound of each family stand for all of them.
+void NumberOrder::find_comparable() {
+  constexpr std::uint32_t unbounded = no_predicate;
+  bounds_in_.resize(index_.size());
+  for (std::uint32_t at = 0; at < bounds_.size(); ++at) {
+    if (bounds_[at].family != no_predicate) bounds_in_[bounds_[at].family].push_back(at);
+  }
+  for (std::vector<std::uint32_t>& family : bounds_in_) {
+    std::ranges::stable_sort(family, {}, [this](std::uint32_t bound) { return bounds_[bound].count; });
+  }
+  std::vector<std::uint32_t> greatest(index_.size(), 0);       // at-least of the family
+  std::vector<std::uint32_t> least(index_.size(), unbounded);  // bound of the family
+  std::vector<std::vector<std::uint32_t>> below(index_.size());
+  for (std::uint32_t family = 0; family < above_.size(); ++family) {
+    for (const std::uint32_t high : above_[family]) below[high].push_back(family);
+  }
+  for (const auto* const list : {&at_leasts_, &data_at_leasts_}) {
+    for (const Restriction& one : *list) greatest[one.family] = std::max(greatest[one.family], one.count);
+  }
+  for (const Restriction& one : bounds_) {
+    if (one.family != no_predicate) least[one.family] = std::min(least[one.family], one.count);
+  }
+  for (auto* const list : {&at_leasts_, &data_at_leasts_}) {
+    for (Restriction& one : *list) {
+      one.may_be_implied = std::ranges::any_of(below[one.family], [&](std::uint32_t low) {
+        return greatest[low] >= one.count + (low == one.family ? 1U : 0U);
+      });
+      one.may_be_excluded =
+          std::ranges::any_of(above_[one.family], [&](std::uint32_t high) { return least[high] < one.count; });
+    }
+  }
+  for (Restriction& one : bounds_) {
+    if (one.family == no_predicate) continue;
+    one.may_be_implied = std::ranges::any_of(above_[one.family], [&](std::uint32_t high) {
+      return least[high] != unbounded && least[high] + (high == one.family ? 1U : 0U) <= one.count;
+    });
+    one.may_be_excluded =
+        std::ranges::any_of(below[one.family], [&](std::uint32_t low) { return greatest[low] > one.count; });
+  }
+}
+
+bool NumberOrder::is_below(const Restriction& low, const Restriction& high) const {
+  return low.family != no_predicate && high.family != no_predicate &&
+         std::ranges::binary_search(above_[low.family], high.family);
+}
+
+std::uint32_t NumberOrder::family_of(const Family& family) {
+  return index_.try_emplace(family, static_cast<std::uint32_t>(index_.size())).first->second;
+}
+
+void NumberOrder::find_above(const clauses::ClauseSet& set) {
+  Hierarchy of_roles(first_data_ + set.data_properties.size());
+  Hierarchy of_concepts(set.concepts.size());
+  for (const Clause& clause : set.clauses) {
+    if (clause.body.size() != 1 || clause.head.size() != 1) continue;
+    const Atom& low = clause.body.front();
+    const Atom& high = clause.head.front();
+    if (low.kind == AtomKind::concept_of && high.kind == AtomKind::concept_of) {
+      of_concepts.add(low.predicate, high.predicate);
+    } else if (low.kind == AtomKind::role && high.kind == AtomKind::role && low.first != low.second &&
+               high.first != high.second) {
+      // R(x,y) -> S(x,y) or S(y,x), and the same of the inverses.
+      const std::uint32_t turn = low.first == high.first ? 0U : 1U;
+      of_roles.add(low.predicate * 2, (high.predicate * 2) ^ turn);
+      of_roles.add(low.predicate * 2 + 1, (high.predicate * 2 + 1) ^ turn);
+    } else if (low.kind == AtomKind::data_role && high.kind == AtomKind::data_role) {
+      of_roles.add(first_data_ + low.predicate, first_data_ + high.predicate);
+    }
+  }
+  above_.resize(index_.size());
+  for (const auto& [family, index] : index_) {
+    const bool is_data = family.direction >= first_data_;
+    std::vector<std::uint32_t> fillers =
+        is_data ? std::vector<std::uint32_t>{family.filler} : of_concepts.all_above(family.filler);
+    if (fillers.front() != 0) fillers.push_back(0);  // owl:Thing, or every value
+    for (const Direction direction : of_roles.all_above(family.direction)) {
+      for (const std::uint32_t filler : fillers) {
+        if (const auto found = index_.find({direction, filler}); found != index_.end()) {
+          above_[index].push_back(found->second);
+        }
+      }
+    }
+    base::sort_unique(above_[index]);
+  }
+}
+
+}  // namespace geminga::hypertableau

@@ -1,0 +1,134 @@
+// Number restrictions that are counted before neighbours are made: lemmas 1 and 2 of
+// src/reasoning/dl/hypertableau/README.md, and where they do not hold.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "reasoning/dl/clauses/clausify.hpp"
+#include "reasoning/dl/clauses/counted_neighbours.hpp"
+#include "reasoning/dl/hypertableau/tableau.hpp"
+#include "support/written.hpp"
+
+namespace geminga::hypertableau {
+namespace {
+
+/// Whether the class A may have an instance.
+Verdict verdict_of(const std::string& text, const QuestionLimits& limits = {}) {
+  owl::Ontology source = owl::written(text);
+  const std::vector<owl::TermId> asked{source.named_class("https://t.example/#A")};
+  const auto set = clauses::clausify(source, std::nullopt, asked);
+  if (!set || !set->unused.empty()) {
+    ADD_FAILURE() << "not all axioms have clauses";
+    return Verdict::unknown;
+  }
+  Tableau tableau(source, *set, limits);
+  return tableau.is_satisfiable({set->queries[0]}).verdict;
+}
+
+/// The numbers that are as good as those of the at-leasts.
+std::vector<std::uint32_t> enough(const std::string& text) {
+  const owl::Ontology source = owl::written(text);
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  const clauses::CountedNeighbours counted(*set, clauses::UsedAtMosts::all);
+  std::vector<std::uint32_t> found;
+  for (const clauses::AtLeast& one : set->at_leasts) found.push_back(counted.enough(one));
+  return found;
+}
+
+using Counts = std::vector<std::uint32_t>;
+
+const std::string six = "SubClassOf(A ObjectMinCardinality(6 r B))\n";
+constexpr QuestionLimits few_nodes{.nodes = 100, .steps = 2'000};
+
+TEST(CountedNeighbours, AreOneMoreThanAllAtMostsCount) {
+  const std::string two = "SubClassOf(A ObjectMaxCardinality(2 r B))\n";
+  EXPECT_EQ(enough(six), Counts{1});
+  EXPECT_EQ(enough(six + "SubClassOf(A ObjectMaxCardinality(2 s B))\n"), Counts{1});
+  EXPECT_EQ(enough(six + two), Counts{3});
+  EXPECT_EQ(enough(six + two + "SubClassOf(A ObjectMaxCardinality(1 r B))\n"), Counts{3});
+  EXPECT_EQ(enough(six + two + "SubClassOf(A ObjectMaxCardinality(1 r C))\n"), Counts{4});
+  const std::string inclusion = "SubObjectPropertyOf(r s)\n";
+  EXPECT_EQ(enough(six + inclusion + "SubClassOf(A ObjectMaxCardinality(3 s))\n"), Counts{4});
+  EXPECT_EQ(enough(six + inclusion + "SubClassOf(A ObjectMaxCardinality(9 s))\n"), Counts{6});
+}
+
+TEST(CountedNeighbours, AreAllThatAreAskedForIfThereAreNominals) {
+  EXPECT_EQ(enough(six + "SubClassOf(B ObjectOneOf(i:a i:b))\n"), Counts{6});
+}
+
+TEST(CountedNeighbours, AreThoseOfEveryPropertyIfAnInverseIsCounted) {
+  EXPECT_EQ(enough(six + "InverseFunctionalObjectProperty(r)\nSubClassOf(A ObjectMaxCardinality(2 s))\n"), Counts{4});
+}
+
+TEST(LargeNumbers, NeedNoLargeModel) {
+  EXPECT_EQ(verdict_of("SubClassOf(A ObjectMinCardinality(6000 r B))\n", few_nodes), Verdict::yes);
+}
+
+TEST(LargeNumbers, MayBeExact) {
+  EXPECT_EQ(verdict_of("SubClassOf(A ObjectExactCardinality(6000 r B))\n", {.steps = 200'000}), Verdict::yes);
+  EXPECT_EQ(verdict_of("SubClassOf(A DataExactCardinality(2000 d:u))\n", {.steps = 200'000}), Verdict::yes);
+}
+
+TEST(LargeNumbers, ContradictEachOtherWithoutNeighbours) {
+  const std::string at_least = "SubClassOf(A ObjectMinCardinality(6000 r B))\n";
+  EXPECT_EQ(verdict_of(at_least + "SubClassOf(A ObjectMaxCardinality(5999 r B))\n", few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(at_least + "SubClassOf(A ObjectMaxCardinality(5999 r))\n", few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(at_least + "SubObjectPropertyOf(r s)\nSubClassOf(B C)\n"
+                                  "SubClassOf(A ObjectMaxCardinality(5999 s C))\n",
+                       few_nodes),
+            Verdict::no);
+  EXPECT_EQ(
+      verdict_of("SubClassOf(A DataMinCardinality(600 d:u))\nSubClassOf(A DataMaxCardinality(599 d:u))\n", few_nodes),
+      Verdict::no);
+}
+
+TEST(LargeNumbers, DecideAHundredDefinitionsWithoutAChoice) {
+  std::string text = "SubClassOf(A C30)\n";
+  for (int number = 1; number <= 100; ++number) {
+    const std::string exact = "ObjectExactCardinality(" + std::to_string(number) + " r B)";
+    text += "EquivalentClasses(C" + std::to_string(number) + " ObjectIntersectionOf(D " + exact + "))\n";
+  }
+  EXPECT_EQ(verdict_of(text, {.nodes = 100, .steps = 5'000}), Verdict::yes);
+  EXPECT_EQ(verdict_of(text + "SubClassOf(A C31)\n", few_nodes), Verdict::no);
+}
+
+TEST(Neighbours, MayEachBeCountedByOneOfSeveralAtMosts) {
+  const std::string bounds =
+      "SubClassOf(A ObjectMaxCardinality(1 r C))\nSubClassOf(A ObjectMaxCardinality(1 r D))\n"
+      "SubClassOf(B ObjectUnionOf(C D))\n";
+  for (const bool counts : {true, false}) {
+    EXPECT_EQ(verdict_of(bounds + "SubClassOf(A ObjectMinCardinality(2 r B))\n", {.counts = counts}), Verdict::yes);
+    EXPECT_EQ(verdict_of(bounds + "SubClassOf(A ObjectMinCardinality(7 r B))\n", {.counts = counts}), Verdict::no);
+  }
+}
+
+// Two of three that were made together are the two that are named; the third differs from these.
+TEST(Neighbours, StayDifferentWhenTheyAreMergedWithOthers) {
+  const std::string facts =
+      "ClassAssertion(ObjectMinCardinality(3 r B) i:a)\nClassAssertion(ObjectMaxCardinality(3 r) i:a)\n"
+      "ObjectPropertyAssertion(r i:a i:b)\nObjectPropertyAssertion(r i:a i:c)\nDifferentIndividuals(i:b i:c)\n";
+  for (const bool counts : {true, false}) {
+    EXPECT_EQ(verdict_of(facts + "SubClassOf(A B)\n", {.counts = counts}), Verdict::yes);
+    EXPECT_EQ(verdict_of(facts + "ClassAssertion(ObjectComplementOf(B) i:b)\n", {.counts = counts}), Verdict::no);
+    EXPECT_EQ(verdict_of(facts + "ClassAssertion(C i:b)\nClassAssertion(C i:c)\nClassAssertion(D i:a)\n"
+                                 "SubClassOf(D ObjectMinCardinality(2 r ObjectComplementOf(C)))\n",
+                         {.counts = counts}),
+              Verdict::no);
+  }
+}
+
+TEST(Neighbours, AreCountedIfTheyAreNamed) {
+  const std::string names = "EquivalentClasses(B ObjectOneOf(i:a i:b))\n";
+  EXPECT_EQ(verdict_of(names + "SubClassOf(A ObjectMinCardinality(2 r B))\n"), Verdict::yes);
+  EXPECT_EQ(verdict_of(names + "SubClassOf(A ObjectMinCardinality(3 r B))\n"), Verdict::no);
+}
+
+TEST(Neighbours, AreCountedIfTheyAreValues) {
+  const std::string range = "DataPropertyRange(d:u DataOneOf(\"1\"^x:integer \"2\"^x:integer))\n";
+  EXPECT_EQ(verdict_of(range + "SubClassOf(A DataMinCardinality(2 d:u))\n"), Verdict::yes);
+  EXPECT_EQ(verdict_of(range + "SubClassOf(A DataMinCardinality(3 d:u))\n"), Verdict::no);
+}
+
+}  // namespace
+}  // namespace geminga::hypertableau
