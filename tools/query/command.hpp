@@ -26,6 +26,9 @@ struct Context {
 /// Asks the daemon and prints the answer. The flags of the command have been read.
 using Run = std::function<shell::ExitStatus(const Context&, Client&)>;
 
+/// Does so for a command that has something to say even where there is no daemon: its client, or why there is none.
+using RunEvenAlone = std::function<shell::ExitStatus(const Context&, Result<Client, ClientError>&)>;
+
 /// Each function adds one command to the program. When the command line names the command, its Run is put into
 /// `selected`, which lives as long as `app`. May throw CLI::ValidationError while the command line is read.
 void add_participants(CLI::App& app, Run& selected);
@@ -37,6 +40,7 @@ void add_why(CLI::App& app, Run& selected);
 void add_ontology(CLI::App& app, Run& selected);
 void add_security(CLI::App& app, Run& selected);
 void add_status(CLI::App& app, Run& selected);
+void add_doctor(CLI::App& app, RunEvenAlone& selected);
 
 }  // namespace geminga::query
 

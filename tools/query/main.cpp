@@ -15,6 +15,7 @@ constexpr const char* examples = R"(Examples:
   geminga-query services mode=otm/stream
   geminga-query requests --unmatched
   geminga-query match soccer:TrackedObject --limit 3
+  geminga-query doctor
   geminga-query explain soccer:SharedBallInfo soccer:TrackedObject
   geminga-query services --unused
   geminga-query --watch --json services
@@ -34,6 +35,7 @@ int run(int argc, char** argv) {
   app.fallthrough();
   Context context;
   Run selected;
+  RunEvenAlone selected_even_alone;
   context.common.add_to(app, "How long to wait for the daemon (5 unless told)");
   app.add_flag("--timestamps", context.has_timestamps,
                "With --watch: begin each line with the time (RFC 3339, UTC); JSON always has it");
@@ -43,6 +45,7 @@ int run(int argc, char** argv) {
                                    add_ontology, add_status, add_security}) {
     add(app, selected);
   }
+  add_doctor(app, selected_even_alone);
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
   if (context.has_timestamps && !context.is_watching) {
@@ -55,6 +58,7 @@ int run(int argc, char** argv) {
   options.name = program;
   options.timeout = context.common.timeout_or(std::chrono::seconds(5));
   auto client = Client::connect(options);
+  if (selected_even_alone) return static_cast<int>(shell::written(program, selected_even_alone(context, client)));
   if (!client) return static_cast<int>(shell::report(program, client.error()));
   return static_cast<int>(shell::written(program, selected(context, *client)));
 }

@@ -1,0 +1,179 @@
+// Each check on recorded answers: what namespaces cannot make (Wi-Fi, a host without interfaces, many daemons) is seen
+// here only.
+#include "doctor/checks.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace geminga::doctor {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> codes(const Findings& findings) {
+  std::vector<std::string> list;
+  for (const Finding& finding : findings) list.push_back(finding.code);
+  return list;
+}
+
+Record record(std::vector<std::pair<std::string, std::string>> fields) {
+  return {.kind = "", .fields = std::move(fields), .attributes = {}};
+}
+
+HostInterface wired() {
+  return {.name = "eth0",
+          .is_up = true,
+          .has_carrier = true,
+          .can_multicast = true,
+          .is_loopback = false,
+          .is_wireless = false,
+          .saves_power = false,
+          .mtu = 1500,
+          .addresses = {"10.0.0.1"}};
+}
+
+Host healthy_host() {
+  Host host;
+  host.interfaces = {wired()};
+  host.daemons = {{.process = 17, .command = "gemingad"}};
+  host.user = "robot";
+  return host;
+}
+
+Answers healthy_team() {
+  Answers answers;
+  answers.status = record({{"version", "1.0.0"}, {"uptime", "100"}});
+  answers.interfaces = {record({{"name", "eth0"}})};
+  answers.participants = {
+      record({{"id", "00000001"}, {"name", "one"}, {"ontology", "aa"}, {"self", "1"}}),
+      record({{"id", "00000002"}, {"name", "two"}, {"ontology", "aa"}, {"loss", "0.3"}, {"addresses", "10.0.0.2"}})};
+  return answers;
+}
+
+TEST(Doctor, FindsNothingWhereNothingIsWrong) {
+  EXPECT_THAT(check_host(healthy_host()), IsEmpty());
+  EXPECT_THAT(check_daemon(healthy_team(), "1.0.0"), IsEmpty());
+  EXPECT_THAT(check_team(healthy_team()), IsEmpty());
+  EXPECT_THAT(check_requests(healthy_team()), IsEmpty());
+}
+
+TEST(Doctor, NamesTheInterfacesThatCannotBeUsedOnlyWhereNoneCan) {
+  Host host = healthy_host();
+  HostInterface radio = wired();
+  radio.name = "wlan0";
+  radio.has_carrier = false;
+  host.interfaces.push_back(radio);
+  EXPECT_THAT(check_host(host), IsEmpty()) << "the other one is enough";
+  host.interfaces = {radio};
+  const Findings findings = check_host(host);
+  EXPECT_THAT(codes(findings), ElementsAre("no_interface"));
+  EXPECT_EQ(findings[0].seen, "wlan0 (no cable, or no access point)");
+  host.interfaces.clear();
+  EXPECT_EQ(check_host(host)[0].seen, "there is none but the loopback");
+}
+
+TEST(Doctor, FindsARadioThatSleepsAndAnMtuThatIsTooSmall) {
+  Host host = healthy_host();
+  host.interfaces[0].saves_power = true;
+  EXPECT_THAT(codes(check_host(host)), ElementsAre("wifi_power_save"));
+  host.interfaces[0].saves_power = false;
+  host.interfaces[0].mtu = least_mtu;
+  EXPECT_THAT(check_host(host), IsEmpty());
+  host.interfaces[0].mtu = least_mtu - 1;
+  EXPECT_THAT(codes(check_host(host)), ElementsAre("mtu_small"));
+}
+
+TEST(Doctor, FindsASecondDaemon) {
+  Host host = healthy_host();
+  host.daemons.push_back({.process = 18, .command = "gemingad --name b"});
+  const Findings findings = check_host(host);
+  EXPECT_THAT(codes(findings), ElementsAre("two_daemons"));
+  EXPECT_EQ(findings[0].seen, "process 17: gemingad; process 18: gemingad --name b");
+}
+
+TEST(Doctor, SaysWhyNoDaemonAnswers) {
+  const ClientError error{.kind = ClientError::Kind::unreachable, .text = "nobody listens there", .code = {}};
+  Host host = healthy_host();
+  EXPECT_THAT(codes(check_absent_daemon(host, error, "")), ElementsAre("daemon_silent"));
+  host.has_packaged_socket = true;
+  host.may_use_packaged_socket = false;
+  EXPECT_EQ(check_absent_daemon(host, error, "")[0].command, "adduser robot geminga");
+  host.daemons.clear();
+  EXPECT_EQ(check_absent_daemon(host, error, "")[0].command, "systemctl start gemingad");
+}
+
+TEST(Doctor, FindsWhatTheDaemonSaysOfItself) {
+  for (const auto& [key, code] :
+       std::vector<std::pair<std::string, std::string>>{{"configuration_failed", "configuration_failed"},
+                                                        {"ontology_failed", "ontology_failed"},
+                                                        {"ontology_contradiction", "ontology_contradiction"},
+                                                        {"contested_for", "identity_contested"},
+                                                        {"dropped_no_peer", "peer_one_sided"},
+                                                        {"log_dropped", "log_dropped"}}) {
+    Answers answers = healthy_team();
+    answers.status.fields.emplace_back(key, "3");
+    const Findings findings = check_daemon(answers, "1.0.0");
+    EXPECT_THAT(codes(findings), ElementsAre(code));
+    EXPECT_EQ(findings[0].seen, "status: " + key + "=3");
+    answers.status.fields.back().second = "0";
+    EXPECT_THAT(check_daemon(answers, "1.0.0"), IsEmpty()) << key;
+  }
+  EXPECT_THAT(codes(check_daemon(healthy_team(), "1.0.1")), ElementsAre("version_differs"));
+  Answers mute = healthy_team();
+  mute.interfaces.clear();
+  EXPECT_THAT(codes(check_daemon(mute, "1.0.0")), ElementsAre("nowhere_heard"));
+}
+
+TEST(Doctor, FindsLossThatDeadlinesDoNotBear) {
+  Answers answers = healthy_team();
+  answers.participants[1].fields.back() = {"addresses", "10.0.0.2"};
+  answers.participants[1].fields[3] = {"loss", "0.6"};
+  EXPECT_THAT(check_team(answers), IsEmpty());
+  answers.participants[1].fields[3] = {"loss", "0.61"};
+  EXPECT_THAT(codes(check_team(answers)), ElementsAre("loss_high"));
+}
+
+TEST(Doctor, FindsAHostThatIsAloneOnlyWhenOthersHadTimeToSpeak) {
+  Answers answers = healthy_team();
+  answers.participants.pop_back();
+  EXPECT_THAT(codes(check_team(answers)), ElementsAre("alone"));
+  answers.status.fields[1].second = "10";
+  EXPECT_THAT(check_team(answers), IsEmpty());
+}
+
+TEST(Doctor, FindsStrangersKeysAndDigests) {
+  Answers answers = healthy_team();
+  answers.status.fields.emplace_back("heard_other-group", "2");
+  answers.status.fields.emplace_back("sealing_unknown-key", "5");
+  answers.security = {record({{"mode", "encrypted"}, {"keys", "aaaa"}}),
+                      record({{"participant", "00000002"}, {"name", "two"}, {"lacks", "aaaa"}})};
+  answers.participants[1].fields[2].second = "bb";
+  EXPECT_THAT(codes(check_team(answers)), ElementsAre("other_group", "other_key", "key_lacking", "ontologies_differ"));
+}
+
+TEST(Doctor, GroupsRequestsByTheirReason) {
+  Answers answers = healthy_team();
+  for (int number = 0; number < 5; ++number) {
+    answers.unmatched.push_back(record({{"subscription", "1/2/" + std::to_string(number)},
+                                        {"name", "module" + std::to_string(number)},
+                                        {"why", "nobody"},
+                                        {"because", "nobody offers it"}}));
+  }
+  const Findings findings = check_requests(answers);
+  EXPECT_THAT(codes(findings), ElementsAre("unmatched"));
+  EXPECT_EQ(findings[0].what, "5 requests are served by nobody (module0, module1, module2, ...): nobody offers it");
+  EXPECT_EQ(findings[0].command, "geminga-query why 1/2/0");
+}
+
+TEST(Doctor, SaysTheWorstFirst) {
+  Findings findings{{.severity = Severity::risk, .code = "a", .what = {}, .seen = {}, .remedy = {}, .command = {}},
+                    {.severity = Severity::failure, .code = "b", .what = {}, .seen = {}, .remedy = {}, .command = {}},
+                    {.severity = Severity::risk, .code = "c", .what = {}, .seen = {}, .remedy = {}, .command = {}}};
+  sort_by_severity(findings);
+  EXPECT_THAT(codes(findings), ElementsAre("b", "a", "c"));
+}
+
+}  // namespace
+}  // namespace geminga::doctor

@@ -1,0 +1,122 @@
+// geminga-query doctor on real daemons: each cause that network namespaces can make gives its finding and no other.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <boost/json/parse.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "tools/clients/bench.hpp"
+
+namespace geminga::tools {
+namespace {
+
+using system::Lab;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+using Codes = std::vector<std::string>;
+
+Codes codes_in(const std::string& text) {
+  const boost::json::value document = parsed(text);
+  Codes codes;
+  for (const auto& finding : document.at("findings").as_array()) codes.emplace_back(finding.at("code").as_string());
+  return codes;
+}
+
+/// The codes that the doctor finds on a host of a lab.
+Codes codes_on(const Lab& lab, std::size_t host) {
+  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(host));
+  return codes_in(
+      system::run(lab.on(host, {system::program("geminga-query"), "--connect", address, "--json", "doctor"})).said);
+}
+
+/// Asks until the doctor finds this and nothing else, as long as the test's patience lasts.
+::testing::AssertionResult comes_to(const Lab& lab, std::size_t host, const Codes& wanted) {
+  const auto end = std::chrono::steady_clock::now() + system::patience;
+  Codes found;
+  while (std::chrono::steady_clock::now() < end) {
+    found = codes_on(lab, host);
+    if (found == wanted) return ::testing::AssertionSuccess();
+  }
+  return ::testing::AssertionFailure() << "found at last: " << ::testing::PrintToString(found);
+}
+
+TEST(DoctorCommand, SaysThatAHealthyHostIsHealthy) {
+  Bench bench;
+  if (!bench.lab().has_namespaces()) GTEST_SKIP() << "other daemons of this host would be found";
+  const Outcome outcome = bench.query({"doctor"});
+  EXPECT_EQ(outcome.out, "Healthy: nothing is wrong on this host and among 1 participant.\n");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(bench.query({"--json", "doctor"}).out, "{\"healthy\":true,\"findings\":[]}\n");
+}
+
+TEST(DoctorCommand, FindsARequestThatNobodyServesAndSaysWhatToRun) {
+  Bench bench;
+  if (!bench.lab().has_namespaces()) GTEST_SKIP() << "other daemons of this host would be found";
+  Talk peer = bench.talk();
+  peer.say("0 sys hello name=vision");
+  peer.say("1 sub create mode=oto id=77");
+  EXPECT_THAT(peer.lines_until_pong(), Not(IsEmpty()));
+  const Outcome outcome = bench.query({"doctor"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out,
+              testing::StartsWith("risk unmatched\n  what     One request is served by nobody (vision): "));
+  EXPECT_THAT(outcome.out, HasSubstr("\n  command  geminga-query why "));
+}
+
+TEST(DoctorCommand, SaysThatNoDaemonRuns) {
+  Bench bench;
+  if (!bench.lab().has_namespaces()) GTEST_SKIP() << "other daemons of this host would be found";
+  bench.stop_daemon();
+  const Outcome outcome = bench.query({"--json", "doctor"});
+  EXPECT_EQ(outcome.status, 1) << "that is a finding, not an error";
+  EXPECT_THAT(codes_in(outcome.out), ElementsAre("daemon_away"));
+}
+
+TEST(DoctorCommand, WritesAReportWithoutKeys) {
+  Bench bench;
+  const std::string file = testing::TempDir() + "doctor-report.json";
+  EXPECT_NE(bench.query({"doctor", "--report", file}).status, 2);
+  std::ifstream in(file);
+  const boost::json::value report = parsed({std::istreambuf_iterator<char>(in), {}});
+  for (const char* part : {"findings", "status", "participants", "security", "interfaces_of_host", "unmatched"})
+    EXPECT_TRUE(report.as_object().contains(part)) << part;
+  EXPECT_EQ(bench.query({"doctor", "--report", "/no/such/folder/report"}).status, 2);
+  EXPECT_EQ(bench.query({"--watch", "doctor"}).status, 2);
+}
+
+TEST(DoctorCommand, FindsAHostThatDoesNotHearUs) {
+  Lab lab(2);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "a bridge that keeps multicasts needs network namespaces";
+  lab.start_all({"--interval", "0.2"});
+  ASSERT_TRUE(lab.wait_for_participants(0, 2));
+  ASSERT_TRUE(lab.wait_for_participants(1, 2));
+  EXPECT_THAT(codes_on(lab, 0), IsEmpty());
+  lab.keep_multicasts_from(1);
+  EXPECT_TRUE(comes_to(lab, 0, {"deaf_to_us"}));
+}
+
+TEST(DoctorCommand, FindsAHostWithAnotherOntology) {
+  Lab lab(2);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "other daemons of this host would be found";
+  lab.start(0, {"--ontology", GEMINGA_SOURCE_DIR "/ontology"});
+  lab.start(1);
+  EXPECT_TRUE(comes_to(lab, 0, {"ontologies_differ"}));
+}
+
+TEST(DoctorCommand, FindsAnotherTeamOnTheLink) {
+  Lab lab(3);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "other daemons of this host would be found";
+  lab.start(0, {"--group", "red"});
+  lab.start(1, {"--group", "red"});
+  lab.start(2, {"--group", "blue"});
+  EXPECT_TRUE(comes_to(lab, 0, {"other_group"}));
+}
+
+}  // namespace
+}  // namespace geminga::tools

@@ -1,0 +1,158 @@
+#include <cstdlib>
+#include <map>
+
+#include "doctor/checks.hpp"
+
+namespace geminga::doctor {
+namespace {
+
+double number(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
+
+/// `robot2 (1f151dd5)`
+std::string words_for(const Record& participant, std::string_view id_key) {
+  const std::string id(participant[id_key]);
+  const std::string name(participant["name"]);
+  return name.empty() ? id : name + " (" + id + ')';
+}
+
+std::string percent(double share) { return std::to_string(static_cast<int>(share * 100 + 0.5)) + " %"; }
+
+void check_neighbour(const Record& neighbour, Findings& findings) {
+  const std::string who = words_for(neighbour, "id");
+  const std::string addresses(neighbour["addresses"]);
+  const std::string first = addresses.substr(0, addresses.find(','));
+  if (neighbour["hears_us"] == "0") {
+    findings.push_back(
+        {Severity::failure, "deaf_to_us", who + " is heard here and does not hear this host.",
+         "it has said so for four intervals (participants: hears_us=0)",
+         "A firewall, a switch that filters multicast, or a Wi-Fi access point keeps our multicasts from it. Open UDP "
+         "port 4717 there, or name each host to the other.",
+         first.empty() ? "" : "gemingad --peer " + first});
+  }
+  const double loss = number(neighbour["loss"]);
+  if (loss > bearable_loss) {
+    findings.push_back(
+        {Severity::risk, "loss_high",
+         percent(loss) + " of the announcements of " + who + " are lost: it may be told as gone while it lives.",
+         "participants: loss=" + std::string(neighbour["loss"]), "Look at the radio link, and at what else floods it.",
+         "ping -c 20 " + first});
+  }
+}
+
+void check_strangers(const Record& status, Findings& findings) {
+  const struct {
+    std::string_view key;
+    Severity severity;
+    std::string_view code;
+    std::string_view what;
+    std::string_view remedy;
+  } kinds[] = {
+      {"heard_other-group", Severity::risk, "other_group",
+       "Participants of another group are heard: they are not of this team.",
+       "If they should be, give all hosts the same group."},
+      {"sealing_plain", Severity::failure, "unsealed_heard",
+       "Announcements without a seal are heard and ignored: a host of the team may lack the key.",
+       "Give it the team's key."},
+      {"sealing_unknown-key", Severity::failure, "other_key",
+       "Announcements that are sealed with an unknown key are heard: another team, or a host with an old key.",
+       "Compare the keys of the hosts."},
+      {"sealing_downgraded", Severity::risk, "downgraded",
+       "Announcements without a seal come in the name of a participant that seals.",
+       "See from where, and find that program."},
+      {"sealing_forged", Severity::risk, "forged", "Forged or damaged sealed announcements are heard.",
+       "See from where, and find that program."},
+  };
+  for (const auto& kind : kinds) {
+    const std::string_view count = status[kind.key];
+    if (count.empty() || count == "0") continue;
+    findings.push_back({kind.severity, std::string(kind.code), std::string(kind.what),
+                        "status: " + std::string(kind.key) + '=' + std::string(count), std::string(kind.remedy),
+                        "geminga-query security"});
+  }
+}
+
+void check_keys(const std::vector<Record>& security, Findings& findings) {
+  for (const Record& record : security) {
+    if (record["participant"].empty() || record["lacks"].empty()) continue;
+    findings.push_back(
+        {Severity::failure, "key_lacking",
+         words_for(record, "participant") + " lacks a key of this host: " + std::string(record["lacks"]) + '.',
+         "security: lacks", "Copy the key file to it, and reload its daemon.", "systemctl reload gemingad"});
+  }
+}
+
+/// The participants by the digest of their ontology, where there is more than one.
+void check_digests(const std::vector<Record>& participants, Findings& findings) {
+  std::map<std::string, std::string> names;
+  for (const Record& participant : participants) {
+    std::string& list = names[std::string(participant["ontology"])];
+    list += (list.empty() ? "" : ", ") + words_for(participant, "id");
+  }
+  if (names.size() < 2) return;
+  std::string seen;
+  for (const auto& [digest, list] : names) {
+    if (!seen.empty()) seen += "; ";
+    seen += (digest == "-" || digest.empty() ? "none" : digest) + ": " + list;
+  }
+  findings.push_back({Severity::risk, "ontologies_differ",
+                      "Participants have different ontologies, and may understand a concept differently or not at all.",
+                      seen, "Give all hosts the same files.", "geminga-query ontology"});
+}
+
+}  // namespace
+
+Findings check_team(const Answers& answers) {
+  Findings findings;
+  std::size_t others = 0;
+  for (const Record& participant : answers.participants) {
+    if (participant["self"] == "1") continue;
+    ++others;
+    check_neighbour(participant, findings);
+  }
+  if (others == 0 && !answers.interfaces.empty() && number(answers.status["uptime"]) > time_to_hear) {
+    findings.push_back({Severity::risk, "alone", "No other participant is heard.",
+                        "participants: this host only, for " + std::string(answers.status["uptime"]) + " s",
+                        "If others should be: are they on this link, with the same group, port and key? Wi-Fi, the "
+                        "bridges of Docker and "
+                        "WSL often drop multicast; a firewall may drop UDP port 4717. Naming a host shows which it is.",
+                        "gemingad --peer HOST"});
+  }
+  check_strangers(answers.status, findings);
+  check_keys(answers.security, findings);
+  check_digests(answers.participants, findings);
+  return findings;
+}
+
+Findings check_requests(const Answers& answers) {
+  struct Group {
+    std::size_t count = 0;
+    std::string because;
+    std::string subscription;
+    std::string consumers;
+  };
+  constexpr std::size_t named_consumers = 3;
+  std::map<std::string, Group, std::less<>> groups;
+  for (const Record& request : answers.unmatched) {
+    const std::string_view why = request["why"];
+    Group& group = groups[std::string(why)];
+    if (++group.count == 1) {
+      group.because = request["because"];
+      group.subscription = request["subscription"];
+    }
+    if (group.count > named_consumers) continue;
+    const std::string consumer(request["name"].empty() ? request["consumer"] : request["name"]);
+    group.consumers += (group.consumers.empty() ? "" : ", ") + consumer;
+  }
+  Findings findings;
+  for (const auto& [code, group] : groups) {
+    const std::string who = group.consumers + (group.count > named_consumers ? ", ..." : "");
+    findings.push_back({Severity::risk, "unmatched",
+                        (group.count == 1 ? "One request is" : std::to_string(group.count) + " requests are") +
+                            " served by nobody (" + who + "): " + group.because,
+                        "requests: unmatched, " + (code.empty() ? std::string("no reason") : code),
+                        "See what each would need.", "geminga-query why " + group.subscription});
+  }
+  return findings;
+}
+
+}  // namespace geminga::doctor
