@@ -14,8 +14,6 @@
 namespace geminga::owl {
 namespace {
 
-constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
-constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 constexpr std::string_view owl = "http://www.w3.org/2002/07/owl#";
 
 /// How much of a family a datatype holds. Of numbers: which digits are allowed, and bounds as decimal integers ("":
@@ -36,40 +34,40 @@ using enum DataFamily;
 constexpr std::array rows = {
     Row{owl, "real", number, ValueSpace::whole_family, "", ""},
     Row{owl, "rational", number, ValueSpace::rational, "", ""},
-    Row{xsd, "decimal", number, ValueSpace::decimal, "", ""},
-    Row{xsd, "integer", number, ValueSpace::integer, "", ""},
-    Row{xsd, "nonNegativeInteger", number, ValueSpace::integer, "0", ""},
-    Row{xsd, "positiveInteger", number, ValueSpace::integer, "1", ""},
-    Row{xsd, "nonPositiveInteger", number, ValueSpace::integer, "", "0"},
-    Row{xsd, "negativeInteger", number, ValueSpace::integer, "", "-1"},
-    Row{xsd, "long", number, ValueSpace::integer, "-9223372036854775808", "9223372036854775807"},
-    Row{xsd, "int", number, ValueSpace::integer, "-2147483648", "2147483647"},
-    Row{xsd, "short", number, ValueSpace::integer, "-32768", "32767"},
-    Row{xsd, "byte", number, ValueSpace::integer, "-128", "127"},
-    Row{xsd, "unsignedLong", number, ValueSpace::integer, "0", "18446744073709551615"},
-    Row{xsd, "unsignedInt", number, ValueSpace::integer, "0", "4294967295"},
-    Row{xsd, "unsignedShort", number, ValueSpace::integer, "0", "65535"},
-    Row{xsd, "unsignedByte", number, ValueSpace::integer, "0", "255"},
+    Row{xsd_namespace, "decimal", number, ValueSpace::decimal, "", ""},
+    Row{xsd_namespace, "integer", number, ValueSpace::integer, "", ""},
+    Row{xsd_namespace, "nonNegativeInteger", number, ValueSpace::integer, "0", ""},
+    Row{xsd_namespace, "positiveInteger", number, ValueSpace::integer, "1", ""},
+    Row{xsd_namespace, "nonPositiveInteger", number, ValueSpace::integer, "", "0"},
+    Row{xsd_namespace, "negativeInteger", number, ValueSpace::integer, "", "-1"},
+    Row{xsd_namespace, "long", number, ValueSpace::integer, "-9223372036854775808", "9223372036854775807"},
+    Row{xsd_namespace, "int", number, ValueSpace::integer, "-2147483648", "2147483647"},
+    Row{xsd_namespace, "short", number, ValueSpace::integer, "-32768", "32767"},
+    Row{xsd_namespace, "byte", number, ValueSpace::integer, "-128", "127"},
+    Row{xsd_namespace, "unsignedLong", number, ValueSpace::integer, "0", "18446744073709551615"},
+    Row{xsd_namespace, "unsignedInt", number, ValueSpace::integer, "0", "4294967295"},
+    Row{xsd_namespace, "unsignedShort", number, ValueSpace::integer, "0", "65535"},
+    Row{xsd_namespace, "unsignedByte", number, ValueSpace::integer, "0", "255"},
     // The chain of texts: plain literals may have a language, strings have none, and each further type is part of the
     // one before it.
-    Row{rdf, "PlainLiteral", text, ValueSpace::text_chain, "", "", 0},
-    Row{xsd, "string", text, ValueSpace::text_chain, "", "", 1},
-    Row{xsd, "normalizedString", text, ValueSpace::text_chain, "", "", 2},
-    Row{xsd, "token", text, ValueSpace::text_chain, "", "", 3},
-    Row{xsd, "NMTOKEN", text, ValueSpace::text_chain, "", "", 4},
-    Row{xsd, "Name", text, ValueSpace::text_chain, "", "", 5},
-    Row{xsd, "NCName", text, ValueSpace::text_chain, "", "", 6},
-    Row{xsd, "language", text, ValueSpace::text_chain, "", "", 7},
-    Row{rdf, "langString", text, ValueSpace::text_chain, "", "", 255},
-    Row{xsd, "double", double_, ValueSpace::whole_family, "", ""},
-    Row{xsd, "float", float_, ValueSpace::whole_family, "", ""},
-    Row{xsd, "boolean", boolean, ValueSpace::whole_family, "", ""},
-    Row{xsd, "hexBinary", hex, ValueSpace::whole_family, "", ""},
-    Row{xsd, "base64Binary", base64, ValueSpace::whole_family, "", ""},
-    Row{xsd, "anyURI", uri, ValueSpace::whole_family, "", ""},
-    Row{xsd, "dateTime", DataFamily::time, ValueSpace::whole_family, "", ""},
-    Row{xsd, "dateTimeStamp", DataFamily::time, ValueSpace::time_with_zone, "", ""},
-    Row{rdf, "XMLLiteral", xml, ValueSpace::whole_family, "", ""},
+    Row{rdf_namespace, "PlainLiteral", text, ValueSpace::text_chain, "", "", 0},
+    Row{xsd_namespace, "string", text, ValueSpace::text_chain, "", "", 1},
+    Row{xsd_namespace, "normalizedString", text, ValueSpace::text_chain, "", "", 2},
+    Row{xsd_namespace, "token", text, ValueSpace::text_chain, "", "", 3},
+    Row{xsd_namespace, "NMTOKEN", text, ValueSpace::text_chain, "", "", 4},
+    Row{xsd_namespace, "Name", text, ValueSpace::text_chain, "", "", 5},
+    Row{xsd_namespace, "NCName", text, ValueSpace::text_chain, "", "", 6},
+    Row{xsd_namespace, "language", text, ValueSpace::text_chain, "", "", 7},
+    Row{rdf_namespace, "langString", text, ValueSpace::text_chain, "", "", 255},
+    Row{xsd_namespace, "double", double_, ValueSpace::whole_family, "", ""},
+    Row{xsd_namespace, "float", float_, ValueSpace::whole_family, "", ""},
+    Row{xsd_namespace, "boolean", boolean, ValueSpace::whole_family, "", ""},
+    Row{xsd_namespace, "hexBinary", hex, ValueSpace::whole_family, "", ""},
+    Row{xsd_namespace, "base64Binary", base64, ValueSpace::whole_family, "", ""},
+    Row{xsd_namespace, "anyURI", uri, ValueSpace::whole_family, "", ""},
+    Row{xsd_namespace, "dateTime", DataFamily::time, ValueSpace::whole_family, "", ""},
+    Row{xsd_namespace, "dateTimeStamp", DataFamily::time, ValueSpace::time_with_zone, "", ""},
+    Row{rdf_namespace, "XMLLiteral", xml, ValueSpace::whole_family, "", ""},
 };
 constexpr std::uint8_t lang_string_chain = 255;
 

@@ -10,6 +10,12 @@
 
 namespace geminga::owl {
 
+inline constexpr std::string_view xsd_namespace = "http://www.w3.org/2001/XMLSchema#";
+inline constexpr std::string_view rdf_namespace = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
+inline constexpr std::string_view xsd_decimal = "http://www.w3.org/2001/XMLSchema#decimal";
+/// The datatype of all values.
+inline constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
+
 /// Value spaces that have nothing in common (OWL 2 structural specification, section 4).
 enum class DataFamily : std::uint8_t { number, text, double_, float_, boolean, hex, base64, uri, time, xml };
 inline constexpr std::size_t data_family_count = 10;

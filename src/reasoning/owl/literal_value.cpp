@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "reasoning/owl/datatypes.hpp"
+
 namespace geminga::owl {
 namespace {
 
-constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
-constexpr std::string_view rdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
-constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
-constexpr std::string_view xsd_decimal = "http://www.w3.org/2001/XMLSchema#decimal";
-
 bool is_one_of(std::string_view iri, std::span<const std::string_view> words) {
-  return iri.starts_with(xsd) && std::ranges::find(words, iri.substr(xsd.size())) != words.end();
+  return iri.starts_with(xsd_namespace) && std::ranges::find(words, iri.substr(xsd_namespace.size())) != words.end();
 }
 
 bool is_bound(std::string_view facet) {
@@ -32,7 +29,7 @@ bool is_number_or_float(DataFamily family) {
 
 /// Whether the pair of a facet and a value is in the facet space of a datatype.
 bool has_facet(std::string_view datatype, DataFamily family, std::string_view facet, const DataValue& value) {
-  static const Datatype count = Datatype::find(std::string(xsd) + "nonNegativeInteger").value();
+  static const Datatype count = Datatype::find(std::string(xsd_namespace) + "nonNegativeInteger").value();
   switch (family) {
     case DataFamily::number:
     case DataFamily::double_:
@@ -40,11 +37,12 @@ bool has_facet(std::string_view datatype, DataFamily family, std::string_view fa
     case DataFamily::time:
       return is_bound(facet) && value.family == family;
     case DataFamily::text:
-      if (facet.starts_with(rdf) && facet.substr(rdf.size()) == "langRange")
-        return datatype.starts_with(rdf) && value.family == DataFamily::text;
+      if (facet.starts_with(rdf_namespace) && facet.substr(rdf_namespace.size()) == "langRange")
+        return datatype.starts_with(rdf_namespace) && value.family == DataFamily::text;
       [[fallthrough]];
     case DataFamily::uri:
-      if (facet.starts_with(xsd) && facet.substr(xsd.size()) == "pattern") return value.family == DataFamily::text;
+      if (facet.starts_with(xsd_namespace) && facet.substr(xsd_namespace.size()) == "pattern")
+        return value.family == DataFamily::text;
       [[fallthrough]];
     case DataFamily::hex:
     case DataFamily::base64:

@@ -18,7 +18,6 @@ namespace geminga::owl {
 namespace {
 
 constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string";
-constexpr std::string_view xsd_decimal = "http://www.w3.org/2001/XMLSchema#decimal";
 constexpr std::string_view rdf_lang_string = "http://www.w3.org/1999/02/22-rdf-syntax-ns#langString";
 
 /// The octets that all names together may take: this many, and as many again for each different name as names usually

@@ -1,12 +1,12 @@
 // The equivalences of negation normal form.
 #include "reasoning/dl/clauses/literal.hpp"
 
+#include "reasoning/owl/datatypes.hpp"
+
 namespace geminga::clauses {
 namespace {
 
 using owl::TermKind;
-
-constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
 Shape constant(bool is_true) {
   Shape shape;
@@ -87,7 +87,7 @@ DataRange range_of(const owl::Ontology& source, owl::TermId term, bool is_comple
     term = source.term(term).arguments[0];
     is_complement = !is_complement;
   }
-  if (source.kind(term) == TermKind::datatype && source.name_of(term) == rdfs_literal) term = no_term;
+  if (source.kind(term) == TermKind::datatype && source.name_of(term) == owl::rdfs_literal) term = no_term;
   return {term, is_complement};
 }
 

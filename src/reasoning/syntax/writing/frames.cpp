@@ -18,7 +18,6 @@ using owl::TermId;
 using owl::TermKind;
 
 constexpr std::string_view owl_namespace = "http://www.w3.org/2002/07/owl#";
-constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
 /// The section of a frame in which an axiom of one kind stands, and the place of its subject. The other operands are
 /// what the section lists. `miscellaneous` is the word for any number of operands without a frame.
@@ -166,7 +165,7 @@ class Frames {
       const TermKind kind = source_.kind(id);
       if (kind != TermKind::object_property && kind != TermKind::data_property && kind != TermKind::datatype) continue;
       const std::string_view iri = source_.name_of(id);
-      const bool is_built_in = iri.starts_with(owl_namespace) || iri == rdfs_literal || owl::Datatype::find(iri);
+      const bool is_built_in = iri.starts_with(owl_namespace) || iri == owl::rdfs_literal || owl::Datatype::find(iri);
       if (!is_built_in) frame_of(id);
     }
     roots_.clear();

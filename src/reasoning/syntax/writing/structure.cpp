@@ -3,6 +3,7 @@
 #include <span>
 
 #include "reasoning/owl/annotation.hpp"
+#include "reasoning/owl/datatypes.hpp"
 
 namespace geminga::writing {
 namespace {
@@ -10,8 +11,6 @@ namespace {
 using owl::Annotation;
 using owl::AxiomKind;
 using owl::TermKind;
-
-constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 
 bool is_counted(TermKind kind) {
   return (kind >= TermKind::object_min_cardinality && kind <= TermKind::object_exact_cardinality) ||
@@ -90,7 +89,7 @@ class Structure {
     const std::string_view complement = owl::to_string(TermKind::data_complement_of);
     const bool is_complement = kind != TermKind::data_intersection_of;
     if (is_complement) form_.open(complement);
-    form_.entity(TermKind::datatype, rdfs_literal);
+    form_.entity(TermKind::datatype, owl::rdfs_literal);
     if (is_complement) form_.close(complement);
   }
 

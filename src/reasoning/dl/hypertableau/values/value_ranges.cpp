@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/sorted.hpp"
+#include "reasoning/owl/datatypes.hpp"
 
 namespace geminga::hypertableau {
 namespace {
@@ -15,7 +16,6 @@ using owl::TermId;
 using owl::TermKind;
 
 constexpr std::string_view xsd = "http://www.w3.org/2001/XMLSchema#";
-constexpr std::string_view rdfs_literal = "http://www.w3.org/2000/01/rdf-schema#Literal";
 /// Definitions nest at most as deep, terms at most 500.
 constexpr unsigned max_depth = 1000;
 
@@ -204,7 +204,7 @@ KnownSet ValueRanges::set_of_literal(TermId literal, bool is_complement) {
 
 KnownSet ValueRanges::datatype(TermId id, unsigned depth) {
   const std::string_view iri = source_.name_of(id);
-  if (iri == rdfs_literal) return KnownSet::exactly(ValueSet::everything());
+  if (iri == owl::rdfs_literal) return KnownSet::exactly(ValueSet::everything());
   if (const auto set = built_in(iri)) return KnownSet::exactly(*set);
   const auto definition = definitions_.find(id);
   if (definition == definitions_.end()) return {ValueSet::everything(), ValueSet::everything(), {}, {{id, false}}};

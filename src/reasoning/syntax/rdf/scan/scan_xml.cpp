@@ -12,6 +12,9 @@
 namespace geminga::rdf {
 namespace {
 
+/// White space of XML 1.0, section 2.3.
+constexpr std::string_view xml_space = " \t\r\n";
+
 class XmlScan {
  public:
   XmlScan(std::string_view bytes, const syntax::FileLimits& limits)
@@ -149,12 +152,11 @@ class XmlScan {
 
   /// Whether a tag up to a quotation mark ends with the name of xml:base.
   [[nodiscard]] static bool is_base(std::string_view tag) {
-    constexpr std::string_view space = " \t\r\n";
     constexpr std::string_view name = "xml:base";
-    while (!tag.empty() && (tag.back() == '=' || space.find(tag.back()) != std::string_view::npos))
+    while (!tag.empty() && (tag.back() == '=' || xml_space.find(tag.back()) != std::string_view::npos))
       tag.remove_suffix(1);
     return tag.ends_with(name) && tag.size() > name.size() &&
-           space.find(tag[tag.size() - name.size() - 1]) != std::string_view::npos;
+           xml_space.find(tag[tag.size() - name.size() - 1]) != std::string_view::npos;
   }
 
   void add_base(std::size_t begin, std::size_t end) {
@@ -181,14 +183,13 @@ class XmlScan {
   /// A name by rdf:ID that is given twice, or is no name of XML, stands as rdf:about, which may be anything. Only on
   /// elements of nodes, which stand at even depths below rdf:RDF: on those of properties it names a statement.
   void note_id(std::size_t begin, std::string_view tag, std::size_t depth) {
-    constexpr std::string_view space = " \t\r\n";
     constexpr std::string_view name = "rdf:ID";
     if (depth % 2 != 0 || depth_ == literal_depth_) return;
     const std::size_t at = tag.find(name);
-    if (at == std::string_view::npos || at == 0 || space.find(tag[at - 1]) == std::string_view::npos) return;
-    const std::size_t equals = tag.find_first_not_of(space, at + name.size());
+    if (at == std::string_view::npos || at == 0 || xml_space.find(tag[at - 1]) == std::string_view::npos) return;
+    const std::size_t equals = tag.find_first_not_of(xml_space, at + name.size());
     if (equals == std::string_view::npos || tag[equals] != '=') return;
-    const std::size_t open = tag.find_first_not_of(space, equals + 1);
+    const std::size_t open = tag.find_first_not_of(xml_space, equals + 1);
     if (open == std::string_view::npos || (tag[open] != '"' && tag[open] != '\'')) return;
     const std::size_t close = tag.find(tag[open], open + 1);
     if (close == std::string_view::npos) return;
