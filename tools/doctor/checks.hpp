@@ -26,7 +26,7 @@ inline constexpr std::size_t least_mtu = 1280;
 [[nodiscard]] Findings check_absent_daemon(const Host& host, const ClientError& error, std::string_view connect);
 /// The daemon's own troubles: configuration, ontology, memory, limits. `version` is that of this program.
 [[nodiscard]] Findings check_daemon(const Answers& answers, std::string_view version);
-/// Who hears whom, keys, digests, and strangers on the link.
+/// Loss, hosts that do not hear us, keys, digests, and strangers on the link.
 [[nodiscard]] Findings check_team(const Answers& answers);
 /// Requests that nobody serves, grouped by their reason.
 [[nodiscard]] Findings check_requests(const Answers& answers);

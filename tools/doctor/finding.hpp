@@ -19,7 +19,7 @@ struct Finding {
   std::string code;     ///< a word for the cause, the same in every version: `daemon_away`
   std::string what;     ///< a sentence for the user
   std::string seen;     ///< how it was seen
-  std::string remedy;   ///< what to do
+  std::string remedy;   ///< a remedy in words
   std::string command;  ///< one command to copy; empty where there is none
 };
 

@@ -290,7 +290,7 @@ void add_explain(CLI::App& program, Choice& choice) {
       "\nExamples:\n"
       "  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --proof\n"
-      "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super geminga:Info --laconic\n"
+      "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --laconic\n"
       "  geminga-ontology explain team/ --inconsistent --all --limit 3");
   command->callback([request, &choice] {
     if (!request->is_about_contradiction && (request->sub.empty() || request->super.empty()))

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "geminga/identity.hpp"
+#include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 #include "ontology/loading/class_names.hpp"

@@ -34,7 +34,7 @@ Examples:
   geminga-ontology merge team/ -o team.owl
   geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'
   geminga-ontology realize team/                    the most specific types of each individual
-  geminga-ontology instances team/ 'soccer:BallInfo and (soccer:seenBy some geminga:Robot)'
+  geminga-ontology instances team/ 'soccer:BallInfo'
   geminga-ontology rank --services services/ --requests queries/ --ontologies ontology/
 
 FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester syntax or OWL/XML, also packed by gzip

@@ -51,7 +51,7 @@ boost::json::array to_json(const doctor::Host& host) {
   return interfaces;
 }
 
-/// What can be sent to somebody who helps: findings, this host and the team, without keys and messages.
+/// A report for somebody who helps: findings, this host and the team, without keys and messages.
 boost::json::object report_of(const Findings& findings, const doctor::Host& host,
                               const std::optional<Answers>& answers) {
   boost::json::object report = to_json(findings);

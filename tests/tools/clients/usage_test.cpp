@@ -53,7 +53,7 @@ TEST(Programs, ShowTheirVersion) {
 TEST(Programs, EndWithTwoOnWrongUsage) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
       {"geminga-query", {}},
-      {"geminga-query", {"doctor"}},
+      {"geminga-query", {"physician"}},
       {"geminga-query", {"services", "--no-such-flag"}},
       {"geminga-query", {"explain", "soccer:BallInfo"}},
       {"geminga-query", {"why"}},
@@ -112,10 +112,10 @@ TEST(Programs, NameTheFlagOrTheCommandThatMayBeMeant) {
       {"geminga-query", {"servces"}, "'servces' is no command: did you mean services? see "},
       {"geminga-query", {"--json", "statsu"}, "'statsu' is no command: did you mean status? see "},
       {"geminga-query",
-       {"doctor"},
-       "'doctor' is no command: the commands are participants, services, requests, match, explain, why, ontology, "
+       {"physician"},
+       "'physician' is no command: the commands are participants, services, requests, match, explain, why, ontology, "
        "status, "
-       "security: see "},
+       "security, doctor: see "},
       {"geminga-query", {"services", "--unsued"}, "'--unsued' is no flag: did you mean --unused? see "},
       {"geminga-query", {"services", "--conect", "x"}, "'--conect' is no flag: did you mean --connect? see "},
       {"geminga-query", {"match", "--limt=3"}, "'--limt' is no flag: did you mean --limit? see "},

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/value_check.hpp"

@@ -14,8 +14,8 @@
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
 #include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"

@@ -10,10 +10,10 @@
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
 #include "reasoning/dl/hypertableau/bounds.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"

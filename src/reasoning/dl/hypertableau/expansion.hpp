@@ -10,8 +10,8 @@
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
 #include "reasoning/dl/hypertableau/blocking.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"

@@ -8,8 +8,8 @@
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
 #include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 

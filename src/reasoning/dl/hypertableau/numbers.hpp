@@ -3,8 +3,8 @@
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_NUMBERS_HPP
 
 #include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 

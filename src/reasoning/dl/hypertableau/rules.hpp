@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/rules/built_ins.hpp"
 #include "reasoning/dl/hypertableau/rules/rule_plans.hpp"

@@ -58,9 +58,7 @@ inline std::vector<std::string> told_chains(Matcher& matcher) {
           names.replace(at, what.size(), by);
         }
       };
-      replace("<http://example.org/", "");
-      replace(">>", ">");
-      names.pop_back();
+      replace(":", "");  // the empty prefix, which stands for the namespace of the test's ontology
       line += " " + names + " " + std::to_string(event.chain->cost) + " " + event.chain->via;
     }
     words.push_back(line);

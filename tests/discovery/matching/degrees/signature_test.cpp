@@ -111,8 +111,7 @@ TEST(Signature, WeakensTheMatchOfAPairAndIsExplained) {
   offer.publication.attributes = Stated{word("Robot"), {}}.attributes();
   ASSERT_FALSE(explain());
   EXPECT_EQ(explain().error(),
-            "signature: output <http://example.org/Frame> is asked for and not offered, input "
-            "<http://example.org/Robot> is needed and not given");
+            "signature: output :Frame is asked for and not offered, input :Robot is needed and not given");
   asked.attributes.clear();
   EXPECT_TRUE(explain());
 }
