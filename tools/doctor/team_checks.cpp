@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -15,7 +16,7 @@ std::string words_for(const Record& participant, std::string_view id_key) {
   return name.empty() ? id : name + " (" + id + ')';
 }
 
-std::string percent(double share) { return std::to_string(static_cast<int>(share * 100 + 0.5)) + " %"; }
+std::string percent(double share) { return std::to_string(std::lround(share * 100)) + " %"; }
 
 void check_neighbour(const Record& neighbour, Findings& findings) {
   const std::string who = words_for(neighbour, "id");

@@ -115,7 +115,7 @@ void add_instances(CLI::App& program, Choice& choice) {
       "individuals that are not decided.\n"
       "\nExamples:\n"
       "  geminga-ontology instances team/ soccer:BallInfo\n"
-      "  geminga-ontology instances team/ 'geminga:Service and (soccer:sees some soccer:Ball)' --json");
+      "  geminga-ontology instances team/ 'soccer:Message and (geminga:carries some soccer:TrackedObject)' --json");
   run_when_named(*command, choice, request, instances);
 }
 

@@ -339,7 +339,7 @@ void add_repair(CLI::App& program, Choice& choice) {
       "cannot be loaded; 4: a limit was reached, and what is printed may not be enough.\n"
       "\nExamples:\n"
       "  geminga-ontology repair team/\n"
-      "  geminga-ontology repair team/ --sub soccer:Goalie --super soccer:Referee --limit 10");
+      "  geminga-ontology repair team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --limit 10");
   run_when_named(*command, choice, request, repair);
 }
 

@@ -9,7 +9,6 @@ namespace geminga::doctor {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::vector<std::string> codes(const Findings& findings) {

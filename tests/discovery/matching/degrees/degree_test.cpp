@@ -171,7 +171,7 @@ std::string turned(const Identity& offered, const Identity& requested, std::uint
   const auto match = degree_of_identity(offered, classes_of(offered, ontology), requested,
                                         classes_of(requested, ontology), ontology, convert);
   if (!match) return "none";
-  const std::string words = std::string(to_string(match->degree)) + " " + std::to_string(match->distance);
+  std::string words = std::string(to_string(match->degree)) + " " + std::to_string(match->distance);
   if (match->cost == 0) return words;
   const auto chain = chain_between(classes_of(offered, ontology).representation_class,
                                    classes_of(requested, ontology).representation_class, ontology);
