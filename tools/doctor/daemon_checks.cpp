@@ -21,7 +21,7 @@ constexpr Symptom symptoms[] = {
      "Mend the file that it names, and read it again.", "geminga-query ontology"},
     {"ontology_contradiction", Severity::failure, "ontology_contradiction",
      "The ontology contradicts itself, so that no concept matches.", "See which axioms do so.",
-     "geminga-ontology explain --inconsistency FILES"},
+     "geminga-ontology explain --inconsistent FILES"},
     {"ontology_undecided", Severity::risk, "ontology_undecided",
      "A limit ended the search for what follows from the ontology; matches may be missing.",
      "Compile it by hand with more time, and give the daemon the compiled file.",

@@ -19,7 +19,7 @@ struct Supposition {
 
 /// Reads the model in the graph; valid until the search goes on.
 ///
-/// What is certain was derived without a choice, and so holds in every model. What does not hold in the model does not
+/// Certain facts were derived without a choice, and so hold in every model. What does not hold in the model does not
 /// follow. Individuals that are certainly one have the same certain node, and those that are one in this model have the
 /// same node. Certain facts are those of certain nodes.
 class Individuals {
