@@ -71,7 +71,7 @@ TEST(QualifiedNumbers, AreUnderstoodByModelsAsByTheTableau) {
 TEST(LargeNumbers, AreUnderstoodByEachEngineAsByTheTableauThatMakesEveryNeighbour) {
   int compared = 0;
   int complete = 0;
-  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(80U); ++seed) {
     const owl::Ontology source = large_numbers(seed, static_cast<std::uint32_t>(2 + seed % 6));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + functional_syntax(source));
     const Opinion every = of_the_tableau_without_counting(source);
@@ -82,8 +82,8 @@ TEST(LargeNumbers, AreUnderstoodByEachEngineAsByTheTableauThatMakesEveryNeighbou
       EXPECT_THAT(contradictions(other, every), IsEmpty());
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(compared, 50);
-  EXPECT_GT(complete, 70);
+  EXPECT_GT(compared, test::rounds(50));
+  EXPECT_GT(complete, test::rounds(70));
 }
 
 TEST(Family, IsUnderstoodByModelsAsByTheTableau) {
@@ -122,7 +122,7 @@ TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
 
 TEST(Pairings, AreUnderstoodByEachEngineAsByTheTableau) {
   int complete = 0;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(200U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const owl::Ontology source = pairings(seed, 2 + seed % 4);
     const Opinion tableau = of_the_tableau(source);
@@ -132,7 +132,7 @@ TEST(Pairings, AreUnderstoodByEachEngineAsByTheTableau) {
       EXPECT_THAT(contradictions(other, tableau), IsEmpty()) << functional_syntax(source);
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(complete, 50) << "the closure of clauses is the judge of models";
+  EXPECT_GT(complete, test::rounds(50)) << "the closure of clauses is the judge of models";
 }
 
 TEST(Features, AreUnderstoodByModelsAsByTheTableau) {
