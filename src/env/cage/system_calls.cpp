@@ -95,7 +95,15 @@ class Filter {
   }
   /// Fails as if the kernel did not know the call, so that the C library takes an older one.
   void hide(int call) { seccomp_rule_add(context_, SCMP_ACT_ERRNO(ENOSYS), call, 0); }
+  /// From here on rules are for this processor alone. Call it before the first rule.
+  void translate_to(std::uint32_t processor) {
+    if (seccomp_arch_native() == processor) return;
+    seccomp_arch_add(context_, processor);
+    seccomp_arch_remove(context_, seccomp_arch_native());
+  }
   [[nodiscard]] bool load() { return context_ != nullptr && seccomp_load(context_) == 0; }
+  /// Writes the program; false: there was not enough memory, or the file could not be written.
+  [[nodiscard]] bool write(int file) { return context_ != nullptr && seccomp_export_bpf(context_, file) == 0; }
 
  private:
   scmp_filter_ctx context_;
@@ -186,10 +194,7 @@ void allow_children(Filter& filter) {
     filter.allow(SCMP_SYS(prctl), equals(0, static_cast<std::uint64_t>(option)));
 }
 
-}  // namespace
-
-bool restrict_system_calls(const Freedom& freedom) {
-  Filter filter;
+void add_rules(Filter& filter, const Freedom& freedom) {
   filter.allow(plain);
   allow_threads(filter, freedom.may_serve);
   allow_opening(filter, freedom.may_serve);
@@ -205,7 +210,21 @@ bool restrict_system_calls(const Freedom& freedom) {
   if (!freedom.removable_folders.empty()) filter.allow(to_remove_files);
   if (!freedom.writable_folders.empty()) filter.allow(to_write_files);
   if (is_sanitized) filter.allow(to_be_sanitized);
+}
+
+}  // namespace
+
+bool restrict_system_calls(const Freedom& freedom) {
+  Filter filter;
+  add_rules(filter, freedom);
   return filter.load();
+}
+
+bool write_filter(const Freedom& freedom, Processor processor, int file) {
+  Filter filter;
+  filter.translate_to(processor == Processor::aarch64 ? SCMP_ARCH_AARCH64 : SCMP_ARCH_X86_64);
+  add_rules(filter, freedom);
+  return filter.write(file);
 }
 
 }  // namespace geminga::cage
