@@ -137,7 +137,8 @@ class _College:
         pen, chance = self._pen, self._chance
         pen.individual(name, "Department")
         pen.link(name, "isPartOf", self._college)
-        teachers, courses = [], []
+        teachers: list[str] = []
+        courses: list[str] = []
         for number in range(faculty):
             kind = chance.choice(("FullProfessor", "AssociateProfessor", "AssistantProfessor", "Lecturer", "PostDoc"))
             teacher = self._make_person(f"{name}_{kind}{number}", kind, chance.choice(("Man", "Woman")))
