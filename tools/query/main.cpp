@@ -21,8 +21,9 @@ constexpr const char* examples = R"(Examples:
   geminga-query --watch --json services
   geminga-query --connect 127.0.0.1:4718 status
 
-On a terminal tables fit its width; elsewhere, and with --json, every text is whole. With --watch: + a record is there, ~ it
-changed, with the former values, - it is gone, and why: withdrawn, gone (with its participant), changed (it fits no longer).
+On a terminal tables fit its width, and a reason may stand over the rows that have it; elsewhere, and with --json, a record is
+one line with every text whole. With --watch: + a record is there, ~ it changed, with the former values, - it is gone, and why:
+withdrawn, gone (with its participant), changed (it fits no longer).
 
 Exit status: 0 found, 1 nothing found or the answer is no, 2 wrong usage (also a name that the ontology does not know),
 3 the daemon cannot be reached, 4 timed out.)";

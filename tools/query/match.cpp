@@ -31,7 +31,7 @@ shell::Table table(const std::vector<Record>& records) {
                       {"ADDRESS", false, 15, 1},
                       {"PRIO", true, 0, 6},
                       {"AGE", true, 0, 7},
-                      {"SERVICE", false, 0, 2},
+                      {"SERVICE"},
                       {"CONVERT", false, 16, 8},
                       {"COST", true, 0, 8},
                       {"VIA", false, 16, 8},

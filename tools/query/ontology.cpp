@@ -71,20 +71,30 @@ void print_json(const Parts& parts) {
   shell::print(std::cout, object);
 }
 
+/// Prints the text of each record below a heading.
+void print_lines(const Context& context, const std::vector<Record>& records, std::string_view key) {
+  for (const auto& record : records) {
+    shell::print_wrapped(std::cout, context.terminal, shell::printable(record[key]), 2);
+  }
+}
+
 void print_failures(const Context& context, const Parts& parts) {
   if (parts.failures.empty()) return;
   std::cout << coloured(context.terminal, shell::Colour::red, "Reading failed") << " "
             << shell::duration_words(parts.failures.front()["age"])
             << " ago; mend the files and send gemingad a SIGHUP:\n";
-  for (const auto& record : parts.failures) std::cout << "  " << shell::printable(record["failed"]) << '\n';
+  print_lines(context, parts.failures, "failed");
   std::cout << '\n';
 }
 
 void print_contradiction(const Context& context, const Parts& parts) {
   if (parts.head["contradiction"] != "1") return;
-  std::cout << coloured(context.terminal, shell::Colour::red, "Contradiction: ")
-            << "no world can be as these files say, so that no concept can be offered or asked for;\n"
-               "geminga-ontology check FILES says why; mend them and send gemingad a SIGHUP.\n\n";
+  std::cout << coloured(context.terminal, shell::Colour::red, "Contradiction:") << '\n';
+  shell::print_wrapped(std::cout, context.terminal,
+                       "no world can be as these files say, so that no concept can be offered or asked for; "
+                       "geminga-ontology check FILES says why; mend them and send gemingad a SIGHUP.",
+                       2);
+  std::cout << '\n';
 }
 
 void print_words(const Context& context, const Parts& parts) {
@@ -108,7 +118,7 @@ void print_words(const Context& context, const Parts& parts) {
   }
   left_out.print(std::cout, context.terminal, "\nNot used by the reasoner:\n");
   if (!parts.gaps.empty()) std::cout << "\nNot searched to the end:\n";
-  for (const auto& record : parts.gaps) std::cout << "  " << shell::printable(record["gap"]) << '\n';
+  print_lines(context, parts.gaps, "gap");
   if (parts.head["complete"] == "1") std::cout << "\nComplete: everything that follows from these files was found.\n";
   shell::Table others({{"PARTICIPANT"}, {"NAME", false, 8}, {"ONTOLOGY"}});
   for (const auto& record : parts.others) {

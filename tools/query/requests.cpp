@@ -14,7 +14,8 @@ struct RequestsFlags {
   bool unused = false;
 };
 
-shell::Table table_of_requests(const std::vector<Record>& records) {
+/// With `unmatched` nothing is served, so that no column says so.
+shell::Table table_of_requests(const std::vector<Record>& records, bool unmatched) {
   shell::Table shown({{"CONSUMER", false, 12},
                       {"IDENTITY", false, 16},
                       {"MATCH", false, 0, 5},
@@ -25,12 +26,15 @@ shell::Table table_of_requests(const std::vector<Record>& records) {
                       {"ALSO", false, 10, 2},
                       {"LIMIT", true, 0, 6},
                       {"AGE", true, 0, 7},
-                      {"WHY", false, 20},
-                      {"REQUEST", false, 0, 1}});
+                      {"WHY", false, 20, 0, true},
+                      {"REQUEST"}});
   for (const auto& record : records) {
     const auto limit = record["limit"] == "0" ? "" : std::string(record["limit"]);
     shown.add({shell::who(record["consumer"], record["name"], record["participant_name"]),
-               shell::identity_words(record), record["match"], record["mode"], record["served"] == "1" ? "yes" : "no",
+               shell::identity_words(record), record["match"], record["mode"],
+               unmatched                 ? ""
+               : record["served"] == "1" ? "yes"
+                                         : "no",
                record["provider"], record["where"], request_words(record), limit, shell::duration_words(record["age"]),
                record["because"], record["subscription"]});
   }
@@ -43,7 +47,7 @@ Listing listing_of_requests(const RequestsFlags& flags) {
                   {},
                   read_filter(flags.words),
                   "subscription",
-                  table_of_requests,
+                  [unmatched = flags.unmatched](const auto& records) { return table_of_requests(records, unmatched); },
                   service_line,
                   flags.unmatched ? "no such request is unmatched: each has somebody who serves it"
                                   : "no such request is known: see geminga-query participants for who is heard at all"};

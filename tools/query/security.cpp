@@ -43,22 +43,25 @@ void print_security_json(const Security& security) {
   shell::print(std::cout, object);
 }
 
-void print_own_sealing(const Security& security) {
+void print_own_sealing(const Context& context, const Security& security) {
   if (security.head["keys"].empty()) {
-    std::cout << "Nothing is sealed: there is no key. Whoever is on the link can be heard: see gemingad "
-                 "--generate-key.\n";
+    shell::print_wrapped(std::cout, context.terminal,
+                         "Nothing is sealed: there is no key. Whoever is on the link can be heard: see gemingad "
+                         "--generate-key.");
     return;
   }
   const std::string keys(security.head["keys"]);
-  std::cout << shell::printable(security.head["mode"]) << ", keys " << shell::printable(keys) << ": "
-            << shell::printable(keys.substr(0, keys.find(','))) << " seals, all of them open\n";
+  shell::print_wrapped(std::cout, context.terminal,
+                       shell::printable(std::string(security.head["mode"]) + ", keys " + keys + ": " +
+                                        keys.substr(0, keys.find(',')) + " seals, all of them open"));
 }
 
 std::string_view dash(std::string_view text) { return text.empty() ? "-" : text; }
 
 void print_security(const Context& context, const Security& security) {
-  print_own_sealing(security);
-  shell::Table participants({{"PARTICIPANT"}, {"NAME", false, 8}, {"SAYS"}, {"SEALS WITH"}, {"OPENS WITH"}, {"LACKS"}});
+  print_own_sealing(context, security);
+  shell::Table participants(
+      {{"PARTICIPANT"}, {"NAME", false, 8}, {"SAYS"}, {"SEALS WITH"}, {"OPENS WITH", false, 10}, {"LACKS", false, 9}});
   for (const auto& record : security.participants) {
     participants.add({record["participant"], record["name"], record["protection"], dash(record["key"]),
                       dash(record["keys"]), dash(record["lacks"])});

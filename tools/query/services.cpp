@@ -8,7 +8,8 @@
 namespace geminga::query {
 namespace {
 
-shell::Table table_of_services(const std::vector<Record>& records) {
+/// With `unused` nothing is used, so that no column says so.
+shell::Table table_of_services(const std::vector<Record>& records, bool unused) {
   shell::Table shown({{"PROVIDER", false, 12},
                       {"IDENTITY", false, 16},
                       {"MODE", false, 0, 3},
@@ -17,15 +18,18 @@ shell::Table table_of_services(const std::vector<Record>& records) {
                       {"PRIO", true, 0, 7},
                       {"AGE", true, 0, 8},
                       {"USED", false, 0, 5},
-                      {"WHY", false, 20},
-                      {"SERVICE", false, 0, 2},
+                      {"WHY", false, 20, 0, true},
+                      {"SERVICE"},
                       {"ATTRIBUTES", false, 10, 4}});
   for (const auto& record : records) {
     const auto protocol = record["protocol"] == "udp" ? "" : std::string(record["protocol"]);
     shown.add(
         {shell::who(record["provider"], record["name"], record["participant_name"]), shell::identity_words(record),
          std::string(record["mode"]), shell::place(record["address"], record["port"]), protocol,
-         std::string(record["priority"]), shell::duration_words(record["age"]), record["used"] == "1" ? "yes" : "no",
+         std::string(record["priority"]), shell::duration_words(record["age"]),
+         unused                  ? ""
+         : record["used"] == "1" ? "yes"
+                                 : "no",
          std::string(record["because"]), std::string(record["service"]), shell::attribute_words(record.attributes)});
   }
   return shown;
@@ -65,7 +69,7 @@ Listing services_listing(const std::vector<std::string>& words, bool unused) {
                   {},
                   read_filter(words),
                   "service",
-                  table_of_services,
+                  [unused](const auto& records) { return table_of_services(records, unused); },
                   service_line,
                   unused ? "no such service is unused: each has somebody who asks for it"
                          : "no such service is known: see geminga-query participants for who is heard at all"};

@@ -206,28 +206,34 @@ void print_json(const Question& question, const Answer& answer) {
   shell::print(std::cout, object);
 }
 
-void print_mend(const Context& context, std::string_view code, std::string_view mend) {
-  if (mend.empty()) return;
-  std::cout << coloured(context.terminal, shell::Colour::dim, shell::printable(code)) << ": " << shell::printable(mend)
-            << '\n';
+/// Prints a sentence whose first words have a colour.
+void print_led(const Context& context, shell::Colour colour, std::string_view lead, const std::string& rest) {
+  const std::string head = shell::printable(lead);
+  std::ostringstream lines;
+  shell::print_wrapped(lines, context.terminal, head + shell::printable(rest));
+  std::cout << coloured(context.terminal, colour, head) << std::string_view(lines.view()).substr(head.size());
 }
 
-void print_proof(const Record& record) {
+void print_mend(const Context& context, std::string_view code, std::string_view mend) {
+  if (!mend.empty()) print_led(context, shell::Colour::dim, code, ": " + std::string(mend));
+}
+
+void print_proof(const Context& context, const Record& record) {
   std::istringstream lines{std::string(record["proof"])};
-  for (std::string line; std::getline(lines, line);) std::cout << "  " << shell::printable(line) << '\n';
+  for (std::string line; std::getline(lines, line);) {
+    shell::print_wrapped(std::cout, context.terminal, shell::printable(line), 2);
+  }
 }
 
 void print_pair(const Context& context, const Answer& answer) {
   const bool is_match = answer.end["matches"] == "1";
-  std::cout << (is_match
-                    ? coloured(context.terminal, shell::Colour::green, "yes") + ": they match"
-                    : coloured(context.terminal, shell::Colour::red, "no") +
-                          (is_outranked(answer) ? ": they would match, and others are better" : ": they do not match"));
+  std::string verdict = is_match               ? ": they match"
+                        : is_outranked(answer) ? ": they would match, and others are better"
+                                               : ": they do not match";
   if (!answer.end["degree"].empty()) {
-    std::cout << ", degree " << shell::printable(answer.end["degree"]) << ", distance "
-              << shell::printable(answer.end["distance"]);
+    verdict += ", degree " + std::string(answer.end["degree"]) + ", distance " + std::string(answer.end["distance"]);
   }
-  std::cout << '\n';
+  print_led(context, is_match ? shell::Colour::green : shell::Colour::red, is_match ? "yes" : "no", verdict);
   shell::Table table({{"CHECK"}, {"OK"}, {"WHY", false, 20}});
   for (const auto& record : answer.records) {
     table.add({record["check"], record["ok"] == "1" ? "yes" : "no", record["text"]});
@@ -236,7 +242,7 @@ void print_pair(const Context& context, const Answer& answer) {
   for (const auto& record : answer.records) {
     if (!record["proof"].empty()) {
       std::cout << "because\n";
-      print_proof(record);
+      print_proof(context, record);
     }
   }
   for (const auto& record : answer.records) print_mend(context, record["code"], record["mend"]);
@@ -251,15 +257,16 @@ struct Sum {
 };
 
 void print_sum(const Context& context, const Record& end, const Sum& sum, bool is_yes, const std::string& more) {
-  const auto known = end[sum.known];
+  const std::string known(end[sum.known]);
   if (is_yes) {
-    std::cout << coloured(context.terminal, shell::Colour::green, "yes") << ": " << shell::printable(end[sum.count])
-              << " of the " << shell::printable(known) << ' ' << sum.noun << "s that are known " << sum.verb
-              << (end[sum.count] == "1" ? "s it" : " it") << more << '\n';
+    print_led(context, shell::Colour::green, "yes",
+              ": " + std::string(end[sum.count]) + " of the " + known + ' ' + sum.noun + "s that are known " +
+                  sum.verb + (end[sum.count] == "1" ? "s it" : " it") + more);
     return;
   }
-  std::cout << coloured(context.terminal, shell::Colour::red, "no") << ": " << shell::printable(end["text"]) << " ("
-            << shell::printable(known) << ' ' << sum.noun << (known == "1" ? " is known)\n" : "s are known)\n");
+  print_led(
+      context, shell::Colour::red, "no",
+      ": " + std::string(end["text"]) + " (" + known + ' ' + sum.noun + (known == "1" ? " is known)" : "s are known)"));
   print_mend(context, end["code"], end["mend"]);
 }
 
@@ -267,14 +274,14 @@ void print_request(const Context& context, const Answer& answer) {
   const Record& end = answer.end;
   const std::string more = end["gaps"].empty() ? ""
                                                : "; not all is found of an expression that no class is defined by: " +
-                                                     shell::printable(end["gaps"]);
+                                                     std::string(end["gaps"]);
   print_sum(context, end, {"matching", "offers", "service", "meet"}, end["served"] == "1", more);
   shell::Table table({{"PROVIDER", false, 12},
                       {"OFFERS", false, 16},
                       {"MODE", false, 0, 3},
                       {"OK"},
-                      {"WHY", false, 20},
-                      {"SERVICE", false, 0, 2}});
+                      {"WHY", false, 20, 0, true},
+                      {"SERVICE"}});
   for (const auto& record : answer.records) {
     table.add({shell::who(record["provider"], record["name"], record["participant_name"]), record["offered"],
                record["mode"], record["ok"] == "1" ? "yes" : "no", record["text"], record["service"]});
@@ -284,15 +291,14 @@ void print_request(const Context& context, const Answer& answer) {
 
 void print_service(const Context& context, const Answer& answer) {
   const Record& end = answer.end;
-  const std::string more =
-      end["matching"] == end["taken"] ? "" : ", " + shell::printable(end["matching"]) + " match it";
+  const std::string more = end["matching"] == end["taken"] ? "" : ", " + std::string(end["matching"]) + " match it";
   print_sum(context, end, {"taken", "requests", "request", "take"}, end["taken"] != "0", more);
   shell::Table table({{"CONSUMER", false, 12},
                       {"ASKS FOR", false, 16},
                       {"MODE", false, 0, 3},
                       {"OK"},
-                      {"WHY", false, 20},
-                      {"REQUEST", false, 0, 2}});
+                      {"WHY", false, 20, 0, true},
+                      {"REQUEST"}});
   for (const auto& record : answer.records) {
     table.add({shell::who(record["consumer"], record["name"], record["participant_name"]), record["asked"],
                record["mode"], record["ok"] == "1" ? "yes" : "no", record["text"], record["subscription"]});

@@ -1,6 +1,8 @@
 #include "shell/table.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <utility>
 
 namespace geminga::shell {
@@ -46,56 +48,42 @@ void narrow(std::vector<std::size_t>& widths, const std::vector<std::size_t>& le
   }
 }
 
-/// The characters behind which a text may be broken, as behind a space.
-constexpr std::string_view marks = "/,;|=";
-
 /// The longest word that is kept whole though a column is left out for it.
 constexpr std::size_t longest_whole_word = 32;
 
-/// The longest part of a printable text that cannot be broken.
-std::size_t longest_word(std::string_view text) {
-  std::size_t longest = 0;
-  while (!text.empty()) {
-    const auto end = std::min(text.find_first_of(std::string(marks) + ' '), text.size());
-    const bool is_marked = end < text.size() && text[end] != ' ';
-    longest = std::max(longest, width(text.substr(0, end)) + (is_marked ? 1 : 0));
-    text.remove_prefix(std::min(end + 1, text.size()));
+/// A cell, or the lines of one, at its place in a row.
+struct Placed {
+  std::size_t begin = 0;
+  std::size_t width = 0;
+  bool is_right_aligned = false;
+  std::vector<std::string> lines;
+};
+
+/// Prints cells side by side.
+void print_cells(std::ostream& out, const Terminal& terminal, const std::vector<Placed>& cells) {
+  std::size_t height = 0;
+  for (const Placed& cell : cells) height = std::max(height, cell.lines.size());
+  for (std::size_t row = 0; row < height; ++row) {
+    std::string text;
+    for (const Placed& cell : cells) {
+      if (row >= cell.lines.size()) continue;
+      const std::string& part = cell.lines[row];
+      const std::size_t padding = cell.is_right_aligned ? cell.width - std::min(cell.width, width(part)) : 0;
+      text.append(cell.begin + padding - std::min(cell.begin + padding, width(text)), ' ');
+      text += part;
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    out << coloured(terminal, Colour::bold, encoded(terminal, text)) << '\n';
   }
-  return longest;
 }
 
-/// The first `columns` characters of a printable text, and the rest.
-std::pair<std::string_view, std::string_view> split(std::string_view text, std::size_t columns) {
-  std::size_t at = 0;
-  for (std::size_t count = 0; at < text.size() && count < columns; ++count) {
-    ++at;
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U) ++at;
-  }
-  return {text.substr(0, at), text.substr(at)};
+std::size_t width_of(const std::vector<std::string>& lines) {
+  std::size_t widest = 0;
+  for (const std::string& line : lines) widest = std::max(widest, width(line));
+  return widest;
 }
 
 }  // namespace
-
-std::vector<std::string> wrapped(std::string_view text, std::size_t columns) {
-  std::vector<std::string> lines;
-  while (width(text) > columns) {
-    const auto [line, behind] = split(text, columns);
-    // A space may be the first character that does not fit, since it is not printed.
-    const auto space = behind.starts_with(' ') ? line.size() : line.rfind(' ');
-    const auto mark = line.find_last_of(marks);
-    std::size_t end = line.size();
-    if (space != std::string_view::npos && space >= line.size() / 2) {
-      end = space;
-    } else if (mark != std::string_view::npos && mark + 1 >= line.size() / 2) {
-      end = mark + 1;
-    }
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(end);
-    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-  }
-  if (!text.empty() || lines.empty()) lines.emplace_back(text);
-  return lines;
-}
 
 void Table::add(std::initializer_list<std::string_view> cells) {
   auto& row = rows_.emplace_back();
@@ -124,63 +112,91 @@ std::vector<std::size_t> Table::word_widths(const std::vector<std::size_t>& natu
   return widths;
 }
 
+Table::Layout Table::layout_for(const Terminal& terminal) const {
+  Layout layout{.widths = natural_widths(), .left_out = {}, .heading = columns_.size()};
+  auto& widths = layout.widths;
+  if (terminal.columns == 0 || total(widths) <= terminal.columns) return layout;
+  const auto found = std::ranges::find_if(columns_, &Column::is_heading);
+  const auto heading = static_cast<std::size_t>(found - columns_.begin());
+  if (found != columns_.end() && widths[heading] > 0) {
+    layout.heading = heading;
+    layout.indent = gap;
+    widths[heading] = 0;
+  }
+  const std::size_t available = terminal.columns - std::min(terminal.columns, layout.indent);
+  const std::vector<std::size_t> words = word_widths(widths);
+  std::vector<std::size_t> narrowest = widths;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].narrowest > 0) narrowest[i] = std::min(narrowest[i], columns_[i].narrowest);
+  }
+  layout.left_out = leave_out(widths, words, columns_, available);
+  narrow(widths, words, available);
+  narrow(widths, narrowest, available);
+  return layout;
+}
+
 void Table::print(std::ostream& out, const Terminal& terminal, std::string_view above) const {
   if (rows_.empty()) return;
   out << above;
-  std::vector<std::size_t> widths = natural_widths();
-  std::vector<std::string> left_out;
-  if (terminal.columns > 0) {
-    const std::vector<std::size_t> words = word_widths(widths);
-    std::vector<std::size_t> narrowest = widths;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (columns_[i].narrowest > 0) narrowest[i] = std::min(narrowest[i], columns_[i].narrowest);
-    }
-    left_out = leave_out(widths, words, columns_, terminal.columns);
-    narrow(widths, words, terminal.columns);
-    narrow(widths, narrowest, terminal.columns);
-  }
-  std::vector<std::string> titles;
+  const Layout layout = layout_for(terminal);
+  Row titles;
   for (const Column& column : columns_) titles.push_back(column.title);
-  print_row(out, terminal, widths, titles);
-  Terminal plain = terminal;
-  plain.has_colour = false;
-  for (const auto& row : rows_) {
-    std::vector<std::string> cells = row;
-    for (auto& cell : cells) {
-      if (cell.empty()) cell.assign(1, '-');
-    }
-    print_row(out, plain, widths, cells);
-  }
-  if (left_out.empty()) return;
+  print_row(out, terminal, layout, titles);
+  print_groups(out, terminal, layout);
+  if (layout.left_out.empty()) return;
   std::string note = "Not shown here:";
-  for (const std::string& title : left_out) note += (title == left_out.front() ? " " : ", ") + title;
+  for (const std::string& title : layout.left_out) note += (title == layout.left_out.front() ? " " : ", ") + title;
   note += " (a wider terminal or --json shows all)";
   for (const std::string& line : wrapped(note, terminal.columns)) out << coloured(terminal, Colour::dim, line) << '\n';
 }
 
-void Table::print_row(std::ostream& out, const Terminal& terminal, const std::vector<std::size_t>& widths,
-                      const std::vector<std::string>& cells) const {
-  std::vector<std::vector<std::string>> parts(columns_.size());
-  std::size_t height = 0;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (widths[i] > 0) parts[i] = wrapped(cells[i], widths[i]);
-    height = std::max(height, parts[i].size());
+void Table::print_groups(std::ostream& out, const Terminal& terminal, const Layout& layout) const {
+  Terminal plain = terminal;
+  plain.has_colour = false;
+  const bool has_headings = layout.heading < columns_.size();
+  std::vector<std::pair<std::string_view, std::vector<const Row*>>> groups{{"", {}}};
+  std::map<std::string_view, std::size_t> places{{"", 0}};
+  for (const Row& row : rows_) {
+    const std::string_view heading = has_headings ? std::string_view(row[layout.heading]) : "";
+    const auto [place, is_new] = places.try_emplace(heading, groups.size());
+    if (is_new) groups.emplace_back(heading, std::vector<const Row*>{});
+    groups[place->second].second.push_back(&row);
   }
-  for (std::size_t row = 0; row < height; ++row) {
-    std::string text;
-    std::size_t behind = 0;  // spaces to print before the next cell
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (widths[i] == 0) continue;
-      const std::string cell = row < parts[i].size() ? parts[i][row] : "";
-      const std::size_t padding = widths[i] - std::min(widths[i], width(cell));
-      const bool is_right = columns_[i].is_right_aligned;
-      text.append(behind + (is_right ? padding : 0), ' ');
-      text += cell;
-      behind = gap + (is_right ? 0 : padding);
+  for (const auto& [heading, rows] : groups) {
+    for (const std::string& line : heading.empty() ? std::vector<std::string>() : wrapped(heading, terminal.columns)) {
+      out << coloured(terminal, Colour::yellow, encoded(terminal, line)) << '\n';
     }
-    text.erase(text.find_last_not_of(' ') + 1);
-    out << coloured(terminal, Colour::bold, encoded(terminal, text)) << '\n';
+    for (const Row* row : rows) {
+      Row cells = *row;
+      for (auto& cell : cells) {
+        if (cell.empty()) cell.assign(1, '-');
+      }
+      print_row(out, plain, layout, cells);
+    }
   }
+}
+
+void Table::print_row(std::ostream& out, const Terminal& terminal, const Layout& layout, const Row& cells) const {
+  const std::size_t limit = terminal.columns == 0 ? std::numeric_limits<std::size_t>::max() : terminal.columns;
+  std::vector<Placed> beside;
+  std::size_t begin = layout.indent;
+  std::size_t taken = 0;  // the columns that the cells of the line take, and the gap behind them
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::size_t columns = layout.widths[i];
+    if (columns == 0) continue;
+    auto lines = wrapped(cells[i], std::min(std::max(columns, longest_word(cells[i])), limit));
+    const std::size_t needed = std::min(width_of(lines), limit);
+    std::size_t at = std::max(begin, taken);
+    if (at + needed > limit) {
+      print_cells(out, terminal, beside);
+      beside.clear();
+      at = std::min(begin, limit - needed);
+    }
+    beside.push_back({at, columns, columns_[i].is_right_aligned, std::move(lines)});
+    taken = at + std::max(needed, columns_[i].is_right_aligned ? columns : 0) + gap;
+    begin += columns + gap;
+  }
+  print_cells(out, terminal, beside);
 }
 
 }  // namespace geminga::shell

@@ -9,23 +9,29 @@
 #include <vector>
 
 #include "shell/terminal.hpp"
+#include "shell/wrapping.hpp"
 
 namespace geminga::shell {
 
 struct Column {
   std::string title;
   bool is_right_aligned = false;
-  /// The least width where the terminal is too narrow: cells run over several lines then. Words are broken only where
-  /// no other column can become narrower. 0: cells stay in one line.
+  /// The least width where the terminal is too narrow: cells run over several lines then. 0: cells stay in one line.
   std::size_t narrowest = 0;
   /// Where the terminal is still too narrow, the column with the greatest rank is left out first; 0: never.
   unsigned rank = 0;
+  /// Whether its text heads the rows that have the same one, in lines of its own, where the terminal is too narrow for
+  /// a column. For sentences; at most one column of a table.
+  bool is_heading = false;
 };
 
 /// Makes cells printable. A column of empty cells is left out; other empty cells are shown as `-`.
 ///
 /// On a terminal no line is longer than its width, unless even the columns of rank 0 do not fit at their narrowest. No
-/// text is cut: long cells go on in the next line, and the columns that are left out are named below the table.
+/// text is cut: long cells go on in the next line, a cell with a word that is wider than its column moves
+/// what follows to the right or into the next line, and the columns that are left out are named below the table. Where
+/// sentences become headings, rows without one come first, and rows with the same one stand together, in the order of
+/// the first of each.
 class Table {
  public:
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
@@ -37,20 +43,26 @@ class Table {
   void print(std::ostream& out, const Terminal& terminal, std::string_view above = {}) const;
 
  private:
+  using Row = std::vector<std::string>;
+  /// The widths of the columns on one terminal; a width of 0 is a column that is not shown.
+  struct Layout {
+    std::vector<std::size_t> widths;
+    std::vector<std::string> left_out;
+    std::size_t heading;     ///< the column whose text heads rows; no column: the number of columns
+    std::size_t indent = 0;  ///< of titles and rows
+  };
+
+  [[nodiscard]] Layout layout_for(const Terminal& terminal) const;
   /// The width of each column's longest cell; 0 where all cells are empty.
   [[nodiscard]] std::vector<std::size_t> natural_widths() const;
   /// The least width of each column that breaks no word, unless that is too much.
   [[nodiscard]] std::vector<std::size_t> word_widths(const std::vector<std::size_t>& natural) const;
-  void print_row(std::ostream& out, const Terminal& terminal, const std::vector<std::size_t>& widths,
-                 const std::vector<std::string>& cells) const;
+  void print_groups(std::ostream& out, const Terminal& terminal, const Layout& layout) const;
+  void print_row(std::ostream& out, const Terminal& terminal, const Layout& layout, const Row& cells) const;
 
   std::vector<Column> columns_;
-  std::vector<std::vector<std::string>> rows_;
+  std::vector<Row> rows_;
 };
-
-/// Breaks a printable text into lines of at most `columns`, behind a space or one of `/ , ; | =` where one is in the
-/// second half of a line. Returns at least one line. Requires columns > 0.
-[[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t columns);
 
 }  // namespace geminga::shell
 

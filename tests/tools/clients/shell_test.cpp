@@ -35,7 +35,12 @@ TEST(Wrapped, BreaksWhereAReaderWould) {
       {"0123456 89abc", {"0123456", "89abc"}},
       {"0123456789 abc", {"0123456789", "abc"}},
       {"10.0.0.2,10.0.0.3", {"10.0.0.2,", "10.0.0.3"}},
-      {"a b0123456789", {"a b0123456", "789"}},
+      {"a b0123456789", {"a", "b012345678", "9"}},
+      {"a b/c=d@e#fgh", {"a", "b/c=d@e#", "fgh"}},
+      {"a b/cdefghijk", {"a", "b/cdefghij", "k"}},
+      {"a b/c=d@ef#ghij", {"a", "b/c=d@ef#", "ghij"}},
+      {"ab, cd;ef|ghi", {"ab, cd;ef|", "ghi"}},
+      {"a,b otm/stream", {"a,b", "otm/stream"}},
       {"ÖÖÖÖÖÖÖÖÖÖÖ", {"ÖÖÖÖÖÖÖÖÖÖ", "Ö"}},
   };
   for (const auto& [text, lines] : cases) EXPECT_EQ(wrapped(text, 10), lines) << text;
@@ -83,9 +88,12 @@ TEST(Table, WrapsLongCellsAndCutsNothing) {
   Table table({{"A"}, {"B", false, 4}, {"C", false, 4}});
   table.add({"fixed", "bbbbbbbbbbbb", "cccccc"});
   EXPECT_EQ(shown(table, 27), "A      B             C\nfixed  bbbbbbbbbbbb  cccccc\n");
-  EXPECT_EQ(shown(table, 26), "A      B            C\nfixed  bbbbbbbbbbb  cccccc\n       b\n");
-  EXPECT_EQ(shown(table, 1), "A      B     C\nfixed  bbbb  cccc\n       bbbb  cc\n       bbbb\n")
-      << "never below what can be read";
+  EXPECT_EQ(shown(table, 26), "A      B            C\nfixed  bbbbbbbbbbbb\n                    cccccc\n");
+  Table words({{"A"}, {"B", false, 4}, {"C", false, 4}});
+  words.add({"fixed", "bbbb bbbb bbb", "cccc cc"});
+  EXPECT_EQ(shown(words, 1), "A\nB\nC\nf\ni\nx\ne\nd\nb\nb\nb\nb\nb\nb\nb\nb\nb\nb\nb\nc\nc\nc\nc\nc\nc\n")
+      << "even there";
+  EXPECT_EQ(shown(words, 17), "A      B     C\nfixed  bbbb  cccc\n       bbbb  cc\n       bbb\n");
 }
 
 TEST(Table, LeavesOutTheLeastImportantColumnFirstAndSaysSo) {
@@ -106,6 +114,49 @@ TEST(Table, BreaksAWordOnlyWhereNoOtherColumnCanGoOrItIsVeryLong) {
   EXPECT_THAT(shown(table, 7), testing::StartsWith("NAME\nunbroke\nn\n"));
   table.add({std::string(60, 'x'), ""});
   EXPECT_THAT(shown(table, 44), testing::StartsWith("NAME" + std::string(30, ' ') + "MODE\nunbroken"));
+}
+
+TEST(Table, PutsWhatStandsBehindAWideWordToTheRightOrIntoTheNextLine) {
+  Table table({{"CONSUMER", false, 4}, {"IDENTITY", false, 4}, {"REQUEST"}});
+  table.add({"Base@robot1", "KickStat", "1/2/3"});
+  table.add({"RefereeBoxInterface@monitor", "Box", "1/2/4"});
+  table.add({"Base@robot1", "a-name-that-is-longer-than-its-column", "1/2/5"});
+  EXPECT_EQ(shown(table, 60),
+            "CONSUMER                  IDENTITY                   REQUEST\n"
+            "Base@robot1               KickStat                   1/2/3\n"
+            "RefereeBoxInterface@monitor  Box                     1/2/4\n"
+            "Base@robot1\n"
+            "                       a-name-that-is-longer-than-its-column\n"
+            "                                                     1/2/5\n");
+  EXPECT_EQ(shown(table, 38),
+            "CONSUMER       IDENTITY        REQUEST\n"
+            "Base@robot1    KickStat        1/2/3\n"
+            "RefereeBoxInterface@monitor  Box\n"
+            "                               1/2/4\n"
+            "Base@robot1\n"
+            " a-name-that-is-longer-than-its-column\n"
+            "                               1/2/5\n");
+}
+
+TEST(Table, PutsSentencesOverTheRowsThatHaveTheSameWhereTheyHaveNoRoom) {
+  Table table({{"NAME"}, {"WHY", false, 20, 0, true}, {"REQUEST"}});
+  table.add({"one", "nobody offers the ball, nor anything that is known to be below it", "a/1/1"});
+  table.add({"two", "the modes differ: ask with mode=otm/stream, or offer it with mode=oto", "b/1/1"});
+  table.add({"three", "nobody offers the ball, nor anything that is known to be below it", "c/1/1"});
+  table.add({"served", "", "d/1/1"});
+  EXPECT_EQ(shown(table, 40),
+            "  NAME    REQUEST\n"
+            "  served  d/1/1\n"
+            "nobody offers the ball, nor anything\n"
+            "that is known to be below it\n"
+            "  one     a/1/1\n"
+            "  three   c/1/1\n"
+            "the modes differ: ask with\n"
+            "mode=otm/stream, or offer it with\n"
+            "mode=oto\n"
+            "  two     b/1/1\n");
+  EXPECT_THAT(shown(table, 200), testing::StartsWith("NAME    WHY")) << "a column where there is room";
+  EXPECT_EQ(shown(table, 0), shown(table, 200)) << "one line a row where there is no terminal";
 }
 
 TEST(Table, IsAsWideAsItTakesWhereThereIsNoTerminal) {

@@ -7,7 +7,12 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <boost/json/array.hpp>
+#include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "tools/clients/bench.hpp"
@@ -55,7 +60,8 @@ class OnATerminal : public testing::Test {
       if (inner) inner();
       ::dup2(::open(name.c_str(), O_RDWR | O_NOCTTY), STDOUT_FILENO);
     };
-    EXPECT_EQ(system::run(start).status, 0);
+    status_ = system::run(start).status;
+    EXPECT_LE(status_, 1);
     ::close(keeps_open);  // so that reading ends behind the output
     std::array<char, 8192> written{};
     std::string text;
@@ -72,8 +78,16 @@ class OnATerminal : public testing::Test {
     for (std::string line; std::getline(lines, line);) EXPECT_THAT(shell::width(line), Le(columns)) << text;
   }
 
+  /// The words of a text, as wrapped() keeps them whole.
+  static std::set<std::string> words_of(std::string text) {
+    text = std::regex_replace(text, std::regex("[,;|]"), "$& ");
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+  }
+
   Bench bench_;
   Talk peer_ = bench_.talk();
+  int status_ = -1;  ///< of the last program
 };
 
 TEST_F(OnATerminal, TablesFitTheirTerminal) {
@@ -113,6 +127,77 @@ TEST_F(OnATerminal, WritesAsciiWhereTheLocaleHasNoUtf8) {
   EXPECT_THAT(shown({"services"}, 300), HasSubstr("frame=Ölstand"));
   EXPECT_THAT(shown({"services"}, 300, {{"LC_ALL", "C"}}), HasSubstr("frame=?lstand"));
   EXPECT_THAT(bench_.run("geminga-query", {"services"}).out, HasSubstr("frame=Ölstand")) << "no terminal";
+}
+
+/// Seven robots on one host, with 35 requests that nobody serves, for five reasons.
+class UnmatchedOnATerminal : public OnATerminal {
+ protected:
+  UnmatchedOnATerminal() {
+    for (int robot = 1; robot <= 7; ++robot) {
+      Talk& module = modules_.emplace_back(bench_.talk());
+      module.say("0 sys hello name=Behaviour-" + std::to_string(robot));
+      module.say("1 sub create mode=otm/pubsub concept=soccer:SharedBallInfo");
+      module.say("2 sub create mode=otm/stream concept=soccer:SharedBallInfo where=\"rate >= 50 and frame = map\"");
+      module.say("3 sub create mode=otm/stream concept=soccer:RefereeBoxInfo match=exact scope=!host");
+      module.say("4 sub create mode=oto text=camera-of-the-left-eye");
+      module.say("5 sub create mode=otm/stream concept=soccer:SharedBallInfo representation=soccer:PolarFieldFrame");
+      EXPECT_TRUE(module.line_with({"0 msg hello"}));
+      EXPECT_THAT(module.lines_until_pong(), testing::IsEmpty());
+    }
+  }
+
+  std::vector<Talk> modules_;
+};
+
+TEST_F(UnmatchedOnATerminal, SaysEachReasonOnceAndNamesEachRequest) {
+  const auto requests = bench_.json({"requests", "--unmatched"});
+  ASSERT_EQ(requests.as_array().size(), 35U);
+  std::set<std::string> reasons;
+  for (const auto& request : requests.as_array()) reasons.emplace(request.at("because").as_string().c_str());
+  ASSERT_EQ(reasons.size(), 5U);
+  for (const unsigned short columns : std::array<unsigned short, 4>{60, 80, 100, 200}) {
+    const std::string text = shown({"requests", "--unmatched"}, columns);
+    expect_fits(text, columns);
+    EXPECT_THAT(std::ranges::count(text, '\n'), Le(columns < 80 ? 100 : 70)) << text;
+    for (const auto& request : requests.as_array()) {
+      EXPECT_THAT(text, HasSubstr(request.at("subscription").as_string().c_str())) << columns;
+    }
+    const std::string in_one_line = std::regex_replace(text, std::regex("\n"), " ");
+    for (const std::string& reason : reasons) {
+      const auto at = in_one_line.find(reason);
+      EXPECT_NE(at, std::string::npos) << reason << '\n' << text;
+      EXPECT_EQ(in_one_line.find(reason, at + 1), std::string::npos) << reason << '\n' << text;
+    }
+  }
+}
+
+TEST_F(UnmatchedOnATerminal, BreaksNoWord) {
+  const std::string request = bench_.json({"requests", "--unmatched"}).at(0).at("subscription").as_string().c_str();
+  const std::string service = bench_.json({"services"}).at(0).at("service").as_string().c_str();
+  const std::vector<std::vector<std::string>> commands{
+      {"participants"}, {"services"}, {"services", "--unused"}, {"requests"},     {"requests", "--unmatched"},
+      {"match"},        {"status"},   {"why", request},         {"why", service}, {"why", request, service},
+      {"security"}};
+  const std::regex changing("[0-9.]+|s|min|MiB|[(]a|wider|terminal|or|--json|shows|all[)]|Not|shown|here:|[A-Z,]+");
+  for (const auto& command : commands) {
+    const auto whole = words_of(bench_.query(command).out);
+    for (const unsigned short columns : std::array<unsigned short, 4>{60, 80, 100, 200}) {
+      const std::string text = shown(command, columns);
+      expect_fits(text, columns);
+      for (const std::string& word : words_of(text)) {
+        EXPECT_TRUE(whole.contains(word) || std::regex_match(word, changing)) << word << " in\n" << text;
+      }
+    }
+  }
+}
+
+TEST_F(UnmatchedOnATerminal, NeverHidesTheWordsThatWhyNeeds) {
+  const std::string service = bench_.json({"services"}).at(0).at("service").as_string().c_str();
+  for (const unsigned short columns : std::array<unsigned short, 4>{40, 60, 80, 200}) {
+    EXPECT_THAT(shown({"services"}, columns), HasSubstr(service));
+    EXPECT_THAT(shown({"match"}, columns), HasSubstr(service));
+    EXPECT_THAT(shown({"why", "--concept", "soccer:BallInfo"}, columns), HasSubstr(service));
+  }
 }
 
 }  // namespace
