@@ -33,6 +33,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> compariso
     {"greaterThanOrEqual", ">="},
 }};
 
+constexpr std::string_view swrl_variables = "urn:swrl:var#";
+
 /// "?x" for "urn:swrl:var#x".
 std::string variable_name(std::string_view iri) {
   const std::size_t end = iri.find_last_of("#/:?");
@@ -74,6 +76,7 @@ class Printer {
   std::string listed(const Axiom& axiom, std::string_view pair_word);
   std::string atom(const Term& atom);
   std::string applied(std::string predicate, std::span<const TermId> arguments);
+  std::string variable(std::string_view iri);
   std::string rule_argument(TermId id);
 
   const Ontology& source_;
@@ -193,7 +196,7 @@ std::string Printer::term(TermId id) {
     case TermKind::facet:
       return facet(term);
     case TermKind::variable:
-      return variable_name(source_.name(term.name));
+      return variable(source_.name(term.name));
     case TermKind::atom_list: {
       std::string text;
       for (const TermId atom : arguments) {
@@ -208,7 +211,15 @@ std::string Printer::term(TermId id) {
   }
 }
 
+/// A document names a variable so that it is read as the same one again.
+std::string Printer::variable(std::string_view iri) {
+  if (style_ == PrintStyle::reading) return variable_name(iri);
+  const bool is_short = iri.starts_with(swrl_variables) && is_plain_local_name(iri.substr(swrl_variables.size()));
+  return is_short ? variable_name(iri) : "?<" + std::string(iri) + ">";
+}
+
 std::string Printer::rule_argument(TermId id) {
+  if (style_ == PrintStyle::document) return term(id);
   const Term value = source_.term(id);
   const bool is_number = value.kind == TermKind::literal && value.arguments.size() == 1 &&
                          source_.name_of(value.arguments[0]) == "http://www.w3.org/2001/XMLSchema#integer" &&
@@ -233,11 +244,12 @@ std::string Printer::atom(const Term& atom) {
   };
   switch (atom.kind) {
     case TermKind::same_individual_atom:
-      return between("=");
+      return style_ == PrintStyle::document ? applied("SameAs", arguments) : between("=");
     case TermKind::different_individuals_atom:
-      return between("!=");
+      return style_ == PrintStyle::document ? applied("DifferentFrom", arguments) : between("!=");
     case TermKind::built_in_atom: {
       const std::string_view iri = source_.name(atom.name);
+      if (style_ == PrintStyle::document) return applied(short_name_(iri), arguments);
       const bool is_of_swrl = iri.starts_with(swrl_built_ins);
       const std::string_view word = is_of_swrl ? iri.substr(swrl_built_ins.size()) : std::string_view();
       const auto* const found =

@@ -60,7 +60,18 @@ class Parser final : private manchester::Parser {
   void facts(Term subject);
   /// EquivalentClasses: and the other axioms outside of frames.
   void misc(std::string_view word);
+
+  // parser_rules.cpp
   void rule();
+  void skip_rule(std::uint32_t line);
+  Term atoms();
+  Term atom();
+  Term named_atom(const manchester::Token& predicate, const std::vector<Term>& arguments);
+  Term made_atom(owl::TermKind kind, Term predicate, std::vector<Term> arguments);
+  std::vector<Term> rule_arguments();
+  Term rule_argument();
+
+  // parser_frames.cpp, for all of them.
   /// Whether a text begins here that never ends. Looking for other sections behind it would be quadratic.
   [[nodiscard]] bool is_endless_text() const {
     const manchester::Token& token = tokens_.token();
@@ -94,6 +105,8 @@ class Parser final : private manchester::Parser {
   Term individual() override;
   void remark(std::string_view text) override { source_.remark(text, file_, line()); }
   [[nodiscard]] bool is_value_of_data(manchester::Tokenizer behind) const;
+  /// Whether a name is that of a datatype that is known or declared.
+  [[nodiscard]] bool names_datatype(const manchester::Token& token) const;
 
   const owl::FileId file_;
   const Declared& declared_;

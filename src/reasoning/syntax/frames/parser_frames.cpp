@@ -267,17 +267,4 @@ void Parser::misc(std::string_view word) {
   add(kind, arguments, line);
 }
 
-// A SWRL rule as the OWL API writes it. No axiom can express it, and it has symbols that nothing else has.
-void Parser::rule() {
-  source_.leave_out("swrl:Imp", file_, line());
-  take();
-  while (!failed() && !is_section() && tokens_.token().kind != TokenKind::end) {
-    if (is_endless_text()) {
-      expected("a rule");
-      return;
-    }
-    take();
-  }
-}
-
 }  // namespace geminga::frames

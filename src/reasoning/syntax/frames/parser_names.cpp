@@ -108,7 +108,10 @@ bool Parser::is_value_of_data(manchester::Tokenizer behind) const {
   if (token.kind == TokenKind::string || token.kind == TokenKind::number || is(TokenKind::keyword, "true") ||
       is(TokenKind::keyword, "false"))
     return true;
-  if (token.kind != TokenKind::name) return false;
+  return token.kind == TokenKind::name && names_datatype(token);
+}
+
+bool Parser::names_datatype(const Token& token) const {
   if (is_short_datatype(token.text)) return true;
   const auto name = expand(token);
   return name &&

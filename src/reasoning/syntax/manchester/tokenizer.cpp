@@ -112,6 +112,7 @@ void Tokenizer::advance() {
   const char first = text_[place_];
   if (static_cast<unsigned char>(first) < 0x20 || first == 0x7f) return fail(1, "a control character");
   if (std::string_view("(){}[],").find(first) != std::string_view::npos) return finish(TokenKind::symbol, 1);
+  if (is_document_ && text_.substr(place_, 2) == "->") return finish(TokenKind::symbol, 2);
   const bool has_equals = place_ + 1 < text_.size() && text_[place_ + 1] == '=';
   if (are_facets_ && (first == '<' || first == '>')) return finish(TokenKind::facet, has_equals ? 2 : 1);
   switch (first) {

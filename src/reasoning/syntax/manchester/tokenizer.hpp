@@ -22,7 +22,7 @@ enum class TokenKind : std::uint8_t {
   language,  ///< @en; value: without the @
   carets,    ///< ^^
   facet,     ///< <, <=, >, >=, and the words of facets, between square brackets
-  symbol,    ///< ( ) { } [ ] ,
+  symbol,    ///< ( ) { } [ ] , and, in documents, ->
 };
 
 struct Token {

@@ -33,6 +33,9 @@ class Form {
   /// An IRI of no kind: the subject or the value of an annotation.
   virtual void name(std::string_view iri) = 0;
   virtual void blank(std::string_view name) = 0;
+  /// A variable of a rule, and an atom whose built-in has this IRI; close() ends the second.
+  virtual void variable(std::string_view iri) = 0;
+  virtual void open_built_in(std::string_view iri) = 0;
   /// An empty datatype means xsd:string, or rdf:langString if there is a language.
   virtual void literal(std::string_view lexical, std::string_view datatype, std::string_view language) = 0;
 };

@@ -130,6 +130,7 @@ class Frames {
 
   /// Whether an axiom of any number of operands cannot stand in the frame of one of them.
   [[nodiscard]] bool is_miscellaneous(const owl::Axiom& axiom) const {
+    if (axiom.kind == AxiomKind::dl_safe_rule) return true;
     const Section* section = section_of(axiom.kind);
     if (section == nullptr || section->miscellaneous.empty()) return false;
     return axiom.arguments.size() != 2 || (!is_named(axiom.arguments[0]) && !is_named(axiom.arguments[1]));
@@ -207,13 +208,13 @@ class Frames {
   }
 
   [[nodiscard]] std::string_view word_of(const owl::Axiom& axiom, bool is_alone) const {
+    if (axiom.kind == AxiomKind::dl_safe_rule) return "Rule";
     const Section* section = section_of(axiom.kind);
     if (section == nullptr) return "Characteristics";
     if (axiom.kind == AxiomKind::sub_object_property_of && place_of_subject(axiom) == 1) return "SubPropertyChain";
     return is_alone ? section->miscellaneous : section->word;
   }
 
-  /// A kind of axiom that is no section of a frame, such as a rule, has its text here.
   [[nodiscard]] std::string members_of(const owl::Axiom& axiom, bool is_alone) const {
     const auto arguments = axiom.arguments;
     switch (axiom.kind) {
@@ -227,6 +228,8 @@ class Frames {
       case AxiomKind::negative_object_property_assertion:
       case AxiomKind::negative_data_property_assertion:
         return "not " + text(arguments[0]) + ' ' + text(arguments[2]);
+      case AxiomKind::dl_safe_rule:
+        return text(arguments[0]) + " -> " + text(arguments[1]);
       default:
         break;
     }

@@ -53,6 +53,17 @@ void FunctionalForm::blank(std::string_view name) {
   output_.add(Names::blank(name));
 }
 
+void FunctionalForm::variable(std::string_view iri) {
+  open("Variable", std::nullopt);
+  name(iri);
+  close({});
+}
+
+void FunctionalForm::open_built_in(std::string_view iri) {
+  open("BuiltInAtom", std::nullopt);
+  name(iri);
+}
+
 void FunctionalForm::literal(std::string_view lexical, std::string_view datatype, std::string_view language) {
   separate();
   output_.add("\"");

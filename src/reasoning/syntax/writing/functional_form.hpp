@@ -26,6 +26,8 @@ class FunctionalForm final : public Form {
   void declared(owl::TermKind kind, std::string_view iri) override;
   void name(std::string_view iri) override;
   void blank(std::string_view name) override;
+  void variable(std::string_view iri) override;
+  void open_built_in(std::string_view iri) override;
   void literal(std::string_view lexical, std::string_view datatype, std::string_view language) override;
 
  private:

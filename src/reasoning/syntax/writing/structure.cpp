@@ -58,6 +58,12 @@ class Structure {
         return form_.literal(source_.name(term.name), source_.name_of(term.arguments[0]),
                              has_language ? source_.name_of(term.arguments[1]) : std::string_view());
       }
+      case TermKind::variable:
+        return form_.variable(source_.name(term.name));
+      case TermKind::built_in_atom:
+        form_.open_built_in(source_.name(term.name));
+        terms(term.arguments);
+        return form_.close(owl::to_string(term.kind));
       case TermKind::facet:
         form_.open_facet(source_.name(term.name));
         terms(term.arguments);
@@ -93,7 +99,7 @@ class Structure {
     if (is_complement) form_.close(complement);
   }
 
-  /// A kind of axiom that is more than its word and operands, such as a rule, has its place in this switch.
+  /// A kind of axiom that is more than its word and operands has its place in this switch.
   void axiom(const owl::Axiom& axiom, Annotation::Of of, std::uint32_t number) {
     const std::string_view word = owl::to_string(axiom.kind);
     form_.open(word);
@@ -104,6 +110,10 @@ class Structure {
         break;
       case AxiomKind::has_key:
         key(axiom.arguments);
+        break;
+      case AxiomKind::dl_safe_rule:
+        part_of_rule("Body", axiom.arguments[0]);
+        part_of_rule("Head", axiom.arguments[1]);
         break;
       default:
         terms(axiom.arguments);
@@ -121,6 +131,12 @@ class Structure {
       }
       form_.close_group();
     }
+  }
+
+  void part_of_rule(std::string_view word, owl::TermId atoms) {
+    form_.open(word);
+    terms(source_.term(atoms).arguments);
+    form_.close(word);
   }
 
   void annotations(std::span<const std::uint32_t> numbers) {

@@ -28,10 +28,6 @@ Written write(const Document& document, syntax::Syntax syntax, const Sink& sink,
   const Names names(document.source);
   Output output(sink, limits);
   Written written;
-  for (std::size_t at = 0; at < document.source.axiom_count(); ++at) {
-    if (document.source.axiom(at).kind == owl::AxiomKind::dl_safe_rule)
-      output.fail("rules are written as triples only, such as Turtle");
-  }
   if (syntax == syntax::Syntax::functional) {
     FunctionalForm form(names, output);
     write_structure(document, form, output);

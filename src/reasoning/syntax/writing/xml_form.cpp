@@ -62,6 +62,11 @@ void XmlForm::open_facet(std::string_view iri) {
 void XmlForm::entity(owl::TermKind kind, std::string_view iri) {
   indent();
   output_.add({"<", owl::to_string(kind)});
+  named(iri);
+  output_.add("/>\n");
+}
+
+void XmlForm::named(std::string_view iri) {
   if (!is_writable(iri)) return output_.fail(unwritable(iri));
   const std::string written = names_.written(iri);
   if (written.starts_with('<')) {
@@ -69,7 +74,21 @@ void XmlForm::entity(owl::TermKind kind, std::string_view iri) {
   } else {
     attribute("abbreviatedIRI", written);
   }
+}
+
+void XmlForm::variable(std::string_view iri) {
+  indent();
+  output_.add("<Variable");
+  named(iri);
   output_.add("/>\n");
+}
+
+void XmlForm::open_built_in(std::string_view iri) {
+  indent();
+  output_.add("<BuiltInAtom");
+  named(iri);
+  output_.add(">\n");
+  ++depth_;
 }
 
 void XmlForm::name(std::string_view iri) {

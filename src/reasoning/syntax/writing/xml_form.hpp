@@ -26,12 +26,16 @@ class XmlForm final : public Form {
   void declared(owl::TermKind kind, std::string_view iri) override { entity(kind, iri); }
   void name(std::string_view iri) override;
   void blank(std::string_view name) override;
+  void variable(std::string_view iri) override;
+  void open_built_in(std::string_view iri) override;
   void literal(std::string_view lexical, std::string_view datatype, std::string_view language) override;
 
  private:
   void indent();
   void escaped(std::string_view text, bool is_attribute);
   void attribute(std::string_view name, std::string_view value);
+  /// The attribute of an element that is named by an IRI.
+  void named(std::string_view iri);
 
   const Names& names_;
   Output& output_;

@@ -47,6 +47,9 @@ void AnnotationMapper::run(std::vector<Annotation>& into) {
 bool AnnotationMapper::is_annotation(std::uint32_t number) const {
   const Triple& triple = graph_.triple(number);
   if (axioms_.axiom_of(number)) return false;
+  const bool is_of_rule =
+      graph_.is_blank(triple.subject) && graph_.has(triple.subject, node_of(Word::rdf_type), node_of(Word::swrl_imp));
+  if (is_of_rule && word_of(triple.predicate) == Word::none) return true;
   switch (word_of(triple.predicate)) {
     case Word::none:
       return types_.is_annotation_property(triple.predicate) ||

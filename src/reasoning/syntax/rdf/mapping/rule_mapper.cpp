@@ -19,6 +19,8 @@ void RuleMapper::map_all() {
     const Mapped body = atoms(triple.subject, Word::swrl_body);
     const Mapped head = atoms(triple.subject, Word::swrl_head);
     axioms_.add(number, owl::AxiomKind::dl_safe_rule, {body, head});
+    // Other statements about a rule without a name are its annotations and no facts, whatever their property is.
+    if (graph_.is_blank(triple.subject)) use_all(triple.subject);
   }
 }
 
