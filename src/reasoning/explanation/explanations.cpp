@@ -37,7 +37,9 @@ class Tree {
       expand(removed);
     }
     result.sets = std::move(sets_);
-    std::ranges::sort(result.sets, {}, [](const AxiomSet& set) { return std::pair(set.size(), set); });
+    std::ranges::sort(result.sets, [](const AxiomSet& one, const AxiomSet& other) {
+      return one.size() != other.size() ? one.size() < other.size() : one < other;
+    });
     return result;
   }
 
