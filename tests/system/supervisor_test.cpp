@@ -8,6 +8,9 @@
 
 #include <array>
 #include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <map>
 
@@ -68,6 +71,26 @@ Process::Start supervised(const Lab& lab, const std::vector<std::string>& flags,
   return start;
 }
 
+const std::string reload_notice = "RELOADING=1\nMONOTONIC_USEC=";
+
+/// CLOCK_MONOTONIC, by which systemd judges a reload.
+std::int64_t monotonic_microseconds() {
+  timespec time{};
+  ::clock_gettime(CLOCK_MONOTONIC, &time);
+  return std::int64_t{time.tv_sec} * 1'000'000 + time.tv_nsec / 1000;
+}
+
+/// The same with a socket as its only one that was given.
+Process::Start activated(const Lab& lab, const std::vector<std::string>& flags, int socket) {
+  Process::Start start = supervised(lab, flags, {{"LISTEN_FDS", "1"}});
+  start.before = [socket, enter = start.before] {
+    if (enter) enter();
+    ::dup2(socket, 3);
+    ::setenv("LISTEN_PID", std::to_string(::getpid()).c_str(), 1);
+  };
+  return start;
+}
+
 TEST(Supervised, SaysReadyReloadingReadyAndStopping) {
   const Lab lab(1);
   const Folder folder;
@@ -75,8 +98,13 @@ TEST(Supervised, SaysReadyReloadingReadyAndStopping) {
   const std::string config = folder.write("gemingad.toml", "log-level = \"info\"\n");
   Process daemon(supervised(lab, {"--config", config}, {{"NOTIFY_SOCKET", folder.path("notify")}}));
   EXPECT_THAT(systemd.next(), StartsWith("READY=1\nSTATUS=ready: gcnp "));
+  const std::int64_t before = monotonic_microseconds();
   daemon.signal(SIGHUP);
-  EXPECT_THAT(systemd.next(), StartsWith("RELOADING=1\nMONOTONIC_USEC="));
+  const std::string reloading = systemd.next();
+  ASSERT_THAT(reloading, StartsWith(reload_notice));
+  const std::int64_t told = std::stoll(reloading.substr(reload_notice.size()));
+  EXPECT_GE(told, before) << "the notice belongs to this reload and to no earlier one";
+  EXPECT_LE(told, monotonic_microseconds());
   EXPECT_THAT(systemd.next(), StartsWith("READY=1\n"));
   std::ofstream(config) << "no such key = 1\n";
   daemon.signal(SIGHUP);
@@ -110,6 +138,37 @@ TEST(Supervised, GivesSignsOfLifeFromInsideItsCage) {
   Process daemon(supervised(lab, {}, {{"NOTIFY_SOCKET", folder.path("notify")}, {"WATCHDOG_USEC", "20000"}}));
   EXPECT_THAT(systemd.next(), StartsWith("READY=1\n"));
   for (int sign = 0; sign < 3; ++sign) EXPECT_EQ(systemd.receive(), "WATCHDOG=1\n");
+}
+
+TEST(Supervised, ServesOnASocketThatItIsGivenAndLeavesIt) {
+  const Lab lab(1);
+  const Folder folder;
+  const std::string path = folder.path("given");
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(::listen(socket, 8), 0);
+  // A client that comes before the daemon is served as soon as it is there.
+  Talk early(path, 0);
+  early.say("0 sys ping");
+  Process daemon(activated(lab, {"--gcnp-socket", path}, socket));
+  EXPECT_TRUE(early.line_with({"0 msg pong"})) << daemon.said();
+  EXPECT_TRUE(daemon.wait_for("listening on a socket of the supervisor: " + path)) << daemon.said();
+  daemon.signal(SIGTERM);
+  EXPECT_EQ(daemon.wait(), 0);
+  EXPECT_EQ(::access(path.c_str(), F_OK), 0) << "the supervisor listens on";
+  ::close(socket);
+}
+
+TEST(Supervised, DoesNotStartWithASocketThatItCannotServe) {
+  const Lab lab(1);
+  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  Process daemon(activated(lab, {}, socket));
+  EXPECT_EQ(daemon.wait(), 2);
+  EXPECT_THAT(daemon.said(), testing::HasSubstr("gemingad: socket 3 of the supervisor "));
+  ::close(socket);
 }
 
 }  // namespace
