@@ -29,6 +29,12 @@ using Run = std::function<shell::ExitStatus(const Context&, Client&)>;
 /// Does so for a command that has something to say even where there is no daemon: its client, or why there is none.
 using RunEvenAlone = std::function<shell::ExitStatus(const Context&, Result<Client, ClientError>&)>;
 
+/// Does so for a command that reaches the daemon by itself, or asks none.
+using RunAlone = std::function<shell::ExitStatus(const Context&)>;
+
+/// The daemon that the flags name, and how long to wait for it.
+[[nodiscard]] ClientOptions client_options(const Context& context);
+
 /// Each function adds one command to the program. When the command line names the command, its Run is put into
 /// `selected`, which lives as long as `app`. May throw CLI::ValidationError while the command line is read.
 void add_participants(CLI::App& app, Run& selected);
@@ -41,6 +47,8 @@ void add_ontology(CLI::App& app, Run& selected);
 void add_security(CLI::App& app, Run& selected);
 void add_status(CLI::App& app, Run& selected);
 void add_doctor(CLI::App& app, RunEvenAlone& selected);
+void add_record(CLI::App& app, RunAlone& selected);
+void add_replay(CLI::App& app, RunAlone& selected);
 
 }  // namespace geminga::query
 

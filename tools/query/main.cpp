@@ -16,6 +16,7 @@ constexpr const char* examples = R"(Examples:
   geminga-query requests --unmatched
   geminga-query match soccer:TrackedObject --limit 3
   geminga-query doctor
+  geminga-query record field-test.jsonl
   geminga-query explain soccer:SharedBallInfo soccer:TrackedObject
   geminga-query services --unused
   geminga-query --watch --json services
@@ -28,6 +29,18 @@ withdrawn, gone (with its participant), changed (it fits no longer).
 Exit status: 0 found, 1 nothing found or the answer is no, 2 wrong usage (also a name that the ontology does not know),
 3 the daemon cannot be reached, 4 timed out.)";
 
+}  // namespace
+
+ClientOptions client_options(const Context& context) {
+  ClientOptions options;
+  options.connect = context.common.connect;
+  options.name = program;
+  options.timeout = context.common.timeout_or(std::chrono::seconds(5));
+  return options;
+}
+
+namespace {
+
 int run(int argc, char** argv) {
   CLI::App app("Asks the local Geminga daemon: who is there, what is offered and asked for, what matches, and why.",
                std::string(program));
@@ -37,6 +50,7 @@ int run(int argc, char** argv) {
   Context context;
   Run selected;
   RunEvenAlone selected_even_alone;
+  RunAlone selected_alone;
   context.common.add_to(app, "How long to wait for the daemon (5 unless told)");
   app.add_flag("--timestamps", context.has_timestamps,
                "With --watch: begin each line with the time (RFC 3339, UTC); JSON always has it");
@@ -47,6 +61,8 @@ int run(int argc, char** argv) {
     add(app, selected);
   }
   add_doctor(app, selected_even_alone);
+  add_record(app, selected_alone);
+  add_replay(app, selected_alone);
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
   if (context.has_timestamps && !context.is_watching) {
@@ -54,11 +70,8 @@ int run(int argc, char** argv) {
     return static_cast<int>(shell::ExitStatus::wrong_use);
   }
   context.terminal = shell::Terminal::of_standard_output();
-  ClientOptions options;
-  options.connect = context.common.connect;
-  options.name = program;
-  options.timeout = context.common.timeout_or(std::chrono::seconds(5));
-  auto client = Client::connect(options);
+  if (selected_alone) return static_cast<int>(shell::written(program, selected_alone(context)));
+  auto client = Client::connect(client_options(context));
   if (selected_even_alone) return static_cast<int>(shell::written(program, selected_even_alone(context, client)));
   if (!client) return static_cast<int>(shell::report(program, client.error()));
   return static_cast<int>(shell::written(program, selected(context, *client)));

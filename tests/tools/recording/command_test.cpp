@@ -1,0 +1,218 @@
+// geminga-query record and replay on a real daemon, as a user runs them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include <array>
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "system/folder.hpp"
+#include "tools/clients/bench.hpp"
+
+namespace geminga::tools {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Waits until a file contains a text; false where patience ends.
+bool wait_for(const std::string& path, const std::string& text) {
+  const int changes = ::inotify_init1(IN_CLOEXEC);
+  const std::string folder = std::filesystem::path(path).parent_path();
+  EXPECT_GE(::inotify_add_watch(changes, folder.c_str(), IN_MODIFY | IN_CREATE), 0);
+  const auto end = std::chrono::steady_clock::now() + system::patience;
+  bool is_there = false;
+  while (!(is_there = text_of(path).contains(text)) && std::chrono::steady_clock::now() < end) {
+    pollfd change{.fd = changes, .events = POLLIN, .revents = 0};
+    std::array<char, 4096> events{};
+    if (::poll(&change, 1, 1000) == 1 && ::read(changes, events.data(), events.size()) < 0) break;
+  }
+  ::close(changes);
+  return is_there;
+}
+
+class RecordAndReplay : public testing::Test {
+ protected:
+  [[nodiscard]] std::string in(const char* name) const { return folder_.path(name); }
+
+  /// Records a service that comes and goes, and a request that nobody serves.
+  void record(const std::string& file) {
+    auto recorder = bench_.start("geminga-query", {"record", file});
+    ASSERT_TRUE(wait_for(file, "\"event\":\"heard\"")) << recorder->said();
+    Talk peer = bench_.talk();
+    peer.say("0 sys hello name=vision");
+    peer.say("1 pub create mode=oto concept=soccer:BallInfo port=5000 rate=30");
+    peer.say("2 sub create mode=oto text=nobody");
+    ASSERT_TRUE(wait_for(file, "soccer:BallInfo")) << recorder->said();
+    ASSERT_TRUE(wait_for(file, "\"kind\":\"why\"")) << recorder->said();
+    peer.say("1 pub remove");
+    ASSERT_TRUE(wait_for(file, "\"event\":\"del\"")) << recorder->said();
+    recorder->signal(SIGINT);
+    EXPECT_EQ(recorder->wait(), 0);
+    EXPECT_THAT(recorder->said(), HasSubstr("geminga-query: recorded "));
+    EXPECT_THAT(text_of(file), HasSubstr("\"reason\":\"stopped\"}\n"));
+  }
+
+  /// Runs geminga-query against the replay.
+  Outcome ask(std::vector<std::string> words) {
+    words.insert(words.begin(), {"--connect", in("replay.sock")});
+    return bench_.query(words);
+  }
+  std::unique_ptr<Process> play(std::vector<std::string> words) {
+    words.insert(words.begin(), {"replay", "--gcnp", in("replay.sock")});
+    auto player = bench_.start("geminga-query", words);
+    EXPECT_TRUE(player->wait_for(" participants\n")) << player->said();
+    return player;
+  }
+  /// The second of the recording in which the first such line was written, in words, a thousandth later.
+  static std::string moment_of(const std::string& file, const std::string& what) {
+    std::ifstream lines(file);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.contains(what)) return std::to_string(parsed(line).at("at").to_number<double>() + 0.001).substr(0, 7);
+    }
+    ADD_FAILURE() << "no line has " << what;
+    return "0";
+  }
+
+  Bench bench_;
+  system::Folder folder_;
+};
+
+TEST_F(RecordAndReplay, ShowYesterdaysTeamToTheToolsOfToday) {
+  const std::string file = in("team.jsonl");
+  record(file);
+  bench_.stop_daemon();
+  auto player = play({file, "--at", moment_of(file, "\"kind\":\"why\"")});
+  const auto services = parsed(ask({"--json", "services"}).out);
+  ASSERT_EQ(services.as_array().size(), 1U);
+  EXPECT_EQ(services.at(0).at("concept"), "soccer:BallInfo");
+  EXPECT_EQ(services.at(0).at("attributes").at("rate"), "30");
+  EXPECT_EQ(services.at(0).at("port"), 5000);
+  EXPECT_THAT(ask({"participants"}).out, HasSubstr("(this host)"));
+  EXPECT_THAT(ask({"requests", "--unmatched"}).out, HasSubstr("nobody offers text=nobody"));
+  const std::string request(parsed(ask({"--json", "requests"}).out).at(0).at("subscription").as_string());
+  EXPECT_THAT(ask({"why", request}).out, HasSubstr("nobody offers text=nobody"));
+  EXPECT_EQ(ask({"status"}).status, 0);
+  EXPECT_EQ(ask({"ontology"}).status, 0);
+  EXPECT_EQ(ask({"security"}).status, 0);
+  const Outcome explained = ask({"explain", "soccer:BallInfo", "soccer:TrackedObject"});
+  EXPECT_EQ(explained.status, 2);
+  EXPECT_THAT(explained.errors, HasSubstr("a recording has no ontology"));
+  player->signal(SIGTERM);
+  EXPECT_EQ(player->wait(), 0);
+  EXPECT_FALSE(std::filesystem::exists(in("replay.sock")));
+}
+
+TEST_F(RecordAndReplay, StreamEventsToAWatcherAndStayAtTheEnd) {
+  const std::string file = in("team.jsonl");
+  record(file);
+  auto player = play({file, "--speed", "2"});
+  auto watch = bench_.start("geminga-query", {"--connect", in("replay.sock"), "--watch", "services"});
+  EXPECT_TRUE(watch->wait_for("+ vision@robot0  soccer:BallInfo")) << watch->said();
+  EXPECT_TRUE(watch->wait_for("- vision@robot0  soccer:BallInfo")) << watch->said();
+  EXPECT_TRUE(player->wait_for("The recording ends at ")) << player->said();
+  EXPECT_EQ(ask({"participants"}).status, 0);
+  player->signal(SIGTERM);
+  EXPECT_EQ(player->wait(), 0);
+  EXPECT_EQ(watch->wait(), 3);
+}
+
+TEST_F(RecordAndReplay, EndWithTheRecordingWhereTold) {
+  const Outcome outcome = bench_.query({"replay", GEMINGA_SOURCE_DIR "/tests/fuzz/seeds/recording/field_test.jsonl",
+                                        "--gcnp", in("replay.sock"), "--speed", "10000", "--end"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.out, HasSubstr("The recording ends at 2026-11-27T03:10:12.319Z.\n"));
+}
+
+TEST_F(RecordAndReplay, RefuseStatementsOfPrograms) {
+  const std::string file = in("team.jsonl");
+  record(file);
+  auto player = play({file, "--at", "0"});
+  const Outcome offered =
+      bench_.run("geminga-publish", {"--connect", in("replay.sock"), "--text", "x", "--port", "5", "--mode", "oto"});
+  EXPECT_EQ(offered.status, 2);
+  EXPECT_THAT(offered.errors, HasSubstr("this is a recording"));
+  player->signal(SIGTERM);
+  EXPECT_EQ(player->wait(), 0);
+}
+
+TEST_F(RecordAndReplay, GoOnWhenTheDaemonIsThereAgain) {
+  const std::string file = in("team.jsonl");
+  auto recorder = bench_.start("geminga-query", {"record", file});
+  ASSERT_TRUE(wait_for(file, "\"event\":\"heard\"")) << recorder->said();
+  bench_.stop_daemon();
+  ASSERT_TRUE(wait_for(file, "\"event\":\"lost\"")) << recorder->said();
+  EXPECT_TRUE(recorder->wait_for("the recording goes on when it is there again"));
+  bench_.start_daemon();
+  EXPECT_TRUE(recorder->wait_for("the daemon is there again"));
+  ASSERT_TRUE(wait_for(file, "\"event\":\"snapshot\""));
+  recorder->signal(SIGTERM);
+  EXPECT_EQ(recorder->wait(), 0);
+}
+
+TEST_F(RecordAndReplay, KeepAFileThatIsThereUnlessToldToAppend) {
+  const std::string file = in("team.jsonl");
+  std::ofstream(file) << R"({"event":"sna)";  // cut by a loss of power
+  const Outcome refused = bench_.query({"record", file});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("is there already"));
+  auto recorder = bench_.start("geminga-query", {"record", file, "--append"});
+  ASSERT_TRUE(wait_for(file, "\"event\":\"heard\"")) << recorder->said();
+  recorder->signal(SIGTERM);
+  EXPECT_EQ(recorder->wait(), 0);
+  auto player = play({file, "--at", "0"});
+  EXPECT_THAT(player->said(), HasSubstr("line 1, octet 0: is no JSON object"));
+  EXPECT_EQ(ask({"participants"}).status, 0);
+}
+
+TEST_F(RecordAndReplay, SayWhatIsWrongOnTheCommandLine) {
+  const std::string file = in("garbage");
+  std::ofstream(file) << "not\na\nrecording\n";
+  EXPECT_EQ(bench_.query({"replay", in("missing")}).status, 2);
+  const Outcome garbage = bench_.query({"replay", file});
+  EXPECT_EQ(garbage.status, 2);
+  EXPECT_THAT(garbage.errors, HasSubstr("line 3, octet 6: is no JSON object"));
+  EXPECT_THAT(garbage.errors, HasSubstr("is no recording"));
+  EXPECT_THAT(garbage.out, IsEmpty());
+  std::ofstream(in("many")) << std::string(1000, '\n');
+  EXPECT_THAT(bench_.query({"replay", in("many")}).errors, HasSubstr("980 lines more could not be used"));
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--speed", "0"},
+                                                {"--speed", "nan"},
+                                                {"--from", "noon"},
+                                                {"--at", "1", "--from", "2"},
+                                                {"--gcnp", "robot:4717"},
+                                                {"--watch"}}) {
+    std::vector<std::string> line{"replay", GEMINGA_SOURCE_DIR "/tests/fuzz/seeds/recording/field_test.jsonl"};
+    line.insert(line.end(), words.begin(), words.end());
+    EXPECT_EQ(bench_.query(line).status, 2) << words[0];
+  }
+  for (const char* limit : {"0", "65537", "-1", "much"}) {
+    EXPECT_EQ(bench_.query({"record", in("x"), "--limit", limit}).status, 2) << limit;
+  }
+  EXPECT_EQ(bench_.query({"record", in("no/folder")}).status, 2);
+  EXPECT_EQ(bench_.query({"--connect", nobody(), "record", in("y")}).status, 3);
+  EXPECT_FALSE(std::filesystem::exists(in("y")));
+}
+
+TEST_F(RecordAndReplay, SayThatTheDiskIsFull) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  const Outcome outcome = bench_.query({"record", "--append", "/dev/full"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("/dev/full cannot be written: No space left on device"));
+}
+
+}  // namespace
+}  // namespace geminga::tools
