@@ -39,8 +39,17 @@ void leave_all_undecided(Classified& result) {
 /// first limit. If it reaches that, some models are looked for before it begins again with all that it may have.
 constexpr std::size_t first_derived = 20'000;
 constexpr std::size_t first_derived_per_axiom = 10;
-constexpr CompletionLimits first_models{
-    .unanswered = 3, .steps = 1'000'000, .question = {.nodes = 20'000, .steps = 50'000}};
+constexpr std::size_t quick_unanswered = 3;
+/// The first search may take as many steps as take the time of the derivation that it may save.
+constexpr std::size_t steps_a_derived_clause = 8;
+
+/// Most classes have a model within these limits. If some have none, more is derived by cases before the search goes
+/// on. The limits grow with the ontology, because a model does.
+hypertableau::QuestionLimits quick_question(const owl::Ontology& source) {
+  constexpr std::size_t steps = 50'000;
+  constexpr std::size_t steps_per_axiom = 10;
+  return {.nodes = 20'000, .steps = steps + steps_per_axiom * source.axiom_count()};
+}
 
 bool has_branches(const clauses::ClauseSet& clauses) {
   const auto is_nominal = [](const clauses::Concept& one) { return one.kind == clauses::ConceptKind::nominal; };
@@ -48,9 +57,6 @@ bool has_branches(const clauses::ClauseSet& clauses) {
          std::ranges::any_of(clauses.clauses, [](const clauses::Clause& clause) { return clause.head.size() > 1; });
 }
 
-/// Most classes have a model within these limits. If some have none, more is derived by cases before the search goes
-/// on.
-constexpr CompletionLimits quick_models{.unanswered = 3, .question = {.nodes = 20'000, .steps = 50'000}};
 constexpr std::uint64_t more_alternatives = 25;
 constexpr std::uint64_t most_alternatives = 1'000'000;
 
@@ -74,7 +80,7 @@ class Deepening {
     if (!derive_first(*clauses)) derive(*clauses, options_.alternatives);
     bool is_open = !is_finished();
     if (is_open && std::ranges::find(result_.gaps, consequence::alternative_gap) != result_.gaps.end()) {
-      search(*clauses, quick_models);
+      search(*clauses, {.unanswered = quick_unanswered, .question = quick_question(source_)});
       is_open = !is_finished() && !is_spent();
       // Some questions are hard for a search and easy by cases.
       if (is_open) {
@@ -97,12 +103,22 @@ class Deepening {
 
   [[nodiscard]] bool is_spent() const { return options_.budget != nullptr && options_.budget->is_spent(); }
 
+  /// How many clauses a derivation may have.
+  [[nodiscard]] std::size_t most_derived() const {
+    const std::size_t most =
+        std::min(max_clauses_of_classes, always_derived + derived_per_axiom * source_.axiom_count());
+    if (options_.budget == nullptr) return most;
+    return std::min<std::size_t>(most, options_.budget->left() / 2 / steps_per_clause);
+  }
+
   /// False: the limit was reached, and models have not decided what is open.
   bool derive_first(const clauses::ClauseSet& clauses) {
     if (!has_branches(clauses)) return false;
     const std::size_t limit = first_derived + first_derived_per_axiom * source_.axiom_count();
     if (derive(clauses, options_.alternatives, limit)) return true;
-    search(clauses, first_models);
+    search(clauses, {.unanswered = quick_unanswered,
+                     .steps = steps_a_derived_clause * most_derived(),
+                     .question = quick_question(source_)});
     return is_finished() || is_spent();
   }
 
@@ -122,8 +138,7 @@ class Deepening {
       wanted.push_back(*found);
       classes.push_back(of);
     }
-    std::size_t most = std::min(limit, always_derived + derived_per_axiom * source_.axiom_count());
-    if (options_.budget != nullptr) most = std::min<std::size_t>(most, options_.budget->left() / 2 / steps_per_clause);
+    const std::size_t most = std::min(limit, most_derived());
     const consequence::Closure closure = consequence::saturate(
         source_, clauses, wanted,
         {.threads = options_.threads, .clauses = most, .alternatives = alternatives, .budget = options_.budget});

@@ -90,7 +90,7 @@ class Completing {
   bool may_ask(std::uint32_t of, const hypertableau::Tableau& tableau, double done) {
     if (options_.progress) options_.progress("looking for models", done);
     const auto spent = options_.budget == nullptr ? std::nullopt : options_.budget->reason();
-    const bool has_steps = tableau.steps() < limits_.steps;
+    const bool has_steps = tableau.steps() - world_steps_ < limits_.steps;
     if (!spent && has_steps && questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
     if (!result_.held_up_by) result_.held_up_by = of;
     if (spent) {
@@ -198,6 +198,7 @@ class Completing {
     terms_ = concepts.terms();
     hypertableau::Tableau tableau(source_, clauses, question_);
     const Verdict world = note(tableau.is_consistent(), std::nullopt);
+    world_steps_ = tableau.steps();
     result_.is_consistency_open = world == Verdict::unknown;
     if (world == Verdict::no) result_.is_consistent = false;
     if (world == Verdict::no) return;
@@ -282,6 +283,7 @@ class Completing {
     }
     const NamedConcepts concepts(source_, classification_, *clauses);
     hypertableau::Tableau tableau(source_, *clauses, question_);
+    world_steps_ = 0;
     for (std::size_t at = 0; at < order.size(); ++at) {
       const std::uint32_t of = order[at];
       const auto sub = concepts.concept_of(of);
@@ -310,6 +312,7 @@ class Completing {
   std::set<std::string> gaps_;
   std::size_t questions_ = 0;
   std::size_t unanswered_ = 0;
+  std::size_t world_steps_ = 0;                   ///< of the question whether there is a model at all
   std::vector<owl::TermId> terms_;                ///< by class
   std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending
   std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself (but T) included

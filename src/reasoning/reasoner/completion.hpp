@@ -24,7 +24,7 @@ struct CompletionLimits {
   std::size_t classes = 50'000;                                 ///< of an ontology; beyond it no model is looked for
   std::size_t questions = 100'000;                              ///< to the tableau, of all kinds
   std::size_t unanswered = 20;                                  ///< questions that were too hard
-  std::size_t steps = std::numeric_limits<std::size_t>::max();  ///< of one tableau, all questions together
+  std::size_t steps = std::numeric_limits<std::size_t>::max();  ///< of one tableau, all questions about classes
   hypertableau::QuestionLimits question{.nodes = 20'000, .steps = 500'000};
 };
 

@@ -251,11 +251,12 @@ void Assertions::copy_facts(NodeId from, NodeId to, DependencySet dependency) {
 
 std::string Assertions::check_values() {
   std::string unknown;
-  if (graph_.value_count() == 0) return unknown;
-  constexpr std::size_t values_a_step = 4;  // all of them are looked at again
-  effort_.count_steps(graph_.value_count() / values_a_step);
+  if (graph_.values().empty()) return unknown;
   const bool has_all_facts = !has_individuals_ || !individuals_.empty();
   if (const auto dependency = values_.clash(graph_, sets_, unknown, has_all_facts)) clash(*dependency);
+  constexpr std::size_t values_a_step = 4;
+  constexpr std::size_t free_values_a_step = 64;
+  effort_.count_steps(values_.take_looked() / values_a_step + graph_.values().size() / free_values_a_step);
   return unknown;
 }
 

@@ -12,6 +12,11 @@ constexpr std::size_t nodes_a_step = 16;
 
 }  // namespace
 
+void Blocking::mark(NodeId node, bool is_blocked) {
+  if (graph_.node(node).is_blocked && !is_blocked) unblocked_.push_back(node);
+  graph_.set_blocked(node, is_blocked);
+}
+
 std::size_t Blocking::update() {
   // Nodes before the first changed one keep their marks.
   const NodeId changed = graph_.take_changed();
@@ -24,19 +29,18 @@ std::size_t Blocking::update() {
   for (NodeId node = changed; node < graph_.node_count(); ++node) {
     const Node& one = graph_.node(node);
     const bool is_tree = one.kind == NodeKind::tree;
-    if (one.state != NodeState::active || (!is_tree && !may_block_as_root(one))) continue;
-    if (is_tree && graph_.node(one.parent).is_blocked) {
-      graph_.set_blocked(node, true);
+    if (one.state != NodeState::active || (is_tree && (graph_.node(one.parent).is_blocked || is_still_blocked(node)))) {
+      mark(node, true);
       continue;
     }
-    if (is_tree && is_still_blocked(node)) {
-      graph_.set_blocked(node, true);
+    if (!is_tree && !may_block_as_root(one)) {
+      mark(node, false);
       continue;
     }
     const std::uint64_t key = key_of(one);
     const NodeId blocker =
         is_tree ? blockers_.find(key, [&](NodeId candidate) { return blocks(candidate, node); }) : none;
-    graph_.set_blocked(node, blocker != none);
+    mark(node, blocker != none);
     blocked_by_[node] = compared(node, blocker);
     if (blocker == none) blockers_.push(node, key);
   }

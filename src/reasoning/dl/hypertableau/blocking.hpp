@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "reasoning/dl/hypertableau/blockers.hpp"
@@ -19,13 +20,17 @@
 
 namespace geminga::hypertableau {
 
-/// Marks the blocked nodes of the graph. Remembers the blocker of each, so that only changed nodes are looked at again.
+/// Marks the blocked nodes of the graph, and those that were merged or pruned. Remembers the blocker of each, so that
+/// only changed nodes are looked at again.
 class Blocking {
  public:
   Blocking(const Program& program, Graph& graph, Effort& effort) : program_(program), graph_(graph), effort_(effort) {}
 
   /// Updates the marks of all nodes. Returns how many nodes were looked at.
   std::size_t update();
+  /// Nodes that were blocked, merged or pruned when they were looked at, and at a later look since the last call were
+  /// not. Some may be blocked again.
+  [[nodiscard]] std::vector<NodeId> take_unblocked() { return std::exchange(unblocked_, {}); }
 
  private:
   /// The node that blocks another one, and the versions of the nodes that were compared.
@@ -35,6 +40,7 @@ class Blocking {
     friend bool operator==(const BlockedBy&, const BlockedBy&) = default;
   };
 
+  void mark(NodeId node, bool is_blocked);
   [[nodiscard]] bool may_block_as_root(const Node& node) const;
   [[nodiscard]] std::uint64_t key_of(const Node& node) const;
   [[nodiscard]] bool is_still_blocked(NodeId node) const;
@@ -47,6 +53,7 @@ class Blocking {
   Effort& effort_;
   Blockers blockers_;
   std::vector<BlockedBy> blocked_by_;  ///< by node, as of the last look
+  std::vector<NodeId> unblocked_;
 };
 
 }  // namespace geminga::hypertableau

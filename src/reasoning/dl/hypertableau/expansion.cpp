@@ -13,9 +13,14 @@ using clauses::number;
 void Expansion::restore(const Sizes& sizes) {
   while (done_.size() > sizes.done) {
     existentials_[done_.back()].is_done = false;
+    open_.insert(done_.back());
     done_.pop_back();
   }
-  existentials_.resize(sizes.existentials);
+  while (existentials_.size() > sizes.existentials) {
+    newest_[existentials_.back().node] = existentials_.back().older;
+    existentials_.pop_back();
+  }
+  open_.erase(open_.lower_bound(static_cast<std::uint32_t>(sizes.existentials)), open_.end());
   next_functional_ = sizes.next_functional;
 }
 
@@ -25,24 +30,42 @@ void Expansion::note_done(std::uint32_t at) {
 }
 
 void Expansion::add(const Fact& fact, FactId id) {
-  existentials_.push_back({id});
+  const auto at = static_cast<std::uint32_t>(existentials_.size());
+  if (newest_.size() <= fact.a) newest_.resize(graph_.node_count(), none);
+  existentials_.push_back({.fact = id, .node = fact.a, .older = std::exchange(newest_[fact.a], at)});
+  open_.insert(open_.end(), at);
   if (fact.kind != FactKind::at_least) return;
   const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
   const bool is_of_nominal = set_.concepts[number(at_least.filler)].kind == clauses::ConceptKind::nominal;
   if (program_.needed(fact.predicate) != 1 || is_of_nominal || !give_to_neighbour(fact)) return;
-  note_done(static_cast<std::uint32_t>(existentials_.size() - 1));
+  note_done(at);
+}
+
+std::size_t Expansion::update_open() {
+  const std::size_t looked = blocking_.update();
+  for (const NodeId node : blocking_.take_unblocked()) {
+    if (node >= newest_.size()) continue;
+    for (std::uint32_t at = newest_[node]; at != none; at = existentials_[at].older) {
+      if (!existentials_[at].is_done) open_.insert(at);
+    }
+  }
+  return looked;
 }
 
 bool Expansion::expand(std::size_t first, bool has_guesses) {
   // The look for blocked nodes is paid for by expanding several at-leasts at a time.
   constexpr std::size_t looked_an_expansion = 64;
-  const std::size_t most = 1 + blocking_.update() / looked_an_expansion;
+  const std::size_t most = 1 + update_open() / looked_an_expansion;
   std::size_t expanded = 0;
   const std::size_t count = existentials_.size();
-  for (auto at = static_cast<std::uint32_t>(first); at < count; ++at) {
-    if (existentials_[at].is_done) continue;
-    const Fact fact = graph_.fact(existentials_[at].fact);
-    if (!graph_.is_active(fact.a) || graph_.node(fact.a).is_blocked) continue;
+  for (auto next = open_.lower_bound(static_cast<std::uint32_t>(first)); next != open_.end() && *next < count;) {
+    const std::uint32_t at = *next;
+    const Node& node = graph_.node(existentials_[at].node);
+    if (existentials_[at].is_done || node.state != NodeState::active || node.is_blocked) {
+      next = open_.erase(next);
+      continue;
+    }
+    ++next;
     if (has_witness(existentials_[at]) || !expand_one(at)) continue;
     ++expanded;
     if (facts_.has_clash() || effort_.is_over_limit() || (expanded >= most && has_guesses)) break;

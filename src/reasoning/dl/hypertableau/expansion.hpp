@@ -5,6 +5,7 @@
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_EXPANSION_HPP
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -56,12 +57,17 @@ class Expansion {
  private:
   struct Existential {
     FactId fact = 0;
+    NodeId node = 0;
+    std::uint32_t older = none;  ///< the next older one of the node
     bool is_done = false;
     /// The neighbour that satisfied it when it was last looked at, and the versions of what was looked at.
     NodeId witness = none;
     std::uint64_t version = 0;
   };
 
+  /// Updates the marks of blocked nodes, and opens the at-leasts of nodes that are blocked no more. Returns how many
+  /// nodes were looked at.
+  std::size_t update_open();
   /// Whether a node was added, or a fact.
   bool expand_one(std::uint32_t at);
   void note_done(std::uint32_t at);
@@ -89,6 +95,10 @@ class Expansion {
   Neighbours& neighbours_;
   Blocking& blocking_;
   std::vector<Existential> existentials_;
+  std::vector<std::uint32_t> newest_;  ///< by node: its newest existential
+  /// Existentials that expand() must look at: all that are not done and whose nodes are active and not blocked, and
+  /// some others. Most of a large model are not among them.
+  std::set<std::uint32_t> open_;
   std::uint32_t next_functional_ = 0;  ///< each is looked at once by expand_functional()
   std::vector<std::uint32_t> done_;    ///< existentials, in the order in which they were
 };

@@ -276,7 +276,8 @@ void Rules::look_at_path(const RuleAtom& atom, Match match) {
     const Place place = open.front();
     open.pop_front();
     if (automaton.is_final(place.state)) reached.push_back(place);
-    meets_blocked = meets_blocked || graph_.node(place.node).is_blocked;
+    const Node& node = graph_.node(place.node);
+    meets_blocked = meets_blocked || (node.kind == NodeKind::tree && node.is_blocked);
     for (const owl::Automaton::Move& move : automaton.moves()) {
       if (move.from != place.state) continue;
       const bool is_forward = !move.label.is_inverse;

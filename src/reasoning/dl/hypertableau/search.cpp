@@ -134,7 +134,7 @@ void Search::end_question(Outcome outcome) {
   has_question_ = false;
   facts_.forget_clash();
   if (!base_) return;
-  const bool has_values = graph_.value_count() > 0;
+  const bool has_values = !graph_.values().empty();
   if (outcome == Outcome::model && !program_.has_nominals() && !has_values) {
     keep();
   } else {

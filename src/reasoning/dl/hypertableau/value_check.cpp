@@ -86,14 +86,17 @@ std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, D
   std::vector<Variable> variables;
   std::vector<std::uint32_t> number_of(graph.node_count(), none);
   std::vector<std::uint32_t> ranges;
-  for (NodeId node = 0; node < graph.node_count(); ++node) {
-    const NodeKind kind = graph.node(node).kind;
-    if ((kind != NodeKind::value && kind != NodeKind::constant) || !graph.is_active(node)) continue;
+  free_.resize(graph.node_count());
+  for (const NodeId node : graph.values()) {
+    const Free versions{graph.node(node).version, graph.node(node).surroundings};
+    if (free_[node] == versions || !graph.is_active(node)) continue;
+    ++looked_;
     Variable variable;
     variable.node = node;
     ranges.clear();
     const bool has_siblings = graph.node(node).siblings != none;
     bool is_free = !has_siblings;
+    bool is_alone = !has_siblings;
     for (FactId id = graph.node(node).others; id != none; id = graph.next_other(id, node)) {
       const Fact& fact = graph.fact(id);
       is_free = false;
@@ -101,17 +104,25 @@ std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, D
         ranges.push_back(fact.predicate);
         variable.dependency = sets.unite(variable.dependency, fact.dependency);
       } else if (fact.kind == FactKind::unequal) {
+        is_alone = false;
         const NodeId other = fact.a == node ? fact.b : fact.a;
         if (other > node || number_of[other] == none) continue;
         variable.differs.push_back(number_of[other]);
         variable.because.push_back(fact.dependency);
       }
     }
-    if (is_free) continue;
+    if (is_free) {
+      free_[node] = versions;
+      continue;
+    }
     std::ranges::sort(ranges);
     variable.known = known_set(ranges, graph.node(node).literal);
+    if (is_alone && sets_[variable.known].least > 0 && sets_[variable.known].set.opaque.empty()) {
+      free_[node] = versions;
+      continue;
+    }
     // With more values than there are nodes, one is left for it whatever the others take.
-    if (sets_[variable.known].least > graph.value_count()) continue;
+    if (sets_[variable.known].least > graph.values().size()) continue;
     if (has_siblings) {
       const Siblings& siblings = graph.siblings_of(node);
       for (NodeId other = siblings.first; other < node; ++other) {

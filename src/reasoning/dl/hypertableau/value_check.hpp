@@ -47,6 +47,8 @@ class ValueCheck {
   /// of some of few values that they are in an opaque set, or not.
   [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown,
                                                    bool has_all_facts);
+  /// The values that clash() looked at since the last call: all but those that are free and have not changed.
+  [[nodiscard]] std::size_t take_looked() { return std::exchange(looked_, 0); }
 
  private:
   /// A node that has ranges or must differ from others.
@@ -63,6 +65,13 @@ class ValueCheck {
     std::uint64_t most = 0;
   };
 
+  /// The versions of a value that was found free: it has a value, and need not differ from any other.
+  struct Free {
+    std::uint64_t version = 0;
+    std::uint64_t surroundings = 0;
+    friend bool operator==(const Free&, const Free&) = default;
+  };
+
   [[nodiscard]] std::vector<Variable> variables_of(const Graph& graph, DependencySets& sets);
   /// Lets the values in an opaque set differ from those outside of it. Returns why that is not all that opaque sets
   /// say; empty: it is.
@@ -75,6 +84,8 @@ class ValueCheck {
   ValueRanges ranges_;
   std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
   std::vector<Counted> sets_;
+  std::vector<Free> free_;  ///< by node, as of the last look
+  std::size_t looked_ = 0;
   std::map<Value, owl::TermId> representative_;
   std::uint32_t made_ = 0;  ///< values that no literal names
 };

@@ -71,5 +71,27 @@ TEST(KeptModels, AreNotBuiltAgain) {
   EXPECT_LE(nodes, 3 * 61U) << "the labels of all questions: about one for each class";
 }
 
+TEST(KeptModels, AreNotLookedAtAgainWhereNothingChanged) {
+  // The model of the facts has a value and a blocked neighbour for each of many individuals.
+  constexpr int individuals = 2000;
+  std::string text =
+      "SubClassOf(A ObjectHasValue(r i:i0))\nSubClassOf(B ObjectSomeValuesFrom(r B))\n"
+      "SubClassOf(B DataSomeValuesFrom(d:v x:integer))\n";
+  for (int at = 0; at < individuals; ++at) {
+    const std::string name = " i:i" + std::to_string(at);
+    text += "ClassAssertion(B" + name + ")\nDataPropertyAssertion(d:v" + name + " \"" + std::to_string(at) +
+            "\"^x:integer)\n";
+  }
+  owl::Ontology source = owl::written(text);
+  const std::vector<owl::TermId> classes{source.named_class("https://t.example/#A")};
+  const auto set = clauses::clausify(source, std::nullopt, classes);
+  ASSERT_TRUE(set) << set.error().text;
+  Tableau tableau(source, *set);
+  ASSERT_EQ(tableau.is_consistent().verdict, Verdict::yes);
+  const std::size_t before = tableau.steps();
+  ASSERT_EQ(tableau.is_satisfiable({set->queries.front()}).verdict, Verdict::yes);
+  EXPECT_LT(tableau.steps() - before, individuals / 4U) << "of " << before << " steps for the facts";
+}
+
 }  // namespace
 }  // namespace geminga::hypertableau

@@ -57,7 +57,7 @@ NodeId Graph::add_node(NodeKind kind, NodeId parent) {
   node.parent = parent;
   node.version = ++versions_;
   note_change(id);
-  if (is_value(kind)) ++value_count_;
+  if (is_value(kind)) values_.push_back(id);
   if (parent != none) {
     node.depth = nodes_[parent].depth + 1;
     node.next_child = nodes_[parent].first_child;
@@ -235,7 +235,7 @@ void Graph::cut(const Mark& mark) {
   while (nodes_.size() > mark.nodes) {
     const Node& node = nodes_.back();
     if (node.parent != none) nodes_[node.parent].first_child = node.next_child;
-    if (is_value(node.kind)) --value_count_;
+    if (is_value(node.kind)) values_.pop_back();
     nodes_.pop_back();
     note_change(static_cast<NodeId>(nodes_.size()));
   }

@@ -94,8 +94,8 @@ class Graph {
   [[nodiscard]] const Fact& fact(FactId id) const { return facts_[id]; }
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
-  /// How many nodes are values.
-  [[nodiscard]] std::size_t value_count() const { return value_count_; }
+  /// The nodes that are values, ascending; some are merged or pruned.
+  [[nodiscard]] const std::vector<NodeId>& values() const { return values_; }
   [[nodiscard]] bool is_active(NodeId id) const { return nodes_[id].state == NodeState::active; }
   void set_blocked(NodeId id, bool is_blocked) { nodes_[id].is_blocked = is_blocked; }
 
@@ -156,8 +156,8 @@ class Graph {
   std::vector<FactId> slots_;
   std::vector<Siblings> siblings_;  ///< ascending by their nodes
   std::vector<NodeId> trail_;       ///< nodes that were merged or pruned
+  std::vector<NodeId> values_;
   NodeId changed_ = 0;
-  std::size_t value_count_ = 0;
   std::uint64_t versions_ = 0;
 };
 
