@@ -24,6 +24,7 @@ Examples:
   geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
   geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
   geminga-ontology repair team/                     which axioms to take out, if classes can have no instance
+  geminga-ontology diff old/ team/                  what changed, and what follows from it
   geminga-ontology entails team/ expected.ttl       does every axiom of expected.ttl follow?
   geminga-ontology consistent team/
   geminga-ontology id soccer:BallInfo soccer:CartesianFieldFrame
@@ -50,7 +51,7 @@ int run(int argc, char** argv) {
   Choice choice;
   for (const auto add :
        {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id, add_compile, add_draw,
-        add_infer, add_convert, add_merge, add_realize, add_instances, add_query, add_rank, add_repair})
+        add_infer, add_convert, add_merge, add_realize, add_instances, add_query, add_rank, add_repair, add_diff})
     add(program, choice);
   if (const auto description = geminga::manual::described(program, argc, argv)) {
     return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0

@@ -7,18 +7,12 @@
 #include <vector>
 
 #include "base/budget.hpp"
+#include "ontology/loading/closure.hpp"
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/explanation/explain_module.hpp"
 #include "reasoning/explanation/explain_oracle.hpp"
 
 namespace geminga::ontology {
-
-/// A subsumption that is to follow no more.
-struct Subsumption {
-  taxonomy::ClassNumber sub{};
-  taxonomy::ClassNumber super{};
-  friend auto operator<=>(const Subsumption&, const Subsumption&) = default;
-};
 
 /// The answer to which of the unwanted subsumptions still follow.
 struct Following {
