@@ -18,6 +18,11 @@
 namespace geminga::daemon {
 namespace {
 
+/// Seconds since 1970. Shown only: nothing in here depends on it.
+double wall_clock() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 using Lines = std::vector<std::string>;
 using base::LogLevel;
 
@@ -140,7 +145,9 @@ void Daemon::begin() {
   settings.lasting = lasting_;
   env_.event([&] {
     participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.vocabulary());
-    participant_->set_status_source([this] { return status_fields(configuration_, cage_, env_, ontology_, log_); });
+    participant_->set_status_source([this, started = wall_clock()] {
+      return status_fields(configuration_, cage_, env_, ontology_, log_, started);
+    });
     ontology_.serve(*participant_);
     participant_->start();
   });

@@ -79,7 +79,8 @@ std::string sealing_line(const sealing::Policy& sealing) {
 }
 
 std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configuration, const CageInForce& cage,
-                                           const env::AsioEnv& env, const OntologyInForce& ontology, const Log& log) {
+                                           const env::AsioEnv& env, const OntologyInForce& ontology, const Log& log,
+                                           double started) {
   const Usage usage = read_usage();
   std::vector<gcnp::Parameter> fields{
       {"memory", std::to_string(usage.resident_bytes)},
@@ -87,6 +88,9 @@ std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configura
       {"cpu", decimal(usage.processor_seconds)},
       {"ontology_load", decimal(std::chrono::duration<double>(ontology.load_time()).count())},
       {"log_dropped", std::to_string(log.dropped())},
+      {"port", std::to_string(configuration.current().air.port)},
+      {"multicast", base::joined(configuration.current().air.groups, ",")},
+      {"started", decimal(started)},
       {"cage", cage.words()},
       {"memory_kept_back", std::to_string(MemoryReserve::size())}};
   const env::AirCounts& dropped = env.air_counts();

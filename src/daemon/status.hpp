@@ -20,10 +20,12 @@ namespace geminga::daemon {
 [[nodiscard]] std::string interfaces_line(const env::AsioEnv& env);
 [[nodiscard]] std::string sealing_line(const sealing::Policy& sealing);
 
-/// Memory, processor time, the cage, what was dropped, peers, and why the configuration could not be read again.
+/// Memory, processor time, the cage, port and groups, what was dropped, peers, and why the configuration could not be
+/// read again. `started` is the wall clock at the start, in seconds since 1970.
 [[nodiscard]] std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configuration,
                                                          const CageInForce& cage, const env::AsioEnv& env,
-                                                         const OntologyInForce& ontology, const Log& log);
+                                                         const OntologyInForce& ontology, const Log& log,
+                                                         double started);
 
 }  // namespace geminga::daemon
 

@@ -60,6 +60,12 @@ class Env {
   [[nodiscard]] virtual const std::vector<Interface>& interfaces() const = 0;
   /// The names of further interfaces that could be used, and for which there is no room.
   [[nodiscard]] virtual std::vector<std::string> ignored_interfaces() const { return {}; }
+  /// The instant at which a datagram last came in on this interface, our own among them, which the link gives back at
+  /// once; at which the interface was opened where none has. Nothing where the world does not tell.
+  [[nodiscard]] virtual std::optional<base::Instant> last_heard(InterfaceIndex interface) const {
+    (void)interface;
+    return std::nullopt;
+  }
   /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
   virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;
 

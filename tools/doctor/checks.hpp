@@ -4,10 +4,13 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "doctor/answers.hpp"
 #include "doctor/finding.hpp"
+#include "doctor/firewall.hpp"
 #include "doctor/host.hpp"
+#include "doctor/overhearing.hpp"
 #include "geminga/client.hpp"
 
 namespace geminga::doctor {
@@ -19,20 +22,47 @@ inline constexpr double bearable_loss = 0.6;
 inline constexpr double time_to_hear = 10;
 /// The least MTU that IPv6 needs and announcements are made for (RFC 8200, section 5).
 inline constexpr std::size_t least_mtu = 1280;
+/// The intervals without any datagram on an interface, not even our own from the link, after which something keeps them
+/// out. Ours comes back without loss.
+inline constexpr double quiet_intervals = 4;
+/// The difference between the wall clock and the time that has passed, in seconds, that is no matter of its pace.
+inline constexpr double clock_step = 2;
+/// The members of a team: so many on both sides of a difference are two teams, and not one host with an old file.
+inline constexpr std::size_t least_team = 2;
 
-/// Interfaces, daemons and rights of this host.
+/// Interfaces, daemons, rights and key files of this host.
 [[nodiscard]] Findings check_host(const Host& host);
 /// Why no daemon answers at `connect`.
 [[nodiscard]] Findings check_absent_daemon(const Host& host, const ClientError& error, std::string_view connect);
-/// The daemon's own troubles: configuration, ontology, memory, limits. `version` is that of this program.
-[[nodiscard]] Findings check_daemon(const Answers& answers, std::string_view version);
+/// The daemon's own troubles: configuration, ontology, memory, limits, clock. `version` is that of this program.
+[[nodiscard]] Findings check_daemon(const Host& host, const Answers& answers, std::string_view version);
+
+/// The outcome of the experiments with what goes out.
+using IsRefused = bool (*)(const Crossing&);
+/// Looks for what keeps announcements from coming in or going out, by the firewall's own list and by experiment.
+[[nodiscard]] Findings check_firewall(const Host& host, const Answers& answers, IsRefused is_refused);
+
 /// Loss, hosts that do not hear us, keys, digests, and strangers on the link.
 [[nodiscard]] Findings check_team(const Answers& answers);
-/// Requests that nobody serves, grouped by their reason.
+/// Addresses at which services are announced, and to which no route leads.
+[[nodiscard]] Findings check_addresses(const Host& host, const Answers& answers, bool (*has_route)(const std::string&));
+/// Announcements that the daemon does not take: another port, another multicast group, the other family.
+[[nodiscard]] Findings check_overheard(const Host& host, const Answers& answers,
+                                       const std::vector<Overheard>& overheard);
+/// Requests that nobody serves, grouped by their reason, and services without a place for another listener.
 [[nodiscard]] Findings check_requests(const Answers& answers);
 
+/// Takes out what follows from another finding: a host behind its own firewall is alone, too.
+void drop_consequences(Findings& findings);
 /// The worst first; equally bad ones stay in their order.
 void sort_by_severity(Findings& findings);
+
+/// A number of an answer; 0 where it is none.
+[[nodiscard]] double number(std::string_view text);
+/// The parts of a list between commas.
+[[nodiscard]] std::vector<std::string> parts_of(std::string_view list);
+/// `robot2 (1f151dd5)`
+[[nodiscard]] std::string words_for(const Record& participant, std::string_view id_key);
 
 }  // namespace geminga::doctor
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "doctor/checks.hpp"
 
 namespace geminga::doctor {
@@ -33,6 +35,27 @@ constexpr Symptom symptoms[] = {
     {"refused_services", Severity::failure, "registry_full",
      "Services of the team were refused, since the limits of the registry are reached.", "See who announces so many.",
      "geminga-query participants"},
+    {"heard_full", Severity::failure, "team_full",
+     "There is no room for further participants: all 1024 places are taken.", "See who they are, and seal the team.",
+     "geminga-query participants"},
+    {"converters_postponed", Severity::risk, "converters_postponed",
+     "Changes to converters wait, since too many come in a second.", "See who changes its converters so often.",
+     "geminga-query services"},
+    {"redraws", Severity::risk, "identifier_clash",
+     "This participant had to take another identifier, since others had the same one.",
+     "If it goes on, a program forges announcements: find it.", "geminga-query security"},
+    {"dropped_off_link", Severity::failure, "off_link",
+     "Announcements come from addresses that are in no network of this host: hosts on one link have different "
+     "networks.",
+     "Give all hosts addresses of one network.", "ip -br address"},
+    {"rejected_other-version", Severity::failure, "other_version",
+     "Announcements of another version of the protocol are heard and ignored.", "Install one version on all hosts.",
+     "gemingad --version"},
+    {"sealing_other-version", Severity::failure, "other_version",
+     "Sealed announcements of another version are heard and ignored.", "Install one version on all hosts.",
+     "gemingad --version"},
+    {"peers_silent", Severity::risk, "peer_silent", "Hosts that are named by --peer have not been heard for 15 s.",
+     "See whether they run, and, without a key, name this host, too.", "geminga-query participants"},
     {"clients_refused", Severity::failure, "clients_full", "Local programs were refused: too many are connected.",
      "See who they are.", "geminga-query status"},
     {"dropped_no_peer", Severity::failure, "peer_one_sided",
@@ -49,7 +72,7 @@ constexpr Symptom symptoms[] = {
 
 }  // namespace
 
-Findings check_daemon(const Answers& answers, std::string_view version) {
+Findings check_daemon(const Host& host, const Answers& answers, std::string_view version) {
   Findings findings;
   for (const Symptom& symptom : symptoms) {
     const std::string_view value = answers.status[symptom.key];
@@ -63,6 +86,24 @@ Findings check_daemon(const Answers& answers, std::string_view version) {
         {Severity::risk, "version_differs",
          "The daemon is of version " + std::string(running) + ", this program of version " + std::string(version) + '.',
          "status: version", "Start the daemon again after an upgrade.", "systemctl restart gemingad"});
+  }
+  constexpr double kept_back = 4 << 20;
+  if (const std::string_view left = answers.status["memory_kept_back"]; !left.empty() && number(left) < kept_back) {
+    findings.push_back({Severity::failure, "memory_short", "The daemon's memory is short: it gives up participants.",
+                        "status: memory_kept_back=" + std::string(left), "Give it more memory.",
+                        "systemctl show gemingad -p MemoryMax"});
+  }
+  if (const double started = number(answers.status["started"]); started > 0 && host.clock > 0) {
+    const double step = host.clock - started - number(answers.status["uptime"]);
+    if (std::abs(step) > clock_step) {
+      findings.push_back(
+          {Severity::risk, "clock_jumped",
+           "The clock of this host was set by " + std::to_string(std::lround(step)) +
+               " s, or the host slept, since the daemon started. Discovery does not depend on it; time " +
+               "stamps in logs and messages do.",
+           "status: started and uptime against the wall clock", "See whether it is synchronised.",
+           "timedatectl status"});
+    }
   }
   for (const Record& interface : answers.interfaces) {
     if (interface["ignored"] != "1") continue;

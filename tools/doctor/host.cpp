@@ -5,18 +5,24 @@
 #include <net/if.h>
 #include <netinet/in.h>
 #include <pwd.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
-#include <cstdio>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <set>
+#include <sstream>
 #include <system_error>
+
+#include "doctor/command_output.hpp"
 
 namespace geminga::doctor {
 namespace {
@@ -40,6 +46,11 @@ std::string address_of(const sockaddr& address) {
   return text.data();
 }
 
+/// The length of the prefix of an IPv4 netmask.
+int length_of(const sockaddr& mask) {
+  return std::popcount(reinterpret_cast<const sockaddr_in&>(mask).sin_addr.s_addr);
+}
+
 /// Whether `iw` says that the radio of this interface saves power. False where it does not say so.
 bool saves_power(const std::string& interface) {
   // The kernel allows a name of an interface to hold what a shell would read.
@@ -47,11 +58,8 @@ bool saves_power(const std::string& interface) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
   if (!std::ranges::all_of(interface, is_plain)) return false;
-  const std::string command = "iw dev " + interface + " get power_save 2>/dev/null";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(::popen(command.c_str(), "re"), &::pclose);
-  std::array<char, 80> line{};
-  if (!output || std::fgets(line.data(), line.size(), output.get()) == nullptr) return false;
-  return std::string(line.data()).starts_with("Power save: on");
+  const auto said = output_of("iw dev " + interface + " get power_save");
+  return said && said->starts_with("Power save: on");
 }
 
 HostInterface& named(std::vector<HostInterface>& interfaces, const std::string& name) {
@@ -59,6 +67,26 @@ HostInterface& named(std::vector<HostInterface>& interfaces, const std::string& 
   if (found != interfaces.end()) return *found;
   interfaces.emplace_back().name = name;
   return interfaces.back();
+}
+
+/// Octets of a packet on this interface; 0 where the kernel does not tell. Asked of the kernel and not of /sys, which
+/// may show another network namespace.
+std::size_t mtu_of(const std::string& interface) {
+  ifreq request{};
+  if (interface.size() >= sizeof request.ifr_name) return 0;
+  interface.copy(request.ifr_name, interface.size());
+  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (socket < 0) return 0;
+  const bool is_told = ::ioctl(socket, SIOCGIFMTU, &request) == 0;
+  ::close(socket);
+  return is_told && request.ifr_mtu > 0 ? static_cast<std::size_t>(request.ifr_mtu) : 0;
+}
+
+/// The kernel's rp_filter of an interface: '0', '1' (strict) or '2' (loose); the greater of this and that of `all` is
+/// in force (Documentation/networking/ip-sysctl.rst of Linux).
+char reverse_path(const std::string& interface) {
+  const std::string text = content_of("/proc/sys/net/ipv4/conf/" + interface + "/rp_filter");
+  return text.empty() ? '0' : text.front();
 }
 
 std::vector<HostInterface> interfaces_of_host() {
@@ -73,15 +101,18 @@ std::vector<HostInterface> interfaces_of_host() {
     interface.can_multicast = (one->ifa_flags & IFF_MULTICAST) != 0;
     interface.is_loopback = (one->ifa_flags & IFF_LOOPBACK) != 0;
     if (one->ifa_addr == nullptr) continue;
-    if (std::string address = address_of(*one->ifa_addr); !address.empty())
+    if (std::string address = address_of(*one->ifa_addr); !address.empty()) {
+      if (one->ifa_addr->sa_family == AF_INET && one->ifa_netmask != nullptr)
+        interface.networks.push_back(address + '/' + std::to_string(length_of(*one->ifa_netmask)));
       interface.addresses.push_back(std::move(address));
+    }
   }
   for (HostInterface& interface : interfaces) {
     const fs::path folder = fs::path("/sys/class/net") / interface.name;
-    const std::string mtu = content_of(folder / "mtu");
-    std::from_chars(mtu.data(), mtu.data() + mtu.size(), interface.mtu);
+    interface.mtu = mtu_of(interface.name);
     std::error_code ignored;
     interface.is_wireless = fs::exists(folder / "wireless", ignored) || fs::exists(folder / "phy80211", ignored);
+    interface.is_strict = std::max(reverse_path("all"), reverse_path(interface.name)) == '1';
     interface.saves_power = interface.is_wireless && saves_power(interface.name);
   }
   return interfaces;
@@ -110,6 +141,32 @@ std::vector<RunningDaemon> daemons_of_host() {
   return daemons;
 }
 
+/// The key files that the daemons' command lines name, and those beside the package's configuration.
+std::vector<KeyFile> key_files(const std::vector<RunningDaemon>& daemons) {
+  std::set<fs::path> paths;
+  for (const RunningDaemon& daemon : daemons) {
+    std::istringstream words(daemon.command);
+    std::error_code ignored;
+    const fs::path folder = fs::read_symlink("/proc/" + std::to_string(daemon.process) + "/cwd", ignored);
+    for (std::string word, value; words >> word;) {
+      constexpr std::string_view flag = "--key-file";
+      if (word == flag && words >> value) paths.insert(folder / value);
+      if (word.starts_with(std::string(flag) + '=')) paths.insert(folder / word.substr(flag.size() + 1));
+    }
+  }
+  std::error_code error;
+  for (fs::directory_iterator entry("/etc/geminga", error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() == ".key") paths.insert(entry->path());
+  }
+  std::vector<KeyFile> files;
+  for (const fs::path& path : paths) {
+    const fs::file_status status = fs::status(path, error);
+    if (!error && fs::is_regular_file(status))
+      files.push_back({.path = path, .mode = static_cast<unsigned>(status.permissions())});
+  }
+  return files;
+}
+
 }  // namespace
 
 Host look_at_host() {
@@ -121,6 +178,11 @@ Host look_at_host() {
   host.may_use_packaged_socket = !host.has_packaged_socket || ::access(packaged_socket, R_OK | W_OK) == 0;
   const passwd* user = ::getpwuid(::geteuid());
   host.user = user == nullptr ? std::to_string(::geteuid()) : user->pw_name;
+  host.keys = key_files(host.daemons);
+  host.clock = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  host.nft_ruleset = output_of("nft -j list ruleset").value_or("");
+  host.iptables_rules = output_of("iptables-save").value_or("");
+  host.ip6tables_rules = output_of("ip6tables-save").value_or("");
   return host;
 }
 

@@ -17,7 +17,15 @@ struct HostInterface {
   bool is_wireless = false;
   bool saves_power = false;  ///< the radio sleeps between beacons and may miss multicasts
   std::size_t mtu = 0;       ///< octets; 0: unknown
+  bool is_strict = false;    ///< rp_filter=1: takes IPv4 datagrams only where the route back leads through it
   std::vector<std::string> addresses;
+  std::vector<std::string> networks{};  ///< of its IPv4 addresses: `10.0.0.1/24`
+};
+
+/// A file with a key of the team.
+struct KeyFile {
+  std::string path;
+  unsigned mode = 0;  ///< its permissions
 };
 
 /// A gemingad in the network namespace of this process.
@@ -32,10 +40,16 @@ struct Host {
   bool has_packaged_socket = false;     ///< /run/geminga/gcnp is there
   bool may_use_packaged_socket = true;  ///< this user may connect to it
   std::string user;                     ///< of this process
+  std::vector<KeyFile> keys{};          ///< those that daemons are started with, and those in /etc/geminga
+  double clock = 0;                     ///< the wall clock, in seconds since 1970
+  /// The firewall's own lists; empty where it is not there, or this user may not read it.
+  std::string nft_ruleset{};
+  std::string iptables_rules{};
+  std::string ip6tables_rules{};
 };
 
-/// Asks the kernel, and `iw` for the power save of radios where it is installed. Reads /proc and /sys and writes
-/// nothing.
+/// Asks the kernel, and, where they are installed, `iw` for the power save of radios, and `nft`, `iptables-save` and
+/// `ip6tables-save` for the firewall. Writes nothing.
 [[nodiscard]] Host look_at_host();
 
 }  // namespace geminga::doctor

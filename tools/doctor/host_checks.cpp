@@ -29,6 +29,44 @@ void check_interface(const HostInterface& interface, Findings& findings) {
   }
 }
 
+/// Whether the networks have addresses in common.
+bool overlap(const std::string& a, const std::string& b) {
+  const auto address = [](const std::string& network) { return network.substr(0, network.find('/')); };
+  return is_in_network(address(a), b) == Truth::yes || is_in_network(address(b), a) == Truth::yes;
+}
+
+/// Two interfaces in one network: routes back lead through one of them, and a strict kernel drops what comes in on the
+/// other (RFC 3704, section 2.2).
+void check_return_paths(const Host& host, Findings& findings) {
+  for (const HostInterface& one : host.interfaces) {
+    if (one.is_loopback || !one.is_up || !one.has_carrier || !one.is_strict) continue;
+    for (const HostInterface& other : host.interfaces) {
+      if (&other == &one || other.is_loopback || !other.is_up || !other.has_carrier) continue;
+      const bool is_shared = std::ranges::any_of(one.networks, [&](const std::string& network) {
+        return std::ranges::any_of(other.networks, [&](const std::string& more) { return overlap(network, more); });
+      });
+      if (!is_shared) continue;
+      findings.push_back(
+          {Severity::risk, "rp_filter_strict",
+           one.name + " and " + other.name + " are in one network, and the kernel takes a datagram only " +
+               "on the interface that the route back leads through: what comes in on the other is lost.",
+           "rp_filter is 1 for " + one.name, "Make it loose.", "sysctl -w net.ipv4.conf.all.rp_filter=2"});
+      return;
+    }
+  }
+}
+
+void check_keys(const Host& host, Findings& findings) {
+  constexpr unsigned of_others = 077;
+  for (const KeyFile& key : host.keys) {
+    if ((key.mode & of_others) == 0) continue;
+    findings.push_back({Severity::failure, "key_readable",
+                        "Others than its owner may read or write a key of the team; the daemon refuses such a file.",
+                        key.path + " has further permissions than 600", "Take them away, and reload the daemon.",
+                        "chmod 600 " + key.path});
+  }
+}
+
 }  // namespace
 
 Findings check_host(const Host& host) {
@@ -57,6 +95,8 @@ Findings check_host(const Host& host) {
          "Connect this host. For daemons of one host alone, start them with --interface lo.",
          down.empty() ? "" : "ip link set " + down.front().substr(0, down.front().find(' ')) + " up"});
   }
+  check_return_paths(host, findings);
+  check_keys(host, findings);
   if (host.daemons.size() > 1) {
     std::string seen;
     for (const RunningDaemon& daemon : host.daemons)
@@ -86,6 +126,31 @@ Findings check_absent_daemon(const Host& host, const ClientError& error, std::st
        error.text + "; process " + std::to_string(host.daemons.front().process) + ": " + host.daemons.front().command,
        "Name its address by --connect or GEMINGA_CONNECT.",
        host.has_packaged_socket ? "geminga-query --connect /run/geminga/gcnp doctor" : ""}};
+}
+
+void drop_consequences(Findings& findings) {
+  struct Consequence {
+    std::string_view code;
+    std::vector<std::string_view> causes;
+  };
+  const Consequence consequences[] = {
+      {"alone",
+       {"firewall_in", "firewall_out", "no_interface", "nowhere_heard", "mtu_small", "other_group", "unsealed_heard",
+        "other_key", "key_missing", "other_version", "off_link", "other_port", "other_multicast", "one_family"}},
+      {"deaf_to_us", {"firewall_out"}},
+      {"nowhere_heard", {"no_interface"}},
+      {"ontologies_differ", {"two_teams"}},
+      {"other_key", {"key_missing"}},
+      {"loss_high", {"flood"}},
+  };
+  const Findings all = findings;
+  const auto is_found = [&](std::string_view code) {
+    return std::ranges::find(all, code, &Finding::code) != all.end();
+  };
+  for (const Consequence& one : consequences) {
+    if (std::ranges::any_of(one.causes, is_found))
+      std::erase_if(findings, [&](const Finding& finding) { return finding.code == one.code; });
+  }
 }
 
 void sort_by_severity(Findings& findings) { std::ranges::stable_sort(findings, {}, &Finding::severity); }

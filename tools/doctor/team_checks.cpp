@@ -1,20 +1,10 @@
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
 #include "doctor/checks.hpp"
 
 namespace geminga::doctor {
 namespace {
-
-double number(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
-
-/// `robot2 (1f151dd5)`
-std::string words_for(const Record& participant, std::string_view id_key) {
-  const std::string id(participant[id_key]);
-  const std::string name(participant["name"]);
-  return name.empty() ? id : name + " (" + id + ')';
-}
 
 std::string percent(double share) { return std::to_string(std::lround(share * 100)) + " %"; }
 
@@ -66,6 +56,13 @@ void check_strangers(const Record& status, Findings& findings) {
   for (const auto& kind : kinds) {
     const std::string_view count = status[kind.key];
     if (count.empty() || count == "0") continue;
+    if (kind.code == "other_key" && status["sealing"] == "plain") {
+      findings.push_back({Severity::failure, "key_missing",
+                          "Sealed announcements are heard, and this host has no key: it may lack that of its team.",
+                          "status: sealing_unknown-key=" + std::string(count), "Give it the team's key.",
+                          "gemingad --key-file team.key"});
+      continue;
+    }
     findings.push_back({kind.severity, std::string(kind.code), std::string(kind.what),
                         "status: " + std::string(kind.key) + '=' + std::string(count), std::string(kind.remedy),
                         "geminga-query security"});
@@ -83,17 +80,28 @@ void check_keys(const std::vector<Record>& security, Findings& findings) {
 }
 
 /// The participants by the digest of their ontology, where there is more than one.
-void check_digests(const std::vector<Record>& participants, Findings& findings) {
-  std::map<std::string, std::string> names;
-  for (const Record& participant : participants) {
-    std::string& list = names[std::string(participant["ontology"])];
-    list += (list.empty() ? "" : ", ") + words_for(participant, "id");
-  }
-  if (names.size() < 2) return;
+void check_digests(const Answers& answers, Findings& findings) {
+  std::map<std::string, std::vector<std::string>> members;
+  for (const Record& participant : answers.participants)
+    members[std::string(participant["ontology"])].push_back(words_for(participant, "id"));
+  if (members.size() < 2) return;
   std::string seen;
-  for (const auto& [digest, list] : names) {
-    if (!seen.empty()) seen += "; ";
-    seen += (digest == "-" || digest.empty() ? "none" : digest) + ": " + list;
+  std::size_t teams = 0;
+  for (const auto& [digest, names] : members) {
+    teams += names.size() >= least_team ? 1 : 0;
+    seen += (seen.empty() ? "" : "; ") + (digest == "-" || digest.empty() ? "none" : digest) + ": ";
+    for (const std::string& name : names) seen += (&name == &names.front() ? "" : ", ") + name;
+  }
+  for (const auto& [participant, names] : answers.unknown) {
+    if (names.empty()) continue;
+    seen += "; unknown here, of " + participant + ": ";
+    for (const std::string& name : names) seen += (&name == &names.front() ? "" : ", ") + name;
+  }
+  if (teams >= 2 && answers.status["group"] == "default" && answers.status["sealing"] == "plain") {
+    findings.push_back({Severity::risk, "two_teams",
+                        "Two teams may share the group `default`, without a key: there are " + std::to_string(teams) +
+                            " ontologies with several hosts each.",
+                        seen, "Give each team a group of its own, or a key.", "gemingad --generate-key team.key"});
   }
   findings.push_back({Severity::risk, "ontologies_differ",
                       "Participants have different ontologies, and may understand a concept differently or not at all.",
@@ -120,9 +128,28 @@ Findings check_team(const Answers& answers) {
   }
   check_strangers(answers.status, findings);
   check_keys(answers.security, findings);
-  check_digests(answers.participants, findings);
+  check_digests(answers, findings);
   return findings;
 }
+
+namespace {
+
+/// Publishers whose places for listeners are all taken state so (src/client/CHANNELS.md, "Places").
+void check_places(const Answers& answers, Findings& findings) {
+  for (const Record& service : answers.services) {
+    for (const auto& [key, value] : service.attributes) {
+      if (key != "channel.full" || value == "0") continue;
+      findings.push_back({Severity::failure, "listeners_full",
+                          "All " + value + " places for listeners of " + std::string(service["name"]) + " on " +
+                              std::string(service["participant_name"]) + " are taken: further ones get nothing.",
+                          "services: channel.full of " + std::string(service["service"]),
+                          "End listeners that are not needed, or offer the service once more.",
+                          "geminga-query why " + std::string(service["service"])});
+    }
+  }
+}
+
+}  // namespace
 
 Findings check_requests(const Answers& answers) {
   struct Group {
@@ -153,6 +180,7 @@ Findings check_requests(const Answers& answers) {
                         "requests: unmatched, " + (code.empty() ? std::string("no reason") : code),
                         "See what each would need.", "geminga-query why " + group.subscription});
   }
+  check_places(answers, findings);
   return findings;
 }
 

@@ -1,7 +1,8 @@
 // geminga-query doctor: looks for the usual causes of silence on this host, in the team, and in what is asked for.
-#include <boost/json/array.hpp>
+#include <algorithm>
 #include <boost/json/object.hpp>
-#include <boost/json/serialize.hpp>
+#include <chrono>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -9,6 +10,8 @@
 #include <optional>
 
 #include "doctor/checks.hpp"
+#include "doctor/experiments.hpp"
+#include "doctor/report.hpp"
 #include "query/command.hpp"
 #include "query/listing.hpp"
 #include "shell/json.hpp"
@@ -22,49 +25,7 @@ using doctor::Answers;
 using doctor::Finding;
 using doctor::Findings;
 using doctor::Severity;
-
-std::string_view word(Severity severity) { return severity == Severity::failure ? "failure" : "risk"; }
-
-boost::json::object to_json(const Finding& finding) {
-  return {
-      {"severity", word(finding.severity)}, {"code", finding.code},      {"what", finding.what}, {"seen", finding.seen},
-      {"remedy", finding.remedy},           {"command", finding.command}};
-}
-
-boost::json::object to_json(const Findings& findings) {
-  boost::json::array list;
-  for (const Finding& finding : findings) list.push_back(to_json(finding));
-  return {{"healthy", findings.empty()}, {"findings", std::move(list)}};
-}
-
-boost::json::array to_json(const doctor::Host& host) {
-  boost::json::array interfaces;
-  for (const doctor::HostInterface& interface : host.interfaces) {
-    interfaces.push_back({{"name", interface.name},
-                          {"up", interface.is_up},
-                          {"carrier", interface.has_carrier},
-                          {"multicast", interface.can_multicast},
-                          {"wireless", interface.is_wireless},
-                          {"mtu", interface.mtu},
-                          {"addresses", boost::json::array(interface.addresses.begin(), interface.addresses.end())}});
-  }
-  return interfaces;
-}
-
-/// A report for somebody who helps: findings, this host and the team, without keys and messages.
-boost::json::object report_of(const Findings& findings, const doctor::Host& host,
-                              const std::optional<Answers>& answers) {
-  boost::json::object report = to_json(findings);
-  report["interfaces_of_host"] = to_json(host);
-  if (!answers) return report;
-  report["status"] = shell::to_json(answers->status);
-  report["interfaces"] = shell::to_json(answers->interfaces);
-  report["participants"] = shell::to_json(answers->participants);
-  report["security"] = shell::to_json(answers->security);
-  report["ontology"] = shell::to_json(answers->ontology);
-  report["unmatched"] = shell::to_json(answers->unmatched);
-  return report;
-}
+using doctor::word;
 
 /// Writes one paragraph, wrapped to the terminal, behind a title.
 void print_part(const Context& context, std::string_view title, std::string_view text) {
@@ -107,29 +68,59 @@ bool write_report(const std::string& file, const boost::json::object& report) {
   return false;
 }
 
-shell::ExitStatus diagnose(const Context& context, Result<Client, ClientError>& client, const std::string& report) {
+struct Wishes {
+  std::string report;
+  bool is_nameless = false;
+};
+
+/// Listens to the link for a little longer than an interval, in which each neighbour speaks once without loss.
+std::vector<doctor::Overheard> overhear(const Answers& answers) {
+  constexpr double intervals = 1.25;
+  constexpr double longest = 5;
+  std::vector<std::string> interfaces;
+  for (const Record& one : answers.interfaces) {
+    if (one["loopback"] == "0") interfaces.emplace_back(one["name"]);
+  }
+  const double seconds = std::min(intervals * doctor::number(answers.status["interval"]), longest);
+  return doctor::overhear(interfaces, std::chrono::milliseconds(std::lround(1000 * seconds)));
+}
+
+/// All that this host and its daemon show.
+Result<Findings, ClientError> look(Client& client, const doctor::Host& host, std::optional<Answers>& answers) {
+  auto asked = doctor::ask(client);
+  if (!asked) return std::unexpected(asked.error());
+  answers = std::move(*asked);
+  if (auto confirmed = doctor::confirm_deaf(client, *answers); !confirmed) return std::unexpected(confirmed.error());
+  Findings findings;
+  for (Findings more :
+       {doctor::check_daemon(host, *answers, GEMINGA_VERSION),
+        doctor::check_firewall(host, *answers, &doctor::is_refused), doctor::check_team(*answers),
+        doctor::check_addresses(host, *answers, &doctor::has_route),
+        doctor::check_overheard(host, *answers, overhear(*answers)), doctor::check_requests(*answers)}) {
+    findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
+  return findings;
+}
+
+shell::ExitStatus diagnose(const Context& context, Result<Client, ClientError>& client, const Wishes& wishes) {
   if (refuses_watch(context, "doctor")) return shell::ExitStatus::wrong_use;
   if (!client && client.error().kind == ClientError::Kind::wrong_use) return shell::report(program, client.error());
   const doctor::Host host = doctor::look_at_host();
   Findings findings = doctor::check_host(host);
   std::optional<Answers> answers;
-  const auto add = [&](Findings more) {
-    findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  };
-  if (client) {
-    auto asked = doctor::ask(*client);
-    if (!asked) return shell::report(program, asked.error());
-    answers = std::move(*asked);
-    add(doctor::check_daemon(*answers, GEMINGA_VERSION));
-    add(doctor::check_team(*answers));
-    add(doctor::check_requests(*answers));
-  } else {
-    add(doctor::check_absent_daemon(host, client.error(), context.common.connect));
-  }
+  auto more =
+      client ? look(*client, host, answers) : doctor::check_absent_daemon(host, client.error(), context.common.connect);
+  if (!more) return shell::report(program, more.error());
+  findings.insert(findings.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
+  doctor::drop_consequences(findings);
   doctor::sort_by_severity(findings);
-  if (!report.empty() && !write_report(report, report_of(findings, host, answers))) return shell::ExitStatus::wrong_use;
+  if (!wishes.report.empty()) {
+    const auto names = wishes.is_nameless ? doctor::Names::numbered : doctor::Names::as_they_are;
+    if (!write_report(wishes.report, doctor::report_of(findings, host, answers, names)))
+      return shell::ExitStatus::wrong_use;
+  }
   if (context.common.is_json) {
-    shell::print(std::cout, to_json(findings));
+    shell::print(std::cout, doctor::to_json(findings));
   } else {
     print_findings(context, findings, answers);
   }
@@ -140,18 +131,23 @@ shell::ExitStatus diagnose(const Context& context, Result<Client, ClientError>& 
 
 void add_doctor(CLI::App& app, RunEvenAlone& selected) {
   CLI::App* command = app.add_subcommand("doctor", "Looks for the usual causes of silence, and says what to do");
-  const auto report = std::make_shared<std::string>();  // lives as long as the command's function
+  const auto wishes = std::make_shared<Wishes>();  // lives as long as the command's function
+  CLI::Option* report = command->add_option(
+      "--report", wishes->report,
+      "Also write all that was seen into this file, as JSON, to send it to somebody: it has no keys");
+  report->type_name("FILE");
   command
-      ->add_option("--report", *report,
-                   "Also write all that was seen into this file, as JSON, to send it to somebody: it has no keys")
-      ->type_name("FILE");
+      ->add_flag("--without-names", wishes->is_nameless,
+                 "In the report, number the names of hosts, users, programs and services instead")
+      ->needs(report);
   command->footer(
-      "Examples:\n  geminga-query doctor\n  geminga-query doctor --report report.json\n  geminga-query --json doctor | "
+      "Examples:\n  geminga-query doctor\n  geminga-query doctor --report report.json --without-names\n  geminga-query "
+      "--json doctor | "
       "jq "
       "'.findings[].code'\nExit status 0: nothing is wrong; 1: something is.");
-  command->callback([&selected, report] {
-    selected = [report](const Context& context, Result<Client, ClientError>& client) {
-      return diagnose(context, client, *report);
+  command->callback([&selected, wishes] {
+    selected = [wishes](const Context& context, Result<Client, ClientError>& client) {
+      return diagnose(context, client, *wishes);
     };
   });
 }

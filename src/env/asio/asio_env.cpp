@@ -18,9 +18,11 @@ namespace net = boost::asio;
 using base::LogLevel;
 using net::ip::address;
 
-base::Instant read_clock() {
-  return base::Instant(std::chrono::duration_cast<base::Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+base::Instant to_instant(std::chrono::steady_clock::time_point time) {
+  return base::Instant(std::chrono::duration_cast<base::Duration>(time.time_since_epoch()));
 }
+
+base::Instant read_clock() { return to_instant(std::chrono::steady_clock::now()); }
 
 std::chrono::steady_clock::time_point to_steady(base::Instant instant) {
   return std::chrono::steady_clock::time_point(
@@ -87,6 +89,12 @@ void AsioEnv::send(InterfaceIndex interface, std::span<const std::byte> datagram
     watch_sending(*found->second);
   }
   if (unicast_) unicast_->send(interface, datagram);
+}
+
+std::optional<base::Instant> AsioEnv::last_heard(InterfaceIndex interface) const {
+  const auto found = links_.find(interface);
+  if (found == links_.end()) return std::nullopt;
+  return to_instant(found->second->last_heard());
 }
 
 bool AsioEnv::is_sender_unnamed() const { return unicast_ && unicast_->is_sender_unnamed(); }

@@ -75,6 +75,7 @@ class AsioEnv final : public Env {
   [[nodiscard]] std::uint64_t random_bits() override;
   [[nodiscard]] const std::vector<Interface>& interfaces() const override { return interfaces_; }
   [[nodiscard]] std::vector<std::string> ignored_interfaces() const override { return ignored_; }
+  [[nodiscard]] std::optional<base::Instant> last_heard(InterfaceIndex interface) const override;
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) override;
   [[nodiscard]] bool is_sender_unnamed() const override;
   void answer_sender(base::Duration time) override;

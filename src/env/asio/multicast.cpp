@@ -91,6 +91,7 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
   std::vector<udp::endpoint> targets;
   udp::endpoint own;  // the sender's; its address may be unspecified
   std::vector<std::string> problems;
+  std::chrono::steady_clock::time_point heard = std::chrono::steady_clock::now();
   int send_error = 0;
   bool has_failed = false;
   bool is_short = false;
@@ -162,6 +163,7 @@ struct MulticastLink::Sockets : std::enable_shared_from_this<MulticastLink::Sock
       Socket& on = receivers[number];
       const auto reception = on.receiver.receive(on.socket, buffer, *counts);
       if (!reception) return;  // drained, or a pending error of the socket that reading has cleared
+      heard = std::chrono::steady_clock::now();
       const address source = without_scope(reception->from.address());
       if (is_echo(source, reception->from.port())) continue;
       if (!link.is_on_link(source)) {
@@ -227,6 +229,7 @@ bool MulticastLink::is_sound() const {
 bool MulticastLink::is_short() const { return sockets_->is_short; }
 const Link& MulticastLink::link() const { return sockets_->link; }
 const std::vector<std::string>& MulticastLink::problems() const { return sockets_->problems; }
+std::chrono::steady_clock::time_point MulticastLink::last_heard() const { return sockets_->heard; }
 int MulticastLink::last_send_error() const { return sockets_->send_error; }
 bool MulticastLink::take_failure() { return std::exchange(sockets_->has_failed, false); }
 

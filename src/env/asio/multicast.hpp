@@ -4,6 +4,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -53,6 +54,8 @@ class MulticastLink {
   /// Whether something could not be opened because the system had no descriptor or no memory left: then another attempt
   /// is worth it, though it may be sound.
   [[nodiscard]] bool is_short() const;
+  /// The time at which a datagram last came in, our own echo among them; at which it was made where none has.
+  [[nodiscard]] std::chrono::steady_clock::time_point last_heard() const;
   /// The error of the last send, or 0.
   [[nodiscard]] int last_send_error() const;
   /// Whether a send has failed since the last call. A failure of long ago tells nothing: an IPv6 side may say nothing

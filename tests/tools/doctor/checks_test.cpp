@@ -30,7 +30,9 @@ HostInterface wired() {
           .is_wireless = false,
           .saves_power = false,
           .mtu = 1500,
-          .addresses = {"10.0.0.1"}};
+          .is_strict = false,
+          .addresses = {"10.0.0.1"},
+          .networks = {"10.0.0.1/24"}};
 }
 
 Host healthy_host() {
@@ -41,10 +43,17 @@ Host healthy_host() {
   return host;
 }
 
+bool passes(const Crossing&) { return false; }
+bool leads_there(const std::string&) { return true; }
+
 Answers healthy_team() {
   Answers answers;
-  answers.status = record({{"version", "1.0.0"}, {"uptime", "100"}});
-  answers.interfaces = {record({{"name", "eth0"}})};
+  answers.status = record({{"version", "1.0.0"},
+                           {"uptime", "100"},
+                           {"interval", "2.000"},
+                           {"port", "4717"},
+                           {"multicast", "239.192.47.17,ff02::4717"}});
+  answers.interfaces = {record({{"name", "eth0"}, {"addresses", "10.0.0.1"}, {"quiet", "0.5"}})};
   answers.participants = {
       record({{"id", "00000001"}, {"name", "one"}, {"ontology", "aa"}, {"self", "1"}}),
       record({{"id", "00000002"}, {"name", "two"}, {"ontology", "aa"}, {"loss", "0.3"}, {"addresses", "10.0.0.2"}})};
@@ -53,9 +62,86 @@ Answers healthy_team() {
 
 TEST(Doctor, FindsNothingWhereNothingIsWrong) {
   EXPECT_THAT(check_host(healthy_host()), IsEmpty());
-  EXPECT_THAT(check_daemon(healthy_team(), "1.0.0"), IsEmpty());
+  EXPECT_THAT(check_daemon(healthy_host(), healthy_team(), "1.0.0"), IsEmpty());
   EXPECT_THAT(check_team(healthy_team()), IsEmpty());
   EXPECT_THAT(check_requests(healthy_team()), IsEmpty());
+  EXPECT_THAT(check_firewall(healthy_host(), healthy_team(), &passes), IsEmpty());
+  EXPECT_THAT(check_addresses(healthy_host(), healthy_team(), &leads_there), IsEmpty());
+  EXPECT_THAT(check_overheard(healthy_host(), healthy_team(), {}), IsEmpty());
+}
+
+TEST(Doctor, FindsAClockThatWasSet) {
+  Host host = healthy_host();
+  Answers answers = healthy_team();
+  answers.status.fields.emplace_back("started", "1000000000");
+  for (const auto& [clock, is_found] : {std::pair(1000000100.0, false), std::pair(1000000102.0, false),
+                                        std::pair(1000000102.5, true), std::pair(1000000097.5, true)}) {
+    host.clock = clock;
+    EXPECT_EQ(codes(check_daemon(host, answers, "1.0.0")) == std::vector<std::string>{"clock_jumped"}, is_found)
+        << clock;
+  }
+}
+
+TEST(Doctor, FindsAnInterfaceOnWhichNothingComesInForFourIntervals) {
+  Answers answers = healthy_team();
+  for (const auto& [quiet, is_found] : {std::pair("7.9", false), std::pair("8.0", false), std::pair("8.1", true)}) {
+    answers.interfaces[0].fields.back().second = quiet;
+    EXPECT_EQ(codes(check_firewall(healthy_host(), answers, &passes)) == std::vector<std::string>{"firewall_in"},
+              is_found)
+        << quiet;
+    EXPECT_THAT(codes(check_firewall(healthy_host(), answers, [](const Crossing&) { return true; })),
+                ElementsAre("firewall_out"))
+        << "what does not go out does not come back";
+  }
+}
+
+TEST(Doctor, FindsAKeyThatOthersMayRead) {
+  Host host = healthy_host();
+  host.keys = {{.path = "/etc/geminga/team.key", .mode = 0600}};
+  EXPECT_THAT(check_host(host), IsEmpty());
+  for (const unsigned mode : {0640U, 0604U, 0620U}) {
+    host.keys[0].mode = mode;
+    EXPECT_THAT(codes(check_host(host)), ElementsAre("key_readable"));
+  }
+}
+
+TEST(Doctor, FindsAStrictKernelOnlyWhereTwoInterfacesShareANetwork) {
+  Host host = healthy_host();
+  HostInterface radio = wired();
+  radio.name = "wlan0";
+  radio.is_strict = true;
+  radio.networks = {"10.0.1.2/24"};
+  host.interfaces.push_back(radio);
+  EXPECT_THAT(check_host(host), IsEmpty());
+  host.interfaces[1].networks = {"10.0.0.2/24"};
+  EXPECT_THAT(codes(check_host(host)), ElementsAre("rp_filter_strict"));
+}
+
+TEST(Doctor, FindsServicesAtAddressesThatLeadNowhereOrHere) {
+  Answers answers = healthy_team();
+  answers.services = {record({{"participant_name", "two"}, {"address", "10.0.0.2"}}),
+                      record({{"participant_name", "one"}, {"address", "172.17.0.1"}, {"local", "1"}})};
+  const auto to_ten = [](const std::string& address) { return address.starts_with("10."); };
+  EXPECT_THAT(check_addresses(healthy_host(), answers, to_ten), IsEmpty());
+  answers.services[0].fields[1].second = "172.17.0.1";
+  EXPECT_THAT(codes(check_addresses(healthy_host(), answers, to_ten)), ElementsAre("address_unreachable"));
+  answers.services[0].fields[1].second = "10.0.0.1";
+  const Findings findings = check_addresses(healthy_host(), answers, to_ten);
+  EXPECT_THAT(codes(findings), ElementsAre("address_unreachable"));
+  EXPECT_THAT(findings[0].what, testing::HasSubstr("it is an address of this host, too"));
+}
+
+TEST(Doctor, LeavesOutWhatFollowsFromAnotherFinding) {
+  const auto finding = [](std::string code) {
+    return Finding{
+        .severity = Severity::risk, .code = std::move(code), .what = {}, .seen = {}, .remedy = {}, .command = {}};
+  };
+  Findings findings{finding("alone"), finding("deaf_to_us"), finding("firewall_in")};
+  drop_consequences(findings);
+  EXPECT_THAT(codes(findings), ElementsAre("deaf_to_us", "firewall_in"));
+  findings.push_back(finding("firewall_out"));
+  drop_consequences(findings);
+  EXPECT_THAT(codes(findings), ElementsAre("firewall_in", "firewall_out"));
 }
 
 TEST(Doctor, NamesTheInterfacesThatCannotBeUsedOnlyWhereNoneCan) {
@@ -110,19 +196,31 @@ TEST(Doctor, FindsWhatTheDaemonSaysOfItself) {
                                                         {"ontology_contradiction", "ontology_contradiction"},
                                                         {"contested_for", "identity_contested"},
                                                         {"dropped_no_peer", "peer_one_sided"},
+                                                        {"dropped_off_link", "off_link"},
+                                                        {"dropped_overrun", "flood"},
+                                                        {"heard_full", "team_full"},
+                                                        {"refused_services", "registry_full"},
+                                                        {"clients_refused", "clients_full"},
+                                                        {"redraws", "identifier_clash"},
+                                                        {"rejected_other-version", "other_version"},
                                                         {"log_dropped", "log_dropped"}}) {
     Answers answers = healthy_team();
     answers.status.fields.emplace_back(key, "3");
-    const Findings findings = check_daemon(answers, "1.0.0");
+    const Findings findings = check_daemon(healthy_host(), answers, "1.0.0");
     EXPECT_THAT(codes(findings), ElementsAre(code));
     EXPECT_EQ(findings[0].seen, "status: " + key + "=3");
     answers.status.fields.back().second = "0";
-    EXPECT_THAT(check_daemon(answers, "1.0.0"), IsEmpty()) << key;
+    EXPECT_THAT(check_daemon(healthy_host(), answers, "1.0.0"), IsEmpty()) << key;
   }
-  EXPECT_THAT(codes(check_daemon(healthy_team(), "1.0.1")), ElementsAre("version_differs"));
+  Answers poor = healthy_team();
+  poor.status.fields.emplace_back("memory_kept_back", "4194304");
+  EXPECT_THAT(check_daemon(healthy_host(), poor, "1.0.0"), IsEmpty());
+  poor.status.fields.back().second = "4194303";
+  EXPECT_THAT(codes(check_daemon(healthy_host(), poor, "1.0.0")), ElementsAre("memory_short"));
+  EXPECT_THAT(codes(check_daemon(healthy_host(), healthy_team(), "1.0.1")), ElementsAre("version_differs"));
   Answers mute = healthy_team();
   mute.interfaces.clear();
-  EXPECT_THAT(codes(check_daemon(mute, "1.0.0")), ElementsAre("nowhere_heard"));
+  EXPECT_THAT(codes(check_daemon(healthy_host(), mute, "1.0.0")), ElementsAre("nowhere_heard"));
 }
 
 TEST(Doctor, FindsLossThatDeadlinesDoNotBear) {

@@ -2,49 +2,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
-#include <boost/json/parse.hpp>
 #include <fstream>
 #include <iterator>
 
 #include "tools/clients/bench.hpp"
+#include "tools/doctor/lab_doctor.hpp"
 
 namespace geminga::tools {
 namespace {
 
 using system::Lab;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-using Codes = std::vector<std::string>;
-
-Codes codes_in(const std::string& text) {
-  const boost::json::value document = parsed(text);
-  Codes codes;
-  for (const auto& finding : document.at("findings").as_array()) codes.emplace_back(finding.at("code").as_string());
-  return codes;
-}
-
-/// The codes that the doctor finds on a host of a lab.
-Codes codes_on(const Lab& lab, std::size_t host) {
-  const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(host));
-  return codes_in(
-      system::run(lab.on(host, {system::program("geminga-query"), "--connect", address, "--json", "doctor"})).said);
-}
-
-/// Asks until the doctor finds this and nothing else, as long as the test's patience lasts.
-::testing::AssertionResult comes_to(const Lab& lab, std::size_t host, const Codes& wanted) {
-  const auto end = std::chrono::steady_clock::now() + system::patience;
-  Codes found;
-  while (std::chrono::steady_clock::now() < end) {
-    found = codes_on(lab, host);
-    if (found == wanted) return ::testing::AssertionSuccess();
-  }
-  return ::testing::AssertionFailure() << "found at last: " << ::testing::PrintToString(found);
-}
 
 TEST(DoctorCommand, SaysThatAHealthyHostIsHealthy) {
   Bench bench;
@@ -90,13 +63,33 @@ TEST(DoctorCommand, WritesAReportWithoutKeys) {
   EXPECT_EQ(bench.query({"--watch", "doctor"}).status, 2);
 }
 
+TEST(DoctorCommand, WritesAReportWithoutNamesAndPayloads) {
+  Bench bench;
+  Talk peer = bench.talk();
+  peer.say("0 sys hello name=kangaroo");
+  peer.say("1 pub create mode=oto id=77 port=5000 secret=pouch");
+  EXPECT_THAT(peer.lines_until_pong(), Not(IsEmpty()));  // the answer to hello
+  const auto reported = [&](std::vector<std::string> flags) {
+    const std::string file = testing::TempDir() + "doctor-report.json";
+    flags.insert(flags.begin(), {"doctor", "--report", file});
+    EXPECT_NE(bench.query(flags).status, 2);
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string with_names = reported({});
+  EXPECT_THAT(with_names, AllOf(HasSubstr("robot0"), HasSubstr("kangaroo"), Not(HasSubstr("pouch"))));
+  const std::string nameless = reported({"--without-names"});
+  EXPECT_THAT(nameless, AllOf(Not(HasSubstr("robot0")), Not(HasSubstr("kangaroo")), HasSubstr("\"name\":\"name")));
+  EXPECT_EQ(bench.query({"doctor", "--without-names"}).status, 2);
+}
+
 TEST(DoctorCommand, FindsAHostThatDoesNotHearUs) {
   Lab lab(2);
   if (!lab.has_namespaces()) GTEST_SKIP() << "a bridge that keeps multicasts needs network namespaces";
   lab.start_all({"--interval", "0.2"});
   ASSERT_TRUE(lab.wait_for_participants(0, 2));
   ASSERT_TRUE(lab.wait_for_participants(1, 2));
-  EXPECT_THAT(codes_on(lab, 0), IsEmpty());
+  EXPECT_THAT(codes_in(examined(lab, 0)), IsEmpty());
   lab.keep_multicasts_from(1);
   EXPECT_TRUE(comes_to(lab, 0, {"deaf_to_us"}));
 }

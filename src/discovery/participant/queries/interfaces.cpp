@@ -35,6 +35,7 @@ Answer answer_interfaces(const env::Env& env, Air& air) {
     append_stated(line, "addresses", base::joined(interface.addresses, ","));
     append(line, "sent", counters.sent);
     append(line, "received", counters.received);
+    if (const auto heard = env.last_heard(interface.index)) append(line, "quiet", seconds(env.now() - *heard));
     if (ipv6_side != interfaces.end()) append(line, "ipv6", air.speaks_on(*ipv6_side) ? "spoken" : "silent");
     answer.lines.push_back(std::move(line));
   }

@@ -1,0 +1,164 @@
+// Checks of the way between this host and the link: firewall, addresses, and announcements that the daemon does not
+// take.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "doctor/checks.hpp"
+
+namespace geminga::doctor {
+namespace {
+
+constexpr std::uint16_t usual_port = 4717;
+
+std::uint16_t port_of(const Answers& answers) {
+  const double port = number(answers.status["port"]);
+  return port >= 1 && port <= 65535 ? static_cast<std::uint16_t>(port) : usual_port;
+}
+
+bool is_ipv6(std::string_view address) { return address.find(':') != std::string_view::npos; }
+
+/// The groups that the daemon sends to on an interface: of IPv4 where it has an address of it.
+std::vector<std::string> groups_on(const Record& interface, const Answers& answers) {
+  const std::vector<std::string> addresses = parts_of(interface["addresses"]);
+  const bool speaks_ipv6 = std::ranges::all_of(addresses, [](const std::string& one) { return is_ipv6(one); });
+  std::vector<std::string> groups = parts_of(answers.status["multicast"]);
+  std::erase_if(groups, [&](const std::string& group) { return is_ipv6(group) != speaks_ipv6; });
+  return groups;
+}
+
+/// The rule of one of the firewall's lists that drops it; empty where none does.
+std::string dropping_rule(const Host& host, const Crossing& crossing) {
+  const std::string& iptables = crossing.is_ipv6() ? host.ip6tables_rules : host.iptables_rules;
+  for (const auto& [tool, passage] : {std::pair("nft", judge_nft(host.nft_ruleset, crossing)),
+                                      std::pair("iptables", judge_iptables(iptables, crossing))}) {
+    if (passage.verdict == Passage::Verdict::dropped) return std::string(tool) + ", " + passage.rule;
+  }
+  return "";
+}
+
+std::string and_also(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + "; " + b;
+}
+
+std::string list_command(const std::string& rule) {
+  return rule.starts_with("iptables") ? "iptables -S" : "nft list ruleset";
+}
+
+}  // namespace
+
+Findings check_firewall(const Host& host, const Answers& answers, IsRefused is_refused) {
+  Findings findings;
+  const std::uint16_t port = port_of(answers);
+  const std::string word = "UDP port " + std::to_string(port);
+  const double patience = quiet_intervals * std::max(number(answers.status["interval"]), 0.05);
+  for (const Record& interface : answers.interfaces) {
+    const std::string name(interface["name"]);
+    if (interface["ignored"] == "1") continue;
+    std::string rule_out;
+    std::string rule_in;
+    bool refuses = false;
+    for (const std::string& group : groups_on(interface, answers)) {
+      const Crossing out{.way = Way::out, .interface = name, .group = group, .port = port};
+      Crossing in = out;
+      in.way = Way::in;
+      refuses = refuses || is_refused(out);
+      if (rule_out.empty()) rule_out = dropping_rule(host, out);
+      if (rule_in.empty()) rule_in = dropping_rule(host, in);
+    }
+    if (refuses || !rule_out.empty()) {
+      findings.push_back(
+          {Severity::failure, "firewall_out",
+           "The firewall of this host drops the announcements that go out on " + name + ": nobody hears this host.",
+           and_also(refuses ? "the kernel refuses a datagram to " + word : "", rule_out), "Let " + word + " out.",
+           list_command(rule_out)});
+    }
+    // A datagram that does not go out does not come back either.
+    const bool is_quiet = !refuses && rule_out.empty() && number(interface["quiet"]) > patience;
+    if (is_quiet || !rule_in.empty()) {
+      const std::string quiet = "for " + std::string(interface["quiet"]) +
+                                " s nothing came in, not even this host's own multicasts (interfaces: quiet)";
+      findings.push_back({Severity::failure, "firewall_in",
+                          "Something on this host, most likely its firewall, drops the announcements that come in on " +
+                              name + ": it hears nobody.",
+                          and_also(is_quiet ? quiet : "", rule_in), "Let " + word + " in.", list_command(rule_in)});
+    }
+  }
+  return findings;
+}
+
+Findings check_addresses(const Host& host, const Answers& answers, bool (*has_route)(const std::string&)) {
+  std::set<std::string> ours;
+  for (const HostInterface& interface : host.interfaces)
+    ours.insert(interface.addresses.begin(), interface.addresses.end());
+  std::map<std::string, std::string> reasons;  // by address; empty: it can be reached
+  const auto reason_of = [&](const std::string& address) -> const std::string& {
+    const auto [entry, is_new] = reasons.try_emplace(address);
+    if (is_new && ours.contains(address)) entry->second = "it is an address of this host, too";
+    if (is_new && entry->second.empty() && !has_route(address)) entry->second = "there is no route to it";
+    return entry->second;
+  };
+  Findings findings;
+  std::set<std::string> told;
+  for (const Record& service : answers.services) {
+    const std::string address(service["address"]);
+    if (service["local"] == "1" || address.empty() || address.find('%') != std::string::npos) continue;
+    const std::string& reason = reason_of(address);
+    const std::string key = std::string(service["participant_name"]) + ' ' + address;
+    if (reason.empty() || !told.insert(key).second) continue;
+    findings.push_back({Severity::failure, "address_unreachable",
+                        "Services of " + std::string(service["participant_name"]) + " are announced at " + address +
+                            ", which cannot be reached from here: " + reason + '.',
+                        "services: address",
+                        "Have that host announce another address (announce-address), or add a route.",
+                        "ip route get " + address});
+  }
+  return findings;
+}
+
+Findings check_overheard(const Host& host, const Answers& answers, const std::vector<Overheard>& overheard) {
+  const std::uint16_t port = port_of(answers);
+  const std::vector<std::string> groups = parts_of(answers.status["multicast"]);
+  std::set<std::string, std::less<>> known;
+  std::set<std::string, std::less<>> ours;
+  for (const Record& participant : answers.participants) known.emplace(participant["id"]);
+  std::set<std::string> families;
+  for (const HostInterface& interface : host.interfaces) {
+    for (const std::string& address : interface.addresses) {
+      ours.insert(address);
+      if (!interface.is_loopback) families.insert(interface.name + (is_ipv6(address) ? " 6" : " 4"));
+    }
+  }
+  std::map<std::string, std::string> sources;  // by code
+  const auto add = [&](const std::string& code, const Overheard& one, const std::string& words) {
+    std::string& list = sources[code];
+    list += (list.empty() ? "" : ", ") + one.source + words + " on " + one.interface;
+  };
+  for (const Overheard& one : overheard) {
+    if (ours.contains(one.source)) continue;
+    if (one.port != port) {
+      add("other_port", one, " to port " + std::to_string(one.port));
+    } else if (std::ranges::find(groups, one.group) == groups.end()) {
+      add("other_multicast", one, " to " + one.group);
+    } else if (!families.contains(one.interface + (one.is_ipv6() ? " 6" : " 4")) &&
+               (one.participant.empty() ? known.size() < 2 : !known.contains(one.participant))) {
+      add("one_family", one, "");
+    }
+  }
+  Findings findings;
+  const auto say = [&](const std::string& code, Severity severity, const std::string& what, const std::string& remedy,
+                       const std::string& command) {
+    if (const auto found = sources.find(code); found != sources.end())
+      findings.push_back({severity, code, what, "overheard from " + found->second, remedy, command});
+  };
+  say("other_port", Severity::risk, "Announcements come to another port than " + std::to_string(port) + '.',
+      "If those hosts are of this team, give all the same port.", "gemingad --port PORT");
+  say("other_multicast", Severity::risk, "Announcements come to a multicast group that this daemon does not hear.",
+      "If those hosts are of this team, give all the same multicast.", "gemingad --multicast ADDRESS");
+  say("one_family", Severity::failure,
+      "A host speaks a family of IP that this host does not have on that interface: they cannot hear each other.",
+      "Give this host an address of that family, or that host one of ours.", "ip -br address");
+  return findings;
+}
+
+}  // namespace geminga::doctor
