@@ -28,6 +28,7 @@ void add_instances(CLI::App& program, Choice& choice);
 void add_rank(CLI::App& program, Choice& choice);
 void add_repair(CLI::App& program, Choice& choice);
 void add_diff(CLI::App& program, Choice& choice);
+void add_extract(CLI::App& program, Choice& choice);
 
 /// Chooses `run` for this request when the command line names `command`. Where the request has an output, that is the
 /// command's output.

@@ -265,7 +265,7 @@ void add_diff(CLI::App& program, Choice& choice) {
       "Exit status: 0 both say the same, 1 they differ, 2 a file cannot be loaded, 4 a limit was reached.\n"
       "\nExamples:\n"
       "  geminga-ontology diff old/ team/\n"
-      "  geminga-ontology diff old/soccer.ttl soccer.ttl --with core.ttl --json");
+      "  geminga-ontology diff old/robot-soccer.ttl robot-soccer.ttl --with core.ttl --json");
   run_when_named(*command, choice, request, diff);
 }
 

@@ -33,6 +33,7 @@ Examples:
   geminga-ontology infer team/ -o inferred.owl      with what follows, for Protégé or ROBOT
   geminga-ontology convert oeo.omn -o oeo.ttl
   geminga-ontology merge team/ -o team.owl
+  geminga-ontology extract team/ soccer:BallInfo --kind bottom -o ball.ttl
   geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'
   geminga-ontology realize team/                    the most specific types of each individual
   geminga-ontology instances team/ 'soccer:BallInfo'
@@ -49,9 +50,9 @@ int run(int argc, char** argv) {
   program.footer(examples);
   program.require_subcommand(1);
   Choice choice;
-  for (const auto add :
-       {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id, add_compile, add_draw,
-        add_infer, add_convert, add_merge, add_realize, add_instances, add_query, add_rank, add_repair, add_diff})
+  for (const auto add : {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
+                         add_compile, add_draw, add_infer, add_convert, add_merge, add_realize, add_instances,
+                         add_query, add_rank, add_repair, add_diff, add_extract})
     add(program, choice);
   if (const auto description = geminga::manual::described(program, argc, argv)) {
     return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0

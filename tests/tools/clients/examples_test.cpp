@@ -56,9 +56,10 @@ class Examples : public testing::Test {
     std::string path = fs::temp_directory_path() / "geminga-examples-XXXXXX";
     if (::mkdtemp(path.data()) != nullptr) folder_ = path;
     const fs::path shipped = fs::path(GEMINGA_SOURCE_DIR) / "ontology";
-    fs::create_directory(folder_ / "team");
+    for (const char* folder : {"team", "old"}) fs::create_directory(folder_ / folder);
+    std::ofstream(folder_ / "names.txt") << "# one a line\nsoccer:BallInfo\nsoccer:SharedBallInfo\n";
     for (const char* name : {"core.ttl", "robot-soccer.ttl"}) {
-      fs::copy_file(shipped / name, folder_ / "team" / name);
+      for (const char* folder : {"team", "old"}) fs::copy_file(shipped / name, folder_ / folder / name);
       fs::copy_file(shipped / name, folder_ / name);
     }
     fs::create_directory_symlink(shipped, folder_ / "ontology");
