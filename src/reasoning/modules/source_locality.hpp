@@ -28,7 +28,7 @@ class SourceLocality {
   [[nodiscard]] bool is_local(const owl::Axiom& axiom);
 
  private:
-  /// What is known of the extension of a class, a property or a data range.
+  /// The extension of a class, a property or a data range, as far as it is known.
   enum class Extension : std::uint8_t { empty, everything, unknown };
   using Terms = std::span<const owl::TermId>;
 

@@ -1,7 +1,6 @@
 #include "ontology/graph/excerpt_document.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string_view>
 
@@ -60,23 +59,32 @@ std::set<std::string_view> names_of(const owl::Ontology& source, const std::set<
   return names;
 }
 
-/// The annotations of these axioms and names, and their own. Each stands behind what it is about, and is numbered anew.
+/// The annotations of these axioms and names, and their own, numbered anew.
 std::vector<owl::Annotation> kept_of(const rdf::Loaded& loaded, const std::vector<std::uint32_t>& axioms,
                                      const std::set<std::string_view>& names) {
-  std::vector<owl::Annotation> kept;
-  std::map<std::uint32_t, std::uint32_t> number_of;
-  for (std::uint32_t number = 0; number < loaded.annotations.size(); ++number) {
-    owl::Annotation one = loaded.annotations[number];
-    bool is_kept = false;
-    if (one.of == Of::name) is_kept = names.contains(one.subject);
-    if (one.of == Of::axiom) is_kept = std::ranges::binary_search(axioms, one.number);
-    if (const auto found = number_of.find(one.number); one.of == Of::annotation && found != number_of.end()) {
-      is_kept = true;
-      one.number = found->second;
+  const std::vector<owl::Annotation>& all = loaded.annotations;
+  std::vector<bool> is_kept(all.size());
+  // An annotation of another one may stand before it or behind it.
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (std::uint32_t number = 0; number < all.size(); ++number) {
+      const owl::Annotation& one = all[number];
+      const bool is_wanted = one.of == Of::name    ? names.contains(one.subject)
+                             : one.of == Of::axiom ? std::ranges::binary_search(axioms, one.number)
+                                                   : one.of == Of::annotation && is_kept[one.number];
+      has_grown = has_grown || is_wanted != is_kept[number];
+      is_kept[number] = is_wanted;
     }
-    if (!is_kept) continue;
-    number_of.emplace(number, static_cast<std::uint32_t>(kept.size()));
-    kept.push_back(std::move(one));
+  }
+  std::vector<std::uint32_t> number_of(all.size());
+  std::vector<owl::Annotation> kept;
+  for (std::uint32_t number = 0; number < all.size(); ++number) {
+    if (!is_kept[number]) continue;
+    number_of[number] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(all[number]);
+  }
+  for (owl::Annotation& one : kept) {
+    if (one.of == Of::annotation) one.number = number_of[one.number];
   }
   return kept;
 }
