@@ -42,6 +42,31 @@ bool names_a_file(std::string_view value) {
                                                [&](const char* word) { return value.contains(word); });
 }
 
+/// What a daemon can say of the values that --help calls so.
+std::string living_of(const Flag& flag) {
+  struct Living {
+    std::string_view value;
+    const char* kind;
+  };
+  constexpr auto all = std::to_array<Living>({{"SUBSCRIPTION", "either"},
+                                              {"SERVICE", "service"},
+                                              {"WORD", "service"},
+                                              {"C", "concept"},
+                                              {"R", "representation"},
+                                              {"IDENTITY", "concept"},
+                                              {"CONCEPT", "concept"},
+                                              {"WORDS", "concept"},
+                                              {"SUB", "concept"},
+                                              {"SUPER", "concept"},
+                                              {"FILTER", "filter"}});
+  if (flag.names.back() == "--text" || flag.names.back() == "--offer-text") return "text";
+  const bool is_word = !flag.names.back().starts_with('-');
+  if (!is_word && flag.value.starts_with("PARTICIPANT[/PEER]")) return "provider";
+  const auto* const found =
+      std::ranges::find(all, std::string_view(is_word ? flag.names.back() : flag.value), &Living::value);
+  return found == all.end() ? "" : found->kind;
+}
+
 Flag flag_of(const CLI::Option& option) {
   Flag flag;
   for (const auto& name : option.get_snames()) flag.names.push_back('-' + name);
@@ -53,6 +78,7 @@ Flag flag_of(const CLI::Option& option) {
   if (option.get_group() != usual_group) flag.group = option.get_group();
   flag.choices = choices_of(flag.value);
   flag.is_file = names_a_file(flag.value) || (is_word && names_a_file(flag.names.front()));
+  flag.living = living_of(flag);
   flag.is_repeated = option.get_items_expected_max() > 1;
   flag.is_required = option.get_required();
   // CLI11 adds to a list of choices what only readers of code understand.

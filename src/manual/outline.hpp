@@ -19,6 +19,8 @@ struct Flag {
   std::string group;                 ///< the heading above it; empty: the usual one
   std::vector<std::string> choices;  ///< the values, where a few words are all of them
   bool is_file = false;              ///< its value can be a file or a folder
+  /// The kind of its values that a daemon knows, as `geminga-query complete` calls it; empty: a daemon knows none.
+  std::string living;
   bool is_repeated = false;
   bool is_required = false;
 };

@@ -18,9 +18,11 @@ std::string with_backslashes(std::string_view text, std::string_view special) {
   return word;
 }
 
-/// `:VALUE:(yes no)`, `:FILE:_files`; the action of a value that cannot be completed adds nothing.
+/// `:VALUE:(yes no)`, `:FILE:_files`, `:SERVICE: _geminga_living service`; the action of a value that cannot be
+/// completed adds nothing. Behind a space _arguments gives a function no arguments of its own.
 std::string value_of(const Flag& flag, std::string_view name) {
   std::string text = ':' + with_backslashes(name.empty() ? "VALUE" : name, ":") + ':';
+  if (flag.choices.empty() && !flag.living.empty()) return text + " _geminga_living " + flag.living;
   if (flag.choices.empty()) return text + (flag.is_file ? "_files" : " ");
   text += '(';
   for (const std::string& choice : flag.choices) text += (text.ends_with('(') ? "" : " ") + choice;
@@ -57,12 +59,39 @@ std::string words_of(const Outline& outline) {
   return text;
 }
 
+/// Offers what the daemon knows. _describe quotes each word; what a daemon says is never evaluated.
+constexpr std::string_view living =
+    R"x(_geminga_living() {
+  local -a known
+  local line word text
+  while IFS= read -r line; do
+    word=${line%%$'\t'*} text=${line#*$'\t'}
+    word=${word//\\/\\\\}
+    known+=("${word//:/\\:}${text:+:$text}")
+  done < <(geminga-query ${geminga_connect:+--connect=$geminga_connect} --timeout 0.5 complete $1 ${(Q)PREFIX} 2>/dev/null </dev/null)
+  _describe -V $1 known
+}
+)x";
+
+/// Finds where the daemon listens before _arguments changes the words.
+constexpr std::string_view finding =
+    R"x(  local geminga_connect=
+  local -i geminga_place
+  for ((geminga_place = 2; geminga_place < CURRENT; ++geminga_place)); do
+    case ${words[geminga_place]} in
+    --connect) geminga_connect=${(Q)words[geminga_place + 1]} ;;
+    --connect=*) geminga_connect=${(Q)words[geminga_place]#*=} ;;
+    esac
+  done
+)x";
+
 }  // namespace
 
 std::string zsh_completion(const Outline& program) {
   const std::string function = '_' + program.name;
   std::string text = "#compdef " + program.name + "\n# Completion for zsh, made from the table of flags.\n";
-  text += function + "() {\n  local curcontext=$curcontext state state_descr line\n  typeset -A opt_args\n";
+  text += std::string(living) + function + "() {\n" + std::string(finding);
+  text += "  local curcontext=$curcontext state state_descr line\n  typeset -A opt_args\n";
   if (program.commands.empty()) {
     text += "  _arguments -S" + arguments(program.flags) + words_of(program) + '\n';
   } else {

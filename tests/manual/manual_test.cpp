@@ -50,15 +50,19 @@ class Manual : public testing::Test {
   /// The words that bash offers for the last one.
   [[nodiscard]] std::vector<std::string> offered(const std::vector<std::string>& words) const {
     std::string script = bash_completion(outline()) + "\nCOMP_WORDS=(";
-    for (const std::string& word : words) script += " '" + word + "'";
-    script += ")\nCOMP_CWORD=" + std::to_string(words.size() - 1) + "\ncd '" GEMINGA_SOURCE_DIR +
-              "/src'\n_awkward\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
+    std::string line;  // bash splits at `=` what stands together
+    for (const std::string& word : words) {
+      script += " '" + word + "'";
+      line += (line.empty() || word == "=" || line.ends_with('=') ? "" : " ") + word;
+    }
+    script += ")\nCOMP_LINE='" + line + "'\nCOMP_CWORD=" + std::to_string(words.size() - 1) +
+              "\ncd '" GEMINGA_SOURCE_DIR + "/src'\n_awkward\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
     const auto ran = system::run({.words = {"/bin/bash", "-uc", script}, .environment = {}, .before = {}});
     EXPECT_EQ(ran.status, 0) << ran.said;
     std::vector<std::string> found;
     std::istringstream lines(ran.said);
-    for (std::string line; std::getline(lines, line);) {
-      if (!line.empty()) found.push_back(line);
+    for (std::string one; std::getline(lines, one);) {
+      if (!one.empty()) found.push_back(one);
     }
     return found;
   }

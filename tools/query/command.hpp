@@ -46,6 +46,8 @@ void add_why(CLI::App& app, Run& selected);
 void add_ontology(CLI::App& app, Run& selected);
 void add_security(CLI::App& app, Run& selected);
 void add_status(CLI::App& app, Run& selected);
+/// Ends without a word where there is no daemon, or none that answers in two seconds.
+void add_complete(CLI::App& app, RunEvenAlone& selected);
 void add_doctor(CLI::App& app, RunEvenAlone& selected);
 void add_record(CLI::App& app, RunAlone& selected);
 void add_replay(CLI::App& app, RunAlone& selected);

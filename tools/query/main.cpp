@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   add_doctor(app, selected_even_alone);
   add_record(app, selected_alone);
   add_replay(app, selected_alone);
+  add_complete(app, selected_even_alone);
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 
   if (context.has_timestamps && !context.is_watching) {

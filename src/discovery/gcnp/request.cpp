@@ -216,6 +216,14 @@ Request read_query_why(KeyReader& keys) {
   return query;
 }
 
+Request read_query_concepts(KeyReader& keys) {
+  QueryConcepts query;
+  query.begin = keys.text("begin", max_concept_bytes).value_or("");
+  const std::uint32_t limit = keys.number("limit").value_or(0);
+  if (limit != 0) query.limit = std::min(limit, max_told_concepts);
+  return query;
+}
+
 Request read_query_ontology(KeyReader&) { return QueryOntology{}; }
 Request read_query_status(KeyReader&) { return QueryStatus{}; }
 Request read_query_interfaces(KeyReader&) { return QueryInterfaces{}; }
@@ -229,7 +237,7 @@ struct Row {
   Request (*read)(KeyReader&);
 };
 
-constexpr std::array<Row, 20> rows{{
+constexpr std::array<Row, 21> rows{{
     {"sys", "hello", read_hello},
     {"sys", "ping", read_ping},
     {"sys", "bye", read_bye},
@@ -250,6 +258,7 @@ constexpr std::array<Row, 20> rows{{
     {"query", "interfaces", read_query_interfaces},
     {"query", "peers", read_query_peers},
     {"query", "security", read_query_security},
+    {"query", "concepts", read_query_concepts},
 }};
 
 /// The reason why no row has this command and subcommand, with the known words.

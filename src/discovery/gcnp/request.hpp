@@ -68,6 +68,9 @@ struct ListFilter {
   friend bool operator==(const ListFilter&, const ListFilter&) = default;
 };
 
+/// The most names that an answer to `query concepts` has.
+inline constexpr std::uint32_t max_told_concepts = 1000;
+
 /// The prefix of the keys of an assumed service in `query why`.
 inline constexpr std::string_view offer_prefix = "offer.";
 
@@ -122,6 +125,12 @@ struct QueryWhy {
   std::variant<std::monostate, ServiceKey, HypotheticalOffer> offer;
   friend bool operator==(const QueryWhy&, const QueryWhy&) = default;
 };
+/// The names of classes that begin with a text.
+struct QueryConcepts {
+  std::string begin;
+  std::uint32_t limit = max_told_concepts;  ///< 0 and more than that: that many
+  friend bool operator==(const QueryConcepts&, const QueryConcepts&) = default;
+};
 struct QueryOntology {
   friend bool operator==(const QueryOntology&, const QueryOntology&) = default;
 };
@@ -141,7 +150,7 @@ struct QuerySecurity {
 /// Everything that a client may ask. The statement's id goes beside it.
 using Request = std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, SubCreate, SubModify, SubRemove,
                              QueryParticipants, QueryServices, QueryRequests, QueryMatch, QueryExplain, QueryWhy,
-                             QueryOntology, QueryStatus, QueryInterfaces, QueryPeers, QuerySecurity>;
+                             QueryOntology, QueryStatus, QueryInterfaces, QueryPeers, QuerySecurity, QueryConcepts>;
 
 /// The request of a statement. Errors: 400 for an unknown command, a missing, doubled or unreadable key, a reserved key
 /// where it means nothing, or an id that the command may not have (0 except for sys, and any other for sys); 413 for a

@@ -188,6 +188,11 @@ struct Writer {
     if (const auto* key = std::get_if<ServiceKey>(&query.offer)) append(parameters, "service", to_string(*key));
     if (const auto* offer = std::get_if<HypotheticalOffer>(&query.offer)) append_offer(parameters, *offer);
   }
+  void operator()(const QueryConcepts& query) const {
+    auto& parameters = begin("query", "concepts");
+    append_stated(parameters, "begin", query.begin);
+    if (query.limit != max_told_concepts) append(parameters, "limit", query.limit);
+  }
   void operator()(const QueryOntology&) const { begin("query", "ontology"); }
   void operator()(const QueryStatus&) const { begin("query", "status"); }
   void operator()(const QueryInterfaces&) const { begin("query", "interfaces"); }

@@ -104,6 +104,8 @@ std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& qu
           auto answer = answer_explain(knowledge.vocabulary(), knowledge.resolver, one);
           if (!answer) return std::unexpected(std::move(answer.error()));
           return telling(std::move(*answer));
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryConcepts>) {
+          return telling(answer_concepts(knowledge.vocabulary(), one));
         } else if constexpr (std::is_same_v<Query, gcnp::QueryParticipants>) {
           return telling(answer_participants(env, knowledge.self, settings.interval, knowledge.vocabulary().digest(),
                                              sessions, air.neighbours()));

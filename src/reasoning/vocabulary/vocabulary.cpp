@@ -2,6 +2,7 @@
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/ontology.hpp"
@@ -56,6 +57,37 @@ bool Vocabulary::is_expression(std::string_view name) const {
 std::string_view Vocabulary::iri(ClassNumber number) const { return ontology_->iri(number); }
 
 std::string Vocabulary::short_name(ClassNumber number) const { return ontology_->short_name(number); }
+
+std::vector<std::string> Vocabulary::short_names_with(std::string_view beginning, std::size_t most) const {
+  std::vector<std::string> names;
+  if (!is_loaded()) return names;
+  std::size_t left = most * 16;
+  // Classes are numbered by their IRIs, so that those with one beginning stand together.
+  const auto take = [&](std::string_view iri_beginning, const std::string& prefix, std::size_t namespace_size) {
+    const auto all = std::views::iota(std::uint32_t{0}, class_count());
+    const auto by_iri = [&](std::uint32_t number) { return iri(ClassNumber{number}); };
+    for (auto at = std::ranges::lower_bound(all, iri_beginning, {}, by_iri); at != all.end(); ++at) {
+      const std::string_view found = iri(ClassNumber{*at});
+      if (!found.starts_with(iri_beginning) || names.size() == most || left == 0) return;
+      --left;
+      std::string name = short_name(ClassNumber{*at});
+      // A class with several prefixes has one short name.
+      if (namespace_size == 0 ? name.starts_with('<') : name == prefix + std::string(found.substr(namespace_size))) {
+        names.push_back(std::move(name));
+      }
+    }
+  };
+  for (const auto& [word, space] : ontology_->prefixes()) {
+    const std::string prefix = std::string(word) + ':';
+    if (prefix.starts_with(beginning)) {
+      take(space, prefix, space.size());
+    } else if (beginning.starts_with(prefix)) {
+      take(std::string(space) + std::string(beginning.substr(prefix.size())), prefix, space.size());
+    }
+  }
+  if (beginning.empty() || beginning.starts_with('<')) take(beginning.substr(beginning.empty() ? 0 : 1), "", 0);
+  return names;
+}
 
 std::string Vocabulary::short_name(std::string_view iri) const {
   return is_loaded() ? ontology_->short_name(iri) : "<" + std::string(iri) + ">";

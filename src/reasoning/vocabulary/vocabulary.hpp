@@ -71,6 +71,10 @@ class Vocabulary {
   /// `prefix:Name` if a prefix fits, else `<IRI>`. The IRI need not be that of a class.
   [[nodiscard]] std::string short_name(ClassNumber number) const;
   [[nodiscard]] std::string short_name(std::string_view iri) const;
+  /// The first classes whose short names begin with the text, at most so many, by prefix and IRI. Where prefixes share
+  /// a beginning of their IRIs some may be missing, since no more than 16 times as many classes are looked at. The cost
+  /// does not depend on the size of the ontology.
+  [[nodiscard]] std::vector<std::string> short_names_with(std::string_view beginning, std::size_t most) const;
   /// A canonical expression with short names.
   [[nodiscard]] std::string short_expression(std::string_view canonical) const;
 

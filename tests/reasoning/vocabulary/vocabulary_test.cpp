@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+#include <set>
+
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
 #include "reasoning/vocabulary/expression.hpp"
@@ -32,6 +36,24 @@ TEST(Vocabulary, SaysWhichClassMayHaveBeenMeant) {
   const Vocabulary robots(owl::loaded(owl::robots));
   EXPECT_EQ(robots.short_name(*robots.find("t:BallInfo")), "t:BallInfo");
   EXPECT_THAT(robots.find("t:BalInfo").error(), HasSubstr("did you mean t:BallInfo"));
+}
+
+TEST(Vocabulary, NamesTheClassesThatBeginWithAText) {
+  const Vocabulary robots(owl::loaded(owl::robots));
+  const auto all = robots.short_names_with("", 1000);
+  EXPECT_THAT(all, testing::SizeIs(robots.class_count()));
+  EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size());
+  std::vector<std::string> balls;
+  std::ranges::copy_if(all, std::back_inserter(balls), [](const auto& name) { return name.starts_with("t:Ball"); });
+  EXPECT_THAT(balls, testing::Contains("t:BallInfo"));
+  EXPECT_EQ(robots.short_names_with("t:Ball", 1000), balls);
+  EXPECT_THAT(robots.short_names_with("t", 1000), testing::IsSupersetOf(balls));
+  EXPECT_THAT(robots.short_names_with("t:Ball", 1), ElementsAre(balls.front()));
+  EXPECT_THAT(robots.short_names_with("t:Ball", 0), IsEmpty());
+  for (const char* text : {"t:Ballx", "u:", "<https://t.example/#", "<", ":", "t::"}) {
+    EXPECT_THAT(robots.short_names_with(text, 1000), testing::Each(testing::StartsWith(text))) << text;
+  }
+  EXPECT_THAT(Vocabulary().short_names_with("", 1000), IsEmpty());
 }
 
 TEST(Vocabulary, TellsExpressionsFromNames) {

@@ -64,14 +64,19 @@ std::string in_roff(const std::string& text) { return std::regex_replace(text, s
 /// The words that bash offers for the last of these.
 std::vector<std::string> offered(const std::string& program, const std::vector<std::string>& words) {
   std::string script = ". '" + made(program + ".bash").string() + "'\nCOMP_WORDS=(" + program;
-  for (const std::string& word : words) script += " '" + word + "'";
-  script += ")\nCOMP_CWORD=" + std::to_string(words.size()) + "\ncomplete -p " + program + " >/dev/null\n_" +
-            std::regex_replace(program, std::regex("-"), "_") + "\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
+  std::string line = program;  // bash splits at `=` what stands together
+  for (const std::string& word : words) {
+    script += " '" + word + "'";
+    line += (word == "=" || line.ends_with('=') ? "" : " ") + word;
+  }
+  script += ")\nCOMP_LINE='" + line + "'\nCOMP_CWORD=" + std::to_string(words.size()) + "\ncomplete -p " + program +
+            " >/dev/null\n_" + std::regex_replace(program, std::regex("-"), "_") +
+            "\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
   const auto ran = system::run({.words = {"/bin/bash", "-euc", script}, .environment = {}, .before = {}});
   EXPECT_EQ(ran.status, 0) << ran.said;
   std::vector<std::string> found;
   std::istringstream lines(ran.said);
-  for (std::string line; std::getline(lines, line);) found.push_back(line);
+  for (std::string one; std::getline(lines, one);) found.push_back(one);
   return found;
 }
 

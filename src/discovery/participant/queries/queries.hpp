@@ -29,6 +29,7 @@ namespace geminga::participant {
                                          const membership::NeighbourTable& neighbours);
 [[nodiscard]] std::expected<Answer, Error> answer_explain(const vocabulary::Vocabulary& vocabulary,
                                                           const Resolver& resolver, const gcnp::QueryExplain& query);
+[[nodiscard]] Answer answer_concepts(const vocabulary::Vocabulary& vocabulary, const gcnp::QueryConcepts& query);
 [[nodiscard]] Answer answer_ontology(const vocabulary::Vocabulary& vocabulary, const OntologyReading& reading,
                                      const membership::NeighbourTable& neighbours, base::Instant now);
 [[nodiscard]] Answer answer_interfaces(const env::Env& env, Air& air);
