@@ -42,7 +42,7 @@ bool names_a_file(std::string_view value) {
                                                [&](const char* word) { return value.contains(word); });
 }
 
-/// What a daemon can say of the values that --help calls so.
+/// The kind of words that a daemon can offer for the values that --help calls so.
 std::string living_of(const Flag& flag) {
   struct Living {
     std::string_view value;

@@ -28,7 +28,7 @@ class Words {
 
   /// Takes a word that begins as asked; the first description of a word counts.
   void add(std::string_view word, const std::string& description = {}) {
-    // What a terminal could obey is in no word that anybody types.
+    // No word that anybody types has characters that a terminal could obey.
     if (word.empty() || !word.starts_with(beginning_) || shell::printable(word) != word) return;
     if (words_.size() < max_words) words_.try_emplace(std::string(word), shell::printable(description));
   }
