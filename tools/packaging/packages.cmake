@@ -144,8 +144,15 @@ set(CPACK_PACKAGE_CONTACT "Geminga developers <geminga@packages.geminga.invalid>
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_SET_DESTDIR ON)
-file(WRITE ${made}/day.cmake "set(ENV{SOURCE_DATE_EPOCH} $ENV{SOURCE_DATE_EPOCH})\n")
-set(CPACK_PROJECT_CONFIG_FILE ${made}/day.cmake)
+file(WRITE ${made}/surroundings.cmake "set(ENV{SOURCE_DATE_EPOCH} $ENV{SOURCE_DATE_EPOCH})\n")
+if(CMAKE_CROSSCOMPILING)
+  # dpkg-shlibdeps finds libraries and their packages in the sysroot (tools/dev/sysroot).
+  file(APPEND ${made}/surroundings.cmake "set(ENV{DPKG_ADMINDIR} ${CMAKE_SYSROOT}/var/lib/dpkg)\nset(ENV{DEB_HOST_ARCH} arm64)\n")
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_SYSROOT}/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE})
+  set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE arm64)
+  set(CPACK_READELF_EXECUTABLE aarch64-linux-gnu-readelf)
+endif()
+set(CPACK_PROJECT_CONFIG_FILE ${made}/surroundings.cmake)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
