@@ -23,6 +23,7 @@ Examples:
   geminga-ontology classify --closure team/         one SUB<TAB>SUPER line for each entailed subsumption
   geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
   geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:BallInfo
+  geminga-ontology report team/                     missing labels, cycles, unused names: what authors may mend
   geminga-ontology repair team/                     which axioms to take out, if classes can have no instance
   geminga-ontology diff old/ team/                  what changed, and what follows from it
   geminga-ontology entails team/ expected.ttl       does every axiom of expected.ttl follow?
@@ -50,9 +51,10 @@ int run(int argc, char** argv) {
   program.footer(examples);
   program.require_subcommand(1);
   Choice choice;
-  for (const auto add : {add_check, add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
-                         add_compile, add_draw, add_infer, add_convert, add_merge, add_realize, add_instances,
-                         add_query, add_rank, add_repair, add_diff, add_extract})
+  for (const auto add :
+       {add_check,   add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
+        add_compile, add_draw,     add_infer,    add_convert, add_merge,      add_realize, add_instances,
+        add_query,   add_rank,     add_repair,   add_diff,    add_extract,    add_report})
     add(program, choice);
   if (const auto description = geminga::manual::described(program, argc, argv)) {
     return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0
