@@ -124,7 +124,8 @@ std::string search(const Outline& program) {
 /// is. What a daemon says comes from other robots: it is quoted for the shell, and never evaluated.
 constexpr std::string_view shared =
     R"(_geminga_typed() {
-  local i part='' line=${COMP_LINE#*"${COMP_WORDS[0]}"}
+  local i part='' line=${COMP_LINE:-${COMP_WORDS[*]}}
+  line=${line#*"${COMP_WORDS[0]}"}
   typed=("${COMP_WORDS[0]}")
   for ((i = 1; i <= COMP_CWORD; i++)); do
     part=${COMP_WORDS[i]}

@@ -57,7 +57,8 @@ until its deadline, and match locally. There is no server and no
 configuration. Services are numbers, texts, or concepts of an ontology.
 .
 This package has the daemon with its systemd unit, geminga-query,
-geminga-publish and geminga-subscribe."
+geminga-publish, geminga-subscribe, and a dissector for Wireshark with
+geminga-unseal, which opens sealed datagrams of a recording."
   SECTION net
   DEPENDS "procps, systemd-standalone-sysusers | systemd"
   RECOMMENDS "geminga-ontologies (= ${PROJECT_VERSION}), geminga-ontology (= ${PROJECT_VERSION})"
@@ -126,7 +127,7 @@ and send and receive messages."
 # The targets that packages hold.
 get_property(manuals GLOBAL PROPERTY geminga_manuals)
 add_custom_target(packaged)
-foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe ${manuals} geminga client_java)
+foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-dissector ${manuals} geminga client_java)
   if(TARGET ${target})
     add_dependencies(packaged ${target})
   endif()
