@@ -51,6 +51,7 @@ void add_complete(CLI::App& app, RunEvenAlone& selected);
 void add_doctor(CLI::App& app, RunEvenAlone& selected);
 void add_record(CLI::App& app, RunAlone& selected);
 void add_replay(CLI::App& app, RunAlone& selected);
+void add_top(CLI::App& app, RunAlone& selected);
 
 }  // namespace geminga::query
 

@@ -16,6 +16,7 @@ constexpr const char* examples = R"(Examples:
   geminga-query requests --unmatched
   geminga-query match soccer:TrackedObject --limit 3
   geminga-query doctor
+  geminga-query top
   geminga-query record field-test.jsonl
   geminga-query explain soccer:SharedBallInfo soccer:TrackedObject
   geminga-query services --unused
@@ -63,6 +64,7 @@ int run(int argc, char** argv) {
   add_doctor(app, selected_even_alone);
   add_record(app, selected_alone);
   add_replay(app, selected_alone);
+  add_top(app, selected_alone);
   add_complete(app, selected_even_alone);
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <set>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -209,6 +211,33 @@ Told on(const State& state, std::uint32_t id, const gcnp::QueryInterfaces&) {
   return recorded(state, id, "interfaces");
 }
 Told on(const State& state, std::uint32_t id, const gcnp::QueryPeers&) { return recorded(state, id, "peers"); }
+
+/// The names that are offered or asked for at this moment.
+Told on(const State& state, std::uint32_t id, const gcnp::QueryConcepts& query) {
+  std::set<std::string> names;
+  for (const char* kind : {"services", "requests"}) {
+    for (const auto& [key, record] : state.of(kind)) {
+      if (!record["concept"].empty() && record["concept"].starts_with(query.begin)) names.emplace(record["concept"]);
+    }
+  }
+  const std::size_t most =
+      query.limit == 0 ? gcnp::max_told_concepts : std::min<std::size_t>(query.limit, gcnp::max_told_concepts);
+  Lines lines;
+  for (const std::string& name : names) {
+    if (lines.size() == most) break;
+    lines.push_back(statement_of(id, {"concepts", {{"concept", name}}, {}}));
+  }
+  append_end(lines, id);
+  return lines;
+}
+
+/// The requests that no recording can fulfil.
+template <typename Request>
+constexpr bool is_statement =
+    std::is_same_v<Request, gcnp::PubCreate> || std::is_same_v<Request, gcnp::PubModify> ||
+    std::is_same_v<Request, gcnp::PubRemove> || std::is_same_v<Request, gcnp::SubCreate> ||
+    std::is_same_v<Request, gcnp::SubModify> || std::is_same_v<Request, gcnp::SubRemove> ||
+    std::is_same_v<Request, gcnp::Hello> || std::is_same_v<Request, gcnp::Ping> || std::is_same_v<Request, gcnp::Bye>;
 
 }  // namespace
 

@@ -34,7 +34,7 @@ TEST(Programs, ShowHelpWithExamples) {
     EXPECT_THAT(help.out, HasSubstr("--connect")) << program;
   }
   for (const char* command : {"participants", "services", "requests", "match", "explain", "why", "ontology", "status",
-                              "security", "record", "replay"}) {
+                              "security", "record", "replay", "top"}) {
     const auto help = run("geminga-query", {command, "--help"});
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_THAT(help.out, HasSubstr(std::string("geminga-query ") + command)) << command;
@@ -115,7 +115,7 @@ TEST(Programs, NameTheFlagOrTheCommandThatMayBeMeant) {
        {"physician"},
        "'physician' is no command: the commands are participants, services, requests, match, explain, why, ontology, "
        "status, "
-       "security, doctor, record, replay: see "},
+       "security, doctor, record, replay, top, complete: see "},
       {"geminga-query", {"services", "--unsued"}, "'--unsued' is no flag: did you mean --unused? see "},
       {"geminga-query", {"services", "--conect", "x"}, "'--conect' is no flag: did you mean --connect? see "},
       {"geminga-query", {"match", "--limt=3"}, "'--limt' is no flag: did you mean --limit? see "},

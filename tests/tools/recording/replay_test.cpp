@@ -104,6 +104,8 @@ TEST(Replay, FiltersByLettersAndSaysThatItHasNoOntology) {
               HasSubstr("1 msg match service=00000002/1/1 provider=00000002/1 name=vision concept=soccer:BallInfo "
                         "degree=exact distance=0"));
   EXPECT_THAT(answers(1s, "1 query match text=camera\n"), ElementsAre("1 msg end count=0"));
+  EXPECT_THAT(answers(1s, "1 query concepts begin=soccer\n"),
+              ElementsAre("1 msg concepts concept=soccer:BallInfo", "1 msg end count=1"));
 }
 
 TEST(Replay, RefusesWhatItCannotAnswer) {
