@@ -103,6 +103,8 @@ namespace {
 
 /// Most questions without counting have an answer within these steps, and the others are not worth the time.
 constexpr std::size_t few_steps = 5'000;
+/// With counting, hardly a question that takes more steps has an answer at all.
+constexpr std::size_t enough_steps = 5'000'000;
 
 Opinion of_the_tableau(const owl::Ontology& original, const hypertableau::QuestionLimits& limits) {
   owl::Ontology source = copy_of(original);
@@ -140,7 +142,7 @@ Opinion of_the_tableau(const owl::Ontology& original, const hypertableau::Questi
 
 }  // namespace
 
-Opinion of_the_tableau(const owl::Ontology& source) { return of_the_tableau(source, {}); }
+Opinion of_the_tableau(const owl::Ontology& source) { return of_the_tableau(source, {.steps = enough_steps}); }
 
 Opinion of_the_tableau_without_counting(const owl::Ontology& source) {
   return of_the_tableau(source, {.steps = few_steps, .counts = false});

@@ -122,17 +122,21 @@ TEST(Anatomy, IsUnderstoodByEachEngineAsByTheTableau) {
 
 TEST(Pairings, AreUnderstoodByEachEngineAsByTheTableau) {
   int complete = 0;
+  int by_models = 0;
   for (std::uint64_t seed = 1; seed <= test::rounds(200U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const owl::Ontology source = pairings(seed, 2 + seed % 4);
     const Opinion tableau = of_the_tableau(source);
     const Opinion derived = of_consequence(source);
+    const Opinion models = of_models(source);
     complete += static_cast<int>(derived.is_complete);
-    for (const Opinion& other : {derived, of_models(source), of_the_reasoner(source)})
+    by_models += static_cast<int>(models.is_complete);
+    for (const Opinion& other : {derived, models, of_the_reasoner(source)})
       EXPECT_THAT(contradictions(other, tableau), IsEmpty()) << functional_syntax(source);
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GT(complete, test::rounds(50)) << "the closure of clauses is the judge of models";
+  EXPECT_GE(by_models, test::rounds(197)) << "an order of nodes that makes wrong guesses dear gives way to another one";
 }
 
 TEST(Features, AreUnderstoodByModelsAsByTheTableau) {

@@ -78,11 +78,16 @@ class Completing {
   [[nodiscard]] owl::TermId term_of(std::uint32_t of) const { return terms_[of]; }
 
   Completion finish() {
-    result_.gaps.assign(gaps_.begin(), gaps_.end());
     for (std::uint32_t of = 0; of < possible_.size() && !gaps_.empty(); ++of) {
       const bool is_open = !possible_[of] || !open_above(of).empty();
       if ((is_asked(of) || of == top_) && !is_empty_[of] && is_open) result_.open.push_back(of);
     }
+    // A question that was too hard may have been answered by the model of another one.
+    if (result_.open.empty() && !result_.is_consistency_open) {
+      gaps_.clear();
+      result_.held_up_by.reset();
+    }
+    result_.gaps.assign(gaps_.begin(), gaps_.end());
     return std::move(result_);
   }
 
@@ -91,18 +96,35 @@ class Completing {
     if (options_.progress) options_.progress("looking for models", done);
     const auto spent = options_.budget == nullptr ? std::nullopt : options_.budget->reason();
     const bool has_steps = tableau.steps() - world_steps_ < limits_.steps;
-    if (!spent && has_steps && questions_ < limits_.questions && unanswered_ < limits_.unanswered) return true;
+    const bool is_too_hard = unanswered_ >= limits_.unanswered || vain_steps_ >= most_vain_steps();
+    if (!spent && has_steps && questions_ < limits_.questions && !is_too_hard) return true;
     if (!result_.held_up_by) result_.held_up_by = of;
     if (spent) {
       gaps_.insert(*spent);
-    } else if (unanswered_ >= limits_.unanswered) {
-      gaps_.insert(std::to_string(limits_.unanswered) + " questions were too hard for the tableau");
+    } else if (is_too_hard) {
+      gaps_.insert(std::to_string(unanswered_) + " questions were too hard for the tableau");
     } else if (!has_steps) {
       gaps_.insert("more than " + std::to_string(limits_.steps) + " steps of the tableau");
     } else {
       gaps_.insert("more than " + std::to_string(limits_.questions) + " questions to the tableau");
     }
     return false;
+  }
+
+  /// The steps that questions without an answer may take together.
+  [[nodiscard]] std::size_t most_vain_steps() const { return limits_.unanswered * limits_.question.steps; }
+
+  /// Asks about a class. Where there is no answer, later questions may take twice as many steps: the first model may be
+  /// large, and when it is kept the others take few.
+  Verdict ask(std::uint32_t of, std::vector<clauses::ConceptId> together, hypertableau::Tableau& tableau) {
+    const std::size_t before = tableau.steps();
+    const Verdict verdict = note(tableau.is_satisfiable(std::move(together)), of);
+    if (verdict != Verdict::unknown) return verdict;
+    vain_steps_ += tableau.steps() - before;
+    const std::size_t left = most_vain_steps() - std::min(most_vain_steps(), vain_steps_);
+    question_.steps = std::min(2 * question_.steps, std::max(left, limits_.question.steps));
+    tableau.limit_steps(question_.steps);
+    return verdict;
   }
 
   /// Notes the answer to a question about a class, or about the whole ontology.
@@ -207,6 +229,15 @@ class Completing {
       learn_plain();
     }
     const Numbers order = lowest_first();
+    find_models_of(order, tableau, concepts);
+    // What was too hard may be answered with more steps, beside models that were found since.
+    if (unanswered_ == 0) return;
+    for (const std::uint32_t of : order) has_model_[of] = possible_[of].has_value();
+    find_models_of(order, tableau, concepts);
+  }
+
+  /// Looks for models of these classes in turn, until no more may be asked.
+  void find_models_of(const Numbers& order, hypertableau::Tableau& tableau, const NamedConcepts& concepts) {
     for (std::size_t at = 0; at < order.size(); ++at) {
       const double done = 0.5 * static_cast<double>(at) / static_cast<double>(order.size());
       if (!find_model(order[at], tableau, concepts, done)) return;
@@ -240,7 +271,7 @@ class Completing {
     if (!asked) return true;
     if (!may_ask(of, tableau, done)) return false;
     has_model_[of] = true;
-    const Verdict verdict = note(tableau.is_satisfiable({*asked}), of);
+    const Verdict verdict = ask(of, {*asked}, tableau);
     if (verdict == Verdict::no) set_empty(of);
     if (verdict != Verdict::yes) return true;
     for (const std::uint32_t above : classes_of(tableau.model().certain, concepts)) {
@@ -281,9 +312,18 @@ class Completing {
       gaps_.insert(clauses.error().text);
       return;
     }
-    const NamedConcepts concepts(source_, classification_, *clauses);
     hypertableau::Tableau tableau(source_, *clauses, question_);
     world_steps_ = 0;
+    const std::size_t unanswered = unanswered_;
+    ask_pairs_of(order, asked, *clauses, tableau);
+    if (unanswered_ > unanswered) ask_pairs_of(order, asked, *clauses, tableau);
+  }
+
+  /// Asks about the pairs of these classes that are open, until no more may be asked. `asked` are the classes above,
+  /// whose complements are in the clauses.
+  void ask_pairs_of(const Numbers& order, const Numbers& asked, const clauses::ClauseSet& clauses,
+                    hypertableau::Tableau& tableau) {
+    const NamedConcepts concepts(source_, classification_, clauses);
     for (std::size_t at = 0; at < order.size(); ++at) {
       const std::uint32_t of = order[at];
       const auto sub = concepts.concept_of(of);
@@ -293,7 +333,7 @@ class Completing {
         if (!contains(*possible_[of], above)) continue;
         if (!may_ask(of, tableau, 0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
         const auto place = static_cast<std::size_t>(std::ranges::lower_bound(asked, above) - asked.begin());
-        const Verdict verdict = note(tableau.is_satisfiable({*sub, clauses->complements[place]}), of);
+        const Verdict verdict = ask(of, {*sub, clauses.complements[place]}, tableau);
         if (verdict == Verdict::no) add(of, above);
         if (verdict == Verdict::yes) learn(tableau.model(), concepts);
       }
@@ -312,6 +352,7 @@ class Completing {
   std::set<std::string> gaps_;
   std::size_t questions_ = 0;
   std::size_t unanswered_ = 0;
+  std::size_t vain_steps_ = 0;                    ///< of questions about classes without an answer
   std::size_t world_steps_ = 0;                   ///< of the question whether there is a model at all
   std::vector<owl::TermId> terms_;                ///< by class
   std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending

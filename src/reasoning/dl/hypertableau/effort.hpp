@@ -27,6 +27,9 @@ class Effort {
   /// Nodes and facts below this mark belong to kept models and are not counted.
   void set_base(const Mark& base) { base_ = base; }
 
+  /// Gives each later question so many steps.
+  void limit_steps(std::size_t steps) { limits_.steps = steps; }
+
   void count_step() { ++steps_; }
   void count_steps(std::size_t steps) { steps_ += steps; }
   /// Counts a look at a fact or node that gave nothing new. Several looks are one step.

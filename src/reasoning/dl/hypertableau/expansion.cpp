@@ -2,6 +2,8 @@
 #include "reasoning/dl/hypertableau/expansion.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "reasoning/owl/source.hpp"
@@ -13,14 +15,15 @@ using clauses::number;
 void Expansion::restore(const Sizes& sizes) {
   while (done_.size() > sizes.done) {
     existentials_[done_.back()].is_done = false;
-    open_.insert(done_.back());
+    open_.insert({existentials_[done_.back()].node, done_.back()});
     done_.pop_back();
   }
   while (existentials_.size() > sizes.existentials) {
-    newest_[existentials_.back().node] = existentials_.back().older;
+    const Existential& last = existentials_.back();
+    open_.erase({last.node, static_cast<std::uint32_t>(existentials_.size() - 1)});
+    newest_[last.node] = last.older;
     existentials_.pop_back();
   }
-  open_.erase(open_.lower_bound(static_cast<std::uint32_t>(sizes.existentials)), open_.end());
   next_functional_ = sizes.next_functional;
 }
 
@@ -33,7 +36,7 @@ void Expansion::add(const Fact& fact, FactId id) {
   const auto at = static_cast<std::uint32_t>(existentials_.size());
   if (newest_.size() <= fact.a) newest_.resize(graph_.node_count(), none);
   existentials_.push_back({.fact = id, .node = fact.a, .older = std::exchange(newest_[fact.a], at)});
-  open_.insert(open_.end(), at);
+  open_.insert({fact.a, at});
   if (fact.kind != FactKind::at_least) return;
   const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
   const bool is_of_nominal = set_.concepts[number(at_least.filler)].kind == clauses::ConceptKind::nominal;
@@ -46,31 +49,50 @@ std::size_t Expansion::update_open() {
   for (const NodeId node : blocking_.take_unblocked()) {
     if (node >= newest_.size()) continue;
     for (std::uint32_t at = newest_[node]; at != none; at = existentials_[at].older) {
-      if (!existentials_[at].is_done) open_.insert(at);
+      if (!existentials_[at].is_done) open_.insert({node, at});
     }
   }
   return looked;
 }
 
-bool Expansion::expand(std::size_t first, bool has_guesses) {
+bool Expansion::expand(NodeId first, Order order) {
   // The look for blocked nodes is paid for by expanding several at-leasts at a time.
   constexpr std::size_t looked_an_expansion = 64;
-  const std::size_t most = 1 + update_open() / looked_an_expansion;
+  const std::size_t looked = update_open();
+  const std::size_t most =
+      order == Order::everything ? std::numeric_limits<std::size_t>::max() : 1 + looked / looked_an_expansion;
+  const bool is_downward = order == Order::newest_first;
+  const auto count = static_cast<std::uint32_t>(existentials_.size());
   std::size_t expanded = 0;
-  const std::size_t count = existentials_.size();
-  for (auto next = open_.lower_bound(static_cast<std::uint32_t>(first)); next != open_.end() && *next < count;) {
-    const std::uint32_t at = *next;
-    const Node& node = graph_.node(existentials_[at].node);
-    if (existentials_[at].is_done || node.state != NodeState::active || node.is_blocked) {
+  auto next = is_downward ? open_.end() : open_.lower_bound({first, 0});
+  while (expanded < most && !facts_.has_clash() && !effort_.is_over_limit()) {
+    if (is_downward) {
+      if (next == open_.begin() || std::prev(next)->node < first) break;
+      --next;
+    } else if (next == open_.end()) {
+      break;
+    }
+    const NodeId node = next->node;
+    expanded += expand_node(node, count);
+    next = open_.lower_bound({is_downward ? node : node + 1, 0});
+  }
+  return expanded > 0;
+}
+
+std::size_t Expansion::expand_node(NodeId node, std::uint32_t count) {
+  std::size_t expanded = 0;
+  for (auto next = open_.lower_bound({node, 0}); next != open_.end() && next->node == node && next->number < count;) {
+    const std::uint32_t at = next->number;
+    if (existentials_[at].is_done || !graph_.is_active(node) || graph_.node(node).is_blocked) {
       next = open_.erase(next);
       continue;
     }
     ++next;
     if (has_witness(existentials_[at]) || !expand_one(at)) continue;
     ++expanded;
-    if (facts_.has_clash() || effort_.is_over_limit() || (expanded >= most && has_guesses)) break;
+    if (facts_.has_clash() || effort_.is_over_limit()) break;
   }
-  return expanded > 0;
+  return expanded;
 }
 
 // Each at-least is looked at once. Those of blocked nodes are left to expand().

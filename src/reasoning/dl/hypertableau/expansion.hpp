@@ -4,6 +4,7 @@
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_EXPANSION_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_EXPANSION_HPP
 
+#include <compare>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -41,9 +42,10 @@ class Expansion {
   /// Makes the neighbour of a node that may have one at most, before anything is chosen, because its facts decide
   /// alternatives. Whether a node or a fact was added.
   bool expand_functional();
-  /// Expands the at-leasts of nodes that are not blocked, from the one with this number on. Whether a node or a fact
-  /// was added. With guesses it expands few at a time, so that their consequences are derived first.
-  bool expand(std::size_t first, bool has_guesses);
+  /// Which nodes are expanded at a time: all, or a few of the oldest or of the newest ones.
+  enum class Order : std::uint8_t { everything, oldest_first, newest_first };
+  /// Expands the at-leasts of nodes that are not blocked, from this node on. Whether a node or a fact was added.
+  bool expand(NodeId first, Order order);
 
   /// Sizes of the stacks.
   struct Sizes {
@@ -65,9 +67,17 @@ class Expansion {
     std::uint64_t version = 0;
   };
 
+  struct Open {
+    NodeId node = 0;
+    std::uint32_t number = 0;
+    friend auto operator<=>(const Open&, const Open&) = default;
+  };
+
   /// Updates the marks of blocked nodes, and opens the at-leasts of nodes that are blocked no more. Returns how many
   /// nodes were looked at.
   std::size_t update_open();
+  /// Expands the open at-leasts of a node that have smaller numbers than `count`. Returns how many were expanded.
+  std::size_t expand_node(NodeId node, std::uint32_t count);
   /// Whether a node was added, or a fact.
   bool expand_one(std::uint32_t at);
   void note_done(std::uint32_t at);
@@ -98,7 +108,7 @@ class Expansion {
   std::vector<std::uint32_t> newest_;  ///< by node: its newest existential
   /// Existentials that expand() must look at: all that are not done and whose nodes are active and not blocked, and
   /// some others. Most of a large model are not among them.
-  std::set<std::uint32_t> open_;
+  std::set<Open> open_;
   std::uint32_t next_functional_ = 0;  ///< each is looked at once by expand_functional()
   std::vector<std::uint32_t> done_;    ///< existentials, in the order in which they were
 };

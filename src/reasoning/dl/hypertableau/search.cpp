@@ -1,6 +1,7 @@
 // The order of the search, branching and going back.
 #include "reasoning/dl/hypertableau/search.hpp"
 
+#include <bit>
 #include <utility>
 #include <variant>
 
@@ -38,7 +39,7 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
 void Search::begin(bool is_about_world) {
   effort_.begin(is_about_world);
   records_.begin_question();
-  wrong_guesses_ = 0;
+  wrong_guesses_ = all_wrong_guesses_ = 0;
   patience_ = first_patience;
 }
 
@@ -213,8 +214,18 @@ bool Search::choose_for_bound() {
 
 bool Search::expand() {
   // Without nominals no fact reaches into the models of earlier questions. Their open at-leasts are blocked.
-  const std::size_t first = base_ && !keeps_world() ? base_->expansion.existentials : 0;
-  return expansion_.expand(first, branches_.size() > base_branches_);
+  const std::size_t first = base_ && !keeps_world() ? base_->mark.nodes : 0;
+  return expansion_.expand(static_cast<NodeId>(first), order_of_nodes());
+}
+
+/// With guesses few nodes are expanded at a time, so that the consequences of each are derived before the next. The
+/// oldest first gives small models. The newest first shows a wrong guess before much is built that is lost with it. No
+/// order is the better one everywhere, so they take turns, each twice as many wrong guesses as the one before.
+Expansion::Order Search::order_of_nodes() const {
+  constexpr std::size_t first_turn = 16;
+  if (branches_.size() <= base_branches_) return Expansion::Order::everything;
+  const bool is_even_turn = std::bit_width(1 + all_wrong_guesses_ / first_turn) % 2 == 0;
+  return is_even_turn ? Expansion::Order::newest_first : Expansion::Order::oldest_first;
 }
 
 void Search::note(const Suspect& suspect) {
@@ -248,6 +259,7 @@ bool Search::go_back() {
   facts_.forget_clash();
   if (number < base_branches_) forget_base();
   records_.note_failure(decision.alternatives[branch.next]);
+  ++all_wrong_guesses_;
   // A few wrong guesses among many that hold are no reason to begin again.
   if (++wrong_guesses_ > patience_ + branches_.size() - base_branches_ && number > base_branches_) {
     begin_again();

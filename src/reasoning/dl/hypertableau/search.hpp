@@ -59,6 +59,8 @@ class Search {
   [[nodiscard]] Individuals individuals() const { return {set_, graph_, facts_.individuals()}; }
   /// The labels of the model that the last question found. To be called before end_question().
   [[nodiscard]] Model model();
+  /// Gives each later question so many steps.
+  void limit_steps(std::size_t steps) { effort_.limit_steps(steps); }
   /// The steps of all questions.
   [[nodiscard]] std::size_t steps() const { return effort_.all_steps(); }
   /// Why the last outcome is unknown, in a line for a user.
@@ -108,6 +110,7 @@ class Search {
   bool choose();
   bool choose_for_bound();
   bool expand();
+  [[nodiscard]] Expansion::Order order_of_nodes() const;
   void branch(Decision decision);
   bool go_back();
   void begin_again();
@@ -141,8 +144,9 @@ class Search {
   Rules rules_;
 
   std::vector<Branch> branches_;
-  std::size_t wrong_guesses_ = 0;  ///< since the search began, or began again
-  std::size_t patience_ = 0;       ///< wrong guesses beyond those that stand, after which the search begins again
+  std::size_t wrong_guesses_ = 0;      ///< since the search began, or began again
+  std::size_t all_wrong_guesses_ = 0;  ///< of the question
+  std::size_t patience_ = 0;           ///< wrong guesses beyond those that stand, after which the search begins again
 
   std::vector<clauses::ConceptId> question_;
   Supposition supposed_;

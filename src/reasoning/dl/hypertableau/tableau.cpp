@@ -30,6 +30,8 @@ Tableau::Tableau(const owl::Ontology& source, const clauses::ClauseSet& clauses,
 
 Tableau::~Tableau() = default;
 
+void Tableau::limit_steps(std::size_t steps) { search_->limit_steps(steps); }
+
 std::size_t Tableau::steps() const { return search_->steps(); }
 
 /// With nominals, the model of the world is also made the base, if it is not the base already.

@@ -69,6 +69,8 @@ class Tableau {
   [[nodiscard]] Answer is_satisfiable(std::vector<clauses::ConceptId> together);
   /// The model of the last question whose answer was yes.
   [[nodiscard]] const Model& model() const { return model_; }
+  /// Gives each later question so many steps.
+  void limit_steps(std::size_t steps);
   /// The steps of all questions so far.
   [[nodiscard]] std::size_t steps() const;
 
