@@ -54,7 +54,7 @@ int run(int argc, char** argv) {
   for (const auto add :
        {add_check,   add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
         add_compile, add_draw,     add_infer,    add_convert, add_merge,      add_realize, add_instances,
-        add_query,   add_rank,     add_repair,   add_diff,    add_extract,    add_report})
+        add_query,   add_rank,     add_repair,   add_diff,    add_extract,    add_report,  add_align})
     add(program, choice);
   if (const auto description = geminga::manual::described(program, argc, argv)) {
     return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0

@@ -1,0 +1,182 @@
+// `geminga-ontology align`: the equivalences between the classes and properties of two ontologies, untrained and
+// mended.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <boost/json.hpp>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ontology/alignment/lexicon.hpp"
+#include "ontology/alignment/matching.hpp"
+#include "ontology/alignment/mending.hpp"
+#include "ontology/command/options.hpp"
+#include "ontology/command/words.hpp"
+#include "ontology/commands.hpp"
+#include "ontology/format.hpp"
+#include "ontology/graph/asserted.hpp"
+#include "ontology/graph/excerpt_document.hpp"
+#include "ontology/loading/classified_files.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+struct AlignRequest {
+  std::string one;
+  std::string other;
+  std::string out;
+  std::string format;
+  bool is_conservative = false;
+  bool wants_reasons = false;
+  bool as_json = false;
+};
+
+std::string written(double confidence) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", confidence);
+  return text.data();
+}
+
+/// `ONE<TAB>=<TAB>OTHER<TAB>CONFIDENCE`, and the reason behind another tabulator.
+std::string links_as_text(const Mended& mended, bool wants_reasons) {
+  std::string text;
+  for (const Link& link : mended.links) {
+    text.append(link.one).append("\t=\t").append(link.other).append("\t").append(written(link.confidence));
+    text += wants_reasons ? "\t" + link.reason + '\n' : "\n";
+  }
+  return text;
+}
+
+boost::json::object link_as_object(const Link& link) {
+  return {{"one", link.one},
+          {"other", link.other},
+          {"relation", "="},
+          {"confidence", link.confidence},
+          {"reason", link.reason}};
+}
+
+std::string links_as_json(const Mended& mended) {
+  boost::json::object document{{"certain", mended.is_certain}};
+  boost::json::array& links = document["links"].emplace_array();
+  for (const Link& link : mended.links) links.push_back(link_as_object(link));
+  boost::json::array& rejected = document["rejected"].emplace_array();
+  for (const Rejected& one : mended.rejected) {
+    boost::json::object object = link_as_object(one.link);
+    object["because"] = one.because;
+    rejected.push_back(std::move(object));
+  }
+  return json_text(document) + '\n';
+}
+
+void say_rejected(const Mended& mended) {
+  for (const Rejected& one : mended.rejected)
+    say_error(one.link.one + " = " + one.link.other + " (" + written(one.link.confidence) +
+              ") was taken out: with it " + one.because);
+  if (!mended.is_certain)
+    say_error("whether the links make a class unsatisfiable is not decided: geminga-ontology check says more");
+}
+
+/// Writes the links as an ontology of equivalences.
+Exit put_links(const AlignRequest& request, rdf::Loaded& both, const Mended& mended, const DocumentFormat& format) {
+  std::vector<std::uint32_t> axioms;
+  for (std::uint32_t number = 0; number < both.source.axiom_count(); ++number) {
+    const owl::Axiom axiom = both.source.axiom(number);
+    if (axiom.line != 0 || axiom.arguments.size() != 2 || axiom.kind == owl::AxiomKind::declaration) continue;
+    const auto is_kept = [&](const Link& link) {
+      return both.source.name_of(axiom.arguments[0]) == link.one &&
+             both.source.name_of(axiom.arguments[1]) == link.other;
+    };
+    if (std::ranges::any_of(mended.links, is_kept)) axioms.push_back(number);
+  }
+  both.annotations.clear();  // what the files say of the names stands in them
+  const ExcerptDocument excerpt(both, axioms, {});
+  if (const auto* const syntax = std::get_if<syntax::Syntax>(&format))
+    return put_document(request.out, excerpt.document(), *syntax);
+  graph::Graph graph({.octets = std::numeric_limits<std::size_t>::max()});
+  if (const auto problem = excerpt.add_to(graph)) return say_error(*problem);
+  graph.sort();
+  const auto text = graph.write(std::get<graph::Format>(format), prefixes_of(both.source));
+  if (!text) return say_error(text.error());
+  return put(request.out, std::as_bytes(std::span(*text)));
+}
+
+Exit align(const AlignRequest& request, const WorkLimits& limits) {
+  std::optional<DocumentFormat> format;
+  if (!request.out.empty()) {
+    const auto chosen = chosen_document_format(request.format, request.out);
+    if (!chosen) return say_error(chosen.error());
+    format = *chosen;
+  }
+  base::Budget budget = budget_of(limits);
+  const LoadOptions options{.as_json = request.as_json,
+                            .says_files = false,
+                            .keeps_annotations = true,
+                            .keeps_triple_annotations = true,
+                            .budget = &budget};
+  const auto one = classify_or_say({request.one}, options);
+  const auto other = one ? classify_or_say({request.other}, options) : std::nullopt;
+  if (!other) return Exit::usage;
+  Progress progress(!request.as_json);
+  auto both = load({request.one, request.other}, progress, options);
+  if (!both) return say_failure(both.error().text, request.as_json);
+  if (!request.out.empty() && would_destroy_source(request.out, {request.one, request.other}, both->source))
+    return Exit::usage;
+  progress.show("comparing names");
+  std::vector<Link> links = match(Lexicon(one->loaded), Lexicon(other->loaded));
+  progress.show("mending the alignment");
+  const Mended mended = mend(*both, std::move(links), {*one, *other, request.is_conservative}, budget);
+  progress.clear();
+  if (!request.as_json) say_rejected(mended);
+  if (format) {
+    if (const Exit put = put_links(request, *both, mended, *format); put != Exit::yes) return put;
+  }
+  const std::string text = request.as_json ? links_as_json(mended)
+                           : format        ? std::string()
+                                           : links_as_text(mended, request.wants_reasons);
+  if (!text.empty() && !print(text)) return say_unwritten();
+  if (budget.is_spent())
+    return say_error(*budget.reason() + ": links may be left that do harm: raise it", Exit::timed_out);
+  return mended.links.empty() ? Exit::no : Exit::yes;
+}
+
+}  // namespace
+
+void add_align(CLI::App& program, Choice& choice) {
+  auto request = std::make_shared<AlignRequest>();
+  CLI::App* command = program.add_subcommand(
+      "align", "Link the classes and properties of two ontologies that mean the same, by names and structure");
+  command->add_option("A", request->one, "an ontology file, or a folder of them")->required()->type_name("");
+  command->add_option("B", request->other, "another")->required()->type_name("");
+  command
+      ->add_option("-o,--output", request->out, "write the links as an ontology of equivalences; - is standard output")
+      ->type_name("OUT");
+  command->add_option("--to", request->format, std::string("the syntax of OUT: ") + document_format_names)
+      ->type_name(document_format_choices);
+  command->add_flag("--conservative", request->is_conservative,
+                    "also take out links by which a new subsumption follows within A or within B");
+  command->add_flag("--reasons", request->wants_reasons, "print the reason of each link behind it");
+  command->add_flag("--json", request->as_json, "print one JSON document, with the links that were taken out");
+  add_work_limits(*command, choice.limits);
+  command->footer(
+      "\nPrinted is A<TAB>=<TAB>B<TAB>CONFIDENCE, best first. Names, labels and synonyms are compared word by word, "
+      "rare\n"
+      "words counting more, and then the classes around them. Links with which a class can have no instance are taken\n"
+      "out, the least confident of each reason, and standard error names them. Read the links before a robot relies "
+      "on\n"
+      "them: a wrong one sends it the wrong data.\n"
+      "Exit status: 0 some links were found, 1 none, 2 a file cannot be loaded, 4 a limit was reached.\n"
+      "\nExamples:\n"
+      "  geminga-ontology align my-team.ttl team/ --reasons\n"
+      "  geminga-ontology align my-team.ttl team/ -o alignment.ttl --conservative");
+  command->callback([request, &choice] {
+    if (!request->out.empty() && request->out != to_standard_output) choice.outputs.push_back(request->out);
+    choice.run = [request, &choice] { return align(*request, choice.limits); };
+  });
+}
+
+}  // namespace geminga::ontology

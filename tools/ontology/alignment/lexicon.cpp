@@ -1,0 +1,103 @@
+#include "ontology/alignment/lexicon.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "ontology/alignment/words.hpp"
+#include "ontology/lint/entities.hpp"
+#include "reasoning/compiled/similar.hpp"
+#include "reasoning/owl/annotation.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using owl::AxiomKind;
+using owl::TermId;
+using owl::TermKind;
+
+constexpr std::array<std::string_view, 6> naming{"http://www.w3.org/2000/01/rdf-schema#label",
+                                                 "http://www.w3.org/2004/02/skos/core#prefLabel",
+                                                 "http://www.w3.org/2004/02/skos/core#altLabel",
+                                                 "http://www.geneontology.org/formats/oboInOwl#hasExactSynonym",
+                                                 "http://www.geneontology.org/formats/oboInOwl#hasRelatedSynonym",
+                                                 "http://purl.obolibrary.org/obo/IAO_0000118"};
+
+/// Names such as GO_0005575 and MA_0001 are numbers: only labels say what they mean.
+bool is_code(const std::vector<std::string>& words) {
+  return std::ranges::any_of(words, [](const std::string& word) {
+    return word.size() >= 4 && std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
+  });
+}
+
+void add_name(Word& word, std::string_view name) {
+  std::vector<std::string> words = word.kind == TermKind::named_class ? words_of_name(name) : words_of_property(name);
+  if (words.empty() || is_code(words) || std::ranges::find(word.names, words) != word.names.end()) return;
+  word.names.push_back(std::move(words));
+}
+
+/// The named classes of a domain or range: itself, or the parts of a union.
+void add_classes(const owl::Ontology& source, TermId id, std::vector<TermId>& classes) {
+  const owl::Term term = source.term(id);
+  if (term.kind == TermKind::named_class) classes.push_back(id);
+  if (term.kind != TermKind::object_union_of) return;
+  for (const TermId part : term.arguments) {
+    if (source.kind(part) == TermKind::named_class) classes.push_back(part);
+  }
+}
+
+}  // namespace
+
+Lexicon::Lexicon(const rdf::Loaded& loaded) {
+  const Entities described(loaded);
+  for (const Entity& one : described.all()) {
+    if (one.kind <= TermKind::data_property) entities_.push_back({one.kind, one.iri, {}, {}, {}});
+  }
+  for (std::uint32_t id = 0; id < loaded.source.term_count(); ++id) {
+    const TermId term{id};
+    const TermKind kind = loaded.source.kind(term);
+    if (kind > TermKind::data_property) continue;
+    const auto at = std::ranges::lower_bound(entities_, std::pair(std::string(loaded.source.name_of(term)), kind), {},
+                                             [](const Word& one) { return std::pair(one.iri, one.kind); });
+    if (at != entities_.end() && at->iri == loaded.source.name_of(term) && at->kind == kind)
+      number_of_.emplace(id, static_cast<std::uint32_t>(at - entities_.begin()));
+  }
+  add_names(loaded);
+  add_neighbours(loaded.source);
+}
+
+void Lexicon::add_names(const rdf::Loaded& loaded) {
+  for (Word& word : entities_) add_name(word, compiled::local_name(word.iri));
+  for (const owl::Annotation& one : loaded.annotations) {
+    if (one.of != owl::Annotation::Of::name || !one.is_literal) continue;
+    if (std::ranges::find(naming, one.property) == naming.end()) continue;
+    const auto [first, last] = std::ranges::equal_range(entities_, one.subject, {}, &Word::iri);
+    for (Word& word : std::ranges::subrange(first, last)) add_name(word, one.value);
+  }
+}
+
+void Lexicon::add_neighbours(const owl::Ontology& source) {
+  const auto number = [this](TermId term) {
+    const auto found = number_of_.find(static_cast<std::uint32_t>(term));
+    return found == number_of_.end() ? entities_.size() : found->second;
+  };
+  for (std::uint32_t at = 0; at < source.axiom_count(); ++at) {
+    const owl::Axiom axiom = source.axiom(at);
+    const bool is_inclusion = axiom.kind == AxiomKind::sub_class_of;
+    const bool is_domain =
+        axiom.kind == AxiomKind::object_property_domain || axiom.kind == AxiomKind::data_property_domain;
+    if (!is_inclusion && !is_domain && axiom.kind != AxiomKind::object_property_range) continue;
+    const std::size_t subject = number(axiom.arguments[0]);
+    std::vector<TermId> classes;
+    add_classes(source, axiom.arguments[1], classes);
+    for (const TermId one : classes) {
+      const std::size_t object = number(one);
+      if (subject == entities_.size() || object == entities_.size() || subject == object) continue;
+      const auto object_number = static_cast<std::uint32_t>(object);
+      if (is_inclusion) entities_[object].below.push_back(static_cast<std::uint32_t>(subject));
+      (is_inclusion || is_domain ? entities_[subject].above : entities_[subject].below).push_back(object_number);
+    }
+  }
+}
+
+}  // namespace geminga::ontology
