@@ -39,7 +39,10 @@ std::vector<std::string> names_of(const std::vector<Outline>& commands) {
 /// Patterns of `case "$command $flag"` for each name of a flag. `command` is a pattern, too.
 std::vector<std::string> patterns_of(const Flag& flag, const std::string& command) {
   std::vector<std::string> patterns;
-  for (const std::string& name : flag.names) patterns.push_back(command + shell_word(' ' + name));
+  for (const std::string& name : flag.names) {
+    patterns.push_back(command);
+    patterns.back() += shell_word(' ' + name);
+  }
   return patterns;
 }
 
