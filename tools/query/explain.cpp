@@ -1,6 +1,6 @@
 // geminga-query explain: whether one concept is subsumed by another, and the axioms that entail it.
-#include <boost/json/array.hpp>
-#include <boost/json/object.hpp>
+#include "answers/explain.hpp"
+
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -13,22 +13,7 @@
 namespace geminga::query {
 namespace {
 
-struct Names {
-  std::string sub;
-  std::string super;
-};
-
-void print_json(const Names& names, const Answer& answer, bool is_subsumed) {
-  boost::json::object object{{"sub", names.sub},
-                             {"super", names.super},
-                             {"subsumed", is_subsumed},
-                             {"axioms", shell::to_json(answer.records)}};
-  // Where it is not subsumed, the end of the answer has the nearest common superclasses.
-  for (const auto& member : shell::to_json(answer.end)) {
-    if (member.key() == "common" || member.key() == "text") object[member.key()] = member.value();
-  }
-  shell::print(std::cout, object);
-}
+using answers::Names;
 
 void print_words(const Context& context, const Names& names, const Answer& answer, bool is_subsumed) {
   // The daemon says the names that it found in short.
@@ -77,9 +62,9 @@ void add_explain(CLI::App& app, Run& selected) {
     selected = [names](const Context& context, Client& client) {
       const Parameters parameters{{"sub", names->sub}, {"super", names->super}};
       return show_once(context, client, "explain", parameters, [&](const Answer& answer) {
-        const bool is_subsumed = answer.end["subsumed"] == "1";
+        const bool is_subsumed = answers::is_subsumed(answer);
         if (context.common.is_json) {
-          print_json(*names, answer, is_subsumed);
+          shell::print(std::cout, answers::explain_document(*names, answer));
         } else {
           print_words(context, *names, answer, is_subsumed);
         }

@@ -103,10 +103,4 @@ shell::ExitStatus show_once(const Context& context, Client& client, const std::s
   return answer ? print(*answer) : shell::report(program, answer.error());
 }
 
-std::vector<Record> with_field(const Answer& answer, std::string_view key) {
-  std::vector<Record> records = answer.records;
-  std::erase_if(records, [&](const Record& record) { return record[key].empty(); });
-  return records;
-}
-
 }  // namespace geminga::query

@@ -49,9 +49,6 @@ struct Listing {
                                           const Parameters& parameters,
                                           const std::function<shell::ExitStatus(const Answer&)>& print);
 
-/// The records that have this field.
-[[nodiscard]] std::vector<Record> with_field(const Answer& answer, std::string_view key);
-
 }  // namespace geminga::query
 
 #endif

@@ -1,6 +1,6 @@
 // geminga-query ontology: the ontology that the daemon has loaded, and participants with another one.
-#include <boost/json/array.hpp>
-#include <boost/json/object.hpp>
+#include "answers/ontology.hpp"
+
 #include <iostream>
 
 #include "query/command.hpp"
@@ -13,63 +13,7 @@
 namespace geminga::query {
 namespace {
 
-/// The lines of the answer by kind (src/discovery/participant/QUERIES.md).
-struct Parts {
-  Record head;
-  std::vector<Record> files;
-  std::vector<Record> left_out;
-  std::vector<Record> gaps;
-  std::vector<Record> others;
-  std::vector<Record> failures;  ///< errors of the last reading
-};
-
-Parts parts_of(const Answer& answer) {
-  const std::vector<Record> heads = with_field(answer, "loaded");
-  Parts parts{heads.empty() ? Record{} : heads.front(),
-              with_field(answer, "file"),
-              with_field(answer, "left_out"),
-              with_field(answer, "gap"),
-              with_field(answer, "other"),
-              with_field(answer, "failed")};
-  // The head counts what is left out under the same key.
-  std::erase_if(parts.left_out, [](const Record& record) { return !record["loaded"].empty(); });
-  return parts;
-}
-
-/// The records as objects in which the key `from` is called `to`.
-boost::json::array renamed(const std::vector<Record>& records, std::string_view from, std::string_view to) {
-  boost::json::array rows;
-  for (const auto& record : records) {
-    auto row = shell::to_json(record);
-    row[to] = row[from];
-    row.erase(from);
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-boost::json::array values(const std::vector<Record>& records, std::string_view key) {
-  boost::json::array texts;
-  for (const auto& record : records) texts.push_back(boost::json::string(record[key]));
-  return texts;
-}
-
-void print_json(const Parts& parts) {
-  boost::json::object object;
-  const auto head = shell::to_json(parts.head);
-  for (const auto* key : {"loaded", "digest", "classes"}) {
-    if (head.contains(key)) object[key] = head.at(key);
-  }
-  if (!parts.head["complete"].empty()) object["complete"] = parts.head["complete"] == "1";
-  object["contradiction"] = parts.head["contradiction"] == "1";
-  object["files"] = shell::to_json(parts.files);
-  object["left_out"] = renamed(parts.left_out, "left_out", "construct");
-  object["gaps"] = values(parts.gaps, "gap");
-  object["others"] = renamed(parts.others, "other", "participant");
-  object["loading"] = parts.head["loading"] == "1";
-  object["failed"] = values(parts.failures, "failed");
-  shell::print(std::cout, object);
-}
+using answers::Ontology;
 
 /// Prints the text of each record below a heading.
 void print_lines(const Context& context, const std::vector<Record>& records, std::string_view key) {
@@ -78,7 +22,7 @@ void print_lines(const Context& context, const std::vector<Record>& records, std
   }
 }
 
-void print_failures(const Context& context, const Parts& parts) {
+void print_failures(const Context& context, const Ontology& parts) {
   if (parts.failures.empty()) return;
   std::cout << coloured(context.terminal, shell::Colour::red, "Reading failed") << " "
             << shell::duration_words(parts.failures.front()["age"])
@@ -87,7 +31,7 @@ void print_failures(const Context& context, const Parts& parts) {
   std::cout << '\n';
 }
 
-void print_contradiction(const Context& context, const Parts& parts) {
+void print_contradiction(const Context& context, const Ontology& parts) {
   if (parts.head["contradiction"] != "1") return;
   std::cout << coloured(context.terminal, shell::Colour::red, "Contradiction:") << '\n';
   shell::print_wrapped(std::cout, context.terminal,
@@ -97,7 +41,7 @@ void print_contradiction(const Context& context, const Parts& parts) {
   std::cout << '\n';
 }
 
-void print_words(const Context& context, const Parts& parts) {
+void print_words(const Context& context, const Ontology& parts) {
   print_failures(context, parts);
   print_contradiction(context, parts);
   if (parts.head["loading"] == "1") std::cout << "Files are being read.\n\n";
@@ -135,9 +79,9 @@ void add_ontology(CLI::App& app, Run& selected) {
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {
       return show_once(context, client, "ontology", {}, [&](const Answer& answer) {
-        const Parts parts = parts_of(answer);
+        const Ontology parts = answers::ontology_of(answer);
         if (context.common.is_json) {
-          print_json(parts);
+          shell::print(std::cout, answers::ontology_document(parts));
         } else {
           print_words(context, parts);
         }

@@ -1,7 +1,7 @@
 // geminga-query security: datagrams by mode and key, rejected datagrams with the reason, and the keys that participants
 // lack.
-#include <boost/json/array.hpp>
-#include <boost/json/object.hpp>
+#include "answers/security.hpp"
+
 #include <iostream>
 
 #include "query/command.hpp"
@@ -14,34 +14,7 @@
 namespace geminga::query {
 namespace {
 
-/// The lines of the answer by kind (src/discovery/participant/QUERIES.md).
-struct Security {
-  Record head;
-  std::vector<Record> datagrams;
-  std::vector<Record> participants;
-  std::vector<Record> rejected;
-};
-
-Security security_of(const Answer& answer) {
-  const std::vector<Record> heads = with_field(answer, "mode");
-  return {heads.empty() ? Record{} : heads.front(), with_field(answer, "datagrams"), with_field(answer, "participant"),
-          with_field(answer, "source")};
-}
-
-void print_security_json(const Security& security) {
-  boost::json::object object = shell::to_json(security.head);
-  if (!object.contains("keys")) object["keys"] = boost::json::array();
-  object["datagrams"] = shell::to_json(security.datagrams);
-  boost::json::array participants = shell::to_json(security.participants);
-  for (auto& participant : participants) {
-    for (const char* list : {"keys", "lacks"}) {
-      if (!participant.as_object().contains(list)) participant.as_object()[list] = boost::json::array();
-    }
-  }
-  object["participants"] = std::move(participants);
-  object["rejected"] = shell::to_json(security.rejected);
-  shell::print(std::cout, object);
-}
+using answers::Security;
 
 void print_own_sealing(const Context& context, const Security& security) {
   if (security.head["keys"].empty()) {
@@ -93,9 +66,9 @@ void add_security(CLI::App& app, Run& selected) {
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {
       return show_once(context, client, "security", {}, [&](const Answer& answer) {
-        const Security security = security_of(answer);
+        const Security security = answers::security_of(answer);
         if (context.common.is_json) {
-          print_security_json(security);
+          shell::print(std::cout, answers::security_document(security));
         } else {
           print_security(context, security);
         }

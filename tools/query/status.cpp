@@ -1,6 +1,7 @@
 // geminga-query status: the daemon itself.
+#include "answers/status.hpp"
+
 #include <algorithm>
-#include <boost/json/object.hpp>
 #include <cstdlib>
 #include <iostream>
 
@@ -19,14 +20,6 @@ std::string words_of(const std::string& key, const std::string& value) {
   if (key == "uptime" || key == "interval" || key == "cpu") return shell::duration_words(value);
   if (key != "memory" && key != "peak_memory") return value;
   return shell::number_words(std::strtod(value.c_str(), nullptr) / (1024.0 * 1024.0), "MiB");
-}
-
-void print_json(const Answer& answer) {
-  boost::json::object object;
-  for (const auto& record : answer.records) {
-    for (const auto& member : shell::to_json(record)) object[member.key()] = member.value();
-  }
-  shell::print(std::cout, object);
 }
 
 void print_words(const Context& context, const Answer& answer) {
@@ -50,7 +43,7 @@ void add_status(CLI::App& app, Run& selected) {
     selected = [](const Context& context, Client& client) {
       return show_once(context, client, "status", {}, [&](const Answer& answer) {
         if (context.common.is_json) {
-          print_json(answer);
+          shell::print(std::cout, answers::status_document(answer));
         } else {
           print_words(context, answer);
         }

@@ -1,10 +1,10 @@
 // geminga-query why: why a request and a service match or do not, or why a request has no provider, or a service no
 // consumer.
+#include "answers/why.hpp"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <boost/json/array.hpp>
-#include <boost/json/object.hpp>
 #include <iostream>
 #include <memory>
 #include <span>
@@ -20,28 +20,8 @@
 namespace geminga::query {
 namespace {
 
-/// The parameters of `query why` (src/discovery/participant/QUERIES.md).
-struct Question {
-  std::string subscription;
-  std::string service;
-  Parameters parameters;  ///< beside these two
-
-  [[nodiscard]] const std::string* find(std::string_view key) const {
-    const auto at = std::ranges::find(parameters, key, &Parameters::value_type::first);
-    return at == parameters.end() ? nullptr : &at->second;
-  }
-  [[nodiscard]] bool has_any(std::initializer_list<std::string_view> keys) const {
-    return std::ranges::any_of(keys, [&](std::string_view key) { return find(key) != nullptr; });
-  }
-  [[nodiscard]] bool has_service() const {
-    return !service.empty() ||
-           std::ranges::any_of(parameters, [](const auto& one) { return one.first.starts_with("offer."); });
-  }
-  [[nodiscard]] bool has_request() const {
-    return !subscription.empty() ||
-           std::ranges::any_of(parameters, [](const auto& one) { return !one.first.starts_with("offer."); });
-  }
-};
+using answers::About;
+using answers::Question;
 
 struct Flag {
   const char* name;
@@ -145,67 +125,6 @@ void check(const Question& question) {
   }
 }
 
-/// Whether the pair fits and the consumer has better providers.
-bool is_outranked(const Answer& answer) { return answer.end["outranked"] == "1"; }
-
-/// The subject of an answer.
-enum class About : std::uint8_t { pair, request, service };
-
-About about(const Question& question) {
-  if (!question.has_service()) return About::request;
-  return question.has_request() ? About::pair : About::service;
-}
-
-/// The fields of a record, with the axioms of the proof one by one.
-boost::json::object object_of(const Record& record) {
-  auto object = shell::to_json(record);
-  if (record["proof"].empty()) return object;
-  boost::json::array proof;
-  std::istringstream lines{std::string(record["proof"])};
-  for (std::string line; std::getline(lines, line);) proof.emplace_back(line);
-  object["proof"] = std::move(proof);
-  return object;
-}
-
-boost::json::array array_of(const std::vector<Record>& records) {
-  boost::json::array array;
-  for (const Record& record : records) array.push_back(object_of(record));
-  return array;
-}
-
-/// The question: the words of existing requests and services, and the fields of hypothetical ones.
-boost::json::object asked(const Question& question) {
-  boost::json::object object;
-  boost::json::object request;
-  boost::json::object offer;
-  if (!question.subscription.empty()) object["subscription"] = question.subscription;
-  if (!question.service.empty()) object["service"] = question.service;
-  for (const auto& [key, value] : question.parameters) {
-    if (key.starts_with("offer.")) {
-      offer[key.substr(6)] = value;
-    } else {
-      request[key] = value;
-    }
-  }
-  if (!request.empty()) object["request"] = std::move(request);
-  if (!offer.empty()) object["offer"] = std::move(offer);
-  return object;
-}
-
-void print_json(const Question& question, const Answer& answer) {
-  boost::json::object object = asked(question);
-  if (about(question) == About::pair) {
-    object["matches"] = answer.end["matches"] == "1";
-    object["outranked"] = is_outranked(answer);
-  }
-  for (const auto& member : shell::to_json(answer.end)) {
-    if (member.key() != "count" && !object.contains(member.key())) object[member.key()] = member.value();
-  }
-  constexpr auto lists = std::to_array<const char*>({"checks", "services", "subscriptions"});
-  object[lists[std::to_underlying(about(question))]] = array_of(answer.records);
-  shell::print(std::cout, object);
-}
-
 /// Prints a sentence whose first words have a colour.
 void print_led(const Context& context, shell::Colour colour, std::string_view lead, const std::string& rest) {
   const std::string head = shell::printable(lead);
@@ -227,9 +146,9 @@ void print_proof(const Context& context, const Record& record) {
 
 void print_pair(const Context& context, const Answer& answer) {
   const bool is_match = answer.end["matches"] == "1";
-  std::string verdict = is_match               ? ": they match"
-                        : is_outranked(answer) ? ": they would match, and others are better"
-                                               : ": they do not match";
+  std::string verdict = is_match                        ? ": they match"
+                        : answers::is_outranked(answer) ? ": they would match, and others are better"
+                                                        : ": they do not match";
   if (!answer.end["degree"].empty()) {
     verdict += ", degree " + std::string(answer.end["degree"]) + ", distance " + std::string(answer.end["distance"]);
   }
@@ -333,11 +252,11 @@ shell::ExitStatus answer_to(const Context& context, Client& client, Question que
   }
   if (!answer) return shell::report(program, answer.error());
   const Record& end = answer->end;
-  const About what = about(question);
+  const About what = answers::about(question);
   const bool is_yes =
       what == About::service ? end["taken"] != "0" : end[what == About::pair ? "matches" : "served"] == "1";
   if (context.common.is_json) {
-    print_json(question, *answer);
+    shell::print(std::cout, answers::why_document(question, *answer));
   } else if (what == About::pair) {
     print_pair(context, *answer);
   } else if (what == About::request) {

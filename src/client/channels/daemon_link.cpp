@@ -56,7 +56,7 @@ void DaemonLink::on_ready(Reactor::Ready ready) {
 
 void DaemonLink::greet() {
   state_ = State::greeting;
-  connection_->put(hello_statement(options_.name, options_.room, true));
+  connection_->put(hello_statement(options_.name, options_.room, options_.asks_for_keys));
   watch_.want(true, false);
   write();
 }

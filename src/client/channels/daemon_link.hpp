@@ -35,6 +35,7 @@ class DaemonLink {
     std::string name;
     std::chrono::milliseconds timeout{};  ///< for connecting, and for the answer to the hello
     std::uint32_t room = 0;               ///< as in ClientOptions
+    bool asks_for_keys = true;            ///< of its channels
   };
 
   DaemonLink(Reactor& reactor, Options options, Told told);

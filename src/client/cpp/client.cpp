@@ -9,32 +9,11 @@
 #include "client/channels/engine.hpp"
 #include "client/cpp/blocking_session.hpp"
 #include "client/cpp/deadline.hpp"
+#include "client/cpp/record.hpp"
 #include "client/cpp/stated_endpoints.hpp"
-#include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/request.hpp"
 
 namespace geminga {
-namespace {
-
-Record record_of(const gcnp::Statement& message) {
-  Record record;
-  record.kind = message.subcommand;
-  // `why` names services, too, but none of their attributes.
-  const bool is_service = message.subcommand != "why" && (message.has("service") || message.has("subscription"));
-  const bool is_converted = message.has("convert");  // then an attribute of these names is `attr.cost` or `attr.via`
-  for (const auto& parameter : message.parameters) {
-    const bool is_of_chain = is_converted && (parameter.key == "cost" || parameter.key == "via");
-    const auto attribute = is_service && !is_of_chain ? gcnp::shown_attribute(parameter.key) : std::nullopt;
-    if (attribute) {
-      record.attributes.emplace(*attribute, parameter.value.value_or(""));
-    } else {
-      record.fields.emplace_back(parameter.key, parameter.value.value_or(""));
-    }
-  }
-  return record;
-}
-
-}  // namespace
 
 std::string_view Record::operator[](std::string_view key) const {
   const auto field = std::ranges::find(fields, key, &std::pair<std::string, std::string>::first);
@@ -122,7 +101,7 @@ Result<Answer, ClientError> Client::query(std::string_view kind,
   const auto messages = state_->session.query(statement);
   if (!messages) return std::unexpected(messages.error());
   Answer answer;
-  for (const auto& message : *messages) answer.records.push_back(record_of(message));
+  for (const auto& message : *messages) answer.records.push_back(client::record_of(message));
   answer.end = std::move(answer.records.back());
   answer.records.pop_back();
   return answer;
