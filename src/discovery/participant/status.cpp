@@ -9,6 +9,7 @@
 #include "discovery/gcnp/parameters.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "geminga/match.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -24,6 +25,14 @@ std::string users(const Sessions& sessions) {
   std::vector<std::string> words;
   for (const auto& [user, count] : counts) words.push_back(user + ":" + std::to_string(count));
   return base::joined(words, ",");
+}
+
+/// Services that requests were given, by degree, and participants that were lost.
+void append_matches(Line& line, const ClientCounters& clients, const AirCounters& counters) {
+  for (std::size_t i = 0; i < clients.matched.size(); ++i) {
+    append_over_zero(line, "matched_" + std::string(to_string(static_cast<Degree>(i))), clients.matched.at(i));
+  }
+  append_over_zero(line, "participants_lost", counters.lost);
 }
 
 void append_counters(Line& line, const ClientCounters& clients, const AirCounters& counters) {
@@ -121,6 +130,7 @@ Answer answer_status(const Settings& settings, Course course, const Knowledge& k
   append_over_zero(line, "overlaps_postponed", overlaps.postponed);
   append_over_zero(line, "converters_postponed", knowledge.held_converters());
   append_over_zero(line, "refused_services", air.neighbours().refused_services());
+  append_matches(line, sessions.counters, air.counters());
   append(line, "clients_closed", sessions.counters.clients_closed);
   append(line, "lags", sessions.counters.lags);
   append_stated(line, "users", users(sessions));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
@@ -126,6 +128,15 @@ void Air::expire() {
     neighbours_.postpone(now + time_to_catch_up);
   }
   if (const std::size_t lost = neighbours_.expire(now); lost > 0) announcer_.lost(lost);
+}
+
+std::vector<membership::Change> Air::take_changes() {
+  auto changes = neighbours_.take_changes();
+  for (const membership::Change& change : changes) {
+    const auto* gone = std::get_if<membership::RemoveParticipant>(&change);
+    if (gone != nullptr && gone->reason == membership::Departure::expired) ++counters_.lost;
+  }
+  return changes;
 }
 
 }  // namespace geminga::participant

@@ -43,7 +43,7 @@ class Air {
   void shed();
   void forget_interface(env::InterfaceIndex interface) { neighbours_.forget_interface(interface); }
   /// The changes of neighbours since the last call, in the order in which the registry must make them.
-  [[nodiscard]] std::vector<membership::Change> take_changes() { return neighbours_.take_changes(); }
+  [[nodiscard]] std::vector<membership::Change> take_changes();
   /// Whether all that we say is said on this interface, too.
   [[nodiscard]] bool speaks_on(const env::Interface& interface) {
     return dual_stack_.speaks_on(interface, seal_, env_.now());

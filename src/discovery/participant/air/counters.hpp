@@ -23,6 +23,7 @@ struct AirCounters {
   std::uint64_t bytes_sent = 0;
   std::uint64_t datagrams_received = 0;
   std::uint64_t bytes_received = 0;
+  std::uint64_t lost = 0;          ///< participants that were given up, without a goodbye
   std::uint64_t clashes = 0;       ///< times that the identifier was given up
   std::uint64_t redraws = 0;       ///< identifiers drawn because another one was somebody else's, too
   std::uint64_t contested = 0;     ///< datagrams of others under our identifier, which we kept

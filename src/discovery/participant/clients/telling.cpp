@@ -135,6 +135,7 @@ void Telling::tell(Session& session, std::uint32_t number, News news, const std:
   ++session.events;
   work_.add(cost_of_event);
   if constexpr (std::is_same_v<Entry, registry::PublicationEntry>) {
+    if (news.change == Change::add) ++sessions_.counters.matched.at(std::to_underlying(news.match.degree));
     if (news.change != Change::del) keys_.tell(session, number, entry->publication.attributes);
   }
   say(session, number, news, entry, said);
