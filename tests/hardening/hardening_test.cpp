@@ -102,8 +102,8 @@ INSTANTIATE_TEST_SUITE_P(Of, Hardening, testing::ValuesIn(linked_files()), [](co
 TEST(HardeningOfAll, IsReadFromEveryProgramAndTheLibrary) {
   std::vector<std::string> names;
   for (const std::string& path : linked_files()) names.push_back(std::filesystem::path(path).filename().string());
-  for (const char* name :
-       {"gemingad", "geminga-ontology", "geminga-publish", "geminga-query", "geminga-subscribe", "geminga-unseal", "libgeminga.so.1.0.0"})
+  for (const char* name : {"gemingad", "geminga-ontology", "geminga-publish", "geminga-query", "geminga-subscribe",
+                           "geminga-unseal", "geminga-web", "libgeminga.so.1.0.0"})
     EXPECT_THAT(names, Contains(name));
 }
 

@@ -79,6 +79,22 @@ no RDF itself: without this package it takes compiled files only."
   RECOMMENDS "geminga-ontologies (= ${PROJECT_VERSION})"
   SUGGESTS "graphviz")
 
+geminga_package(geminga-web
+  SUMMARY "metrics, health and live answers of a robot team over HTTP"
+  DESCRIPTION "geminga-web asks the daemon of its host and serves OpenMetrics, probes of
+health, JSON and server-sent events, on 127.0.0.1 unless told. Alert rules
+for Prometheus come with it. Its service is off until it is enabled."
+  SECTION net
+  DEPENDS "geminga (= ${PROJECT_VERSION})"
+  SUGGESTS "prometheus"
+  CONTROL ${here}/control/geminga-web/conffiles ${here}/control/geminga-web/postinst ${here}/control/geminga-web/prerm
+          ${here}/control/geminga-web/postrm)
+in_package(geminga-web lib/systemd/system ${here}/geminga-web.service)
+install(FILES ${here}/geminga-web.default DESTINATION /etc/default RENAME geminga-web COMPONENT geminga-web EXCLUDE_FROM_ALL)
+in_package(geminga-web ${CMAKE_INSTALL_DATADIR}/doc/geminga-web/examples ${PROJECT_SOURCE_DIR}/examples/monitoring/prometheus.yml
+           ${PROJECT_SOURCE_DIR}/examples/monitoring/geminga.rules.yml ${PROJECT_SOURCE_DIR}/examples/monitoring/geminga.rules_test.yml
+           ${PROJECT_SOURCE_DIR}/examples/monitoring/README.md)
+
 geminga_package(geminga-ontologies ALL
   SUMMARY "ontologies for robot teams"
   DESCRIPTION "The words for services that Geminga ships: the core, a robot soccer team
@@ -127,7 +143,7 @@ and send and receive messages."
 # The targets that packages hold.
 get_property(manuals GLOBAL PROPERTY geminga_manuals)
 add_custom_target(packaged)
-foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-dissector ${manuals} geminga client_java)
+foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-web geminga-dissector ${manuals} geminga client_java)
   if(TARGET ${target})
     add_dependencies(packaged ${target})
   endif()

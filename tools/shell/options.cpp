@@ -29,11 +29,15 @@ std::string complaint_about_seconds(const std::string& text) {
 }  // namespace
 
 void CommonOptions::add_to(CLI::App& app, const std::string& timeout_meaning) {
+  add_without_json_to(app, timeout_meaning);
+  app.add_flag("--json", is_json, "Print JSON: one document, or one object a line for what goes on");
+}
+
+void CommonOptions::add_without_json_to(CLI::App& app, const std::string& timeout_meaning) {
   app.add_option("--connect", connect,
                  "Where the daemon listens: an address or the path of a Unix socket; else $GEMINGA_CONNECT, else "
                  "127.0.0.1:4717 and then [::1]:4717")
       ->type_name("ADDRESS:PORT|PATH");
-  app.add_flag("--json", is_json, "Print JSON: one document, or one object a line for what goes on");
   add_seconds(app, "--timeout", timeout_seconds, timeout_meaning);
   app.set_version_flag("--version", app.get_name() + " " GEMINGA_VERSION, "Print the version and exit");
 }

@@ -30,6 +30,8 @@ struct CommonOptions {
 
   /// Adds the flags to a program. Borrows this for the life of `app`.
   void add_to(CLI::App& app, const std::string& timeout_meaning);
+  /// The same without --json, for a program that prints nothing.
+  void add_without_json_to(CLI::App& app, const std::string& timeout_meaning);
   [[nodiscard]] std::chrono::milliseconds timeout_or(std::chrono::milliseconds usual) const;
 };
 

@@ -24,7 +24,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 
-constexpr std::array programs{"gemingad", "geminga-ontology", "geminga-query", "geminga-publish", "geminga-subscribe", "geminga-unseal"};
+constexpr std::array programs{"gemingad",          "geminga-ontology", "geminga-query", "geminga-publish",
+                              "geminga-subscribe", "geminga-unseal",   "geminga-web"};
 
 fs::path made(const std::string& file) { return fs::path(GEMINGA_BINARY_DIR) / "manual" / file; }
 fs::path page_of(const std::string& program) { return made(program + (program == "gemingad" ? ".8" : ".1")); }

@@ -1,0 +1,59 @@
+#include "web/settings.hpp"
+
+#include "client/cpp/stated_endpoints.hpp"
+#include "web/token_file.hpp"
+
+namespace geminga::web {
+
+void Flags::add_to(CLI::App& app) {
+  common.add_without_json_to(app, "How long a reader waits for the daemon (5 unless told)");
+  app.add_option("--listen", listen,
+                 "Where to listen: 127.0.0.1:4780 unless told, and nowhere where --socket is given alone. An address "
+                 "that other hosts reach needs --token-file")
+      ->type_name("ADDRESS:PORT");
+  app.add_option(
+         "--socket", socket,
+         "Listen at a Unix socket, which this user and group may use; a token is asked for there, too, if there "
+         "is one")
+      ->type_name("PATH");
+  app.add_option("--token-file", token_file,
+                 "A file with the secret that each request has to bring as Authorization: Bearer TOKEN, except for "
+                 "/livez: 16 to 256 characters, readable by its owner only")
+      ->type_name("FILE");
+  app.add_option(
+         "--host", names,
+         "A name of this host by which it is asked, beside localhost and its addresses in numbers; may be given "
+         "several times")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+}
+
+std::expected<Settings, std::string> settings_of(const Flags& flags) {
+  Settings settings{.listen = std::nullopt, .socket = flags.socket, .rules = {}, .daemon = {}};
+  if (!flags.listen.empty() || flags.socket.empty()) {
+    const std::string text = flags.listen.empty() ? std::string(usual_listen) : flags.listen;
+    const auto endpoint = env::parse_endpoint(text);
+    if (!endpoint) return std::unexpected("--listen: " + text + ' ' + endpoint.error());
+    settings.listen = *endpoint;
+  }
+  for (const std::string& name : flags.names) {
+    const auto host = host_of(name);
+    if (!host) return std::unexpected("--host: " + name + " is no name of a host: write it without port");
+    settings.rules.names.push_back(*host);
+  }
+  if (!flags.token_file.empty()) {
+    auto token = read_token(flags.token_file);
+    if (!token) return std::unexpected("--token-file: " + token.error());
+    settings.rules.token = std::move(*token);
+  }
+  if (settings.listen && !env::is_loopback(settings.listen->address) && settings.rules.token.empty()) {
+    return std::unexpected("--listen: other hosts reach " + settings.listen->address +
+                           ": give --token-file, too, or listen on 127.0.0.1");
+  }
+  const auto daemon = client::stated_endpoints(flags.common.connect);
+  if (!daemon) return std::unexpected(daemon.error().text);
+  settings.daemon = *daemon;
+  return settings;
+}
+
+}  // namespace geminga::web

@@ -1,0 +1,102 @@
+#include "web/site/site.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "web/site/api.hpp"
+#include "web/site/event_stream.hpp"
+#include "web/site/health.hpp"
+
+namespace geminga::web {
+namespace {
+
+constexpr std::string_view api = "/api/";
+
+/// The answers to several questions, of which some are still to come.
+struct Gathered {
+  std::vector<Outcome> outcomes;
+  std::size_t missing = 0;
+};
+
+}  // namespace
+
+void Site::answer(const Request& request, const Then& then) {
+  const Then counted = [this, then](Response response) {
+    count(response.status);
+    if (response.stream) ++traffic_.streams;
+    then(std::move(response));
+  };
+  if (auto refusal = refuse(request, rules_)) return counted(std::move(*refusal));
+  const auto target = read_target(request.target);
+  if (!target) return counted(failure(400, target.error()));
+  route(request, *target, counted);
+}
+
+void Site::route(const Request& request, const Target& target, const Then& then) {
+  const std::string_view path = target.path;
+  if (path == api.substr(0, api.size() - 1) || path == api) {
+    return then(failure(404, "name a question: /api/status and its like, or /api/events"));
+  }
+  if (path == "/api/events") return answer_events(target.parameters, then);
+  if (path.starts_with(api)) return answer_question(path.substr(api.size()), target.parameters, then);
+  if (path != open_path && path != "/readyz" && path != "/metrics") {
+    return then(failure(404, "there is no such page: there are /metrics, /livez, /readyz and /api/"));
+  }
+  if (!target.parameters.empty()) return then(failure(400, "no parameters go with " + target.path));
+  if (path == open_path) return then(plain(200, "ok"));
+  if (path == "/readyz") return answer_readiness(then);
+  answer_metrics(form_for(request.accept), then);
+}
+
+void Site::answer_readiness(const Then& then) {
+  asker_.ask({"status"}, [then](const Outcome& status) {
+    const std::string reason = unreadiness(*status);
+    then(reason.empty() ? plain(200, "ok") : plain(503, reason));
+  });
+}
+
+void Site::answer_metrics(Form form, const Then& then) {
+  const auto gathered = std::make_shared<Gathered>();  // lives as long as one answer is missing
+  const auto& questions = metric_questions();
+  gathered->outcomes.resize(questions.size());
+  gathered->missing = questions.size();
+  for (std::size_t at = 0; at < questions.size(); ++at) {
+    asker_.ask(questions[at], [this, form, then, gathered, at](const Outcome& outcome) {
+      gathered->outcomes[at] = outcome;
+      if (--gathered->missing > 0) return;
+      then({.type = std::string(media_type(form)), .body = exposition(metrics(gathered->outcomes, traffic_), form)});
+    });
+  }
+}
+
+void Site::answer_question(std::string_view kind, const Parameters& parameters, const Then& then) {
+  auto query = read_question(kind, parameters);
+  if (!query) return then(std::move(query.error()));
+  asker_.ask(*query, [query = *query, then](const Outcome& outcome) {
+    then(outcome->has_value() ? document(document_of(query, outcome->value())) : failure_of(outcome->error()));
+  });
+}
+
+void Site::answer_events(const Parameters& parameters, const Then& then) {
+  Parameters rest = parameters;
+  const auto of = std::ranges::find(rest, "of", &Parameters::value_type::first);
+  if (of == rest.end() || key_of(of->second).empty()) {
+    return then(failure(400, "say of what: of=participants, of=services, of=requests or of=match"));
+  }
+  const std::string kind = of->second;
+  rest.erase(of);
+  auto query = read_question(kind, rest);
+  if (!query) return then(std::move(query.error()));
+  // The first answer shows whether the daemon understands the question.
+  asker_.ask(*query, [this, query = *query, then](const Outcome& outcome) {
+    const bool is_refused = !outcome->has_value() && (outcome->error().kind == ClientError::Kind::wrong_use ||
+                                                      outcome->error().kind == ClientError::Kind::refused);
+    if (is_refused) return then(failure_of(outcome->error()));
+    then({.type = "text/event-stream", .stream = std::make_shared<EventStream>(asker_, query)});
+  });
+}
+
+}  // namespace geminga::web

@@ -1,0 +1,46 @@
+// The site: which path is answered how.
+#ifndef GEMINGA_WEB_SITE_SITE_HPP
+#define GEMINGA_WEB_SITE_SITE_HPP
+
+#include <functional>
+
+#include "web/asking/asker.hpp"
+#include "web/site/gate.hpp"
+#include "web/site/metrics.hpp"
+#include "web/site/request.hpp"
+#include "web/site/response.hpp"
+#include "web/site/target.hpp"
+
+namespace geminga::web {
+
+/// `/livez`, `/readyz`, `/metrics`, `/api/KIND` and `/api/events?of=KIND`. Knows no sockets. Neither copies nor moves.
+class Site {
+ public:
+  using Then = std::function<void(Response)>;
+
+  /// Borrows the asker.
+  Site(Asker& asker, Rules rules) : asker_(asker), rules_(std::move(rules)) {}
+  Site(const Site&) = delete;
+  Site& operator=(const Site&) = delete;
+
+  /// Calls `then` once with the response, perhaps before it returns. That to HEAD is the response to GET, body
+  /// included.
+  void answer(const Request& request, const Then& then);
+  /// Counts a response that was made without the site, too.
+  void count(unsigned status) { ++traffic_.responses[status]; }
+
+ private:
+  void route(const Request& request, const Target& target, const Then& then);
+  void answer_readiness(const Then& then);
+  void answer_metrics(Form form, const Then& then);
+  void answer_question(std::string_view kind, const Parameters& parameters, const Then& then);
+  void answer_events(const Parameters& parameters, const Then& then);
+
+  Asker& asker_;
+  Rules rules_;
+  Traffic traffic_;
+};
+
+}  // namespace geminga::web
+
+#endif
