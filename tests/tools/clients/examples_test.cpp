@@ -125,15 +125,19 @@ class Examples : public testing::Test {
     example = replaced(example, " --memory-limit 512", "");  // the sanitizer's own tables take more
 #endif
     example = replaced(example, "--format svg", "--format dot");  // svg needs Graphviz, which may not be installed
-    const bool goes_on = example.starts_with("geminga-publish") || example.contains("--watch");
+    const bool is_web = example.starts_with("geminga-web");
+    const bool goes_on = is_web || example.starts_with("geminga-publish") || example.contains("--watch");
     if (!goes_on) {
       const bool needs_end = example.starts_with("geminga-subscribe") && !example.contains("--timeout");
       run(needs_end ? example + " --timeout 0.2" : example);
       return;
     }
     auto process = start(example);
-    EXPECT_TRUE(process->wait_for(example.contains("--watch") ? "robot0" : "offer")) << example << '\n'
-                                                                                     << process->said();
+    EXPECT_TRUE(process->wait_for(is_web                        ? "serving"
+                                  : example.contains("--watch") ? "robot0"
+                                                                : "offer"))
+        << example << '\n'
+        << process->said();
     process->signal(SIGTERM);
     EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();
   }
