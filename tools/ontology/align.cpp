@@ -1,14 +1,16 @@
 // `geminga-ontology align`: the equivalences between the classes and properties of two ontologies, untrained and
 // mended.
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <array>
 #include <boost/json.hpp>
 #include <cstdio>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -83,15 +85,14 @@ void say_rejected(const Mended& mended) {
 
 /// Writes the links as an ontology of equivalences.
 Exit put_links(const AlignRequest& request, rdf::Loaded& both, const Mended& mended, const DocumentFormat& format) {
+  std::set<std::pair<std::string_view, std::string_view>> kept;
+  for (const Link& link : mended.links) kept.emplace(link.one, link.other);
   std::vector<std::uint32_t> axioms;
   for (std::uint32_t number = 0; number < both.source.axiom_count(); ++number) {
     const owl::Axiom axiom = both.source.axiom(number);
     if (axiom.line != 0 || axiom.arguments.size() != 2 || axiom.kind == owl::AxiomKind::declaration) continue;
-    const auto is_kept = [&](const Link& link) {
-      return both.source.name_of(axiom.arguments[0]) == link.one &&
-             both.source.name_of(axiom.arguments[1]) == link.other;
-    };
-    if (std::ranges::any_of(mended.links, is_kept)) axioms.push_back(number);
+    if (kept.contains({both.source.name_of(axiom.arguments[0]), both.source.name_of(axiom.arguments[1])}))
+      axioms.push_back(number);
   }
   both.annotations.clear();  // what the files say of the names stands in them
   const ExcerptDocument excerpt(both, axioms, {});

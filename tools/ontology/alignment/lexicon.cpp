@@ -30,10 +30,10 @@ bool is_code(const std::vector<std::string>& words) {
   });
 }
 
-void add_name(Word& word, std::string_view name) {
-  std::vector<std::string> words = word.kind == TermKind::named_class ? words_of_name(name) : words_of_property(name);
-  if (words.empty() || is_code(words) || std::ranges::find(word.names, words) != word.names.end()) return;
-  word.names.push_back(std::move(words));
+void add_name(LexiconEntry& entry, std::string_view name) {
+  std::vector<std::string> words = entry.kind == TermKind::named_class ? words_of_name(name) : words_of_property(name);
+  if (words.empty() || is_code(words) || std::ranges::find(entry.names, words) != entry.names.end()) return;
+  entry.names.push_back(std::move(words));
 }
 
 /// The named classes of a domain or range: itself, or the parts of a union.
@@ -58,7 +58,7 @@ Lexicon::Lexicon(const rdf::Loaded& loaded) {
     const TermKind kind = loaded.source.kind(term);
     if (kind > TermKind::data_property) continue;
     const auto at = std::ranges::lower_bound(entities_, std::pair(std::string(loaded.source.name_of(term)), kind), {},
-                                             [](const Word& one) { return std::pair(one.iri, one.kind); });
+                                             [](const LexiconEntry& one) { return std::pair(one.iri, one.kind); });
     if (at != entities_.end() && at->iri == loaded.source.name_of(term) && at->kind == kind)
       number_of_.emplace(id, static_cast<std::uint32_t>(at - entities_.begin()));
   }
@@ -67,12 +67,12 @@ Lexicon::Lexicon(const rdf::Loaded& loaded) {
 }
 
 void Lexicon::add_names(const rdf::Loaded& loaded) {
-  for (Word& word : entities_) add_name(word, compiled::local_name(word.iri));
+  for (LexiconEntry& entry : entities_) add_name(entry, compiled::local_name(entry.iri));
   for (const owl::Annotation& one : loaded.annotations) {
     if (one.of != owl::Annotation::Of::name || !one.is_literal) continue;
     if (std::ranges::find(naming, one.property) == naming.end()) continue;
-    const auto [first, last] = std::ranges::equal_range(entities_, one.subject, {}, &Word::iri);
-    for (Word& word : std::ranges::subrange(first, last)) add_name(word, one.value);
+    const auto [first, last] = std::ranges::equal_range(entities_, one.subject, {}, &LexiconEntry::iri);
+    for (LexiconEntry& entry : std::ranges::subrange(first, last)) add_name(entry, one.value);
   }
 }
 

@@ -12,7 +12,7 @@
 namespace geminga::ontology {
 
 /// A class or a property.
-struct Word {
+struct LexiconEntry {
   owl::TermKind kind{};
   std::string iri;
   /// The words of its local name, its labels and its synonyms, each once; the local name first.
@@ -27,13 +27,13 @@ class Lexicon {
  public:
   explicit Lexicon(const rdf::Loaded& loaded);
 
-  [[nodiscard]] const std::vector<Word>& entities() const { return entities_; }
+  [[nodiscard]] const std::vector<LexiconEntry>& entities() const { return entities_; }
 
  private:
   void add_names(const rdf::Loaded& loaded);
   void add_neighbours(const owl::Ontology& source);
 
-  std::vector<Word> entities_;                                  ///< by IRI and kind
+  std::vector<LexiconEntry> entities_;                          ///< by IRI and kind
   std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  ///< by term
 };
 

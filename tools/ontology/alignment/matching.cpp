@@ -30,8 +30,8 @@ class Weights {
  public:
   Weights(const Lexicon& one, const Lexicon& other) {
     for (const Lexicon* lexicon : {&one, &other}) {
-      for (const Word& word : lexicon->entities()) {
-        for (const Name& name : word.names) {
+      for (const LexiconEntry& entry : lexicon->entities()) {
+        for (const Name& name : entry.names) {
           for (const std::string& part : name) ++counts_[part];
           ++names_;
         }
@@ -222,8 +222,8 @@ class Matching {
     return words;
   }
 
-  const std::vector<Word>& one_;
-  const std::vector<Word>& other_;
+  const std::vector<LexiconEntry>& one_;
+  const std::vector<LexiconEntry>& other_;
   Weights weights_;
   std::map<Name, std::vector<std::uint32_t>> named_;  ///< of the other, by sorted words
   std::unordered_map<std::uint32_t, std::uint32_t> partner_;

@@ -69,6 +69,8 @@ class Mending {
         short_name_(short_names(both.source)) {
     for (std::uint32_t number = 0; number < source_.axiom_count(); ++number) axioms_.push_back(number);
     for (Link& link : links) add(std::move(link));
+    const owl::ContentHashes hashes(source_);
+    for (const auto& [axiom, link] : links_) link_of_.emplace(hashes.hash_of(source_.axiom(axiom)), axiom);
   }
 
   Mended run() {
@@ -178,12 +180,9 @@ class Mending {
   [[nodiscard]] std::vector<std::uint32_t> links_in(const owl::Ontology& module,
                                                     const explanation::AxiomSet& set) const {
     const owl::ContentHashes hashes(module);
-    const owl::ContentHashes own(source_);
-    std::map<owl::ContentHashes::Hash, std::uint32_t> link_of;
-    for (const auto& [axiom, link] : links_) link_of.emplace(own.hash_of(source_.axiom(axiom)), axiom);
     std::vector<std::uint32_t> found;
     for (const std::uint32_t axiom : set) {
-      if (const auto link = link_of.find(hashes.hash_of(module.axiom(axiom))); link != link_of.end())
+      if (const auto link = link_of_.find(hashes.hash_of(module.axiom(axiom))); link != link_of_.end())
         found.push_back(link->second);
     }
     return found;
@@ -195,8 +194,9 @@ class Mending {
   bool is_conservative_;
   base::Budget& budget_;
   std::function<std::string(std::string_view)> short_name_;
-  std::vector<std::uint32_t> axioms_;    ///< of the files
-  std::map<std::uint32_t, Link> links_;  ///< that are left, by their axiom
+  std::vector<std::uint32_t> axioms_;                          ///< of the files
+  std::map<std::uint32_t, Link> links_;                        ///< that are left, by their axiom
+  std::map<owl::ContentHashes::Hash, std::uint32_t> link_of_;  ///< the axiom of each link that was given
   Mended mended_;
 };
 
