@@ -1,5 +1,6 @@
 // geminga-query record: keeps the stream of events in a file, for replay.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,8 +20,10 @@ using recording::At;
 using shell::ExitStatus;
 using std::chrono::milliseconds;
 
-/// The pause between two rounds of questions, as with --watch.
-constexpr milliseconds round_pause{250};
+/// The least pause between two rounds of questions, as with --watch.
+constexpr milliseconds least_pause{250};
+/// The pause is so many times as long as the round took, so that a great team costs a fifth of a core at most.
+constexpr int pauses_in_round = 4;
 /// The rounds between two questions for reasons, and between two about the daemon itself.
 constexpr unsigned rounds_of_reasons = 4;
 constexpr unsigned rounds_of_status = 20;
@@ -49,9 +52,11 @@ class Recording {
 
   ExitStatus run() {
     while (true) {
+      const At began = at();
       if (client_) ask();
       if (!client_ && status_ == ExitStatus::found) connect();
       if (status_ != ExitStatus::found) return finish("error");
+      const At round_pause = std::max<At>(least_pause, pauses_in_round * (at() - began));
       const auto woken = signals_.wait(-1, client_ ? round_pause : attempt_pause);
       if (woken == shell::StopSignals::Woken::stopped) return finish("stopped");
     }

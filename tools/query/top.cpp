@@ -20,7 +20,6 @@
 namespace geminga::query {
 namespace {
 
-using top::Key;
 using top::TableView;
 
 /// The least time between two rounds of questions, whatever the user wishes: an eye sees no more.
@@ -91,8 +90,8 @@ class LiveTable {
   bool take_keys() {
     std::string octets;
     if (!terminal_.read(octets)) return false;
-    for (const Key key : keys_.read(octets)) {
-      if (key == top::letter('\f')) screen_.forget();  // Ctrl-L, as everywhere
+    for (const top::Key key : keys_.read(octets)) {
+      if (key == '\f') screen_.forget();  // Ctrl-L, as everywhere
       const TableView::Wish wish = view_.press(key, tally_.seen());
       if (wish == TableView::Wish::quit) return false;
       if (wish == TableView::Wish::ask_why) ask_why();

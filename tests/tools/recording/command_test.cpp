@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/inotify.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,6 +14,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
+#include <thread>
 
 #include "system/folder.hpp"
 #include "tools/clients/bench.hpp"
@@ -135,6 +139,44 @@ TEST_F(RecordAndReplay, EndWithTheRecordingWhereTold) {
                                         "--gcnp", in("replay.sock"), "--speed", "10000", "--end"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.out, HasSubstr("The recording ends at 2026-11-27T03:10:12.319Z.\n"));
+}
+
+TEST_F(RecordAndReplay, AnswerEverythingToAClientThatReadsLate) {
+  auto player = play({GEMINGA_SOURCE_DIR "/tests/fuzz/seeds/recording/field_test.jsonl", "--at", "5"});
+  const int client = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  in("replay.sock").copy(address.sun_path, sizeof address.sun_path - 1);
+  ASSERT_EQ(::connect(client, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  // The answers are more than may wait for a client (env::max_queued_bytes), so the replay has to wait for it.
+  constexpr int questions = 50'000;
+  std::string said;
+  for (int i = 1; i <= questions; ++i) said += std::to_string(i) + " query services\n";
+  // It says all that the replay takes while nobody reads, and the rest while it reads.
+  std::string_view left = said;
+  const auto say = [&](int flags) {
+    while (!left.empty()) {
+      const ssize_t size = ::send(client, left.data(), left.size(), MSG_NOSIGNAL | flags);
+      if (size <= 0) return;
+      left.remove_prefix(static_cast<std::size_t>(size));
+    }
+  };
+  say(MSG_DONTWAIT);
+  std::thread speaker([&] {
+    say(0);
+    ::shutdown(client, SHUT_WR);
+  });
+  std::string heard;
+  std::array<char, 65'536> chunk{};
+  for (ssize_t size = 0; (size = ::read(client, chunk.data(), chunk.size())) > 0;) {
+    heard.append(chunk.data(), static_cast<std::size_t>(size));
+  }
+  speaker.join();
+  ::close(client);
+  EXPECT_GT(heard.size(), std::size_t{8} * 1024 * 1024);
+  EXPECT_THAT(heard, testing::EndsWith("\r\n" + std::to_string(questions) + " msg end count=1\r\n"));
+  player->signal(SIGTERM);
+  EXPECT_EQ(player->wait(), 0);
 }
 
 TEST_F(RecordAndReplay, RefuseStatementsOfPrograms) {

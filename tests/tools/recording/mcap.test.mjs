@@ -1,9 +1,10 @@
 // Reads the MCAP file that geminga-query makes of a recording with @mcap/core: node mcap.test.mjs RECORDING MCAP
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 
 const [recording, file] = process.argv.slice(2);
+const library = "@mcap/core"; // in the folder beside which read_mcap puts this file, not in this project
+const { McapIndexedReader, McapStreamReader } = await import(library);
 const lines = readFileSync(recording, "utf8").trimEnd().split("\n");
 const octets = readFileSync(file);
 const decode = (data) => new TextDecoder().decode(data);

@@ -108,8 +108,8 @@ TEST(Tally, SaysForHowLongARequestHasHadNoProvider) {
 
 TEST(Keys, AreReadInWhateverPiecesTheyCome) {
   const std::string octets = "q\x1b[A\x1b[B\x1bOA\x1b[5~\x1b[6~\x1b[1;5C\r\n\xc3\xbc";
-  const std::vector<Key> expected{letter('q'), Key::up,    Key::down,  Key::up,    Key::page_up, Key::page_down,
-                                  Key::other,  Key::enter, Key::enter, Key::other, Key::other};
+  const std::vector<Key> expected{'q',        key::up,    key::down,  key::up,    key::page_up, key::page_down,
+                                  key::other, key::enter, key::enter, key::other, key::other};
   EXPECT_EQ(Keys().read(octets), expected);
   for (std::size_t cut = 0; cut <= octets.size(); ++cut) {
     if (cut > 0 && octets[cut - 1] == '\x1b') continue;  // an escape at the end of a piece is the key
@@ -118,32 +118,32 @@ TEST(Keys, AreReadInWhateverPiecesTheyCome) {
     for (const Key key : keys.read(octets.substr(cut))) read.push_back(key);
     EXPECT_EQ(read, expected) << cut;
   }
-  EXPECT_THAT(Keys().read("\x1b"), ElementsAre(Key::escape));
+  EXPECT_THAT(Keys().read("\x1b"), ElementsAre(key::escape));
 }
 
 TEST(Keys, WaitForNoSequenceWithoutEnd) {
   Keys keys;
   EXPECT_THAT(keys.read("\x1b[" + std::string(max_sequence_bytes - 2, '1')), IsEmpty());
-  EXPECT_THAT(keys.read("A"), ElementsAre(Key::other));
+  EXPECT_THAT(keys.read("A"), ElementsAre(key::other));
   EXPECT_THAT(keys.read("\x1b[" + std::string(max_sequence_bytes - 1, '1')), IsEmpty());
-  EXPECT_THAT(keys.read("q"), ElementsAre(letter('q'))) << "it was given up";
+  EXPECT_THAT(keys.read("q"), ElementsAre('q')) << "it was given up";
 }
 
 TEST(TableView, SortsByWhatItsKeysSay) {
   const Seen seen = seen_of(team());
   TableView view(Order::name);
   EXPECT_EQ(names(view, seen), "abc");
-  EXPECT_EQ(view.press(letter('h'), seen), TableView::Wish::nothing);
+  EXPECT_EQ(view.press('h', seen), TableView::Wish::nothing);
   EXPECT_EQ(names(view, seen), "cab");
-  static_cast<void>(view.press(letter('l'), seen));
+  static_cast<void>(view.press('l', seen));
   EXPECT_EQ(names(view, seen), "bca");
-  static_cast<void>(view.press(letter('s'), seen));
+  static_cast<void>(view.press('s', seen));
   EXPECT_EQ(names(view, seen), "cab");
-  static_cast<void>(view.press(letter('r'), seen));
+  static_cast<void>(view.press('r', seen));
   EXPECT_EQ(names(view, seen), "bac");
-  static_cast<void>(view.press(letter('n'), seen));
+  static_cast<void>(view.press('n', seen));
   EXPECT_EQ(names(view, seen), "abc") << "an order begins unreversed";
-  EXPECT_EQ(view.press(letter('q'), seen), TableView::Wish::quit);
+  EXPECT_EQ(view.press('q', seen), TableView::Wish::quit);
   EXPECT_EQ(order_of("loss"), Order::loss);
   EXPECT_FALSE(order_of("size"));
 }
@@ -160,11 +160,11 @@ TEST(TableView, MarksRobotsInTrouble) {
 TEST(TableView, AsksWhyOfTheSelectedRequestAndShowsIt) {
   const Seen seen = seen_of(team());
   TableView view(Order::name);
-  EXPECT_EQ(view.press(Key::enter, seen), TableView::Wish::ask_why);
+  EXPECT_EQ(view.press(key::enter, seen), TableView::Wish::ask_why);
   EXPECT_EQ(view.selected(), "00000001/1/1");
-  static_cast<void>(view.press(Key::down, seen));
-  static_cast<void>(view.press(Key::down, seen));
-  EXPECT_EQ(view.press(letter('w'), seen), TableView::Wish::ask_why);
+  static_cast<void>(view.press(key::down, seen));
+  static_cast<void>(view.press(key::down, seen));
+  EXPECT_EQ(view.press('w', seen), TableView::Wish::ask_why);
   EXPECT_EQ(view.selected(), "00000001/1/2");
   Answer answer;
   answer.end.fields = {{"text", "nobody offers \x1b[2Jtext=camera2"}, {"mend", "start it"}};
@@ -174,13 +174,13 @@ TEST(TableView, AsksWhyOfTheSelectedRequestAndShowsIt) {
   EXPECT_THAT(text, HasSubstr("\nstart it\n"));
   EXPECT_THAT(text, Not(HasSubstr("\x1b"))) << "a text from the air steers no terminal";
   EXPECT_THAT(text, Not(HasSubstr("NAME")));
-  static_cast<void>(view.press(Key::escape, seen));
+  static_cast<void>(view.press(key::escape, seen));
   EXPECT_THAT(text_of(view.lines(seen, {24, 100}, "")), HasSubstr("NAME"));
 }
 
 TEST(TableView, KeepsTheSelectionWhereRequestsComeAndGo) {
   TableView view(Order::name);
-  static_cast<void>(view.press(Key::page_down, seen_of(team(5))));
+  static_cast<void>(view.press(key::page_down, seen_of(team(5))));
   EXPECT_EQ(view.selected(), "00000001/1/5");
   Round without_first = team(5);
   without_first.unmatched.erase(without_first.unmatched.begin());
@@ -190,14 +190,14 @@ TEST(TableView, KeepsTheSelectionWhereRequestsComeAndGo) {
   EXPECT_EQ(view.selected(), "00000001/1/3");
   static_cast<void>(view.lines(seen_of(team(0)), {24, 100}, ""));
   EXPECT_THAT(view.selected(), IsEmpty());
-  EXPECT_EQ(view.press(Key::enter, seen_of(team(0))), TableView::Wish::nothing);
+  EXPECT_EQ(view.press(key::enter, seen_of(team(0))), TableView::Wish::nothing);
 }
 
 TEST(TableView, FitsEverySizeAndAlwaysShowsTheSelectedRequest) {
   const Seen seen = seen_of(team(50));
   for (std::size_t rows = 1; rows < 60; ++rows) {
     TableView view(Order::name);
-    for (int i = 0; i < 30; ++i) static_cast<void>(view.press(Key::down, seen));
+    for (int i = 0; i < 30; ++i) static_cast<void>(view.press(key::down, seen));
     const auto lines = view.lines(seen, {rows, 80}, "");
     EXPECT_THAT(lines, SizeIs(rows)) << rows;
     const std::string text = text_of(lines);

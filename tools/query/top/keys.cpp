@@ -7,11 +7,11 @@ namespace geminga::query::top {
 namespace {
 
 Key key_of(std::string_view sequence) {
-  if (sequence == "A") return Key::up;
-  if (sequence == "B") return Key::down;
-  if (sequence == "5~") return Key::page_up;
-  if (sequence == "6~") return Key::page_down;
-  return Key::other;
+  if (sequence == "A") return key::up;
+  if (sequence == "B") return key::down;
+  if (sequence == "5~") return key::page_up;
+  if (sequence == "6~") return key::page_down;
+  return key::other;
 }
 
 bool is_final(char c) { return c >= 0x40 && c <= 0x7e; }
@@ -25,7 +25,7 @@ std::vector<Key> Keys::read(std::string_view octets) {
     const auto octet = static_cast<unsigned char>(text[at]);
     const bool is_sequence = octet == 0x1b && at + 1 < text.size() && (text[at + 1] == '[' || text[at + 1] == 'O');
     if (!is_sequence) {
-      keys.push_back(octet == '\n' ? Key::enter : octet < 0x80 ? static_cast<Key>(octet) : Key::other);
+      keys.push_back(octet == '\n' ? key::enter : octet < 0x80 ? Key{octet} : key::other);
       continue;
     }
     const auto begin = text.begin() + static_cast<std::ptrdiff_t>(at) + 2;

@@ -8,18 +8,18 @@
 
 namespace geminga::query::top {
 
-/// A key: a letter, or one that has a name.
-enum class Key : unsigned char {
-  enter = '\r',
-  escape = 0x1b,
-  up = 0x80,  ///< behind all letters of ASCII
-  down,
-  page_up,
-  page_down,
-  other,  ///< of no meaning here
-};
+/// A key: a character of ASCII, or one of the names below.
+using Key = unsigned;
 
-[[nodiscard]] constexpr Key letter(char c) { return static_cast<Key>(c); }
+namespace key {
+inline constexpr Key enter = '\r';
+inline constexpr Key escape = 0x1b;
+inline constexpr Key up = 0x100;  ///< behind all octets
+inline constexpr Key down = 0x101;
+inline constexpr Key page_up = 0x102;
+inline constexpr Key page_down = 0x103;
+inline constexpr Key other = 0x104;  ///< of no meaning here
+}  // namespace key
 
 /// Reads keys in whatever pieces their octets come (ECMA-48, section 5.4: control sequences). An escape at the end of a
 /// piece is the key of that name.

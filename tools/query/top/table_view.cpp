@@ -168,7 +168,7 @@ void TableView::move(const Seen& seen, std::ptrdiff_t by) {
 }
 
 TableView::Wish TableView::press(Key key, const Seen& seen) {
-  if (key == letter('q')) return Wish::quit;
+  if (key == 'q') return Wish::quit;
   if (explanation_) {
     explanation_.reset();
     return Wish::nothing;
@@ -178,16 +178,16 @@ TableView::Wish TableView::press(Key key, const Seen& seen) {
     is_reversed_ = false;
     return Wish::nothing;
   };
-  if (key == letter('n')) return sort_by(Order::name);
-  if (key == letter('h')) return sort_by(Order::heard);
-  if (key == letter('l')) return sort_by(Order::loss);
-  if (key == letter('s')) return sort_by(Order::services);
-  if (key == letter('r')) is_reversed_ = !is_reversed_;
-  if (key == Key::up || key == letter('k')) move(seen, -1);
-  if (key == Key::down || key == letter('j')) move(seen, 1);
-  if (key == Key::page_up) move(seen, -10);
-  if (key == Key::page_down) move(seen, 10);
-  const bool asks = key == Key::enter || key == letter('w');
+  if (key == 'n') return sort_by(Order::name);
+  if (key == 'h') return sort_by(Order::heard);
+  if (key == 'l') return sort_by(Order::loss);
+  if (key == 's') return sort_by(Order::services);
+  if (key == 'r') is_reversed_ = !is_reversed_;
+  if (key == key::up || key == 'k') move(seen, -1);
+  if (key == key::down || key == 'j') move(seen, 1);
+  if (key == key::page_up) move(seen, -10);
+  if (key == key::page_down) move(seen, 10);
+  const bool asks = key == key::enter || key == 'w';
   if (asks) static_cast<void>(settle_selection(seen));
   return asks && !selected_.empty() ? Wish::ask_why : Wish::nothing;
 }
