@@ -4,10 +4,15 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <list>
+#include <string>
 #include <utility>
 
+#include "discovery/announcement/version.hpp"
+#include "discovery/gcnp/version.hpp"
+#include "discovery/sealing/version.hpp"
 #include "manual/describe.hpp"
 #include "manual/mistake.hpp"
+#include "reasoning/compiled/container.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -34,13 +39,20 @@ Two daemons on one host, for a try:
   gemingad --interface lo --name a --gcnp 127.0.0.1:4717 &
   gemingad --interface lo --name b --gcnp 127.0.0.1:4718 &)";
 
+/// One line: the program's version, and what another daemon, a client and a file must agree with.
+std::string versions() {
+  return "gemingad " GEMINGA_VERSION " (announcements " + std::to_string(announcement::format_major) + ", seals " +
+         std::to_string(sealing::envelope_version) + ", GCNP " + std::to_string(gcnp::gcnp_version) +
+         ", compiled ontologies " + std::to_string(compiled::compiled_version) + ")";
+}
+
 }  // namespace
 
 std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) {
   CLI::App app(about, "gemingad");
   app.footer(footer);
   app.get_formatter()->column_width(34);
-  app.set_version_flag("--version", "gemingad " GEMINGA_VERSION, "Print the version and end");
+  app.set_version_flag("--version", versions(), "Print the versions of the program, its protocols and files, and end");
   Flags flags;
   app.add_flag("--check-config", flags.is_check_only,
                "Check configuration and ontologies, print the resulting configuration, and end");
@@ -78,7 +90,7 @@ std::expected<Flags, std::string> read_flags(int argc, const char* const* argv) 
     flags.answer = app.help();
     return flags;
   } catch (const CLI::CallForVersion&) {
-    flags.answer = "gemingad " GEMINGA_VERSION "\n";
+    flags.answer = versions() + '\n';
     return flags;
   } catch (const CLI::ParseError& error) {
     return std::unexpected(manual::mistake(app, error));

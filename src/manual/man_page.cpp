@@ -201,8 +201,10 @@ std::string man_page(const Outline& program, int section, const std::string& dat
   std::string_view first = std::string_view(program.about).substr(0, end_of_line);
   if (first.starts_with(program.name + ' ')) first.remove_prefix(program.name.size() + 1);
   if (first.ends_with('.')) first.remove_suffix(1);
-  const auto space = program.version.rfind(' ');
-  const std::string version = space == std::string::npos ? program.version : program.version.substr(space + 1);
+  // The word behind the program's name; versions of protocols may follow in brackets.
+  const auto space = program.version.find(' ');
+  const std::string behind = space == std::string::npos ? program.version : program.version.substr(space + 1);
+  const std::string version = behind.substr(0, behind.find(' '));
 
   std::string roff = ".\\\" Made from the text of " + escaped(program.name) + " \\-\\-help.\n";
   roff += ".TH " + escaped(upper(program.name)) + ' ' + std::to_string(section) + ' ' + date + " \"Geminga " +

@@ -63,7 +63,11 @@ TEST(Flags, HaveAHelpWithExamples) {
   EXPECT_THAT(flags->answer, HasSubstr("Examples:"));
 }
 
-TEST(Flags, TellTheVersion) { EXPECT_THAT(read({"--version"})->answer, testing::StartsWith("gemingad 1.")); }
+TEST(Flags, TellTheVersionAndThoseOfProtocolsAndFiles) {
+  EXPECT_THAT(read({"--version"})->answer,
+              testing::MatchesRegex(
+                  "gemingad [0-9.]+ .announcements [0-9]+, seals [0-9]+, GCNP [0-9]+, compiled ontologies [0-9]+.\n"));
+}
 
 }  // namespace
 }  // namespace geminga::daemon

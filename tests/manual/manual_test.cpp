@@ -32,7 +32,7 @@ class Manual : public testing::Test {
   Manual() {
     app_.footer(
         "Examples:\n  awkward 'a\\b' --mode fast\n\nIt's `said` here.\n.And here.\n\nExit status: 0 done,\n2 not.");
-    app_.set_version_flag("--version", "awkward 1.2.3", "Print the version");
+    app_.set_version_flag("--version", "awkward 1.2.3 (parts 4, others 5)", "Print the version");
     app_.fallthrough();
     app_.add_option("-m,--mode", mode_, "How: [fast] or 'slow'\\")->type_name("fast|very-slow|COST");
     app_.add_option("--config", config_, "Where Protégé is")->type_name("FILE");
@@ -78,7 +78,7 @@ class Manual : public testing::Test {
 
 TEST_F(Manual, OutlineHasWhatHelpShows) {
   const Outline all = outline();
-  EXPECT_EQ(all.version, "awkward 1.2.3");
+  EXPECT_EQ(all.version, "awkward 1.2.3 (parts 4, others 5)");
   ASSERT_EQ(all.flags.size(), 5U);
   EXPECT_THAT(all.flags[2].names, ElementsAre("-m", "--mode"));
   EXPECT_THAT(all.flags[2].choices, ElementsAre("fast", "very-slow"));

@@ -7,13 +7,12 @@
 #include "discovery/announcement/announcement.hpp"
 #include "discovery/announcement/announcement.pb.h"
 #include "discovery/announcement/term_table.hpp"
+#include "discovery/announcement/version.hpp"
 
 namespace geminga::announcement {
 
-/// 'G', 'M', 'N' and the major version, as a little-endian fixed32.
+/// 'G', 'M', 'N', before the major version in a little-endian fixed32.
 inline constexpr std::uint32_t format_magic = 0x4E4D47;
-inline constexpr std::uint32_t format_major = 1;
-inline constexpr std::uint32_t format_minor = 0;
 
 /// The octets of a numeric address; empty for any other text.
 [[nodiscard]] std::string address_octets(const std::string& text);

@@ -7,12 +7,13 @@
 #include <cstring>
 
 #include "base/assert.hpp"
+#include "discovery/sealing/version.hpp"
 
 namespace geminga::sealing {
 namespace {
 
 constexpr std::byte magic{0x47};  // G; as the beginning of a protobuf message it is no valid one
-constexpr std::uint8_t version = 0x10;
+constexpr std::uint8_t version = envelope_version << 4;
 constexpr std::uint8_t encrypted_bit = 0x01;
 constexpr std::uint8_t greeting_bit = 0x02;
 constexpr std::uint8_t compressed_bit = 0x04;

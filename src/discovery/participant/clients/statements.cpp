@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/gcnp/version.hpp"
 #include "discovery/matching/conditions/scope.hpp"
 #include "discovery/matching/conversions/converter.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
@@ -101,7 +102,7 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
   gcnp::Statement answer{.id = 0,
                          .command = "msg",
                          .subcommand = "hello",
-                         .parameters = {{"version", "1"},
+                         .parameters = {{"version", std::to_string(gcnp::gcnp_version)},
                                         {"participant", to_string(self_.id)},
                                         {"peer", std::to_string(static_cast<std::uint32_t>(session.peer()))},
                                         {"name", session.name},
