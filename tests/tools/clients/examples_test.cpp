@@ -118,6 +118,21 @@ class Examples : public testing::Test {
         << process->said();
   }
 
+  /// Runs an example that records until something is in its file, or on its output.
+  void record(const std::string& example) {
+    std::string name = example.substr(example.rfind(' ') + 1);
+    if (!example.contains("--append")) fs::remove(folder_ / name);
+    auto process = start(example);
+    if (name == "-") {
+      EXPECT_TRUE(process->wait_for("snapshot")) << example << '\n' << process->said();
+    } else {
+      Process reader({.words = {"/usr/bin/tail", "-F", folder_ / name}, .environment = {}, .before = {}});
+      EXPECT_TRUE(reader.wait_for("snapshot")) << example << '\n' << process->said();
+    }
+    process->signal(SIGTERM);
+    EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();
+  }
+
   void expect_to_work(std::string example) {
     example = replaced(example, "127.0.0.1:4718", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0)));
     example = replaced(example, "/usr/local/share/geminga/ontology", "ontology");
@@ -125,8 +140,14 @@ class Examples : public testing::Test {
     example = replaced(example, " --memory-limit 512", "");  // the sanitizer's own tables take more
 #endif
     example = replaced(example, "--format svg", "--format dot");  // svg needs Graphviz, which may not be installed
+    example = replaced(example, "/var/lib/robot/", "");
+    example = replaced(example, "--at 14:03:10", "--speed 2");  // a recording of these seconds has another moment
+    if (example.starts_with("geminga-query record")) return record(example);
+    const bool is_replay = example.starts_with("geminga-query replay");
+    if (is_replay && !fs::exists(folder_ / "field-test.jsonl")) record("geminga-query record field-test.jsonl");
     const bool is_web = example.starts_with("geminga-web");
-    const bool goes_on = is_web || example.starts_with("geminga-publish") || example.contains("--watch");
+    const bool goes_on = is_web || (is_replay && !example.contains("--mcap")) ||
+                         example.starts_with("geminga-publish") || example.contains("--watch");
     if (!goes_on) {
       const bool needs_end = example.starts_with("geminga-subscribe") && !example.contains("--timeout");
       run(needs_end ? example + " --timeout 0.2" : example);
@@ -134,6 +155,7 @@ class Examples : public testing::Test {
     }
     auto process = start(example);
     EXPECT_TRUE(process->wait_for(is_web                        ? "serving"
+                                  : is_replay                   ? "Plays from"
                                   : example.contains("--watch") ? "robot0"
                                                                 : "offer"))
         << example << '\n'

@@ -31,6 +31,8 @@ Server::Server(Player& player, Options options) : player_(player), options_(std:
 Server::~Server() { streams_->shut_down(); }
 
 std::expected<void, std::string> Server::listen() {
+  // A signal waits for run() from here on, since a user who reads where this listens may end it at once.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
   if (options_.where.starts_with('/')) return streams_->listen(options_.where);
   const auto endpoint = env::parse_endpoint(options_.where);
   if (!endpoint) return std::unexpected(options_.where + " " + endpoint.error() + ": write ADDRESS:PORT or /PATH");
@@ -41,7 +43,6 @@ std::expected<void, std::string> Server::listen() {
 }
 
 void Server::run() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
   signals_.async_wait([this](const boost::system::error_code& error, int) {
     if (!error) end();
   });
