@@ -106,6 +106,28 @@ TEST(Tally, SaysForHowLongARequestHasHadNoProvider) {
   EXPECT_DOUBLE_EQ(tally.seen().unmatched_for.at("00000001/1/1"), 0) << "it was served meanwhile";
 }
 
+TEST(Tally, RemembersForAMinuteWhoIsGone) {
+  Tally tally;
+  tally.take(team(), 0ms);
+  Round without = team();
+  without.participants.erase(without.participants.begin());  // b, which has service 1
+  tally.take(without, 5s);
+  ASSERT_THAT(tally.seen().gone, SizeIs(1));
+  EXPECT_EQ(tally.seen().gone[0].record["name"], "b");
+  EXPECT_DOUBLE_EQ(tally.seen().gone[0].seconds, 5);
+  TableView view(Order::name);
+  const auto lines = view.lines(tally.seen(), {24, 100}, "");
+  EXPECT_THAT(text_of(lines), HasSubstr("gone for 5.0 s"));
+  tally.take(without, 60s);
+  EXPECT_THAT(tally.seen().gone, SizeIs(1));
+  tally.take(team(), 60s);
+  EXPECT_THAT(tally.seen().gone, IsEmpty()) << "it is back";
+  tally.take(without, 120s);
+  EXPECT_THAT(tally.seen().gone, SizeIs(1));
+  tally.take(without, 121s);
+  EXPECT_THAT(tally.seen().gone, IsEmpty());
+}
+
 TEST(Keys, AreReadInWhateverPiecesTheyCome) {
   const std::string octets = "q\x1b[A\x1b[B\x1bOA\x1b[5~\x1b[6~\x1b[1;5C\r\n\xc3\xbc";
   const std::vector<Key> expected{'q',        key::up,    key::down,  key::up,    key::page_up, key::page_down,

@@ -122,7 +122,13 @@ std::vector<Line> TableView::participants(const Seen& seen) const {
                shell::duration_words((*record)["interval"]), percent(*record), (*record)["publications"],
                (*record)["subscriptions"], note_of(*record), (*record)["id"], (*record)["addresses"]});
   }
+  for (const Gone& gone : seen.gone) {
+    const std::string note = "gone for " + shell::duration_words(std::to_string(std::floor(gone.seconds)));
+    table.add({gone.record["name"], "", "", "", gone.record["publications"], gone.record["subscriptions"], note,
+               gone.record["id"], gone.record["addresses"]});
+  }
   std::vector<Line> lines = lines_of(table);
+  for (std::size_t i = 0; i < seen.gone.size(); ++i) lines[sorted.size() + 1 + i].style = Style::warning;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (is_troubled(*sorted[i])) lines[i + 1].style = Style::warning;
   }
