@@ -230,7 +230,7 @@ class Completing {
     }
     const Numbers order = lowest_first();
     find_models_of(order, tableau, concepts);
-    // What was too hard may be answered with more steps, beside models that were found since.
+    // Questions that were too hard may be answered with more steps, beside models that were found since.
     if (unanswered_ == 0) return;
     for (const std::uint32_t of : order) has_model_[of] = possible_[of].has_value();
     find_models_of(order, tableau, concepts);
