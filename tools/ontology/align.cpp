@@ -36,6 +36,7 @@ struct AlignRequest {
   bool is_conservative = false;
   bool wants_reasons = false;
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 std::string written(double confidence) {
@@ -118,6 +119,7 @@ Exit align(const AlignRequest& request, const WorkLimits& limits) {
                             .says_files = false,
                             .keeps_annotations = true,
                             .keeps_triple_annotations = true,
+                            .is_lenient = request.is_lenient,
                             .budget = &budget};
   const auto one = classify_or_say({request.one}, options);
   const auto other = one ? classify_or_say({request.other}, options) : std::nullopt;
@@ -162,6 +164,7 @@ void add_align(CLI::App& program, Choice& choice) {
                     "also take out links by which a new subsumption follows within A or within B");
   command->add_flag("--reasons", request->wants_reasons, "print the reason of each link behind it");
   command->add_flag("--json", request->as_json, "print one JSON document, with the links that were taken out");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nPrinted is A<TAB>=<TAB>B<TAB>CONFIDENCE, best first. Names, labels and synonyms are compared word by word, "

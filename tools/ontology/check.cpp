@@ -27,6 +27,15 @@ struct CheckRequest {
   bool is_strict = false;
 };
 
+/// The lines of a list; without `shows_all` the first ones.
+std::string lines_of(const std::vector<std::string>& lines, bool shows_all) {
+  std::string text;
+  const std::size_t shown = shows_all ? lines.size() : std::min(lines.size(), max_shown);
+  for (std::size_t at = 0; at < shown; ++at) text += "  " + lines[at] + '\n';
+  if (shown < lines.size()) text += "  and " + std::to_string(lines.size() - shown) + " more: --all\n";
+  return text;
+}
+
 std::string left_out_as_text(const Findings& findings, bool shows_all) {
   std::string text;
   if (!findings.left_out.empty()) text += "Left out:\n";
@@ -49,17 +58,11 @@ std::string left_out_as_text(const Findings& findings, bool shows_all) {
         "OWL 2 DL allows none of this for a property that is transitive or has a chain. Characteristics of it are "
         "used\n"
         "for neighbours that are told or made, and the rest is left out.\n";
+  if (findings.touched && !findings.touched->empty())
+    text += "What was left out may matter to the superclasses of " +
+            counted(findings.touched->size(), "class", "classes") + ":\n" + lines_of(*findings.touched, shows_all);
   if (!findings.gaps.empty()) text += "Not searched to the end:\n";
   for (const std::string& gap : findings.gaps) text += "  " + gap + '\n';
-  return text;
-}
-
-/// The lines of a list; without `shows_all` the first ones.
-std::string lines_of(const std::vector<std::string>& lines, bool shows_all) {
-  std::string text;
-  const std::size_t shown = shows_all ? lines.size() : std::min(lines.size(), max_shown);
-  for (std::size_t at = 0; at < shown; ++at) text += "  " + lines[at] + '\n';
-  if (shown < lines.size()) text += "  and " + std::to_string(lines.size() - shown) + " more: --all\n";
   return text;
 }
 

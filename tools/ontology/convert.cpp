@@ -23,6 +23,7 @@ struct ConvertRequest {
   std::string out;
   std::string format;
   bool merges = false;
+  bool is_lenient = false;
 };
 
 /// Names the constructs that were read and cannot be written. Where triples are written, those of files stand as they
@@ -46,8 +47,9 @@ Exit convert(const ConvertRequest& request, const WorkLimits&) {
   if (!format) return say_error(format.error());
   Progress progress(true);
   const auto* const syntax = std::get_if<syntax::Syntax>(&*format);
-  const auto loaded =
-      load(request.files, progress, {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr});
+  const auto loaded = load(
+      request.files, progress,
+      {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr, .is_lenient = request.is_lenient});
   progress.clear();
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
@@ -76,6 +78,7 @@ void add(CLI::App& program, Choice& choice, bool merges) {
                              merges ? "Write many files as one ontology" : "Write an ontology in another syntax");
   add_files(*command, request->files);
   add_output(*command, request->out, request->format);
+  add_lenient(*command, request->is_lenient);
   add_run_limits(*command, choice);
   command->footer(
       merges ? "\nThe result has the name and the header of the first file that has one, and imports what none of the\n"

@@ -27,6 +27,7 @@ struct DrawRequest {
   std::string format = "dot";
   unsigned depth = 0;  ///< 0: all
   bool is_compact = false;
+  bool is_lenient = false;
 };
 
 /// Graphviz as a child process, which turns a graph in its language into SVG on standard output.
@@ -73,7 +74,7 @@ class Graphviz {
 
 Exit draw(const DrawRequest& request, const WorkLimits& limits, const Graphviz& graphviz) {
   base::Budget budget = budget_of(limits);
-  const auto classified = classify_or_say(request.files, {.budget = &budget});
+  const auto classified = classify_or_say(request.files, {.is_lenient = request.is_lenient, .budget = &budget});
   if (!classified) return Exit::usage;
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
@@ -103,6 +104,7 @@ void add_draw(CLI::App& program, Choice& choice) {
   command->add_option("--root", request->root, "draw this class and what is below it")->type_name("CLASS");
   add_number(*command, "--depth", request->depth, 1, 1000,
              "draw so many levels below the root, and say how many classes are hidden below them");
+  add_lenient(*command, request->is_lenient);
   command->add_flag("--compact", request->is_compact, "list leaves below the same class in one box");
   command->add_option("--format", request->format, "dot, mermaid, or svg (which needs the program dot)")
       ->check(CLI::IsMember({"dot", "mermaid", "svg"}))

@@ -22,6 +22,7 @@ struct EntailsRequest {
   std::string premise;
   std::string conclusion;
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 /// One axiom of the conclusion, and whether it follows.
@@ -95,7 +96,7 @@ std::string as_text(const std::vector<Finding>& findings, const Answer& all) {
 
 Exit entails(const EntailsRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
-  auto argument = load_argument(request.premise, request.conclusion, progress);
+  auto argument = load_argument(request.premise, request.conclusion, progress, {.is_lenient = request.is_lenient});
   if (!argument) return say_failure(argument.error().text, request.as_json);
   progress.show("deciding");
   base::Budget budget = budget_of(limits);
@@ -117,6 +118,7 @@ void add_entails(CLI::App& program, Choice& choice) {
       ->required()
       ->type_name("");
   command->add_flag("--json", request->as_json, "print one JSON document, with every axiom");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status: 0 all of it follows, 1 an axiom does not, 2 it cannot be decided (the reason is printed), or a "

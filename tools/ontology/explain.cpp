@@ -36,6 +36,7 @@ struct ExplainRequest {
   bool wants_proof = false;
   bool is_laconic = false;
   bool as_json = false;
+  bool is_lenient = false;
   unsigned limit = default_sets;
 };
 
@@ -212,7 +213,8 @@ std::string as_json(const compiled::Ontology& ontology, const Explained& explain
 
 Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto ontology = open_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
+  const auto ontology =
+      open_or_say(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
   if (!ontology) return Exit::usage;
   const bool is_plain = !request.is_about_contradiction;
   const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(owl::owl_thing), request.as_json);
@@ -284,6 +286,7 @@ void add_explain(CLI::App& program, Choice& choice) {
                  "print only the parts of axioms that are needed: each class that can be left out is")
       ->excludes(proof);
   command->add_flag("--json", request->as_json, "print one JSON document");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status 0: it is subsumed; 1: it is not; 4: a limit was reached before it was decided.\n"

@@ -19,6 +19,7 @@ struct IdRequest {
   std::string representation_name;
   std::vector<std::string> files;
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 /// The IRI of a name that is one: `<IRI>`, or with a scheme that is no prefix.
@@ -49,8 +50,9 @@ class Resolver {
 
  private:
   bool open() {
-    const auto classified = classify_or_say(
-        request_.files.empty() ? std::vector{shipped_ontologies().string()} : request_.files, {.budget = &budget_});
+    const auto classified =
+        classify_or_say(request_.files.empty() ? std::vector{shipped_ontologies().string()} : request_.files,
+                        {.is_lenient = request_.is_lenient, .budget = &budget_});
     if (classified) ontology_ = compile_or_say(*classified);
     return ontology_.has_value();
   }
@@ -97,6 +99,7 @@ void add_id(CLI::App& program, Choice& choice) {
   command
       ->add_option("--ontology", request->files, "where prefixes and labels come from; else the ontologies that ship")
       ->type_name("FILES");
+  add_lenient(*command, request->is_lenient);
   command->add_flag("--json", request->as_json, "print number, hexadecimal number and canonical form as JSON");
   add_work_limits(*command, choice.limits);
   command->footer(

@@ -22,6 +22,7 @@ struct InferRequest {
   std::string out;
   std::string format;
   bool only_inferred = false;
+  bool is_lenient = false;
   bool as_closure = false;
   bool with_facts = false;
 };
@@ -58,8 +59,9 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   if (!format) return say_error(format.error());
   Progress progress(true);
   const auto* const syntax = std::get_if<syntax::Syntax>(&*format);
-  auto loaded =
-      load(request.files, progress, {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr});
+  auto loaded = load(
+      request.files, progress,
+      {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr, .is_lenient = request.is_lenient});
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
   const graph::GraphLimits graph_limits{.octets = graph_octets(limits)};
@@ -116,6 +118,7 @@ void add_infer(CLI::App& program, Choice& choice) {
   command->add_flag("--only-inferred", request->only_inferred, "write only what the files do not say themselves");
   command->add_flag("--closure", request->as_closure, "write all that follows, not only the direct relations");
   command->add_flag("--facts", request->with_facts, "write the facts of individuals that follow, too");
+  add_lenient(*command, request->is_lenient);
   add_memory_limit(*command, choice);
   add_graph_limit(*command, choice.limits);
   add_work_limits(*command, choice.limits);

@@ -20,6 +20,7 @@ namespace {
 struct InstancesRequest {
   std::vector<std::string> words;  ///< the files, and last the expression
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 /// Reads a class expression, of which a name is the simplest; nothing after saying what is wrong.
@@ -75,7 +76,8 @@ Exit instances(const InstancesRequest& request, const WorkLimits& limits) {
     return say_failure("name the files, and behind them the class expression", request.as_json);
   base::Budget classifying = budget_of(first_half(limits));
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
-  auto classified = classify_or_say(files, {.as_json = request.as_json, .budget = &classifying});
+  auto classified =
+      classify_or_say(files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &classifying});
   if (!classified) return Exit::usage;
   const auto expression = read_or_say(*classified, request.words.back(), request.as_json);
   if (!expression) return Exit::usage;
@@ -93,7 +95,7 @@ Exit instances(const InstancesRequest& request, const WorkLimits& limits) {
   say_unresolved(classified->loaded);
   if (!found.is_consistent) say_error(contradiction_words);
   if (!print(request.as_json ? as_json(source, found) : as_text(source, found))) return say_unwritten();
-  return found.is_consistent ? judge(source, found, budget) : Exit::yes;
+  return found.is_consistent ? judge(source, found, budget) : Exit::no;
 }
 
 }  // namespace
@@ -107,11 +109,13 @@ void add_instances(CLI::App& program, Choice& choice) {
       ->required()
       ->type_name("");
   command->add_flag("--json", request->as_json, "print one JSON document");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nPrinted are the named individuals that are in the expression in every model, as Protege's DL query does.\n"
-      "Exit status: 0 there are some, 1 there are none, 2 it cannot be decided whether there are (the reason is\n"
-      "printed) or a file cannot be loaded, 4 a limit was reached. Where more may be found, standard error names the\n"
+      "Exit status: 0 there are some, 1 there are none or the ontology contradicts itself (standard error says so),\n"
+      "2 it cannot be decided whether there are (the reason is printed) or a file cannot be loaded, 4 a limit was\n"
+      "reached. Where more may be found, standard error names the\n"
       "individuals that are not decided.\n"
       "\nExamples:\n"
       "  geminga-ontology instances team/ soccer:BallInfo\n"

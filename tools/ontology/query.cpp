@@ -36,6 +36,7 @@ struct QueryRequest {
   std::string format;
   bool as_json = false;
   bool only_asserted = false;
+  bool is_lenient = false;
   unsigned most_rows = 100'000;
   unsigned most_steps = 50'000'000;  ///< some ten seconds
 };
@@ -215,7 +216,7 @@ struct Asked {
 Exit fill(const std::vector<std::string>& files, const QueryRequest& request, const WorkLimits& limits,
           base::Budget& budget, Asked& asked, std::optional<ClassifiedFiles>& classified) {
   Progress progress(!request.as_json);
-  auto loaded = load(files, progress, {.keeps_annotations = true});
+  auto loaded = load(files, progress, {.keeps_annotations = true, .is_lenient = request.is_lenient});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   if (const auto problem = add_asserted(*loaded, asked.graph))
     return say_failure(*problem, request.as_json, exit_of(asked.graph));
@@ -232,7 +233,7 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, co
       return say_failure(
           "the ontology contradicts itself, so that everything follows from it: ask --asserted only, or "
           "see geminga-ontology check",
-          request.as_json);
+          request.as_json, Exit::no);
     base::Budget writing(WorkLimits::default_steps);
     progress.show("collecting what follows");
     const auto problem = add_inferred(*classified, realization, true, writing, asked.graph);
@@ -258,8 +259,9 @@ Exit write(const graph::Answer& answer, const QueryRequest& request, Rows rows, 
   if (!(is_data ? print_data(text) : print(text))) return say_unwritten();
   if (answer.is_cut)
     return say_error("there are more than " + std::to_string(request.most_rows) +
-                     " rows, or more octets than a query may take; the first were written: raise --rows or "
-                     "--graph-limit, or write LIMIT");
+                         " rows, or more octets than a query may take; the first were written: raise --rows or "
+                         "--graph-limit, or write LIMIT",
+                     Exit::timed_out);
   if (answer.kind == graph::Answer::Kind::truth) return answer.is_true ? Exit::yes : Exit::no;
   return are_triples || !answer.rows.empty() ? Exit::yes : Exit::no;
 }
@@ -277,7 +279,7 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   Asked asked(graph_limits);
   std::optional<ClassifiedFiles> classified;
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
-  base::Budget budget = budget_of(limits);
+  base::Budget budget = budget_of(three_quarters(limits));
   if (const Exit exit = fill(files, request, limits, budget, asked, classified); exit != Exit::yes) return exit;
   base::Budget asking = budget_of(limits, request.most_steps);
   limit_asking(limits);
@@ -308,6 +310,7 @@ void add_query(CLI::App& program, Choice& choice) {
   command->add_option("--to", request->format, std::string("the syntax for CONSTRUCT: ") + format_names)
       ->type_name(format_choices);
   command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
+  add_lenient(*command, request->is_lenient);
   add_number(*command, "--rows", request->most_rows, 1, 10'000'000, "most rows to write; 100000 where it is not given");
   add_number(*command, "--query-steps", request->most_steps, 1, 4'000'000'000,
              "most triples that the query looks at; 50000000 where it is not given");
@@ -320,9 +323,10 @@ void add_query(CLI::App& program, Choice& choice) {
       "need no declaration. Nothing is fetched: FROM and SERVICE are refused. What follows are all relations between\n"
       "named classes and properties, and all types and facts of named individuals. Instances of a class expression,\n"
       "as in ?x a [ a owl:Restriction ; ... ], are no triples and are refused: see geminga-ontology instances.\n"
-      "Exit status: 0 there are rows, or the answer is yes; 1 there are none, or it is no; 4 a limit was reached: of\n"
-      "the search, and the answer is that of what is settled by then; or of the query, which then has no answer\n"
-      "(--query-steps; --graph-limit; --time-limit, or 300 s of processor time where there is none).\n"
+      "Exit status: 0 there are rows, or the answer is yes; 1 there are none, it is no, or the ontology contradicts\n"
+      "itself; 4 a limit was reached: of the search, which has three quarters of --time-limit, and the answer is that\n"
+      "of what is settled by then; of --rows, and the first ones are written; or of the query, which then has no\n"
+      "answer (--query-steps; --graph-limit; --time-limit, or 300 s of processor time where there is none).\n"
       "\nExamples:\n"
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"

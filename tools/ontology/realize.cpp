@@ -19,6 +19,7 @@ struct RealizeRequest {
   bool as_closure = false;
   bool with_facts = false;
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 bool write(const RealizedForms& forms, const RealizeRequest& request, const std::optional<std::string>& open) {
@@ -34,12 +35,13 @@ bool write(const RealizedForms& forms, const RealizeRequest& request, const std:
 
 Exit say_contradiction(bool as_json) {
   say_error(contradiction_words);
-  return as_json ? print_or_say(json_text(boost::json::object{{"consistent", false}}) + '\n') : Exit::yes;
+  return as_json ? print_or_say(json_text(boost::json::object{{"consistent", false}}) + '\n', Exit::no) : Exit::no;
 }
 
 Exit realize(const RealizeRequest& request, const WorkLimits& limits) {
   base::Budget classifying = budget_of(first_half(limits));
-  const auto classified = classify_or_say(request.files, {.as_json = request.as_json, .budget = &classifying});
+  const auto classified = classify_or_say(
+      request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &classifying});
   if (!classified) return Exit::usage;
   if (!classified->classification.is_consistent) return say_contradiction(request.as_json);
   base::Budget budget = budget_of(limits);
@@ -69,6 +71,7 @@ void add_realize(CLI::App& program, Choice& choice) {
   command->add_flag("--facts", request->with_facts,
                     "print the facts that hold between individuals, and their values, instead (with --json: too)");
   command->add_flag("--json", request->as_json, "print one JSON document")->excludes(closure);
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nFacts are those of the files and those that follow from them: by inverses, super-properties, chains,\n"
@@ -76,8 +79,8 @@ void add_realize(CLI::App& program, Choice& choice) {
       "SUBJECT<TAB>PROPERTY<TAB>OBJECT lines. An individual without a class is an owl:Thing. Anonymous individuals "
       "are\n"
       "not printed. What is printed follows; where more may follow, standard error says why and which individuals are\n"
-      "not decided. Exit status: 0 done, also if the ontology contradicts itself, which standard error says; 2 a file\n"
-      "cannot be loaded; 4 a limit was reached.\n"
+      "not decided. Exit status: 0 done; 1 the ontology contradicts itself, so that everything follows and nothing is\n"
+      "printed; 2 a file cannot be loaded; 4 a limit was reached.\n"
       "\nExamples:\n  geminga-ontology realize team/\n"
       "  geminga-ontology realize team/ --closure --time-limit 10\n"
       "  geminga-ontology realize team/ --facts");

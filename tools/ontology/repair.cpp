@@ -40,6 +40,7 @@ struct RepairRequest {
   std::string super;
   unsigned limit = default_choices;
   bool as_json = false;
+  bool is_lenient = false;
 };
 
 /// The subsumptions that are to follow no more, which have one super.
@@ -281,7 +282,8 @@ std::string as_json(const compiled::Ontology& ontology, const std::optional<Prob
 
 Exit repair(const RepairRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto classified = classify_or_say(request.files, {.as_json = request.as_json, .budget = &budget});
+  const auto classified =
+      classify_or_say(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
   const auto ontology = classified ? compile_or_say(*classified) : std::nullopt;
   if (!ontology) return Exit::usage;
   std::optional<Subsumption> asked;
@@ -326,6 +328,7 @@ void add_repair(CLI::App& program, Choice& choice) {
   add_number(*command, "--limit", request->limit, 1, max_choices,
              "at most this many choices a group (" + std::to_string(default_choices) + " unless told)");
   command->add_flag("--json", request->as_json, "print one JSON document");
+  add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nWithout --sub and --super: what makes the ontology contradict itself; where it does not, what leaves classes\n"

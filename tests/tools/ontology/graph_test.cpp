@@ -347,7 +347,7 @@ TEST(Query, AnswersWithItsExitStatusAndRefusesWhatFetches) {
   EXPECT_THAT(fetch.err, HasSubstr("nothing is fetched"));
   EXPECT_EQ(program.run({"query", "team.ttl"}).status, 2);
   const Outcome cut = program.run({"query", "team.ttl", "SELECT * WHERE { ?s ?p ?o }", "--rows", "2"});
-  EXPECT_EQ(cut.status, 2);
+  EXPECT_EQ(cut.status, 4);
   EXPECT_THAT(cut.err, HasSubstr("more than 2 rows"));
 }
 

@@ -56,6 +56,12 @@ WorkLimits first_half(const WorkLimits& limits) {
   return half;
 }
 
+WorkLimits three_quarters(const WorkLimits& limits) {
+  WorkLimits most = limits;
+  most.seconds = (3 * limits.seconds + 3) / 4;
+  return most;
+}
+
 std::size_t graph_octets(const WorkLimits& limits) {
   if (limits.graph_mib != 0) return std::size_t{limits.graph_mib} << 20U;
   if (limits.memory_mib != 0) return (std::size_t{limits.memory_mib} << 20U) / 2;

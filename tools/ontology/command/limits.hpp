@@ -34,6 +34,8 @@ struct WorkLimits {
 
 /// The limits of a first search after which another one follows: half of the time.
 [[nodiscard]] WorkLimits first_half(const WorkLimits& limits);
+/// The limits of searches whose results are used afterwards within the rest of the time.
+[[nodiscard]] WorkLimits three_quarters(const WorkLimits& limits);
 
 /// The limit of the triples that infer writes and query asks, in octets.
 [[nodiscard]] std::size_t graph_octets(const WorkLimits& limits);

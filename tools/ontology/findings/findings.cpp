@@ -6,6 +6,7 @@
 
 #include "ontology/command/words.hpp"
 #include "ontology/findings/axioms.hpp"
+#include "ontology/findings/touched_classes.hpp"
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/explanation/explain_module.hpp"
@@ -130,6 +131,18 @@ void find_unsatisfiable_without_facts(const owl::Ontology& source, Findings& fin
   if (ontology) findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
 }
 
+/// Says which classes left-out axioms may matter to, where all that was left out are axioms.
+void find_touched(const compiled::Ontology& ontology, Findings& findings) {
+  const auto has_all_axioms = [](const LeftOutGroup& entry) { return entry.axioms.size() == entry.summary.count; };
+  if (findings.left_out.empty() || !findings.is_consistent || !findings.gaps.empty() ||
+      !std::ranges::all_of(findings.left_out, has_all_axioms))
+    return;
+  const auto touched = find_touched_classes(ontology);
+  if (!touched) return;
+  findings.touched.emplace();
+  for (const taxonomy::ClassNumber number : *touched) findings.touched->push_back(ontology.short_name(number));
+}
+
 void find_units(const compiled::Ontology& ontology, Sources& sources) {
   sources.units = ontology.units().size();
   sources.units_left_out = ontology.units_left_out();
@@ -155,6 +168,7 @@ Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontol
   findings.names = find_doubtful_names(loaded);
   find_problems(ontology, findings, budget);
   if (!findings.is_consistent) find_unsatisfiable_without_facts(loaded.source, findings, budget);
+  find_touched(ontology, findings);
   return findings;
 }
 
@@ -168,6 +182,7 @@ Findings find(const compiled::Ontology& ontology, base::Budget& budget) {
   findings.left_out = group(ontology);
   findings.gaps = ontology.gaps();
   find_problems(ontology, findings, budget);
+  find_touched(ontology, findings);
   return findings;
 }
 
@@ -183,7 +198,11 @@ std::string verdict(const Findings& findings) {
   for (std::size_t at = 0; at < std::min(reasons.size(), max_reasons); ++at)
     text += (at == 0 ? "" : ", ") + reasons[at];
   if (reasons.size() > max_reasons) text += " and " + std::to_string(reasons.size() - max_reasons) + " more";
-  return text + '.';
+  text += '.';
+  if (findings.touched)
+    text += " All superclasses of " + std::to_string(findings.sources.classes - findings.touched->size()) + " of " +
+            counted(findings.sources.classes, "class", "classes") + " were found.";
+  return text;
 }
 
 std::string unresolved_as_text(const std::vector<rdf::UnresolvedImport>& unresolved) {

@@ -57,7 +57,10 @@ struct Findings {
   std::vector<LeftOutGroup> left_out;  ///< by construct
   std::vector<owl::LeftOut> remarks;   ///< of the readers: what was used, but is not quite what the files say
   std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
-  Open open;                           ///< of sources; a compiled ontology has it among its gaps
+  /// Classes of which superclasses may be missing because of what was left out: find_touched_classes(). Nothing: it may
+  /// be any, as something that was left out is no axiom, or there are gaps, or the ontology is too large to look.
+  std::optional<std::vector<std::string>> touched;
+  Open open;  ///< of sources; a compiled ontology has it among its gaps
   bool is_consistent = true;
   /// A minimal set of axioms that contradict each other; empty where there is no contradiction or none was found.
   std::vector<explanation::ExplainedAxiom> contradiction;

@@ -67,6 +67,7 @@ std::string as_json(const Findings& findings) {
   for (const owl::LeftOut& remark : findings.remarks)
     remarks.push_back(
         boost::json::object{{"text", remark.construct}, {"count", remark.count}, {"first", remark.first}});
+  document["touched"] = findings.touched ? boost::json::value_from(*findings.touched) : boost::json::value(nullptr);
   document["units"] = units_as_json(sources);
   document["gaps"] = boost::json::value_from(findings.gaps);
   boost::json::object& open = document["undecided"].emplace_object();

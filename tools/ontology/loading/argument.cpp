@@ -51,12 +51,12 @@ void say_unresolved(const rdf::Loaded& loaded) {
 }
 
 std::expected<Argument, LoadFailure> load_argument(const std::string& premise, const std::string& conclusion,
-                                                   Progress& progress) {
+                                                   Progress& progress, const LoadOptions& options) {
   const auto premise_files = files_of(premise);
   if (!premise_files) return std::unexpected(premise_files.error());
   const auto conclusion_files = files_of(conclusion);
   if (!conclusion_files) return std::unexpected(conclusion_files.error());
-  auto loaded = load({premise, conclusion}, progress);
+  auto loaded = load({premise, conclusion}, progress, options);
   if (!loaded) return std::unexpected(std::move(loaded.error()));
   Argument argument{std::move(*loaded), {}, {}, {}, {}, {}};
   const owl::Ontology& source = argument.loaded.source;

@@ -25,7 +25,8 @@ struct Argument {
 };
 
 [[nodiscard]] std::expected<Argument, LoadFailure> load_argument(const std::string& premise,
-                                                                 const std::string& conclusion, Progress& progress);
+                                                                 const std::string& conclusion, Progress& progress,
+                                                                 const LoadOptions& options = {});
 
 /// The first omission of the reader in the files f with `files[f]` (empty: in all), in one line. Imports do not count,
 /// and axioms with an ill-typed literal only where `with_ill_typed` asks for them.

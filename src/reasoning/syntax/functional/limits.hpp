@@ -19,6 +19,8 @@ struct FunctionalLimits {
   std::size_t operands = 1'000'000;
   std::size_t prefixes = 10'000;
   std::size_t imports = 10'000;
+  /// Axioms that the grammar does not allow, each of which is left out by name.
+  std::size_t wrong_axioms = 1000;
 };
 
 }  // namespace geminga::functional

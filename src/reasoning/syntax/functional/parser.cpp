@@ -61,8 +61,48 @@ std::expected<Document, Problem> Parser::run() {
 }
 
 bool Parser::expected(std::string_view what) {
-  tokens_.fail("expected " + std::string(what) + ", found " + describe(tokens_.token()));
+  return fault("expected " + std::string(what) + ", found " + describe(tokens_.token()));
+}
+
+bool Parser::fault(std::string text) {
+  if (!tokens_.problem()) has_fault_ = true;
+  tokens_.fail(std::move(text));
   return false;
+}
+
+bool Parser::leave_out_wrong(const Tokenizer::Place& place) {
+  if (!has_fault_ || wrong_axioms_ >= limits_.wrong_axioms) return false;
+  const Tokenizer::Place found = tokens_.place();
+  const Problem problem = *tokens_.problem();
+  tokens_.go_back(place);
+  if (!skip_axiom()) {
+    tokens_.go_back(found);
+    tokens_.fail(problem);
+    return false;
+  }
+  has_fault_ = false;
+  ++wrong_axioms_;
+  depth_ = 0;
+  annotations_.drop();
+  source_.leave_out("an axiom that cannot be read (" + problem.text + ")", file_, problem.line);
+  return true;
+}
+
+bool Parser::skip_axiom() {
+  if (!tokens_.is(TokenKind::word)) return false;
+  tokens_.advance();
+  if (!tokens_.is(TokenKind::open)) return false;
+  std::uint64_t open = 0;
+  do {
+    if (tokens_.is(TokenKind::end) || tokens_.is(TokenKind::failed)) return false;
+    if (tokens_.is(TokenKind::open)) ++open;
+    if (tokens_.is(TokenKind::close)) --open;
+    // The word of an axiom stands within no other one, so that a closing bracket is missing.
+    const Production* const production = tokens_.is(TokenKind::word) ? find_production(tokens_.token().text) : nullptr;
+    if (production != nullptr && (production->form >= Form::axiom || production->form == Form::import)) return true;
+    tokens_.advance();
+  } while (open != 0);
+  return true;
 }
 
 bool Parser::expect(TokenKind kind, std::string_view what) {
@@ -95,12 +135,13 @@ bool Parser::ontology() {
   tokens_.advance();
   if (!expect(TokenKind::open, "'(' behind Ontology") || !header()) return false;
   while (!tokens_.is(TokenKind::close)) {
+    const Tokenizer::Place begin = tokens_.place();
     const bool is_word = tokens_.is(TokenKind::word);
     const Production* production = is_word ? find_production(tokens_.token().text) : nullptr;
     const Form form = production == nullptr ? Form::axiom : production->form;
     is_of_ontology_ = form == Form::annotation;
     const bool is_read = form == Form::import ? import() : form == Form::annotation ? annotation() : axiom();
-    if (!is_read) return false;
+    if (!is_read && (form == Form::import || !leave_out_wrong(begin))) return false;
   }
   tokens_.advance();
   return true;

@@ -40,6 +40,14 @@ class Parser {
   bool expect(TokenKind kind, std::string_view what);
   /// Fails with the words "expected ..., found ...". Always false.
   bool expected(std::string_view what);
+  /// Fails with a fault that costs the axiom in which it is, and not the file. Always false.
+  bool fault(std::string text);
+  /// Leaves out the axiom that begins at this place and has a fault. False: the fault costs the file, as no axiom
+  /// begins there, its end is not found, or there are too many.
+  bool leave_out_wrong(const Tokenizer::Place& place);
+  /// Walks from the word of an axiom behind its last bracket, or up to the next axiom if brackets are missing. False:
+  /// neither is there.
+  bool skip_axiom();
 
   // parser_axioms.cpp
   bool axiom();
@@ -116,8 +124,10 @@ class Parser {
   std::string language_buffer_;
 
   std::vector<owl::TermId> terms_;
-  std::size_t depth_ = 0;           ///< of expressions or annotations
-  bool is_of_ontology_ = false;     ///< an annotation of the ontology is being read
+  std::size_t depth_ = 0;        ///< of expressions or annotations
+  bool is_of_ontology_ = false;  ///< an annotation of the ontology is being read
+  bool has_fault_ = false;       ///< the problem of the tokens costs an axiom only
+  std::size_t wrong_axioms_ = 0;
   const char* obstacle_ = nullptr;  ///< the part of the current axiom that has no term
   std::vector<bool> declared_;      ///< by term
 };

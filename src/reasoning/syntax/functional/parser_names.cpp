@@ -25,7 +25,7 @@ bool Parser::resolve(const Token& name) {
   if (last_prefix_iri_ == nullptr || last_prefix_ != prefix) {
     const std::string* known = head_.iri_of(prefix);
     if (known == nullptr) {
-      tokens_.fail(document::Head::undeclared(prefix));
+      fault(document::Head::undeclared(prefix));
       return false;
     }
     last_prefix_ = prefix;

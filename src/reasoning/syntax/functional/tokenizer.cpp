@@ -109,8 +109,22 @@ std::uint32_t Tokenizer::line_at(const char* place) {
 
 std::uint32_t Tokenizer::line() { return line_at(token_begin_); }
 
+void Tokenizer::go_back(const Place& place) {
+  place_ = place.next;
+  token_begin_ = place.begin;
+  counted_ = place.counted;
+  line_ = place.line;
+  token_ = place.token;
+  problem_.reset();
+}
+
 void Tokenizer::fail(std::string text) {
   if (!problem_) problem_ = Problem{line(), std::move(text)};
+  token_ = Token{TokenKind::failed, false, 0, {}};
+}
+
+void Tokenizer::fail(Problem problem) {
+  problem_ = std::move(problem);
   token_ = Token{TokenKind::failed, false, 0, {}};
 }
 

@@ -62,7 +62,21 @@ class Tokenizer {
 
   /// Ends the tokens with a problem in the line of the current token. The first problem is kept.
   void fail(std::string text);
+  /// Ends them with this problem instead.
+  void fail(Problem problem);
   [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
+
+  /// A token to go back to.
+  struct Place {
+    const char* next = nullptr;
+    const char* begin = nullptr;
+    const char* counted = nullptr;
+    std::uint32_t line = 1;
+    Token token;
+  };
+  [[nodiscard]] Place place() const { return {place_, token_begin_, counted_, line_, token_}; }
+  /// Stands on this token again, without a problem.
+  void go_back(const Place& place);
 
  private:
   void skip_blanks();

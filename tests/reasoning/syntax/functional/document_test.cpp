@@ -77,6 +77,36 @@ TEST(Document, EndsWithItsOntology) {
   EXPECT_EQ(Reading("").error, "t.ofn:1: expected Prefix or Ontology, found the end of the file");
 }
 
+TEST(Document, LosesAWrongAxiomAndNoOther) {
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"SubClasOf(:A :B)",
+       "expected an axiom, or ')' at the end of the ontology, found SubClasOf, which is no word of this syntax"},
+      {"SubClassOf(:A ObjectSomeValueFrom(:r :B))",
+       "expected a class expression, found ObjectSomeValueFrom, which is no word of this syntax"},
+      {"SubClassOf(:A)", "expected a class expression, found ')'"},
+      {"SubClassOf(:A :B :C)", "expected ')' behind the operands, found :C"},
+      {"SubClassOf(Annotation(:n) :A :B)", "expected an IRI, a blank node or a literal, found ')'"},
+      {"SubClassOf(:A b:B)", "the prefix b: is not declared"},
+      {"SubClassOf(:A ObjectSomeValuesFrom(:r :B)", "expected ')' behind the operands, found Declaration"},
+      {"Annotation(:n)", "expected an IRI, a blank node or a literal, found ')'"},
+  };
+  for (const auto& [wrong, fault] : faults) {
+    const Reading reading(ontology("SubClassOf(:C :D)\n" + wrong + "\nDeclaration(Class(:E))"), FunctionalLimits());
+    ASSERT_EQ(reading.error, "") << wrong;
+    const std::string line = fault.ends_with("found Declaration") ? "4" : "3";
+    EXPECT_THAT(reading.axioms(),
+                ElementsAre("SubClassOf(:C :D)", "Declaration(:E)",
+                            "left out: an axiom that cannot be read (" + fault + "), 1, line " + line))
+        << wrong;
+  }
+}
+
+TEST(Document, IsRefusedWhereTheEndOfAWrongAxiomIsNotKnown) {
+  for (const char* const wrong :
+       {"SubClassOf(:A", "SubClassOf(:A :B) :A", "SubClassOf(:A :B))", "SubClassOf(:A \"b)", "Import(:A :B)"})
+    EXPECT_THAT(Reading(ontology(wrong), FunctionalLimits()).error, StartsWith("t.ofn:")) << wrong;
+}
+
 TEST(Document, GivesEveryAxiomTheLineInWhichItBegins) {
   const Reading reading(
       "Prefix(:=<http://e/>)\nOntology(\n# a comment\nSubClassOf(:A\n  :B)  SubClassOf(:B :C)\r\n"

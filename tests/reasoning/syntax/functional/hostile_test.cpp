@@ -105,13 +105,14 @@ TEST(Hostile, ABentFileIsReadOrRefusedWithALine) {
           bent.erase(place, 1 + static_cast<std::size_t>(random.below(20)));
       }
     }
-    const std::string error = Reading(bent).error;
+    const std::string error =
+        Reading(bent, seed % 2 == 0 ? FunctionalLimits() : FunctionalLimits{.wrong_axioms = 0}).error;
     if (error.empty()) continue;
     ++refused;
     EXPECT_THAT(error, StartsWith("t.ofn:")) << "seed " << seed;
     EXPECT_NE(error.substr(6, 1), " ") << "seed " << seed << ": " << error;
   }
-  EXPECT_GT(refused, seeds / 2);
+  EXPECT_GT(refused, seeds / 3);
   EXPECT_LT(refused, seeds);
 }
 

@@ -158,6 +158,17 @@ TEST(Limits, BoundImports) {
   expect_limit(10'000, {}, imports, "t.ofn:10001: more than 10000 imports");
 }
 
+TEST(Limits, BoundWrongAxioms) {
+  FunctionalLimits limits;
+  limits.wrong_axioms = 10;
+  const auto wrong = [](std::size_t count) {
+    std::string lines;
+    for (std::size_t at = 0; at < count; ++at) lines += "SubClassOf(:A)\n";
+    return ontology(lines);
+  };
+  expect_limit(10, limits, wrong, "t.ofn:12: expected a class expression, found ')'");
+}
+
 TEST(Limits, OfTheSourceRefuseTheFile) {
   owl::SourceLimits source_limits;
   source_limits.axioms = 2;

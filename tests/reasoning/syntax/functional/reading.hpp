@@ -16,7 +16,8 @@ struct Reading {
   Document document;
   std::string error;  ///< "t.ofn:3: what is wrong"; empty: it was read
 
-  explicit Reading(std::string_view text, const FunctionalLimits& limits = {}) {
+  /// Unless told, a wrong axiom refuses the text, so that its error is seen.
+  explicit Reading(std::string_view text, const FunctionalLimits& limits = {.wrong_axioms = 0}) {
     const owl::FileId file = source.add_file("t.ofn");
     auto result = read(text, file, source, limits);
     if (result) {

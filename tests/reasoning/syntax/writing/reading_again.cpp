@@ -48,7 +48,7 @@ Read read(std::string_view text, syntax::Syntax syntax) {
   const owl::FileId file = read.source.add_file("t");
   std::expected<owl::Document, owl::ReadError> document;
   if (syntax == syntax::Syntax::functional) {
-    document = functional::read(text, file, read.source, {}, &read.annotations);
+    document = functional::read(text, file, read.source, {.wrong_axioms = 0}, &read.annotations);
   } else if (syntax == syntax::Syntax::owl_xml) {
     document = owlxml::read(text, file, read.source, {}, &read.annotations);
   } else {

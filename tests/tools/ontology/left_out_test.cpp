@@ -1,0 +1,53 @@
+// Omissions of an ontology: the classes that they may matter to, and --lenient, which leaves less out.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/ontology/program.hpp"
+
+namespace geminga::ontology {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Check, SaysWhichClassesWhatWasLeftOutMayMatterTo) {
+  const Program program;
+  const std::string axioms =
+      ":p a owl:ObjectProperty, owl:TransitiveProperty, owl:AsymmetricProperty . :A a owl:Class ; rdfs:subClassOf "
+      "[ a owl:Restriction ; owl:onProperty :p ; owl:someValuesFrom :B ] . :B a owl:Class . :C a owl:Class ; "
+      "rdfs:subClassOf :D . :D a owl:Class . :x a :C .";
+  program.turtle("a.ttl", axioms);
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_THAT(outcome.out, HasSubstr("What was left out may matter to the superclasses of 1 class:\n  e:A\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("All superclasses of 3 of 4 classes were found.\n"));
+  EXPECT_THAT(program.run({"check", "a.ttl", "--json"}).out, HasSubstr(R"("touched":["e:A"])"));
+  // A fact that leads to the property may contradict what was left out, and everything follows from a contradiction.
+  program.turtle("b.ttl", axioms + " :y a :A .");
+  EXPECT_THAT(program.run({"check", "b.ttl"}).out, HasSubstr("superclasses of 4 classes:\n"));
+}
+
+TEST(Lenient, IsAFlagOfEveryCommandThatReadsOntologies) {
+  const Program program;
+  for (const std::string command :
+       {"check",   "classify", "subsumes", "entails", "consistent", "explain", "repair", "compile", "draw",   "infer",
+        "convert", "merge",    "query",    "realize", "instances",  "id",      "diff",   "extract", "report", "align"})
+    EXPECT_THAT(program.run({command, "--help"}).out, HasSubstr("--lenient")) << command;
+}
+
+TEST(Lenient, MakesABoundOfAnotherDatatypeCountInEntailments) {
+  const Program program;
+  const std::string properties =
+      "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> . :u a owl:DatatypeProperty . :A a owl:Class . :B a owl:Class "
+      ".";
+  const std::string small =
+      "[ a owl:Restriction ; owl:onProperty :u ; owl:someValuesFrom [ a rdfs:Datatype ; "
+      "owl:onDatatype xsd:double ; owl:withRestrictions ( [ xsd:maxInclusive 1 ] ) ] ] .";
+  program.turtle("a.ttl", properties + ":A rdfs:subClassOf " + small + " :B owl:equivalentClass " + small);
+  program.turtle("b.ttl", properties + ":A rdfs:subClassOf :B .");
+  EXPECT_NE(program.run({"entails", "a.ttl", "b.ttl"}).status, 0);
+  EXPECT_EQ(program.run({"entails", "a.ttl", "b.ttl", "--lenient"}).status, 0);
+  EXPECT_EQ(program.run({"explain", "a.ttl", "--sub", "A", "--super", "B"}).status, 1);
+  EXPECT_EQ(program.run({"explain", "a.ttl", "--sub", "A", "--super", "B", "--lenient"}).status, 0);
+}
+
+}  // namespace
+}  // namespace geminga::ontology
