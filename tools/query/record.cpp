@@ -144,7 +144,7 @@ class Recording {
     if (asks_status) ask_about_daemon();
   }
 
-  void note(recording::Answered answered) { write(recorder_.answered(answered, at(), time())); }
+  void note(const recording::Answered& answered) { write(recorder_.answered(answered, at(), time())); }
 
   void ask_why() {
     for (const std::string& subscription : recorder_.requests_to_ask()) {

@@ -37,8 +37,7 @@ class ToldFindings {
   explicit ToldFindings(std::string file) : file_(std::move(file)) {}
   ~ToldFindings() {
     if (count_ <= max_told_findings) return;
-    shell::complain(program,
-                    file_ + ": " + std::to_string(count_ - max_told_findings) + " lines more could not be used");
+    shell::complain(program, file_ + ": " + std::to_string(count_ - max_told_findings) + " more such lines");
   }
   ToldFindings(const ToldFindings&) = delete;
   ToldFindings& operator=(const ToldFindings&) = delete;
