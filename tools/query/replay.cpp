@@ -80,8 +80,8 @@ ExitStatus play(recording::Player& player, const ReplayFlags& flags, const ToldF
                                     .ended = [&](const std::optional<recording::Finding>& finding) {
                                       if (finding) status = findings.refuse(*finding);
                                       std::cout << "The recording ends at " << shell::timestamp(player.state().time())
-                                                << (flags.ends ? "." : ": its last moment stays until Ctrl-C.")
-                                                << std::endl;
+                                                << (flags.ends ? "." : ": its last moment stays until Ctrl-C.") << '\n'
+                                                << std::flush;
                                     }});
   if (const auto listening = server.listen(); !listening) {
     shell::complain(program, listening.error());
@@ -90,7 +90,8 @@ ExitStatus play(recording::Player& player, const ReplayFlags& flags, const ToldF
   const recording::Snapshot& source = player.state().source();
   std::cout << (flags.is_paused ? "Stands at " : "Plays from ") << shell::timestamp(player.state().time()) << ", as "
             << shell::printable(source.name.empty() ? source.participant : source.name)
-            << " saw it: geminga-query --connect " << flags.where << " participants" << std::endl;
+            << " saw it: geminga-query --connect " << flags.where << " participants" << '\n'
+            << std::flush;
   server.run();
   return status;
 }
