@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/harmless.hpp"
+#include "base/address.hpp"
 #include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
@@ -30,6 +30,10 @@ constexpr std::array<std::pair<std::string_view, CageWish>, 3> cage_wishes{
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
+bool is_interface_name(std::string_view name) {
+  return !name.empty() && name.size() < IFNAMSIZ && !base::has_control_character(name);
+}
+
 bool is_prefix_name(std::string_view name) {
   return !name.empty() && name.size() <= max_prefix_name_bytes && is_letter(name.front()) &&
          std::ranges::all_of(name,
@@ -50,7 +54,8 @@ class Resolver {
 
   std::expected<Configuration, std::vector<std::string>> resolve(const std::string& host_name) {
     read_texts(host_name);
-    read_strict();
+    result_.is_strict = read_truth("strict");
+    result_.diagnoses = read_truth("diagnose");
     read_prefixes();
     read_gcnp();
     read_air();
@@ -111,11 +116,11 @@ class Resolver {
     }
   }
 
-  void read_strict() {
-    const Stated* strict = single("strict");
-    if (strict == nullptr) return;
-    if (strict->text != "true" && strict->text != "false") refuse(*strict, "is no truth value: use true or false");
-    result_.is_strict = strict->text == "true";
+  bool read_truth(std::string_view key) {
+    const Stated* truth = single(key);
+    if (truth == nullptr) return false;
+    if (truth->text != "true" && truth->text != "false") refuse(*truth, "is no truth value: use true or false");
+    return truth->text == "true";
   }
 
   void read_prefixes() {
@@ -193,12 +198,13 @@ class Resolver {
     air.groups = {"239.192.47.17", "ff02::4717"};
     if (stated("multicast") != nullptr) read_groups();
     for (const Stated& name : list("interface", max_values)) {
-      if (name.text.empty() || name.text.size() >= IFNAMSIZ || base::has_control_character(name.text)) {
+      if (!is_interface_name(name.text)) {
         refuse(name, "is no name of an interface: see ip link");
       } else if (std::ranges::find(air.interfaces, name.text) == air.interfaces.end()) {
         air.interfaces.push_back(name.text);
       }
     }
+    for (const Stated& text : list("announce-address", env::max_announced_addresses)) read_announced(text);
     for (const Stated& text : list("peer", env::max_unicast_peers)) {
       if (text.text == any_peer) {
         any_peer_ = text;
@@ -213,6 +219,20 @@ class Resolver {
         air.peers.push_back(*peer);
       }
     }
+  }
+
+  /// `ADDRESS`, or `INTERFACE=ADDRESS`.
+  void read_announced(const Stated& text) {
+    const std::size_t equals = std::min(text.text.find('='), text.text.size());
+    const bool is_named = equals < text.text.size();
+    const std::string interface = is_named ? text.text.substr(0, equals) : "";
+    if (is_named && !is_interface_name(interface)) return refuse(text, "names no interface before '=': see ip link");
+    const auto address = env::parse_address(is_named ? text.text.substr(equals + 1) : text.text);
+    if (!address) return fail(text, address.error());
+    if (env::is_multicast(*address) || env::is_loopback(*address) ||
+        base::address_scope(*address) == base::AddressScope::unspecified)
+      return fail(text, *address + " is no address at which others can reach this host");
+    result_.air.announced.push_back({.interface = interface, .address = *address});
   }
 
   void read_groups() {
@@ -257,7 +277,8 @@ class Resolver {
   void admit_guests() {
     const bool is_sealed = result_.sealing.mode >= sealing::Mode::authenticated;
     result_.admits_any_peer = any_peer_.has_value();
-    result_.air.admits_guests = is_sealed && (any_peer_ || !result_.air.peers.empty());
+    const bool is_asked = any_peer_ || !result_.air.peers.empty();
+    if (is_sealed) result_.air.admission = is_asked ? env::Admission::asked : env::Admission::sealed;
     if (!any_peer_ || is_sealed) return;
     fail(*any_peer_, "'*' admits whoever has the team's key: give --key-file, and no --sealing but authenticated");
   }
@@ -308,31 +329,6 @@ class Resolver {
   std::vector<std::string> errors_;
 };
 
-/// A TOML basic string (TOML 1.0, "String").
-std::string in_quotes(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto octet = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (octet < 0x20 || octet == 0x7f) {
-      result += "\\u" + base::to_hex(octet, 4);
-    } else {
-      result += c;
-    }
-  }
-  return base::harmless_json(result + '"');  // TOML has the escapes of JSON
-}
-
-std::string in_quotes(const std::vector<std::string>& texts) {
-  std::string result = "[";
-  for (const std::string& text : texts) result += (result.size() > 1 ? ", " : "") + in_quotes(text);
-  return result + ']';
-}
-
-std::string line(std::string_view key, const std::string& value) { return std::string(key) + " = " + value + '\n'; }
-
 }  // namespace
 
 std::expected<Configuration, std::vector<std::string>> resolve(const std::vector<const Layer*>& layers,
@@ -342,41 +338,6 @@ std::expected<Configuration, std::vector<std::string>> resolve(const std::vector
 
 std::string_view to_string(base::LogLevel level) {
   return std::ranges::find(log_levels, level, [](const auto& pair) { return pair.second; })->first;
-}
-
-std::string to_toml(const Configuration& configuration) {
-  std::vector<std::string> gcnp;
-  for (const GcnpAddress& address : configuration.gcnp) gcnp.push_back(env::to_string(address.endpoint));
-  std::vector<std::string> peers;
-  for (const env::HostPort& peer : configuration.air.peers) peers.push_back(env::to_string(peer));
-  if (configuration.admits_any_peer) peers.emplace_back(any_peer);
-  const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(configuration.interval).count();
-  const std::string fraction = std::to_string(1000 + milliseconds % 1000).substr(1);
-  std::string text;
-  text += line("ontology", in_quotes(configuration.ontologies));
-  text += line("strict", configuration.is_strict ? "true" : "false");
-  text += line("group", in_quotes(configuration.group));
-  text += line("interface", in_quotes(configuration.air.interfaces));
-  text += line("peer", in_quotes(peers));
-  if (!configuration.name.empty()) text += line("name", in_quotes(configuration.name));
-  if (gcnp.empty()) gcnp.emplace_back("none");
-  text += line("gcnp", in_quotes(gcnp));
-  if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", in_quotes(configuration.gcnp_socket));
-  text += line("port", std::to_string(configuration.air.port));
-  text += line("multicast", in_quotes(configuration.air.groups));
-  if (!configuration.state_folder.empty()) text += line("state-folder", in_quotes(configuration.state_folder));
-  text += line("key-file", in_quotes(configuration.key_files));
-  const bool is_default = configuration.key_files.empty() && !configuration.says_plain;
-  text += (is_default ? "# " : "") + line("sealing", in_quotes(to_string(configuration.sealing.mode)));
-  text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);
-  text += line("log-level", in_quotes(to_string(configuration.log_level)));
-  text += line("log-format", in_quotes(configuration.log_format == LogFormat::json ? "json" : "text"));
-  const auto* const wish =
-      std::ranges::find(cage_wishes, configuration.cage, [](const auto& pair) { return pair.second; });
-  text += line("cage", in_quotes(wish->first));
-  if (!configuration.prefixes.empty()) text += "\n[prefixes]\n";
-  for (const auto& [name, iri] : configuration.prefixes) text += line(name, in_quotes(iri));
-  return text;
 }
 
 }  // namespace geminga::daemon

@@ -15,7 +15,7 @@ namespace geminga::daemon {
 struct ConfigurationChange {
   bool air = false;             ///< interfaces, groups, peers or port
   bool sealing = false;         ///< keys or mode
-  bool awaits_a_start = false;  ///< one of name, group, gcnp, gcnp-socket, interval, state-folder and cage
+  bool awaits_a_start = false;  ///< one of name, group, gcnp, gcnp-socket, interval, diagnose, state-folder and cage
 };
 
 class ConfigurationInForce {

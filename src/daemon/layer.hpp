@@ -26,7 +26,7 @@ struct Key {
   std::string_view help;
 };
 
-inline constexpr std::array<Key, 18> keys{{
+inline constexpr std::array<Key, 20> keys{{
     {"ontology", ValueType::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times"},
     {"strict", ValueType::truth, "true|false",
@@ -37,6 +37,8 @@ inline constexpr std::array<Key, 18> keys{{
     {"peer", ValueType::texts, "HOST[:PORT]",
      "Send copies to this host, where multicast does not pass; without a team key the other host has to name this one, "
      "too. '*': accept every host with the team's key. May be given many times"},
+    {"announce-address", ValueType::texts, "[INTERFACE=]ADDRESS",
+     "Announce this address in place of the interface's own, as behind NAT; may be given many times"},
     {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)"},
     {"gcnp", ValueType::texts, "ADDRESS:PORT",
      "Listen for local clients there; may be given many times; none: no TCP (default: 127.0.0.1:4717 and "
@@ -55,6 +57,8 @@ inline constexpr std::array<Key, 18> keys{{
     {"sealing", ValueType::text, "encrypted|authenticated|prepared|mixed|plain",
      "Mode of sealing, where there is a key: encrypted, authenticated, or, to introduce keys in a team, prepared and "
      "then mixed (default: encrypted). plain: a reload may give up the keys"},
+    {"diagnose", ValueType::truth, "true|false",
+     "Tell others of the team, when they ask by geminga-query doctor --with, what this host hears (default: false)"},
     {"state-folder", ValueType::text, "FOLDER",
      "Keep the daemon's identity there across restarts, so that the team recognizes it at once (default: "
      "$STATE_DIRECTORY, as systemd sets it; else no identity is kept)"},

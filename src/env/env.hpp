@@ -32,6 +32,8 @@ struct Interface {
   /// Numeric addresses that are valid there, IPv4 before IPv6, without scope. May be empty while the interface comes
   /// up.
   std::vector<std::string> addresses;
+  /// Numeric addresses that others are told of instead, as behind a translation of addresses; empty: those above.
+  std::vector<std::string> announced{};
   bool is_loopback = false;
   /// Set on the IPv6 side of a dual-stack interface: the number of its IPv4 side. What is said on the IPv4 side is said
   /// here only as far as somebody needs it.
@@ -69,6 +71,14 @@ class Env {
   /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
   virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;
 
+  /// Sends one datagram to this address alone, from this interface, to the port of announcements. Does nothing where
+  /// the world cannot.
+  virtual void send_alone(InterfaceIndex interface, std::string_view address, std::span<const std::byte> datagram) {
+    (void)interface, (void)address, (void)datagram;
+  }
+
+  /// Whether the datagram of this event came to us alone from a host that is named by --peer.
+  [[nodiscard]] virtual bool is_sender_named() const { return false; }
   /// Whether the datagram of this event came to us alone from a host that nobody has named (--peer). All other hosts
   /// hear us anyway.
   [[nodiscard]] virtual bool is_sender_unnamed() const { return false; }

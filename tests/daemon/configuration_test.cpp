@@ -183,10 +183,28 @@ TEST(Configuration, SaysEverythingThatIsWrongAtOnce) {
   EXPECT_THAT(resolved(layer_of({{"port", "x"}, {"interval", "y"}, {"log-level", "z"}})).error(), SizeIs(3));
 }
 
+TEST(Configuration, ReadsAddressesThatAreAnnounced) {
+  const auto both = resolved(layer_of({{"announce-address", "192.0.2.7"}, {"announce-address", "eth0=2001:db8::7"}}));
+  ASSERT_TRUE(both);
+  const std::vector<env::AnnouncedAddress> wanted{{"", "192.0.2.7"}, {"eth0", "2001:db8::7"}};
+  EXPECT_EQ(both->air.announced, wanted);
+  EXPECT_THAT(to_toml(*both), testing::HasSubstr("announce-address = [\"192.0.2.7\", \"eth0=2001:db8::7\"]"));
+  for (const char* wrong : {"", "robot2", "127.0.0.1", "::1", "0.0.0.0", "::", "239.1.2.3", "ff02::1", "=192.0.2.7",
+                            "eth0=", "eth0=x", "an-interface-too-long=192.0.2.7", "192.0.2.7:80"})
+    EXPECT_FALSE(resolved(layer_of({{"announce-address", wrong}}))) << wrong;
+}
+
+TEST(Configuration, TellsAndHearsOthersAloneOnlyWhereTheOwnerWishesIt) {
+  EXPECT_FALSE(resolved({})->diagnoses);
+  EXPECT_TRUE(resolved(layer_of({{"diagnose", "true"}}))->diagnoses);
+  EXPECT_EQ(resolved({})->air.admission, env::Admission::nobody);
+  EXPECT_EQ(resolved(layer_of({{"key-file", "/k"}}))->air.admission, env::Admission::sealed);
+}
+
 TEST(Configuration, AdmitsUnnamedPeersOnlyWhereAllIsSealedAndSomePeerIsNamed) {
   const auto admits = [](const std::vector<std::pair<std::string, std::string>>& values) {
     const auto result = resolved(layer_of(values));
-    return result && result->air.admits_guests;
+    return result && result->air.admission == env::Admission::asked;
   };
   EXPECT_TRUE(admits({{"peer", "*"}, {"key-file", "/k"}}));
   EXPECT_TRUE(admits({{"peer", "robot2"}, {"key-file", "/k"}}));

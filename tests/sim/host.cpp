@@ -77,7 +77,7 @@ void Host::resume() {
   pause_ = Pause::none;
   resumed_ = world_.now();
   if (!waiting_.empty()) world_.old_words_read = resumed_;
-  for (const Waiting& one : std::exchange(waiting_, {})) receive(one.interface, one.source, one.datagram);
+  for (const Waiting& one : std::exchange(waiting_, {})) receive(one.interface, one.source, one.datagram, one.is_alone);
   for (const auto& [stream, one] : streams_) {
     world_.after(base::Duration(0), [this, id = stream, incarnation = incarnation_] {
       if (incarnation == incarnation_) hear(id);
@@ -199,13 +199,15 @@ const Host::Port* Host::port(env::InterfaceIndex index) const {
   return found == ports_.end() ? nullptr : &*found;
 }
 
-void Host::receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram) {
+void Host::receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram, bool is_alone) {
   if (!is_on() || port(interface) == nullptr || pause_ == Pause::asleep) return;
   if (pause_ == Pause::stopped) {
-    if (waiting_.size() < socket_room) waiting_.emplace_back(interface, source, std::string(datagram));
+    if (waiting_.size() < socket_room) waiting_.emplace_back(interface, source, std::string(datagram), is_alone);
     return;
   }
+  if (is_alone) alone_from_ = {interface, source};
   participant_->on_datagram(interface, source, std::as_bytes(std::span(datagram)));
+  alone_from_.reset();
   end_of_event();
 }
 
@@ -323,6 +325,20 @@ void Host::send(env::InterfaceIndex interface, std::span<const std::byte> datagr
   octets_sent_ += datagram.size();
   if (const Port* on = port(interface)) ++sent_on_[on->segment];
   world_.transmit(*this, interface, std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
+  for (const auto& [way, until] : guests_) {
+    if (way.first == interface && until > now()) send_alone(interface, way.second, datagram);
+  }
+}
+
+void Host::send_alone(env::InterfaceIndex interface, std::string_view address, std::span<const std::byte> datagram) {
+  octets_sent_alone += datagram.size();
+  world_.transmit_alone(*this, interface, address,
+                        std::string_view(reinterpret_cast<const char*>(datagram.data()), datagram.size()));
+}
+
+void Host::answer_sender(base::Duration time) {
+  if (is_sender_unnamed()) answered.push_back(time);
+  if (alone_from_ && time > base::Duration(0)) guests_[*alone_from_] = now() + time;
 }
 
 std::uint64_t Host::datagrams_sent_on(std::uint32_t segment) const {

@@ -37,6 +37,14 @@ class Host final : public env::Env {
   std::vector<std::string> logged;
   /// Whether all that it hears came to it alone, from hosts that it has not named.
   bool hears_strangers_alone = false;
+  /// Whether multicasts of others reach it.
+  bool hears_multicasts = true;
+  /// Whether datagrams to it alone reach it. Hosts that it wishes to answer are sent copies then.
+  bool hears_datagrams_alone = false;
+  /// Whether they come from hosts that are named by --peer.
+  bool names_others = false;
+  /// Octets that it has sent to others alone.
+  std::uint64_t octets_sent_alone = 0;
   /// For how long it wished to answer each of these that it wished to answer.
   std::vector<base::Duration> answered;
   /// The identifiers that random_bits() gives first, to bring about a clash.
@@ -90,7 +98,8 @@ class Host final : public env::Env {
   void detach(const std::string& interface);
   [[nodiscard]] const std::vector<Port>& ports() const { return ports_; }
   [[nodiscard]] const Port* port(env::InterfaceIndex index) const;
-  void receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram);
+  void receive(env::InterfaceIndex interface, const std::string& source, std::string_view datagram,
+               bool is_alone = false);
   /// Hosts hear each other only where their island is the same number.
   void set_island(int island);
   [[nodiscard]] int island() const { return island_; }
@@ -116,10 +125,13 @@ class Host final : public env::Env {
   [[nodiscard]] std::uint64_t random_bits() override;
   [[nodiscard]] const std::vector<env::Interface>& interfaces() const override { return interfaces_; }
   void send(env::InterfaceIndex interface, std::span<const std::byte> datagram) override;
-  [[nodiscard]] bool is_sender_unnamed() const override { return hears_strangers_alone; }
-  void answer_sender(base::Duration time) override {
-    if (hears_strangers_alone) answered.push_back(time);
+  void send_alone(env::InterfaceIndex interface, std::string_view address,
+                  std::span<const std::byte> datagram) override;
+  [[nodiscard]] bool is_sender_named() const override { return alone_from_ && names_others; }
+  [[nodiscard]] bool is_sender_unnamed() const override {
+    return hears_strangers_alone || (alone_from_ && !names_others);
   }
+  void answer_sender(base::Duration time) override;
   void write(env::StreamId stream, std::string_view bytes) override;
   [[nodiscard]] std::size_t unsent(env::StreamId stream) const override;
   void want(env::StreamId stream, bool is_wanted) override;
@@ -154,8 +166,13 @@ class Host final : public env::Env {
     env::InterfaceIndex interface{};
     std::string source;
     std::string datagram;
+    bool is_alone = false;
   };
   std::vector<Waiting> waiting_;
+  /// The way of the sender of the datagram of this event, where it came alone.
+  std::optional<std::pair<env::InterfaceIndex, std::string>> alone_from_;
+  /// The hosts that are sent copies, and until when.
+  std::map<std::pair<env::InterfaceIndex, std::string>, base::Instant> guests_;
   std::uint64_t datagrams_sent_ = 0;
   std::uint64_t octets_sent_ = 0;
   std::map<std::uint32_t, std::uint64_t> sent_on_;

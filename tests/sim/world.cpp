@@ -120,7 +120,7 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
   const std::uint32_t flight = take_off(from->address, datagram);
   for (const auto& receiver : hosts_) {
     const bool is_sender = receiver.get() == &sender;
-    if (!is_sender && !is_reached(sender, *receiver)) continue;
+    if (!is_sender && !(is_reached(sender, *receiver) && receiver->hears_multicasts)) continue;
     for (const Host::Port& to : receiver->ports()) {
       if (to.segment != from->segment) continue;
       if (!is_sender && random_.chance(air.loss)) continue;
@@ -133,6 +133,22 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
       }
       add_arrival(flight, *receiver, to.index);
       if (random_.chance(air.duplicate)) add_arrival(flight, *receiver, to.index);
+    }
+  }
+  depart(flight);
+}
+
+void World::transmit_alone(const Host& sender, env::InterfaceIndex interface, std::string_view address,
+                           std::string_view datagram) {
+  const Host::Port* from = sender.port(interface);
+  if (from == nullptr) return;
+  const std::uint32_t flight = take_off(from->address, datagram);
+  flights_[flight]->is_alone = true;
+  for (const auto& receiver : hosts_) {
+    if (!receiver->hears_datagrams_alone || !is_reached(sender, *receiver)) continue;
+    for (const Host::Port& to : receiver->ports()) {
+      if (to.segment == from->segment && to.address == address && !random_.chance(air.loss))
+        add_arrival(flight, *receiver, to.index);
     }
   }
   depart(flight);
@@ -166,6 +182,7 @@ std::uint32_t World::take_off(std::string_view source, std::string_view datagram
   free_flights_.pop_back();
   flights_[index]->source = source;
   flights_[index]->datagram = datagram;
+  flights_[index]->is_alone = false;
   return index;
 }
 
@@ -199,7 +216,8 @@ void World::fly(std::uint32_t flight, base::Instant end) {
     now_ = arrival.instant;
     one.arrivals.pop_back();
     Host& receiver = *hosts_[arrival.host];
-    if (receiver.incarnation() == arrival.incarnation) receiver.receive(arrival.interface, one.source, one.datagram);
+    if (receiver.incarnation() == arrival.incarnation)
+      receiver.receive(arrival.interface, one.source, one.datagram, one.is_alone);
   }
   free_flights_.push_back(flight);
 }

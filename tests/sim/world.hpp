@@ -78,6 +78,9 @@ class World {
 
   /// Hands a datagram to everybody on the sender's network, the sender too, as multicast does.
   void transmit(const Host& sender, env::InterfaceIndex interface, std::string_view datagram);
+  /// Hands a datagram to the host at this address, if it hears what comes to it alone.
+  void transmit_alone(const Host& sender, env::InterfaceIndex interface, std::string_view address,
+                      std::string_view datagram);
 
   /// Hands a datagram to everybody on a network, as if it came from this address.
   void inject(const std::string& source, std::string_view datagram, std::uint32_t segment = 0);
@@ -106,6 +109,7 @@ class World {
   struct Flight {
     std::string source;
     std::string datagram;
+    bool is_alone = false;  ///< it is for one host
     std::vector<Arrival> arrivals;
   };
   struct Due {

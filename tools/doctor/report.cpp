@@ -110,9 +110,18 @@ boost::json::object to_json(const Findings& findings) {
   return {{"healthy", findings.empty()}, {"findings", std::move(list)}};
 }
 
+boost::json::object to_json(const OtherView& other) {
+  return {{"participant", other.id},
+          {"answered", other.is_answered},
+          {"status", shell::to_json(other.answers.status)},
+          {"interfaces", shell::to_json(other.answers.interfaces)},
+          {"participants", shell::to_json(other.answers.participants)}};
+}
+
 boost::json::object report_of(const Findings& findings, const Host& host, const std::optional<Answers>& answers,
-                              Names names) {
+                              const std::optional<OtherView>& other, Names names) {
   boost::json::object report = to_json(findings);
+  if (other) report["with"] = to_json(*other);
   report["interfaces_of_host"] = to_json(host);
   Numbering numbering;
   numbering.add(host.user);

@@ -10,6 +10,7 @@
 #include "doctor/answers.hpp"
 #include "doctor/finding.hpp"
 #include "doctor/host.hpp"
+#include "doctor/other_view.hpp"
 
 namespace geminga::doctor {
 
@@ -17,6 +18,7 @@ namespace geminga::doctor {
 [[nodiscard]] std::string_view word(Severity severity);
 
 [[nodiscard]] boost::json::object to_json(const Findings& findings);
+[[nodiscard]] boost::json::object to_json(const OtherView& other);
 
 enum class Names : std::uint8_t { as_they_are, numbered };
 
@@ -24,7 +26,8 @@ enum class Names : std::uint8_t { as_they_are, numbered };
 /// channel, since the daemon tells neither, and no attributes of services. With `numbered` the names of participants,
 /// of local programs and of this user are `name1`, `name2`, ... everywhere, also within sentences.
 [[nodiscard]] boost::json::object report_of(const Findings& findings, const Host& host,
-                                            const std::optional<Answers>& answers, Names names);
+                                            const std::optional<Answers>& answers,
+                                            const std::optional<OtherView>& other, Names names);
 
 }  // namespace geminga::doctor
 

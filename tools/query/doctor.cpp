@@ -11,6 +11,7 @@
 
 #include "doctor/checks.hpp"
 #include "doctor/experiments.hpp"
+#include "doctor/other_view.hpp"
 #include "doctor/report.hpp"
 #include "query/command.hpp"
 #include "query/listing.hpp"
@@ -71,6 +72,7 @@ bool write_report(const std::string& file, const boost::json::object& report) {
 struct Wishes {
   std::string report;
   bool is_nameless = false;
+  std::string with;
 };
 
 /// Listens to the link for a little longer than an interval, in which each neighbour speaks once without loss.
@@ -85,8 +87,16 @@ std::vector<doctor::Overheard> overhear(const Answers& answers) {
   return doctor::overhear(interfaces, std::chrono::milliseconds(std::lround(1000 * seconds)));
 }
 
-/// All that this host and its daemon show.
-Result<Findings, ClientError> look(Client& client, const doctor::Host& host, std::optional<Answers>& answers) {
+void print_side_by_side(const Context& context, const doctor::OtherView& other, const Answers& ours) {
+  if (!other.is_answered) return;
+  shell::Table table({{"WHAT"}, {"HERE", false, 20}, {shell::printable(other.name), false, 20}});
+  for (const auto& row : doctor::side_by_side(other, ours)) table.add({row.what, row.here, row.there});
+  table.print(std::cout, context.terminal);
+}
+
+/// All that this host and its daemon show, and the other one where it is to be asked.
+Result<Findings, ClientError> look(Client& client, const doctor::Host& host, const std::string& with,
+                                   std::optional<Answers>& answers, std::optional<doctor::OtherView>& other) {
   auto asked = doctor::ask(client);
   if (!asked) return std::unexpected(asked.error());
   answers = std::move(*asked);
@@ -99,6 +109,12 @@ Result<Findings, ClientError> look(Client& client, const doctor::Host& host, std
         doctor::check_overheard(host, *answers, overhear(*answers)), doctor::check_requests(*answers)}) {
     findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
+  if (with.empty()) return findings;
+  auto asked_other = doctor::ask_other(client, *answers, with);
+  if (!asked_other) return std::unexpected(asked_other.error());
+  other = std::move(*asked_other);
+  Findings there = doctor::check_other(*other, *answers, GEMINGA_VERSION);
+  findings.insert(findings.end(), std::make_move_iterator(there.begin()), std::make_move_iterator(there.end()));
   return findings;
 }
 
@@ -108,20 +124,24 @@ shell::ExitStatus diagnose(const Context& context, Result<Client, ClientError>& 
   const doctor::Host host = doctor::look_at_host();
   Findings findings = doctor::check_host(host);
   std::optional<Answers> answers;
-  auto more =
-      client ? look(*client, host, answers) : doctor::check_absent_daemon(host, client.error(), context.common.connect);
+  std::optional<doctor::OtherView> other;
+  auto more = client ? look(*client, host, wishes.with, answers, other)
+                     : doctor::check_absent_daemon(host, client.error(), context.common.connect);
   if (!more) return shell::report(program, more.error());
   findings.insert(findings.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
   doctor::drop_consequences(findings);
   doctor::sort_by_severity(findings);
   if (!wishes.report.empty()) {
     const auto names = wishes.is_nameless ? doctor::Names::numbered : doctor::Names::as_they_are;
-    if (!write_report(wishes.report, doctor::report_of(findings, host, answers, names)))
+    if (!write_report(wishes.report, doctor::report_of(findings, host, answers, other, names)))
       return shell::ExitStatus::wrong_use;
   }
   if (context.common.is_json) {
-    shell::print(std::cout, doctor::to_json(findings));
+    boost::json::object document = doctor::to_json(findings);
+    if (other) document["with"] = doctor::to_json(*other);
+    shell::print(std::cout, document);
   } else {
+    if (other) print_side_by_side(context, *other, *answers);
     print_findings(context, findings, answers);
   }
   return findings.empty() ? shell::ExitStatus::found : shell::ExitStatus::nothing;
@@ -132,6 +152,12 @@ shell::ExitStatus diagnose(const Context& context, Result<Client, ClientError>& 
 void add_doctor(CLI::App& app, RunEvenAlone& selected) {
   CLI::App* command = app.add_subcommand("doctor", "Looks for the usual causes of silence, and says what to do");
   const auto wishes = std::make_shared<Wishes>();  // lives as long as the command's function
+  command
+      ->add_option(
+          "--with", wishes->with,
+          "Also ask this participant (its name, identifier or address) what it hears, and show both views; its "
+          "owner has to allow it (diagnose)")
+      ->type_name("HOST");
   CLI::Option* report = command->add_option(
       "--report", wishes->report,
       "Also write all that was seen into this file, as JSON, to send it to somebody: it has no keys");
@@ -141,7 +167,8 @@ void add_doctor(CLI::App& app, RunEvenAlone& selected) {
                  "In the report, number the names of hosts, users, programs and services instead")
       ->needs(report);
   command->footer(
-      "Examples:\n  geminga-query doctor\n  geminga-query doctor --report report.json --without-names\n  geminga-query "
+      "Examples:\n  geminga-query doctor\n  geminga-query doctor --with robot2\n  geminga-query doctor --report "
+      "report.json --without-names\n  geminga-query "
       "--json doctor | "
       "jq "
       "'.findings[].code'\nExit status 0: nothing is wrong; 1: something is.");

@@ -27,6 +27,10 @@ enum class Kind : std::uint8_t {
   presence,
   /// The services that have changed since an earlier revision. All else is as that revision says, as in a presence.
   change,
+  /// A question to one participant: what do you hear, and how are you? Said for a user's diagnosis only.
+  inquiry,
+  /// The answer to an inquiry.
+  diagnosis,
 };
 
 /// A publication with the GCNP number that its peer gave it. The address is numeric without zone, or empty: the
@@ -78,7 +82,8 @@ struct Witness {
 inline constexpr std::uint32_t ipv6_side_bit = std::uint32_t{1} << 31U;
 
 /// One announcement. encode() splits it into datagrams, decode() makes one of each datagram. In a claim and a goodbye
-/// revision, addresses and peers are empty; in a presence and a change the fields that their docstrings leave out are.
+/// revision, addresses and peers are empty; in a presence, a change, an inquiry and a diagnosis those that their
+/// docstrings leave out are.
 struct Announcement {
   Kind kind = Kind::state;
   std::string group;            ///< the negotiation group; participants of another one ignore it
@@ -104,6 +109,11 @@ struct Announcement {
   Witness witness;
   std::vector<ParticipantId> lacks;   ///< participants whose newest state it does not have
   std::vector<ParticipantId> doubts;  ///< participants that it will take for gone unless it hears of them soon
+
+  // Of an inquiry and a diagnosis only, which have no state and no testimony.
+  ParticipantId partner{};         ///< the one that is asked, or has asked; never 0
+  std::uint64_t token = 0;         ///< drawn by the one that asks
+  std::vector<std::string> lines;  ///< of a diagnosis: `word key=value ...`
 
   friend bool operator==(const Announcement&, const Announcement&) = default;
 };

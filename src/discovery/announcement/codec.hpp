@@ -39,8 +39,9 @@ enum class DecodeError : std::uint8_t {
   bad_filter,      ///< a limit of provider filters or of the where expression is violated
   bad_witness,     ///< testimony of a wrong size, or too many names, or the identifier 0
   bad_change,      ///< a change that begins from its own revision or a later one
+  bad_diagnosis,   ///< an inquiry or a diagnosis of nobody, or lines over their limits or with control characters
 };
-inline constexpr std::size_t decode_error_count = 20;
+inline constexpr std::size_t decode_error_count = 21;
 
 /// "too-large", "not-protobuf", ... Static storage.
 [[nodiscard]] std::string_view to_string(DecodeError error);
@@ -55,14 +56,18 @@ inline constexpr std::size_t decode_error_count = 20;
 
 using Datagram = std::vector<std::byte>;
 
+/// The lines from the first one on that fit into one diagnosis.
+[[nodiscard]] std::size_t fitting_lines(const Announcement& diagnosis);
+
 /// Writes an announcement as one datagram, or a state that does not fit as several. They are numbered from
 /// `announcement.sequence` on; the caller's next sequence number is greater by their count. Each has at most
 /// max_datagram_bytes and is complete in itself. Equal announcements give equal bytes.
 ///
 /// Peers without a service are left out. A change that does not fit into one datagram gives none: only the state tells
-/// it. A service that does not pass check() (announceable.hpp) and services beyond max_services_per_participant are
-/// left out: the caller has refused them before. Names and addresses over their limits are cut. Requires a participant
-/// other than 0, and an interval within its limits.
+/// it. An inquiry is padded to max_datagram_bytes; of a diagnosis the lines that do not fit are left out. A service
+/// that does not pass check() (announceable.hpp) and services beyond max_services_per_participant are left out: the
+/// caller has refused them before. Names and addresses over their limits are cut. Requires a participant other than 0,
+/// and an interval within its limits.
 [[nodiscard]] std::vector<Datagram> encode(const Announcement& announcement);
 
 }  // namespace geminga::announcement

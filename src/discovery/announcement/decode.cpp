@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/address.hpp"
+#include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/fault.hpp"
@@ -33,7 +34,8 @@ class Scratch {
  public:
   Scratch() = default;
   ~Scratch() {
-    if (message_.peers_size() + message_.terms_size() + message_.namespaces_size() > 0) message_ = {};
+    if (message_.peers_size() + message_.terms_size() + message_.namespaces_size() + message_.lines_size() > 0)
+      message_ = {};
   }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
@@ -72,6 +74,10 @@ Decoded<Kind> kind_of(wire::Kind kind) {
       return Kind::presence;
     case wire::KIND_CHANGE:
       return Kind::change;
+    case wire::KIND_INQUIRY:
+      return Kind::inquiry;
+    case wire::KIND_DIAGNOSIS:
+      return Kind::diagnosis;
     default:
       return Failure(DecodeError::bad_kind);
   }
@@ -284,6 +290,24 @@ Decoded<void> read_presence(const wire::Announcement& message, Announcement& ann
   return read_named(message.doubts(), announcement.doubts);
 }
 
+/// Whether a kind leaves to the state its name, its interval and all that stands for long.
+bool is_short(Kind kind) { return kind >= Kind::presence; }
+
+/// The fields of an inquiry and a diagnosis only.
+Decoded<void> read_exchange(const wire::Announcement& message, Announcement& announcement) {
+  if (message.partner() == 0) return Failure(DecodeError::bad_diagnosis);
+  announcement.partner = ParticipantId{message.partner()};
+  announcement.token = message.token();
+  if (announcement.kind == Kind::inquiry) return {};
+  if (message.lines_size() > static_cast<int>(max_diagnosis_lines)) return Failure(DecodeError::bad_diagnosis);
+  for (const std::string& line : message.lines()) {
+    if (line.empty() || line.size() > max_diagnosis_line_bytes || base::has_control_character(line))
+      return Failure(DecodeError::bad_diagnosis);
+    announcement.lines.push_back(line);
+  }
+  return {};
+}
+
 Decoded<void> read_header(const wire::Announcement& message, Announcement& announcement) {
   if ((message.format() & 0xffffff) != format_magic) return Failure(DecodeError::not_geminga);
   if (message.format() >> 24 != format_major) return Failure(DecodeError::other_version);
@@ -298,7 +322,7 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
   announcement.name = message.name();
   announcement.link = message.link();
   announcement.sequence = message.sequence();
-  if (*kind != Kind::presence && *kind != Kind::change) {
+  if (!is_short(*kind)) {
     announcement.interval = std::chrono::milliseconds(message.interval_ms());
     if (announcement.interval < min_interval || announcement.interval > max_interval) {
       return Failure(DecodeError::bad_interval);
@@ -331,7 +355,7 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
 constexpr std::array<std::string_view, decode_error_count> words = {
     "too-large",    "not-protobuf", "not-geminga",   "other-version", "bad-kind",     "bad-identifier", "bad-name",
     "bad-interval", "bad-part",     "bad-address",   "bad-table",     "bad-identity", "bad-mode",       "bad-degree",
-    "bad-port",     "bad-protocol", "bad-attribute", "bad-filter",    "bad-witness",  "bad-change",
+    "bad-port",     "bad-protocol", "bad-attribute", "bad-filter",    "bad-witness",  "bad-change",     "bad-diagnosis",
 };
 
 }  // namespace
@@ -348,6 +372,10 @@ std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcem
   if (announcement.kind == Kind::presence) {
     if (const auto read = read_presence(message, announcement); !read) return read.error();
     return std::nullopt;
+  }
+  if (announcement.kind == Kind::inquiry || announcement.kind == Kind::diagnosis) {
+    const auto read = read_exchange(message, announcement);
+    return read ? std::nullopt : std::optional(read.error());
   }
   const auto terms = terms_of(message);
   if (!terms) return terms.error();

@@ -37,6 +37,12 @@ wire::Announcement beginning_of(const Announcement& announcement) {
     case Kind::change:
       header.set_kind(wire::KIND_CHANGE);
       break;
+    case Kind::inquiry:
+      header.set_kind(wire::KIND_INQUIRY);
+      break;
+    case Kind::diagnosis:
+      header.set_kind(wire::KIND_DIAGNOSIS);
+      break;
   }
   header.set_participant(std::to_underlying(announcement.participant));
   header.set_boot(std::to_underlying(announcement.boot));
@@ -230,12 +236,48 @@ std::vector<Datagram> encode_change(const Announcement& announcement) {
   return {write(std::move(header), std::move(parts.front()))};
 }
 
+/// The fields of an inquiry and a diagnosis, without padding and lines.
+wire::Announcement exchange_of(const Announcement& announcement) {
+  auto message = short_header_of(announcement);
+  message.set_partner(std::to_underlying(announcement.partner));
+  message.set_token(announcement.token);
+  return message;
+}
+
+/// Fills the datagram up, so that the answer is not longer.
+Datagram write_inquiry(const Announcement& announcement) {
+  auto message = exchange_of(announcement);
+  constexpr std::size_t frame = 4;  // the tag and the length of the padding
+  message.set_padding(std::string(max_datagram_bytes - frame - message.ByteSizeLong(), '\0'));
+  return write(message);
+}
+
+Datagram write_diagnosis(const Announcement& announcement) {
+  auto message = exchange_of(announcement);
+  for (const std::string& line : announcement.lines | std::views::take(fitting_lines(announcement)))
+    message.add_lines(line);
+  return write(message);
+}
+
 }  // namespace
+
+std::size_t fitting_lines(const Announcement& diagnosis) {
+  std::size_t octets = exchange_of(diagnosis).ByteSizeLong();
+  std::size_t count = 0;
+  for (const std::string& line : diagnosis.lines) {
+    octets += framed_bytes(2, line.size());
+    if (octets > max_datagram_bytes || count == max_diagnosis_lines || line.size() > max_diagnosis_line_bytes) break;
+    ++count;
+  }
+  return count;
+}
 
 std::vector<Datagram> encode(const Announcement& announcement) {
   GEMINGA_ASSERT(announcement.participant != ParticipantId{});
   if (announcement.kind == Kind::presence) return {write(presence_of(announcement))};
   if (announcement.kind == Kind::change) return encode_change(announcement);
+  if (announcement.kind == Kind::inquiry) return {write_inquiry(announcement)};
+  if (announcement.kind == Kind::diagnosis) return {write_diagnosis(announcement)};
   GEMINGA_ASSERT(announcement.interval >= min_interval && announcement.interval <= max_interval);
   auto header = header_of(announcement);
   // The sequence number grows with each part; sizes are computed with the greatest.

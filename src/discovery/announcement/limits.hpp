@@ -61,6 +61,9 @@ inline constexpr std::size_t max_vouched = max_paths * max_addresses;
 inline constexpr std::size_t max_named = 16;
 /// Octets of the testimony about so many participants (Witness).
 constexpr std::size_t witness_bytes(std::size_t members) { return 2 + (members + 3) / 4; }
+/// Lines of a diagnosis, and octets of each. A whole inquiry has max_datagram_bytes, so no diagnosis is longer.
+inline constexpr std::size_t max_diagnosis_lines = 64;
+inline constexpr std::size_t max_diagnosis_line_bytes = 200;
 /// The group that a presence means when it names none.
 inline constexpr std::string_view default_group = "default";
 

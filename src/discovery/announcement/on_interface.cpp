@@ -42,7 +42,7 @@ bool is_announced_on(std::string_view text, const env::Interface& interface, std
 Announcement on_interface(Announcement state, const env::Interface& interface, std::span<const env::Interface> ours) {
   state.link = link_of(interface);
   state.addresses.clear();
-  for (const auto& text : interface.addresses) {
+  for (const auto& text : interface.announced.empty() ? interface.addresses : interface.announced) {
     if (state.addresses.size() == max_addresses) break;
     if (base::parse_address(text)) state.addresses.push_back(without_zone(text));
   }

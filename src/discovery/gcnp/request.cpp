@@ -229,6 +229,11 @@ Request read_query_status(KeyReader&) { return QueryStatus{}; }
 Request read_query_interfaces(KeyReader&) { return QueryInterfaces{}; }
 Request read_query_peers(KeyReader&) { return QueryPeers{}; }
 Request read_query_security(KeyReader&) { return QuerySecurity{}; }
+Request read_query_diagnosis(KeyReader& keys) {
+  auto participant = keys.text("participant", max_name_bytes);
+  keys.require(participant.has_value(), "participant", "say participant=ID or participant=NAME");
+  return QueryDiagnosis{std::move(participant).value_or("")};
+}
 
 /// One row for each statement that a client may send.
 struct Row {
@@ -237,7 +242,7 @@ struct Row {
   Request (*read)(KeyReader&);
 };
 
-constexpr std::array<Row, 21> rows{{
+constexpr std::array<Row, 22> rows{{
     {"sys", "hello", read_hello},
     {"sys", "ping", read_ping},
     {"sys", "bye", read_bye},
@@ -259,6 +264,7 @@ constexpr std::array<Row, 21> rows{{
     {"query", "peers", read_query_peers},
     {"query", "security", read_query_security},
     {"query", "concepts", read_query_concepts},
+    {"query", "diagnosis", read_query_diagnosis},
 }};
 
 /// The reason why no row has this command and subcommand, with the known words.

@@ -143,14 +143,20 @@ struct QueryInterfaces {
 struct QueryPeers {
   friend bool operator==(const QueryPeers&, const QueryPeers&) = default;
 };
+/// The view of another participant: whom it hears, and how it is.
+struct QueryDiagnosis {
+  std::string participant;  ///< its identifier, or its name
+  friend bool operator==(const QueryDiagnosis&, const QueryDiagnosis&) = default;
+};
 struct QuerySecurity {
   friend bool operator==(const QuerySecurity&, const QuerySecurity&) = default;
 };
 
 /// Everything that a client may ask. The statement's id goes beside it.
-using Request = std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, SubCreate, SubModify, SubRemove,
-                             QueryParticipants, QueryServices, QueryRequests, QueryMatch, QueryExplain, QueryWhy,
-                             QueryOntology, QueryStatus, QueryInterfaces, QueryPeers, QuerySecurity, QueryConcepts>;
+using Request =
+    std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, SubCreate, SubModify, SubRemove, QueryParticipants,
+                 QueryServices, QueryRequests, QueryMatch, QueryExplain, QueryWhy, QueryOntology, QueryStatus,
+                 QueryInterfaces, QueryPeers, QuerySecurity, QueryConcepts, QueryDiagnosis>;
 
 /// The request of a statement. Errors: 400 for an unknown command, a missing, doubled or unreadable key, a reserved key
 /// where it means nothing, or an id that the command may not have (0 except for sys, and any other for sys); 413 for a

@@ -198,6 +198,9 @@ struct Writer {
   void operator()(const QueryInterfaces&) const { begin("query", "interfaces"); }
   void operator()(const QueryPeers&) const { begin("query", "peers"); }
   void operator()(const QuerySecurity&) const { begin("query", "security"); }
+  void operator()(const QueryDiagnosis& query) const {
+    append(begin("query", "diagnosis"), "participant", query.participant);
+  }
 };
 
 }  // namespace

@@ -26,6 +26,9 @@ Hearing NeighbourTable::hear(const announcement::Announcement& announcement, con
     case announcement::Kind::presence:
     case announcement::Kind::change:
       return hear_short(announcement, arrival);
+    case announcement::Kind::inquiry:
+    case announcement::Kind::diagnosis:
+      return Hearing::stale;  // they say nothing of their sender's state, and are taken in elsewhere
     case announcement::Kind::state:
       break;
   }

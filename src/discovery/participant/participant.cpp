@@ -1,134 +1,16 @@
 #include "discovery/participant/participant.hpp"
 
 #include <algorithm>
-#include <array>
-#include <expected>
 #include <optional>
 #include <set>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "discovery/participant/air/air.hpp"
-#include "discovery/participant/clients/clients.hpp"
-#include "discovery/participant/knowledge/knowledge.hpp"
-#include "discovery/participant/ontology_watch.hpp"
-#include "discovery/participant/queries/queries.hpp"
-#include "discovery/participant/status.hpp"
-#include "discovery/sealing/channel_keys.hpp"
+#include "discovery/participant/owners.hpp"
 
 namespace geminga::participant {
-namespace {
-
-/// How far a participant has come.
-enum class Phase : std::uint8_t {
-  created,   ///< start() has not been called
-  claiming,  ///< no identifier has been held: statements wait
-  ready,     ///< peers are served; after a clash under the old identifier, until another is claimed
-  stopping,  ///< goodbyes are being said
-  stopped,   ///< may be destroyed
-  failed,    ///< no identifier could be claimed: may be destroyed
-};
-
-/// Their words in `query status`.
-constexpr std::array<std::string_view, 6> phase_words{"created", "claiming", "ready", "stopping", "stopped", "failed"};
-
-}  // namespace
-
-struct Participant::Owners {
-  Owners(env::Env& the_env, Settings the_settings, Vocabulary vocabulary)
-      : env(the_env),
-        settings(std::move(the_settings)),
-        knowledge(env, settings.name, std::move(vocabulary)),
-        clients(
-            env, settings.limits,
-            {.self = knowledge.self,
-             .matcher = knowledge.matcher,
-             .resolver = knowledge.resolver,
-             .expressions = knowledge.expressions,
-             .overlaps = knowledge.overlaps,
-             .work = knowledge.work},
-            [this](const gcnp::Request& query) { return ask(query); }, [this](Life life) { return keys_of(life); }),
-        air(env, settings,
-            {.ontology_digest = [this] { return knowledge.vocabulary().digest(); },
-             .peers = [this] { return clients.own().announced(); }}) {}
-
-  env::Env& env;
-  const Settings settings;
-  Knowledge knowledge;
-  Clients clients;
-  Air air;
-  OntologyWatch ontology_watch;
-  Phase phase = Phase::created;
-  base::Instant started{};
-  std::set<env::InterfaceIndex> interfaces;
-  Work before_event = 0;  ///< all work done when the event under way began
-  StatusSource status_source;
-
-  /// Hands each query the parts that it reads.
-  std::expected<Answering, Error> ask(const gcnp::Request& query);
-  /// The keys of the channel with this life, derived from those that seal the air.
-  [[nodiscard]] gcnp::ChannelKeyring keys_of(Life life) const;
-};
-
-gcnp::ChannelKeyring Participant::Owners::keys_of(Life life) const {
-  const sealing::Policy& policy = air.seal().policy();
-  gcnp::ChannelKeyring keyring{.life = life, .mode = std::string(sealing::to_string(policy.mode)), .ring = {}};
-  for (const sealing::Key& key : policy.keys.keys()) {
-    const sealing::ChannelKeys keys = sealing::channel_keys(key, std::to_underlying(life));
-    keyring.ring.push_back({.id = std::to_underlying(keys.id), .forward = keys.forward, .back = keys.back});
-  }
-  return keyring;
-}
-
-std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& query) {
-  const Listed listed{
-      .env = env, .matcher = knowledge.matcher, .neighbours = air.neighbours(), .resolver = knowledge.resolver};
-  return std::visit(
-      [&](const auto& one) -> std::expected<Answering, Error> {
-        using Query = std::decay_t<decltype(one)>;
-        const Sessions& sessions = clients.sessions();
-        if constexpr (std::is_same_v<Query, gcnp::QueryServices> || std::is_same_v<Query, gcnp::QueryRequests>) {
-          return begin_list(listed, one);
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryMatch>) {
-          return begin_match(listed, knowledge.overlaps, knowledge.self, one);
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryWhy>) {
-          return begin_why(
-              knowledge.matcher, knowledge.overlaps, air.neighbours(),
-              {.matcher = knowledge.matcher, .resolver = knowledge.resolver, .self = knowledge.self, .now = env.now()},
-              one);
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryExplain>) {
-          auto answer = answer_explain(knowledge.vocabulary(), knowledge.resolver, one);
-          if (!answer) return std::unexpected(std::move(answer.error()));
-          return telling(std::move(*answer));
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryConcepts>) {
-          return telling(answer_concepts(knowledge.vocabulary(), one));
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryParticipants>) {
-          return telling(answer_participants(env, knowledge.self, settings.interval, knowledge.vocabulary().digest(),
-                                             sessions, air.neighbours()));
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryOntology>) {
-          return telling(answer_ontology(knowledge.vocabulary(), knowledge.reading, air.neighbours(), env.now()));
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryInterfaces>) {
-          return telling(answer_interfaces(env, air));
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryPeers>) {
-          return telling(answer_peers(sessions));
-        } else if constexpr (std::is_same_v<Query, gcnp::QuerySecurity>) {
-          return telling(answer_security(air.seal(), air.neighbours(), env.now()));
-        } else if constexpr (std::is_same_v<Query, gcnp::QueryStatus>) {
-          Course course{
-              .phase = phase_words.at(std::to_underlying(phase)), .uptime = env.now() - started, .of_owner = {}};
-          if (status_source) course.of_owner = status_source();
-          return telling(answer_status(settings, std::move(course), knowledge, air, sessions, env.now()));
-        } else {
-          GEMINGA_ASSERT(false);  // not a query: handled where clients are
-          return {};
-        }
-      },
-      query);
-}
 
 Participant::Participant(env::Env& env, Settings settings, Vocabulary vocabulary)
     : owners_(std::make_unique<Owners>(env, std::move(settings), std::move(vocabulary))) {}

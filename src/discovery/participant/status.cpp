@@ -95,6 +95,12 @@ void append_deaf(Line& line, const membership::NeighbourTable& neighbours) {
   append_over_zero(line, "unheard_by", deaf);
 }
 
+/// The hosts that are tried alone, and the octets that all such copies have taken.
+void append_tried(Line& line, const DeafHosts& deaf_hosts) {
+  append_over_zero(line, "tried_alone", deaf_hosts.size());
+  append_over_zero(line, "bytes_alone", deaf_hosts.octets_sent());
+}
+
 }  // namespace
 
 Answer answer_status(const Settings& settings, Course course, const Knowledge& knowledge, const Air& air,
@@ -119,6 +125,7 @@ Answer answer_status(const Settings& settings, Course course, const Knowledge& k
   append_ontology(line, vocabulary, knowledge.reading, air.neighbours());
   append_contest(line, air.counters(), air.announcer().contest(), now);
   append_deaf(line, air.neighbours());
+  append_tried(line, air.deaf_hosts());
   append_sealing(line, air.seal());
   const Expressions::Counts& expressions = knowledge.expressions.counts();
   append_over_zero(line, "expressions_classified", expressions.classified);

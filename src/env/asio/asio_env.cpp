@@ -61,9 +61,9 @@ void AsioEnv::open_air(AirSettings settings) {
   links_.clear();
   problems_.clear();
   unicast_.reset();
-  if (!settings_.peers.empty() || settings_.admits_guests) {
+  if (!settings_.peers.empty() || settings_.admission != Admission::nobody) {
     unicast_ = std::make_unique<Unicast>(
-        context_, settings_.peers, settings_.admits_guests, settings_.port, log_, air_counts_,
+        context_, settings_.peers, settings_.admission, settings_.port, log_, air_counts_,
         [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
           receive(interface, source, datagram);
         });
@@ -97,6 +97,11 @@ std::optional<base::Instant> AsioEnv::last_heard(InterfaceIndex interface) const
   return to_instant(found->second->last_heard());
 }
 
+void AsioEnv::send_alone(InterfaceIndex interface, std::string_view address, std::span<const std::byte> datagram) {
+  if (unicast_) unicast_->send_alone(interface, address, datagram);
+}
+
+bool AsioEnv::is_sender_named() const { return unicast_ && unicast_->is_sender_named(); }
 bool AsioEnv::is_sender_unnamed() const { return unicast_ && unicast_->is_sender_unnamed(); }
 void AsioEnv::answer_sender(base::Duration time) {
   if (unicast_) unicast_->answer_sender(time);
@@ -158,7 +163,10 @@ bool AsioEnv::scan() {
   }
   if (unicast_) unicast_->set_links(links);
   std::vector<Interface> seen;
-  for (const Joined& one : found) seen.push_back(one.link.interface);
+  for (const Joined& one : found) {
+    seen.push_back(one.link.interface);
+    seen.back().announced = announced_on(seen.back(), settings_.announced);
+  }
   say_missing(seen);
   bool is_well = missing_.empty();
   for (const auto& [index, link] : links_) {

@@ -31,8 +31,9 @@ struct AirSettings {
   std::vector<std::string> groups;      ///< numeric multicast addresses
   std::uint16_t port = 0;
   std::vector<HostPort> peers;  ///< hosts that get copies by unicast
-  /// Whether datagrams that others send to us alone are heard, too, since all that is heard is sealed.
-  bool admits_guests = false;
+  Admission admission = Admission::nobody;
+  /// Announced in place of the interfaces' own.
+  std::vector<AnnouncedAddress> announced{};
   friend bool operator==(const AirSettings&, const AirSettings&) = default;
 };
 
@@ -77,6 +78,8 @@ class AsioEnv final : public Env {
   [[nodiscard]] std::vector<std::string> ignored_interfaces() const override { return ignored_; }
   [[nodiscard]] std::optional<base::Instant> last_heard(InterfaceIndex interface) const override;
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) override;
+  void send_alone(InterfaceIndex interface, std::string_view address, std::span<const std::byte> datagram) override;
+  [[nodiscard]] bool is_sender_named() const override;
   [[nodiscard]] bool is_sender_unnamed() const override;
   void answer_sender(base::Duration time) override;
   void write(StreamId stream, std::string_view bytes) override { streams_->write(stream, bytes); }

@@ -24,7 +24,7 @@ void Guests::answer(const Sender& sender, base::Duration time, Clock::time_point
     *known = {sender, std::max(known->until, now + time)};
     return;
   }
-  if (guests_.size() == max_guests) guests_.erase(std::ranges::min_element(guests_, {}, &Guest::until));
+  if (guests_.size() == room_) guests_.erase(std::ranges::min_element(guests_, {}, &Guest::until));
   guests_.push_back({sender, now + time});
 }
 

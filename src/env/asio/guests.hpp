@@ -21,8 +21,14 @@ inline constexpr std::size_t max_guests = 64;
 inline constexpr std::size_t max_answer_ratio = 3;
 inline constexpr std::size_t max_answers_per_second = 32;
 
+/// The same where the owner has named no peer, so that nobody has asked for copies.
+inline constexpr std::size_t max_unasked_guests = 8;
+
 class Guests {
  public:
+  /// Sends copies to so many hosts at most.
+  explicit Guests(std::size_t room = max_guests) : room_(room) {}
+
   struct Sender {
     boost::asio::ip::udp::endpoint to;
     boost::asio::ip::address via;  ///< our own address that it was sent to
@@ -42,6 +48,7 @@ class Guests {
     Sender sender;
     Clock::time_point until;
   };
+  std::size_t room_;
   std::vector<Guest> guests_;
   std::vector<Sender> answered_once_;
   std::size_t answers_ = 0;     ///< since `second_`

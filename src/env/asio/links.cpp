@@ -93,6 +93,17 @@ std::vector<std::string> announced_addresses(const std::vector<Prefix>& prefixes
   return addresses;
 }
 
+std::vector<std::string> announced_on(const Interface& interface, const std::vector<AnnouncedAddress>& all) {
+  std::vector<std::string> addresses;
+  for (const std::string& name : {interface.name, std::string()}) {
+    for (const AnnouncedAddress& one : all) {
+      if (one.interface == name && addresses.size() < max_addresses_per_link) addresses.push_back(one.address);
+    }
+    if (!addresses.empty()) break;
+  }
+  return addresses;
+}
+
 std::optional<ip::address_v4> Link::first_v4() const {
   const auto found = std::ranges::find_if(prefixes, [](const Prefix& prefix) { return prefix.address.is_v4(); });
   if (found == prefixes.end()) return std::nullopt;

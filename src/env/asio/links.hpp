@@ -45,6 +45,17 @@ inline constexpr std::size_t max_addresses_per_link = 4;
 /// max_addresses_per_link.
 [[nodiscard]] std::vector<std::string> announced_addresses(const std::vector<Prefix>& prefixes);
 
+/// An address that is announced though no interface has it, as behind a translation of addresses.
+struct AnnouncedAddress {
+  std::string interface;  ///< the interface on which it stands for the own ones; empty: on all
+  std::string address;    ///< numeric
+  friend bool operator==(const AnnouncedAddress&, const AnnouncedAddress&) = default;
+};
+inline constexpr std::size_t max_announced_addresses = 16;
+/// Those that are announced on an interface: those for it alone, else those for all; at most max_addresses_per_link.
+[[nodiscard]] std::vector<std::string> announced_on(const Interface& interface,
+                                                    const std::vector<AnnouncedAddress>& all);
+
 /// The interface that an entry of getifaddrs() describes as a whole, not by one of its IP addresses: the entry has the
 /// address of the link layer, or none if the link layer has none (TUN).
 [[nodiscard]] std::optional<InterfaceIndex> link_of(const ifaddrs& entry);

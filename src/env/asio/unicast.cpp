@@ -41,16 +41,17 @@ std::optional<address> source_towards(net::io_context& context, const udp::endpo
 
 class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
  public:
-  Sockets(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+  Sockets(net::io_context& context, std::vector<HostPort> peers, Admission admission, std::uint16_t port,
           base::LogSink& log, AirCounts& counts, Receive receive)
       : context_(context),
         port_(port),
-        admits_guests_(admits_guests),
+        admission_(admission),
         log_(log),
         counts_(counts),
         receive_(std::move(receive)),
         resolver_(context),
-        timer_(context) {
+        timer_(context),
+        guests_(admission == Admission::asked ? max_guests : max_unasked_guests) {
     for (HostPort& peer : peers) peers_.emplace_back(std::move(peer), Clock::now());
   }
 
@@ -92,8 +93,18 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
     }
   }
 
+  void send_alone(InterfaceIndex interface, std::string_view to, std::span<const std::byte> datagram) {
+    boost::system::error_code error;
+    const address host = net::ip::make_address(std::string(to), error);
+    if (error) return;
+    const udp::endpoint there(host, port_);
+    send(interface, {there, source_towards(context_, there)}, datagram);
+  }
+
+  [[nodiscard]] bool is_sender_named() const { return is_named_speaking_; }
   [[nodiscard]] bool is_sender_unnamed() const { return speaking_.has_value(); }
   void answer_sender(base::Duration time) {
+    if (time == base::Duration(0) && admission_ != Admission::asked) return;
     if (speaking_) guests_.answer(*speaking_, time, Clock::now());
   }
 
@@ -128,7 +139,9 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
       error.assign(errno, boost::system::generic_category());
     if (!error) socket->socket.bind({own, port_}, error);
     if (error) {
-      say(base::LogLevel::warning, complaints_[own],
+      // Where nobody asked for it, as with two sealed daemons on one host, it is no matter.
+      const bool is_wished = !peers_.empty() || admission_ != Admission::sealed;
+      say(is_wished ? base::LogLevel::warning : base::LogLevel::debug, complaints_[own],
           "cannot listen to peers on " + to_string(Endpoint{own.to_string(), port_}) + ": " + error.message() +
               (error == net::error::address_in_use ? ": another gemingad? give one of them another --port" : ""));
       return;
@@ -167,14 +180,16 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
       const bool is_named = peer != peers_.end() && can_come_in(*peer, from, InterfaceIndex{reception->interface});
       if (is_named) {
         peer->heard_from(from, Clock::now());
-      } else if (!admits_guests_) {
+      } else if (admission_ == Admission::nobody) {
         ++(peer == peers_.end() ? counts_.no_peer : counts_.wrong_way);
         continue;
       } else {
         speaking_ = Guests::Sender{
             .to = reception->from, .via = socket.own, .interface = socket.interface, .octets = reception->size};
       }
+      is_named_speaking_ = is_named;
       receive_(socket.interface, from, std::span(buffer).first(reception->size));
+      is_named_speaking_ = false;
       speaking_.reset();
     }
   }
@@ -240,7 +255,7 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
 
   net::io_context& context_;
   std::uint16_t port_;
-  bool admits_guests_;
+  Admission admission_;
   base::LogSink& log_;
   AirCounts& counts_;
   Receive receive_;
@@ -249,20 +264,24 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
   std::vector<NamedPeer> peers_;
   Guests guests_;
   std::optional<Guests::Sender> speaking_;  ///< the sender of the datagram of this event, if nobody names it
+  bool is_named_speaking_ = false;          ///< that sender is a named peer
   std::vector<Link> links_;
   std::map<address, std::shared_ptr<Socket>> sockets_;  // by our own address
   std::map<address, std::string> complaints_;
   bool is_stopped_ = false;
 };
 
-Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, Admission admission, std::uint16_t port,
                  base::LogSink& log, AirCounts& counts, Receive receive)
-    : sockets_(
-          std::make_shared<Sockets>(context, std::move(peers), admits_guests, port, log, counts, std::move(receive))) {
+    : sockets_(std::make_shared<Sockets>(context, std::move(peers), admission, port, log, counts, std::move(receive))) {
   sockets_->start();
 }
 Unicast::~Unicast() { sockets_->stop(); }
 void Unicast::set_links(const std::vector<Link>& links) { sockets_->set_links(links); }
+void Unicast::send_alone(InterfaceIndex interface, std::string_view to, std::span<const std::byte> datagram) {
+  sockets_->send_alone(interface, to, datagram);
+}
+bool Unicast::is_sender_named() const { return sockets_->is_sender_named(); }
 bool Unicast::is_sender_unnamed() const { return sockets_->is_sender_unnamed(); }
 void Unicast::answer_sender(base::Duration time) { sockets_->answer_sender(time); }
 UnicastCounts Unicast::counts() const { return sockets_->counts(); }

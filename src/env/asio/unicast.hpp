@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "base/log.hpp"
@@ -26,6 +27,13 @@ struct UnicastCounts {
   std::size_t named = 0;   ///< by --peer
   std::size_t silent = 0;  ///< those of them that were not heard for peer_silence
   std::size_t guests = 0;  ///< hosts that nobody named, and that have the team's key
+};
+
+/// The hosts that are heard though nobody has named them.
+enum class Admission : std::uint8_t {
+  nobody,
+  sealed,  ///< all that is heard is sealed; copies go to hosts that have proved themselves, and to nobody else
+  asked,   ///< the same, and the owner wishes it: a host that has proved nothing gets what it needs for a proof
 };
 
 /// The unicast side of all interfaces. Each own address has one socket, bound to that address and the UDP port without
@@ -46,7 +54,7 @@ class Unicast {
                                      std::span<const std::byte> datagram)>;
 
   /// Adds the datagrams that are not taken to `counts`, which is borrowed for the life of this object.
-  Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, bool admits_guests, std::uint16_t port,
+  Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, Admission admission, std::uint16_t port,
           base::LogSink& log, AirCounts& counts, Receive receive);
   ~Unicast();
   Unicast(const Unicast&) = delete;
@@ -55,7 +63,10 @@ class Unicast {
   /// Sets the interfaces, and looks at the routes again. Call regularly.
   void set_links(const std::vector<Link>& links);
   void send(InterfaceIndex interface, std::span<const std::byte> datagram);
-  /// Env::is_sender_unnamed(), Env::answer_sender().
+  /// Env::send_alone(), from our own address on the route there.
+  void send_alone(InterfaceIndex interface, std::string_view to, std::span<const std::byte> datagram);
+  /// Env::is_sender_named(), Env::is_sender_unnamed(), Env::answer_sender().
+  [[nodiscard]] bool is_sender_named() const;
   [[nodiscard]] bool is_sender_unnamed() const;
   void answer_sender(base::Duration time);
   [[nodiscard]] UnicastCounts counts() const;

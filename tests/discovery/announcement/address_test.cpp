@@ -70,9 +70,16 @@ TEST(Address, RanksIpv4BeforeIpv6AndRoutableBeforeLinkLocalBeforeLoopback) {
   }
 }
 
-const Interface lo{InterfaceIndex{1}, "lo", {"127.0.0.1", "::1"}, true};
-const Interface eth{InterfaceIndex{2}, "eth0", {"10.0.0.1", "fe80::1"}, false};
-const Interface wlan{InterfaceIndex{3}, "wlan0", {"192.168.0.1", "fe80::2"}, false};
+const Interface lo{.index = InterfaceIndex{1}, .name = "lo", .addresses = {"127.0.0.1", "::1"}, .is_loopback = true};
+const Interface eth{.index = InterfaceIndex{2}, .name = "eth0", .addresses = {"10.0.0.1", "fe80::1"}};
+const Interface wlan{.index = InterfaceIndex{3}, .name = "wlan0", .addresses = {"192.168.0.1", "fe80::2"}};
+
+TEST(OnInterface, AnnouncesOtherAddressesThanItsOwnWhereTheOwnerSaysSo) {
+  Interface behind = eth;
+  behind.announced = {"192.0.2.7"};
+  EXPECT_THAT(on_interface({}, behind, std::vector{behind}).addresses, ::testing::ElementsAre("192.0.2.7"));
+  EXPECT_THAT(on_interface({}, eth, std::vector{eth}).addresses, ::testing::ElementsAre("10.0.0.1", "fe80::1"));
+}
 
 TEST(OnInterface, AnnouncesAnAddressOnlyWhereItIsValid) {
   const std::vector<Interface> ours{lo, eth, wlan};

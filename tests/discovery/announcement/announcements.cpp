@@ -170,6 +170,21 @@ Announcement random_presence(Random& random) {
   return made;
 }
 
+Announcement worked_diagnosis() {
+  Announcement diagnosis;
+  diagnosis.kind = Kind::diagnosis;
+  diagnosis.group = default_group;
+  diagnosis.participant = ParticipantId{0x1a2b3c4d};
+  diagnosis.boot = BootNonce{0x0102030405060708};
+  diagnosis.link = 2;
+  diagnosis.sequence = 300;
+  diagnosis.revision = 3;
+  diagnosis.partner = ParticipantId{0x5e6f7a8b};
+  diagnosis.token = 0x1122334455667788;
+  diagnosis.lines = {"status version=1.0.0"};
+  return diagnosis;
+}
+
 Announcement random_announcement(Random& random, std::size_t max_services) {
   Announcement made;
   made.kind = random.chance(0.8) ? Kind::state : static_cast<Kind>(random.below(3));

@@ -15,6 +15,9 @@ namespace geminga::announcement {
 /// The worked example of ANNOUNCEMENT.md.
 Announcement worked_example();
 
+/// The worked example of a diagnosis there.
+Announcement worked_diagnosis();
+
 /// A random valid announcement: all kinds, identities, modes, addresses, names up to their limits. Its entries fit.
 Announcement random_announcement(base::Random& random, std::size_t max_services = 12);
 

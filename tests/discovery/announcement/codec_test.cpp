@@ -266,6 +266,50 @@ TEST(Codec, RefusesAChangeThatBeginsFromItsOwnRevision) {
   EXPECT_EQ(decoded.error(), DecodeError::bad_change);
 }
 
+TEST(Codec, WritesAnInquiryThatNoDiagnosisIsLongerThan) {
+  Announcement inquiry = worked_diagnosis();
+  inquiry.kind = Kind::inquiry;
+  inquiry.lines.clear();
+  const auto asked = encode(inquiry);
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(asked[0].size(), max_datagram_bytes);
+  const auto decoded = decode(asked[0]);
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_EQ(*decoded, inquiry);
+
+  Announcement diagnosis = worked_diagnosis();
+  diagnosis.lines.assign(max_diagnosis_lines, std::string(max_diagnosis_line_bytes, 'x'));
+  const auto answered = encode(diagnosis);
+  ASSERT_EQ(answered.size(), 1U);
+  EXPECT_LE(answered[0].size(), asked[0].size());
+  EXPECT_EQ(decode(answered[0])->lines.size(), fitting_lines(diagnosis));
+}
+
+TEST(Codec, WritesLinesOfADiagnosisWithinTheirLimits) {
+  for (const auto& [count, octets, fitting] :
+       {std::tuple(max_diagnosis_lines - 1, std::size_t{10}, max_diagnosis_lines - 1),
+        std::tuple(max_diagnosis_lines, std::size_t{10}, max_diagnosis_lines),
+        std::tuple(max_diagnosis_lines + 1, std::size_t{10}, max_diagnosis_lines),
+        std::tuple(std::size_t{1}, max_diagnosis_line_bytes - 1, std::size_t{1}),
+        std::tuple(std::size_t{1}, max_diagnosis_line_bytes, std::size_t{1}),
+        std::tuple(std::size_t{1}, max_diagnosis_line_bytes + 1, std::size_t{0})}) {
+    Announcement diagnosis = worked_diagnosis();
+    diagnosis.lines.assign(count, std::string(octets, 'x'));
+    EXPECT_EQ(decode(encode(diagnosis)[0])->lines.size(), fitting) << count << " lines of " << octets;
+  }
+}
+
+TEST(Codec, RefusesADiagnosisOfNobodyAndLinesThatCouldSteerATerminal) {
+  Announcement nobody = worked_diagnosis();
+  nobody.partner = ParticipantId{};
+  EXPECT_EQ(decode(encode(nobody)[0]).error(), DecodeError::bad_diagnosis);
+  for (const char* line : {"", "status a=\x1b[2J", "status\nstatus"}) {
+    Announcement diagnosis = worked_diagnosis();
+    diagnosis.lines = {line};
+    EXPECT_EQ(decode(encode(diagnosis)[0]).error(), DecodeError::bad_diagnosis) << line;
+  }
+}
+
 TEST(Codec, ReadsWhatWasRemovedInAChangeOnly) {
   auto state = worked_example();
   state.peers[0].removed = {77};

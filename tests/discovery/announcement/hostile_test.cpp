@@ -56,7 +56,7 @@ TEST(Decode, RefusesEachViolationInTheHeaderByItsWord) {
       {"major 0", [](M& m) { m.set_format(0x004e4d47); }, DecodeError::other_version},
       {"minor 9", [](M& m) { m.set_minor(9); }, {}},
       {"kind 0", [](M& m) { m.clear_kind(); }, DecodeError::bad_kind},
-      {"kind 6", [](M& m) { m.set_kind(static_cast<wire::Kind>(6)); }, DecodeError::bad_kind},
+      {"kind 8", [](M& m) { m.set_kind(static_cast<wire::Kind>(8)); }, DecodeError::bad_kind},
       {"participant 0", [](M& m) { m.set_participant(0); }, DecodeError::bad_identifier},
       {"long group", [&](M& m) { m.set_group(long_name); }, DecodeError::bad_name},
       {"full group", [&](M& m) { m.set_group(name); }, {}},

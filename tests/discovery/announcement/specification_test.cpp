@@ -9,13 +9,13 @@
 namespace geminga::announcement {
 namespace {
 
-/// The octets in the first column of the table under "## Worked example".
-std::vector<std::byte> octets_in_specification() {
+/// The octets in the first column of the table under this title.
+std::vector<std::byte> octets_in_specification(std::string_view title = "## Worked example") {
   std::ifstream file(GEMINGA_SOURCE_DIR "/src/discovery/announcement/ANNOUNCEMENT.md");
   std::string hex;
   bool is_example = false;
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("## ")) is_example = line == "## Worked example";
+    if (line.starts_with("## ")) is_example = line == title;
     if (!is_example || !line.starts_with("| `")) continue;
     hex += line.substr(3, line.find('`', 3) - 3);
   }
@@ -32,6 +32,14 @@ TEST(AnnouncementSpecification, ItsWorkedExampleIsWhatDecodeReads) {
   const auto decoded = decode(octets_in_specification());
   ASSERT_TRUE(decoded) << to_string(decoded.error());
   EXPECT_EQ(*decoded, worked_example());
+}
+
+TEST(AnnouncementSpecification, ItsWorkedDiagnosisIsWhatTheCodecWritesAndReads) {
+  const auto octets = octets_in_specification("## Worked example of a diagnosis");
+  EXPECT_EQ(to_hex_text(encode(worked_diagnosis()).front()), to_hex_text(octets));
+  const auto decoded = decode(octets);
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_EQ(*decoded, worked_diagnosis());
 }
 
 TEST(AnnouncementSpecification, NamesEveryReasonForRefusal) {

@@ -270,8 +270,9 @@ TEST(NeighbourServices, AreNotWithdrawnByALinkOnWhichTheyAreNotValid) {
   TableRig rig;
   auto state = speaker(1, 1, {5, 6});
   state.peers[0].publications[1].publication.address = "10.0.0.1";
-  const std::vector<env::Interface> theirs{{env::InterfaceIndex{1}, "eth0", {"10.0.0.1"}, false},
-                                           {env::InterfaceIndex{2}, "wlan0", {"192.168.0.1"}, false}};
+  const std::vector<env::Interface> theirs{
+      {.index = env::InterfaceIndex{1}, .name = "eth0", .addresses = {"10.0.0.1"}},
+      {.index = env::InterfaceIndex{2}, .name = "wlan0", .addresses = {"192.168.0.1"}}};
   (void)rig.hear(on_interface(state, theirs[0], theirs));
   (void)rig.hear(on_interface(state, theirs[1], theirs), rig_start, wlan);
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1", "put pub 00000001/1/6 at 10.0.0.1"));

@@ -36,6 +36,7 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
                   .neighbours = neighbours_,
                   .seal = seal_,
                   .dual_stack = dual_stack_,
+                  .deaf_hosts = deaf_hosts_,
                   .counters = counters_}) {}
 
 void Air::start() {
@@ -46,6 +47,7 @@ void Air::start() {
 
 void Air::adopt(const sealing::Policy& policy) {
   seal_.adopt(policy, env_.now());
+  if (!is_sealed()) deaf_hosts_.forget_all();
   announcer_.show();
 }
 
@@ -85,6 +87,10 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
     ++counters_.hearings.at(std::to_underlying(membership::Hearing::clash));
     return std::nullopt;
   }
+  if (heard_.kind == announcement::Kind::inquiry || heard_.kind == announcement::Kind::diagnosis) {
+    hear_exchange(opened->session.has_value());
+    return std::nullopt;
+  }
   const bool is_about_us = heard_.participant == announcer_.id();  // it may be a lie, and others hear it
   if (!is_about_us && DualStack::is_said_twice(heard_, *on)) return std::nullopt;
   const membership::Hearing hearing = neighbours_.hear(heard_, {.interface = interface,
@@ -94,9 +100,53 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
                                                                 .is_sealed = opened->session.has_value()});
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (heard_.kind == announcement::Kind::presence) one_way_.hear(heard_, neighbours_, source, on->name, env_.log());
+  reach(*on, source);
   speak_to(*on, hearing, opened->session.has_value());
   return announcer_.heard(
       {.announcement = heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+}
+
+const Diagnoses::Diagnosis* Air::diagnosis_of(ParticipantId participant) {
+  if (const auto token = diagnoses_.ask(participant, env_.random_bits(), env_.now()))
+    announcer_.exchange(announcement::Kind::inquiry, participant, *token, {});
+  return diagnoses_.answer_of(participant, env_.now());
+}
+
+void Air::hear_exchange(bool is_sealed) {
+  const base::Instant now = env_.now();
+  if (heard_.group != settings_.group || heard_.partner != announcer_.id()) return;
+  if (!neighbours_.is_known(heard_.participant)) return;
+  if (heard_.kind == announcement::Kind::diagnosis) {
+    diagnoses_.hear_diagnosis(heard_, now);
+    return;
+  }
+  // A seal has proved that its sender asks at this moment; without one the owner has named the host that it came from.
+  const bool may_ask = this->is_sealed() ? is_sealed : env_.is_sender_named();
+  if (!settings_.diagnoses || !may_ask || !diagnoses_.may_answer(now)) return;
+  announcer_.exchange(announcement::Kind::diagnosis, heard_.participant, heard_.token,
+                      own_.diagnosis(heard_.participant));
+}
+
+void Air::reach(const env::Interface& on, std::string_view source) {
+  if (heard_.kind == announcement::Kind::goodbye) deaf_hosts_.forget(heard_.participant);
+  if (!is_sealed() || heard_.kind != announcement::Kind::presence) return;
+  if (!neighbours_.is_deaf_to_us(heard_.participant)) {
+    deaf_hosts_.hear(heard_.participant);
+  } else {
+    deaf_hosts_.hear_deaf({.participant = heard_.participant, .interface = on.index, .address = std::string(source)},
+                          settings_.interval, env_.now());
+  }
+}
+
+void Air::reach_lost(base::Instant now) {
+  if (!is_sealed() || neighbours_.next_deadline() > now) return;
+  neighbours_.for_each([&](const membership::Neighbour& one) {
+    if (one.deadline > now || one.paths.empty() || one.paths.front().addresses.empty()) return;
+    deaf_hosts_.lose({.participant = one.id,
+                      .interface = one.paths.front().interface,
+                      .address = one.paths.front().addresses.front()},
+                     settings_.interval, now);
+  });
 }
 
 /// Sends copies to participants that multicast does not reach, for as long as they may live: those that speak IPv6
@@ -127,6 +177,7 @@ void Air::expire() {
   if (const base::Instant due = neighbours_.next_deadline(); due < now - late_after) {
     neighbours_.postpone(now + time_to_catch_up);
   }
+  reach_lost(now);
   if (const std::size_t lost = neighbours_.expire(now); lost > 0) announcer_.lost(lost);
 }
 

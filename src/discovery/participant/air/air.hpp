@@ -11,6 +11,8 @@
 #include "discovery/membership/neighbour_table.hpp"
 #include "discovery/participant/air/announcer.hpp"
 #include "discovery/participant/air/counters.hpp"
+#include "discovery/participant/air/deaf_hosts.hpp"
+#include "discovery/participant/air/diagnoses.hpp"
 #include "discovery/participant/air/dual_stack.hpp"
 #include "discovery/participant/air/one_way.hpp"
 #include "discovery/participant/air/presence.hpp"
@@ -49,16 +51,28 @@ class Air {
     return dual_stack_.speaks_on(interface, seal_, env_.now());
   }
 
+  /// The answer of another participant to an inquiry, which is said where there is none; null until it comes.
+  [[nodiscard]] const Diagnoses::Diagnosis* diagnosis_of(ParticipantId participant);
+
   [[nodiscard]] Announcer& announcer() { return announcer_; }
   [[nodiscard]] const Announcer& announcer() const { return announcer_; }
   [[nodiscard]] const membership::NeighbourTable& neighbours() const { return neighbours_; }
   [[nodiscard]] const sealing::Seal& seal() const { return seal_; }
   [[nodiscard]] const AirCounters& counters() const { return counters_; }
+  [[nodiscard]] const DeafHosts& deaf_hosts() const { return deaf_hosts_; }
 
  private:
   [[nodiscard]] std::optional<Announcer::Consequence> take_in(env::InterfaceIndex interface, std::string_view source,
                                                               std::span<const std::byte> datagram,
                                                               ParticipantId served);
+  /// Takes in an inquiry or a diagnosis.
+  void hear_exchange(bool is_sealed);
+  /// Whether announcements are sealed, and only sealed ones are heard.
+  [[nodiscard]] bool is_sealed() const { return seal_.policy().mode >= sealing::Mode::authenticated; }
+  /// Begins or ends to try the sender alone, by what it says of us.
+  void reach(const env::Interface& on, std::string_view source);
+  /// Tries those alone whose deadlines have passed.
+  void reach_lost(base::Instant now);
   void speak_to(const env::Interface& on, membership::Hearing hearing, bool is_sealed);
 
   env::Env& env_;
@@ -69,6 +83,8 @@ class Air {
   sealing::Seal seal_;  ///< all that goes out or comes in passes it
   DualStack dual_stack_;
   OneWay one_way_;
+  DeafHosts deaf_hosts_;
+  Diagnoses diagnoses_;
   announcement::Announcement heard_;  ///< the last one; its memory is used again
   Announcer announcer_;
 };

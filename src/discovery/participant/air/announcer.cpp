@@ -1,6 +1,7 @@
 #include "discovery/participant/air/announcer.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "base/address.hpp"
@@ -122,6 +123,14 @@ void Announcer::be_silent_on_ipv6_sides() {
     if (!means_.dual_stack.speaks_on(interface, means_.seal, means_.env.now()))
       means_.seal.be_silent_on(interface.index);
   }
+}
+
+void Announcer::exchange(announcement::Kind kind, ParticipantId partner, std::uint64_t token,
+                         std::vector<std::string> lines) {
+  if (is_stopping_ || !claim_.is_held()) return;
+  announcement::Announcement said = header(kind, claim_.id());
+  std::tie(said.partner, said.token, said.lines) = std::tuple(partner, token, std::move(lines));
+  send(said);
 }
 
 void Announcer::show() { schedule_.doubted(means_.env.now()); }
@@ -359,6 +368,7 @@ announcement::Announcement Announcer::state() const {
 std::size_t Announcer::send(const announcement::Announcement& announcement) {
   std::size_t most = 0;
   const auto& interfaces = means_.env.interfaces();
+  const bool is_counted = announcement.kind < announcement::Kind::inquiry;
   for (const env::Interface& interface : interfaces) {
     // A participant that speaks IPv6 alone hears of us by the first datagram, and answers it.
     if (!means_.dual_stack.speaks_on(interface, means_.seal, means_.env.now()) && sequences_.contains(interface.index))
@@ -375,7 +385,9 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
       const std::span<const std::byte> datagram = means_.seal.seal(text, interface.index, means_.env.now());
       sent_.add(datagram);
       means_.env.send(interface.index, datagram);
-      ++sequence;
+      for (const std::string& address : means_.deaf_hosts.take(interface.index, datagram.size(), means_.env.now()))
+        means_.env.send_alone(interface.index, address, datagram);
+      if (is_counted) ++sequence;
       ++means_.counters.datagrams_sent;
       ++means_.counters.interfaces[interface.index].sent;
       means_.counters.bytes_sent += datagram.size();

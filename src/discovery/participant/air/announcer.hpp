@@ -18,6 +18,7 @@
 #include "discovery/participant/air/change_log.hpp"
 #include "discovery/participant/air/contest.hpp"
 #include "discovery/participant/air/counters.hpp"
+#include "discovery/participant/air/deaf_hosts.hpp"
 #include "discovery/participant/air/dual_stack.hpp"
 #include "discovery/participant/air/presence.hpp"
 #include "discovery/participant/air/sent_datagrams.hpp"
@@ -48,6 +49,7 @@ class Announcer {
     membership::NeighbourTable& neighbours;
     sealing::Seal& seal;
     DualStack& dual_stack;
+    DeafHosts& deaf_hosts;
     AirCounters& counters;
   };
   /// Draws its boot nonce and its seeds from Env.
@@ -68,6 +70,9 @@ class Announcer {
   void changed() { is_changed_ = true; }
   /// Announces what has changed or is due; after stop() says goodbye.
   void announce();
+  /// Says an inquiry or a diagnosis at once, if we have an identifier. Its number is that of the next datagram, so that
+  /// nobody counts it as lost.
+  void exchange(announcement::Kind kind, ParticipantId partner, std::uint64_t token, std::vector<std::string> lines);
   /// Makes our presence due, since something is to be said with it.
   void show();
   /// The deadlines of so many participants have passed that may come back into reach.

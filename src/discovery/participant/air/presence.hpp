@@ -25,6 +25,8 @@ struct TeamSettings {
   /// Time between two announcements of an unchanged state. Shorter: a lost participant is noticed sooner. Longer: fewer
   /// octets on the air. Within [announcement::min_interval, announcement::max_interval].
   base::Duration interval = std::chrono::seconds(2);
+  /// Whether other participants of the team are told, when they ask, what this one hears and how it is.
+  bool diagnoses = false;
   /// The keys with which announcements are sealed at first, and how; Participant::set_sealing() changes it.
   sealing::Policy sealing;
 };
@@ -35,6 +37,8 @@ struct OwnState {
   std::function<std::uint64_t()> ontology_digest;
   /// Its peers that offer or ask for anything, in ascending order.
   std::function<std::vector<announcement::PeerState>()> peers;
+  /// The answer to an inquiry of this participant.
+  std::function<std::vector<std::string>(ParticipantId asker)> diagnosis;
 };
 
 }  // namespace geminga::participant

@@ -37,6 +37,13 @@ namespace geminga::participant {
 [[nodiscard]] Answer answer_security(const sealing::Seal& seal, const membership::NeighbourTable& neighbours,
                                      base::Instant now);
 
+/// The answer to `query diagnosis`: `diagnosis` is null while the participant is being asked.
+[[nodiscard]] Answer answer_diagnosis(const Diagnoses::Diagnosis* diagnosis, base::Instant now);
+/// Our own answer to an inquiry over the air: parts of the answers to `query status`, `interfaces` and `participants`,
+/// without names of users, programs, hosts and files. Lines of announcement::max_diagnosis_line_bytes at most.
+[[nodiscard]] std::vector<std::string> diagnosis_lines(const Answer& status, const Answer& interfaces,
+                                                       const Answer& participants, ParticipantId asker);
+
 /// The parts that a list of services or requests reads. They outlive the answer.
 struct Listed {
   const env::Env& env;
