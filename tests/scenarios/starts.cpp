@@ -25,6 +25,10 @@ std::string word(announcement::Kind kind) {
       return "presence";
     case announcement::Kind::change:
       return "change";
+    case announcement::Kind::inquiry:
+      return "inquiry";
+    case announcement::Kind::diagnosis:
+      return "diagnosis";
   }
   return "?";
 }
