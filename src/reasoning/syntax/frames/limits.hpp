@@ -21,6 +21,8 @@ struct FrameLimits {
   std::size_t annotation_levels = 512;
   std::size_t prefixes = 10'000;
   std::size_t imports = 10'000;
+  /// Sections and frames with a fault, each of which is left out by name.
+  std::size_t wrong_parts = 1000;
 };
 
 }  // namespace geminga::frames

@@ -34,10 +34,41 @@ std::uint32_t Parser::line_of(std::size_t octet) {
 std::expected<Document, ReadError> Parser::run() {
   while (!failed() && is_section("Prefix:")) prefix_declaration();
   if (!failed()) ontology();
-  while (!failed() && tokens_.token().kind != TokenKind::end) frame();
+  while (!failed() && tokens_.token().kind != TokenKind::end) {
+    const std::size_t begin = tokens_.token().begin;
+    const bool is_import = is_section("Import:");
+    frame();
+    if (!failed()) continue;
+    if (is_import) break;                                                         // what it would have given is unknown
+    if (tokens_.token().begin == begin && !is_endless_text()) tokens_.advance();  // past what begins no frame
+    if (!leave_out_wrong("a frame that cannot be read", true)) break;
+  }
   if (failed()) return std::unexpected(ReadError{{}, line_of(problem()->octet), problem()->text});
   if (const auto& problem = source_.problem()) return std::unexpected(ReadError{{}, 0, *problem});
   return std::move(document_);
+}
+
+bool Parser::leave_out_wrong(std::string_view what, bool is_whole_frame) {
+  const bool may_go_on = problem()->kind != ParseError::Kind::too_large && !is_endless_text() && !source_.problem();
+  if (!may_go_on || wrong_parts_ >= frame_limits_.wrong_parts) return false;
+  ++wrong_parts_;
+  const std::string text(what);
+  source_.leave_out(text + " (" + problem()->text + ")", file_, line_of(problem()->octet));
+  problem_.reset();
+  annotations_.drop();
+  annotation_depth_ = 0;
+  const auto is_end = [&] {
+    if (tokens_.token().kind == TokenKind::end) return true;
+    return is_section() && (!is_whole_frame || begins_frame(tokens_.token().text));
+  };
+  while (!is_end()) {
+    if (is_endless_text()) {
+      expected("a section or a frame");
+      return false;
+    }
+    tokens_.advance();
+  }
+  return true;
 }
 
 void Parser::look_ahead(Declared& declared) {

@@ -40,6 +40,9 @@ class Parser final : private manchester::Parser {
   void ontology();
   void import();
   void frame();
+  /// Leaves out the section or frame in which a problem is, by name, and goes on with the next one. False: the problem
+  /// refuses the file. An axiom that was read before it counts.
+  bool leave_out_wrong(std::string_view what, bool is_whole_frame);
   [[nodiscard]] bool is_section() const { return tokens_.token().kind == manchester::TokenKind::section; }
   [[nodiscard]] bool is_section(std::string_view word) const { return is_section() && tokens_.token().text == word; }
   /// The line of an octet. From call to call octets must not descend, except for problems.
@@ -121,9 +124,10 @@ class Parser final : private manchester::Parser {
   std::size_t counted_ = 0;   ///< lines were counted up to here
   std::uint32_t line_ = 1;    ///< of counted_
   std::size_t annotation_depth_ = 0;
-  std::string last_text_;      ///< of the literal that was read last
-  std::string last_language_;  ///< of that literal, in lower case
-  std::string last_datatype_;  ///< of that literal
+  std::size_t wrong_parts_ = 0;  ///< sections and frames that were left out
+  std::string last_text_;        ///< of the literal that was read last
+  std::string last_language_;    ///< of that literal, in lower case
+  std::string last_datatype_;    ///< of that literal
 };
 
 }  // namespace geminga::frames

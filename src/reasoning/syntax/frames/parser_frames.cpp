@@ -102,6 +102,7 @@ void Parser::frame_of(Frame frame) {
     } else if (!special_section(frame, subject) && !list_section(frame, subject, name)) {
       break;
     }
+    if (failed() && !leave_out_wrong("a section that cannot be read", false)) break;
   }
 }
 

@@ -115,8 +115,9 @@ owl::TermId Parser::rule_argument() {
   return name.empty() ? expected("the name of a variable behind '?'") : source_.entity(TermKind::variable, name);
 }
 
-/// The kind of an atom follows from the declaration of its predicate and the number of arguments. A name with two of them that is
-/// declared nowhere is taken for a built-in, which nobody knows: as a property it would be one without facts.
+/// The kind of an atom follows from the declaration of its predicate and the number of arguments. A name with two of
+/// them that is declared nowhere is taken for a built-in, which nobody knows: as a property it would be one without
+/// facts.
 owl::TermId Parser::named_atom(const Token& predicate, const std::vector<Term>& arguments) {
   if (failed()) return owl::thing_term;
   if (predicate.text == "SameAs" || predicate.text == "DifferentFrom") {

@@ -108,4 +108,22 @@ const Characteristic* find_characteristic(std::string_view word, bool is_data) {
   return found == characteristics.end() ? nullptr : &*found;
 }
 
+bool begins_frame(std::string_view word) {
+  constexpr std::array<std::string_view, 14> beginnings{"EquivalentProperties:",
+                                                        "Class:",
+                                                        "ObjectProperty:",
+                                                        "DataProperty:",
+                                                        "AnnotationProperty:",
+                                                        "Datatype:",
+                                                        "Individual:",
+                                                        "Rule:",
+                                                        "Import:",
+                                                        "EquivalentClasses:",
+                                                        "DisjointClasses:",
+                                                        "DisjointProperties:",
+                                                        "SameIndividual:",
+                                                        "DifferentIndividuals:"};
+  return std::ranges::find(beginnings, word) != beginnings.end();
+}
+
 }  // namespace geminga::frames

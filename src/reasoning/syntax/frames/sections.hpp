@@ -12,6 +12,8 @@ namespace geminga::frames {
 
 /// All of them, sorted.
 [[nodiscard]] std::span<const std::string_view> section_words();
+/// Whether a word begins a frame, an axiom outside of frames, a rule or an import.
+[[nodiscard]] bool begins_frame(std::string_view word);
 
 /// The kind of members in a section's list.
 enum class Member : std::uint8_t {

@@ -52,30 +52,64 @@ TEST(Document, ReadsNamesInAllTheirForms) {
                   "SubClassOf(<http://f/A> :B-1.x)", "SubClassOf(<http://f/A> <urn:c#d>)"));
 }
 
-TEST(Document, IsRefusedWithTheLineAndWhatWasExpected) {
-  const auto refusal = [](std::string_view lines) { return Reading(ontology(lines)).error; };
-  EXPECT_EQ(refusal("Class: A\nSubClassOf: B,"),
-            "t.omn:4: expected a class, a property, 'not', 'inverse', '(' or '{', "
-            "found the end");
-  EXPECT_EQ(refusal("\nClass: x:A"), "t.omn:3: the prefix x: is not declared");
-  EXPECT_EQ(refusal("Class: 'a label'"),
-            "t.omn:2: names in single quotation marks are not read in documents: write prefix:Name");
-  EXPECT_EQ(refusal("ObjectProperty: p Characteristics: Transient"),
-            "t.omn:2: expected Functional, InverseFunctional, Reflexive, Irreflexive, Symmetric, Asymmetric or "
-            "Transitive, found 'Transient'");
-  EXPECT_EQ(refusal("DataProperty: d Characteristics: Transitive"), "t.omn:2: expected Functional, found 'Transitive'");
-  EXPECT_EQ(refusal("Class: A Domain: B"),
-            "t.omn:2: expected a frame like Class:, an axiom like DisjointClasses:, or the end, found 'Domain:'");
-  EXPECT_EQ(refusal("Class: A SubClasOf: B"),
-            "t.omn:2: expected a frame like Class:, an axiom like DisjointClasses:, or the end, found 'SubClasOf:'");
-  EXPECT_EQ(refusal("Individual: a Facts: p \"x\"@1"), "t.omn:2: a language tag that is none: @1");
-  EXPECT_EQ(refusal("Class: A SubClassOf: p some \"x"), "t.omn:2: a text that begins with \" does not end");
+/// The one thing that a document leaves out.
+std::string left_out(std::string_view lines) {
+  for (const std::string& line : said(lines)) {
+    if (line.starts_with("left out: ")) return line;
+  }
+  return {};
+}
+
+TEST(Document, LeavesOutASectionWithAFaultWithItsLineAndWhatWasExpected) {
+  const auto fault = [](const std::string& text, int line) {
+    return "left out: a section that cannot be read (" + text + "), 1, line " + std::to_string(line);
+  };
+  EXPECT_EQ(left_out("Class: A\nSubClassOf: B,"),
+            fault("expected a class, a property, 'not', 'inverse', '(' or '{', found the end", 4));
+  EXPECT_EQ(left_out("ObjectProperty: p Characteristics: Transient"),
+            fault("expected Functional, InverseFunctional, Reflexive, Irreflexive, Symmetric, Asymmetric or "
+                  "Transitive, found 'Transient'",
+                  2));
+  EXPECT_EQ(left_out("DataProperty: d Characteristics: Transitive"),
+            fault("expected Functional, found 'Transitive'", 2));
+  EXPECT_EQ(left_out("Individual: a Facts: p \"x\"@1"), fault("a language tag that is none: @1", 2));
+  EXPECT_THAT(said("Class: A SubClassOf: B, and, C EquivalentTo: D\nClass: E SubClassOf: F"),
+              testing::IsSupersetOf({"SubClassOf(:A :B)", "EquivalentClasses(:A :D)", "SubClassOf(:E :F)"}))
+      << "all but the rest of this section is read";
+}
+
+TEST(Document, LeavesOutAFrameWithoutASubjectUpToTheNextOne) {
+  const auto fault = [](const std::string& text, int line) {
+    return "left out: a frame that cannot be read (" + text + "), 1, line " + std::to_string(line);
+  };
+  EXPECT_EQ(left_out("\nClass: x:A"), fault("the prefix x: is not declared", 3));
+  EXPECT_EQ(left_out("Class: 'a label'"),
+            fault("names in single quotation marks are not read in documents: write prefix:Name", 2));
+  EXPECT_EQ(left_out("Class: A Domain: B"),
+            fault("expected a frame like Class:, an axiom like DisjointClasses:, or the end, found 'Domain:'", 2));
+  EXPECT_EQ(left_out("Class: A SubClasOf: B"),
+            fault("expected a frame like Class:, an axiom like DisjointClasses:, or the end, found 'SubClasOf:'", 2));
+  EXPECT_THAT(said("Class: x:A SubClassOf: B Annotations: rdfs:comment \"c\"\nClass: C SubClassOf: D"),
+              testing::UnorderedElementsAre("SubClassOf(:C :D)", fault("the prefix x: is not declared", 2)));
+}
+
+TEST(Document, IsRefusedWhereItsHeadATextOrAnImportIsBroken) {
+  EXPECT_EQ(Reading(ontology("Class: A SubClassOf: p some \"x")).error,
+            "t.omn:2: a text that begins with \" does not end");
   EXPECT_EQ(Reading("Class: A").error, "t.omn:1: expected Prefix: or Ontology:, found 'Class:'");
-  EXPECT_EQ(Reading("Ontology: Class: A").error, "t.omn:1: 'A' has no prefix, and no default one is declared");
+  EXPECT_EQ(Reading(ontology("Import: 5")).error, "t.omn:2: expected the IRI of an ontology, found '5'");
   EXPECT_EQ(Reading("Prefix: a: <http://a/>\nPrefix: a: <http://b/>\nOntology:").error,
             "t.omn:2: the prefix a: already stands for <http://a/>");
   EXPECT_EQ(Reading("Prefix: a <http://a/>\nOntology:").error,
             "t.omn:1: expected a prefix that ends in a colon, found 'a'");
+}
+
+TEST(Document, IsRefusedWhereTooMuchIsWrong) {
+  FrameLimits limits;
+  limits.wrong_parts = 2;
+  EXPECT_EQ(Reading(ontology("Class: x:A Class: x:B Class: C"), limits).error, "");
+  EXPECT_EQ(Reading(ontology("Class: x:A Class: x:B Class: x:C"), limits).error,
+            "t.omn:2: the prefix x: is not declared");
 }
 
 }  // namespace
