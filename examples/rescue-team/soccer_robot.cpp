@@ -14,6 +14,9 @@
 namespace {
 
 constexpr std::string_view field = "soccer:CartesianFieldFrame";
+/// The time between two places of the ball. What is received must not set the pace: the own ball comes back, too.
+constexpr std::chrono::milliseconds interval(100);
+
 /// The facts about a provider, and whether its first message was printed.
 struct Provider {
   std::string concept_name;
@@ -27,9 +30,13 @@ class World {
 
   /// Sends where the ball is, and prints events, until so many converted messages have come.
   void run(geminga::Publisher& ball, std::uint64_t count) {
+    auto next = std::chrono::steady_clock::now();
     while (count > 0) {
-      (void)ball.send("1.50 -0.20");
-      const auto message = objects_.receive(std::chrono::milliseconds(100));
+      if (const auto now = std::chrono::steady_clock::now(); now >= next) {
+        (void)ball.send("1.50 -0.20");
+        next = now + interval;
+      }
+      const auto message = objects_.receive(interval);
       while (const auto event = node_.next_event()) take(*event);
       if (!message) continue;
       Provider& provider = providers_[message->life];
