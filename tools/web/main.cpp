@@ -26,10 +26,11 @@ constexpr const char* examples = R"(Examples:
   geminga-web --socket /run/geminga-web/http
   geminga-web --listen 192.0.2.7:4780 --token-file /etc/geminga/web.token --host robot2.local
 
-/metrics is in OpenMetrics. /livez says 200 while the program lives, /readyz while the daemon answers and is up to date, else 503
-and why. /api/participants, services, requests, match, explain, why, ontology, status and security print what geminga-query
---json prints, with the keys of query: /api/requests?unmatched=1. /api/events?of=services and its like are server-sent events
-with the objects of geminga-query --watch --json.
+/ is a page that shows the team in a browser, live, and what is wrong first. /metrics is in OpenMetrics. /livez says 200 while
+the program lives, /readyz while the daemon answers and is up to date, else 503 and why. /api/participants, services, requests,
+match, explain, why, ontology, status and security print what geminga-query --json prints, with the keys of query:
+/api/requests?unmatched=1. /api/events?of=services and its like are server-sent events with the objects of geminga-query --watch
+--json.
 
 It runs without a daemon, too, and connects again by itself. Nothing can be changed over HTTP, and nothing is encrypted: where
 others share the network, put a tunnel or a TLS proxy before it.

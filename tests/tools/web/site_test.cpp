@@ -47,10 +47,25 @@ TEST_F(SiteTest, LivesWithoutADaemon) {
 }
 
 TEST_F(SiteTest, KnowsNoOtherPaths) {
-  for (const char* target : {"/", "/index.html", "/../etc/passwd", "/livez/", "/Metrics", "/api", "/api/",
+  for (const char* target : {"/page.html", "/index.html", "/../etc/passwd", "/livez/", "/Metrics", "/api", "/api/",
                              "/api/doctor", "/api/status/", "/api/..", "/%2e%2e/etc/passwd"}) {
     EXPECT_EQ(get(target).status, 404U) << target;
   }
+  EXPECT_THAT(asker.asked, IsEmpty());
+}
+
+TEST_F(SiteTest, ServesThePageWithAPolicyOfHashes) {
+  const Response response = get("/");
+  EXPECT_EQ(response.status, 200U);
+  EXPECT_EQ(response.type, "text/html; charset=utf-8");
+  EXPECT_THAT(response.body, StartsWith("<!doctype html>"));
+  EXPECT_THAT(response.body, HasSubstr("</html>"));
+  ASSERT_THAT(response.fields, SizeIs(1));
+  EXPECT_EQ(response.fields[0].first, "Content-Security-Policy");
+  EXPECT_THAT(response.fields[0].second, StartsWith("default-src 'none'; script-src 'sha256-"));
+  EXPECT_THAT(response.fields[0].second, HasSubstr("frame-ancestors 'none'"));
+  EXPECT_THAT(response.fields[0].second, Not(HasSubstr("unsafe")));
+  EXPECT_EQ(get("/?a=1").status, 400U);
   EXPECT_THAT(asker.asked, IsEmpty());
 }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "web/site/api.hpp"
 #include "web/site/event_stream.hpp"
 #include "web/site/health.hpp"
+#include "web/site/page.hpp"
 
 namespace geminga::web {
 namespace {
@@ -20,6 +22,12 @@ struct Gathered {
   std::vector<Outcome> outcomes;
   std::size_t missing = 0;
 };
+
+Response live_page() {
+  return {.type = "text/html; charset=utf-8",
+          .body = std::string(page),
+          .fields = {{"Content-Security-Policy", std::string(page_policy) + "; frame-ancestors 'none'"}}};
+}
 
 }  // namespace
 
@@ -42,10 +50,11 @@ void Site::route(const Request& request, const Target& target, const Then& then)
   }
   if (path == "/api/events") return answer_events(target.parameters, then);
   if (path.starts_with(api)) return answer_question(path.substr(api.size()), target.parameters, then);
-  if (path != open_path && path != "/readyz" && path != "/metrics") {
-    return then(failure(404, "there is no such page: there are /metrics, /livez, /readyz and /api/"));
+  if (path != "/" && path != open_path && path != "/readyz" && path != "/metrics") {
+    return then(failure(404, "there is no such page: there are /, /metrics, /livez, /readyz and /api/"));
   }
   if (!target.parameters.empty()) return then(failure(400, "no parameters go with " + target.path));
+  if (path == "/") return then(live_page());
   if (path == open_path) return then(plain(200, "ok"));
   if (path == "/readyz") return answer_readiness(then);
   answer_metrics(form_for(request.accept), then);

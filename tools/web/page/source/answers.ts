@@ -1,0 +1,180 @@
+// The documents of geminga-web, which are those of `geminga-query --json` (src/discovery/participant/QUERIES.md).
+
+export interface Participant {
+  id: string;
+  name: string;
+  addresses: string[];
+  heard: number;
+  interval: number;
+  loss?: number;
+  ontology: string;
+  publications: number;
+  subscriptions: number;
+  self: boolean;
+  hears_us?: boolean | number;
+}
+
+/** The identity of a service or of a request: one of number, text and concept. */
+export interface Identity {
+  id?: number | string;
+  text?: string;
+  concept?: string;
+  representation?: string;
+}
+
+interface Entry extends Identity {
+  name: string;
+  participant_name: string;
+  mode: string;
+  protocol?: string;
+  priority: number;
+  local: boolean;
+  scope?: string;
+  attributes: Record<string, string>;
+}
+
+export interface Service extends Entry {
+  service: string;
+  provider: string;
+  address?: string;
+  port?: number;
+  used: boolean;
+  for?: string;
+}
+
+export interface Request extends Entry {
+  subscription: string;
+  consumer: string;
+  match: string;
+  provider?: string;
+  where?: string;
+  limit: number;
+  favour?: string;
+  prefer?: string;
+  rank?: string;
+  convert?: string | number | boolean;
+  served: boolean;
+  why?: string;
+  because?: string;
+}
+
+export interface Match extends Service {
+  degree: string;
+  distance: number;
+  convert?: string;
+  cost?: number;
+}
+
+export interface Check {
+  check: string;
+  ok: boolean;
+  text: string;
+  code?: string;
+  mend?: string;
+  proof?: string[];
+}
+
+/** Why a request and a service meet or do not. */
+export interface PairAnswer {
+  matches: boolean;
+  outranked: boolean;
+  degree?: string;
+  distance?: number;
+  convert?: string;
+  code?: string;
+  checks: Check[];
+}
+
+export interface NearService extends Check {
+  service: string;
+  provider: string;
+  name: string;
+  participant_name: string;
+  offered: string;
+  mode: string;
+}
+
+/** Why nobody, or somebody, serves a request. */
+export interface RequestAnswer {
+  served: boolean;
+  offers: number;
+  matching: number;
+  code?: string;
+  text?: string;
+  mend?: string;
+  gaps?: string;
+  services: NearService[];
+}
+
+export interface Ontology {
+  loaded: boolean;
+  digest?: string;
+  classes?: number;
+  complete?: boolean;
+  contradiction: boolean;
+  loading: boolean;
+  files: { file: string; iri?: string }[];
+  left_out: { construct: string; count: number; first: string }[];
+  gaps: string[];
+  others: { participant: string; name: string; ontology: string }[];
+  failed: string[];
+}
+
+export interface Security {
+  mode: string;
+  keys: string[];
+  participants: { participant: string; name: string; protection: string; keys: string[]; lacks: string[] }[];
+}
+
+export interface Status {
+  name: string;
+  participant: string;
+  state: string;
+  participants: number;
+  publications: number;
+  subscriptions: number;
+  events: number;
+  datagrams_received: number;
+  unheard_by?: number;
+  matched_exact?: number;
+  matched_narrower?: number;
+}
+
+/** One event of a stream: a record that came, changed or went. */
+export interface Change {
+  event: 'add' | 'modify' | 'del';
+  time: string;
+  reason?: string;
+  former?: Record<string, unknown>;
+}
+
+/** The answer to a question, or an error with the sentence of the daemon. */
+export async function ask<Answer>(kind: string, parameters: Record<string, string> = {}): Promise<Answer> {
+  const words = new URLSearchParams(parameters).toString();
+  const response = await fetch(`/api/${kind}${words === '' ? '' : '?' + words}`, { cache: 'no-store' });
+  const body: unknown = await response.json().catch(() => ({}));
+  if (!response.ok) {
+    const { error } = body as { error?: string };
+    throw new Error(error ?? `${kind} was answered by ${response.status}`);
+  }
+  return body as Answer;
+}
+
+/** The participant of `PARTICIPANT/PEER` and `PARTICIPANT/PEER/NUMBER`. */
+export const participantOf = (word: string): string => word.split('/')[0] ?? word;
+
+export function identityText(entry: Identity): string {
+  if (entry.concept !== undefined) return entry.concept + (entry.representation === undefined ? '' : ` as ${entry.representation}`);
+  if (entry.text !== undefined) return `“${entry.text}”`;
+  return entry.id === undefined ? 'anything' : `number ${entry.id}`;
+}
+
+/** The parameters of `match` and `why` that state an identity. */
+export function identityParameters(entry: Identity): Record<string, string> {
+  const parameters: Record<string, string> = {};
+  if (entry.concept !== undefined) parameters['concept'] = entry.concept;
+  else if (entry.text !== undefined) parameters['text'] = entry.text;
+  else if (entry.id !== undefined) parameters['id'] = String(entry.id);
+  if (entry.representation !== undefined) parameters['representation'] = entry.representation;
+  return parameters;
+}

@@ -1,0 +1,47 @@
+// Elements from code. Text is textContent and nothing else, so that a name from outside can be no markup.
+
+type Child = Node | string;
+type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
+
+function filled<E extends Element>(element: E, attributes: Attributes, children: Child[]): E {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === 'function') element.addEventListener(name, value);
+    else if (value === true) element.setAttribute(name, '');
+    else if (value !== false) element.setAttribute(name, String(value));
+  }
+  element.append(...children);
+  return element;
+}
+
+export function h<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[Tag] {
+  return filled(document.createElement(tag), attributes, children);
+}
+
+export function svg<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Attributes = {}, ...children: Child[]): SVGElementTagNameMap[Tag] {
+  return filled(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
+}
+
+export function byId(id: string): HTMLElement {
+  const element = document.getElementById(id);
+  if (element === null) throw new Error(`the page has no #${id}`);
+  return element;
+}
+
+/** The part of a section below its heading. */
+export function bodyOf(id: string): HTMLElement {
+  const body = byId(id).querySelector<HTMLElement>('.body');
+  if (body === null) throw new Error(`#${id} has no body`);
+  return body;
+}
+
+/** Replaces what is in an element, and keeps the focus where an element of the same data-key comes again. */
+export function refill(parent: Element, ...children: Child[]): void {
+  const focused = document.activeElement;
+  const key = focused !== null && parent.contains(focused) ? focused.getAttribute('data-key') : null;
+  parent.replaceChildren(...children);
+  if (key !== null) parent.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
+}
+
+export const shortened = (text: string, length: number): string => (text.length <= length ? text : text.slice(0, length - 1) + '…');
+
+export const clock = (time: number): string => new Date(time).toLocaleTimeString([], { hour12: false });

@@ -1,0 +1,128 @@
+// Which service each request is given. Requests that ask for the same share one question to the daemon.
+import { ask, identityParameters, participantOf, type Match, type Request, type RequestAnswer, type Service } from './answers.js';
+import type { Moment } from './team.js';
+
+export type Degree = 'exact' | 'narrower' | 'converted' | 'refused';
+
+export interface Link {
+  request: Request;
+  service: Service;
+  degree: Degree;
+  /** The word of the daemon: its degree, or the code of why not. */
+  word: string;
+}
+
+/** The least time between two readings, in milliseconds, and how many questions of one reading wait at a time. */
+const pause = 1500;
+const atOnce = 3;
+
+/** Whether the providers of a request, `PARTICIPANT[/PEER],...`, admit a service. */
+function admits(request: Request, service: Service): boolean {
+  if (request.provider === undefined) return true;
+  return String(request.provider).split(',').some((word) => {
+    const [participant, peer] = word.split('/');
+    const isThere = participant === service.participant_name || participant === participantOf(service.provider);
+    return isThere && (peer === undefined || peer === service.name || `${participantOf(service.provider)}/${peer}` === service.provider);
+  });
+}
+
+const isPlain = (request: Request): boolean => request.scope === undefined && request.rank === undefined;
+
+function question(request: Request): Record<string, string> {
+  const parameters: Record<string, string> = { ...identityParameters(request), mode: request.mode, degree: request.match };
+  if (request.where !== undefined) parameters['where'] = request.where;
+  if (request.convert !== undefined) parameters['convert'] = String(request.convert);
+  return parameters;
+}
+
+const degreeOf = (match: Match): Degree => (match.convert !== undefined ? 'converted' : match.degree === 'exact' ? 'exact' : 'narrower');
+
+export class Matches {
+  links: Link[] = [];
+  private timer: number | undefined;
+  private isReading = false;
+  private isStale = false;
+
+  constructor(
+    private readonly moment: Moment,
+    private readonly then: () => void,
+  ) {}
+
+  /** Asks anew soon. */
+  invalidate(): void {
+    if (this.isReading) {
+      this.isStale = true;
+      return;
+    }
+    this.timer ??= window.setTimeout(() => void this.read(), 300);
+  }
+
+  private async read(): Promise<void> {
+    this.isReading = true;
+    this.isStale = false;
+    const groups = new Map<string, Request[]>();
+    for (const request of this.moment.requests.values()) {
+      if (!request.served) continue;
+      const key = isPlain(request) ? JSON.stringify(question(request)) : request.subscription;
+      groups.set(key, [...(groups.get(key) ?? []), request]);
+    }
+    const waiting = [...groups.values()];
+    const links: Link[] = [];
+    let isWhole = true;
+    const work = async (): Promise<void> => {
+      for (let group = waiting.pop(); group !== undefined; group = waiting.pop()) {
+        try {
+          links.push(...(await this.linksOf(group)));
+        } catch {
+          isWhole = false; // the daemon has too much to do, or is away: the next reading asks again
+        }
+      }
+    };
+    await Promise.all(Array.from({ length: atOnce }, work));
+    if (isWhole) this.links = links;
+    this.then();
+    setTimeout(() => {
+      this.isReading = false;
+      this.timer = undefined;
+      if (this.isStale || !isWhole) this.invalidate();
+    }, pause);
+  }
+
+  private async linksOf(group: Request[]): Promise<Link[]> {
+    const [first] = group;
+    if (first === undefined) return [];
+    const matches = isPlain(first) ? await ask<Match[]>('match', question(first)) : [];
+    const links: Link[] = [];
+    for (const request of group) {
+      const protocols = request.protocol?.split(',');
+      const fitting = matches.filter(
+        (match) => admits(request, match) && (protocols === undefined || protocols.includes(match.protocol ?? '')),
+      );
+      if (isPlain(request) && (request.limit === 0 || fitting.length <= request.limit)) {
+        for (const match of fitting) links.push({ request, service: match, degree: degreeOf(match), word: match.degree });
+      } else {
+        links.push(...(await this.chosen(request, matches)));
+      }
+    }
+    return links;
+  }
+
+  /** What a request is given whose places are fewer than the services that meet it: the daemon knows, of four and four. */
+  private async chosen(request: Request, matches: Match[]): Promise<Link[]> {
+    const answer = await ask<RequestAnswer>('why', { subscription: request.subscription });
+    const links: Link[] = [];
+    for (const near of answer.services) {
+      const service = this.moment.services.get(near.service);
+      if (service === undefined) continue;
+      const isOutranked = near.code === 'outranked' || near.code === 'incumbent';
+      if (near.ok) {
+        const match = matches.find((one) => one.service === near.service);
+        const degree = match !== undefined ? degreeOf(match) : /: exact/.test(near.text) ? 'exact' : 'narrower';
+        links.push({ request, service, degree, word: match?.degree ?? degree });
+      } else if (isOutranked) {
+        links.push({ request, service, degree: 'refused', word: near.code ?? 'outranked' });
+      }
+    }
+    return links;
+  }
+}

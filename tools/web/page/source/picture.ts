@@ -1,0 +1,200 @@
+// The picture of the team: robots as boxes in places that stay, and a line for the matches of two of them.
+import { forceCollide, forceLink, forceManyBody, forceSimulation, forceX, forceY, type SimulationNodeDatum } from 'd3-force';
+import { participantOf, type Participant } from './answers.js';
+import { refill, shortened, svg } from './dom.js';
+import type { Degree, Link } from './matches.js';
+import type { Moment } from './team.js';
+
+interface Place extends SimulationNodeDatum {
+  name: string;
+}
+
+export interface Choice {
+  participant?: string;
+  /** Two participants, of whose matches one wants to know. */
+  pair?: [string, string];
+}
+
+const box = { width: 168, height: 64 };
+const storage = 'geminga.places';
+const maxPlaces = 500;
+export const degrees: Degree[] = ['exact', 'narrower', 'converted', 'refused'];
+
+/** The places of robots by name, so that one that returns is where it was, in this browser also tomorrow. */
+export class Places {
+  private readonly known = new Map<string, Place>();
+
+  constructor() {
+    try {
+      const kept = JSON.parse(localStorage.getItem(storage) ?? '[]') as [string, number, number][];
+      for (const [name, x, y] of kept.slice(-maxPlaces)) this.known.set(name, { name, x, y, fx: x, fy: y });
+    } catch {
+      // A browser that keeps nothing, or something else by this name: places are found anew.
+    }
+  }
+
+  of(participants: Participant[]): Map<string, { x: number; y: number }> {
+    const missing = participants.filter((one) => !this.known.has(one.name)).sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+    if (missing.length > 0) this.find(missing, participants);
+    return new Map(participants.map((one) => [one.id, { x: this.known.get(one.name)?.x ?? 0, y: this.known.get(one.name)?.y ?? 0 }]));
+  }
+
+  private find(missing: Participant[], all: Participant[]): void {
+    const others = missing.filter((one) => !one.self);
+    // As many rings as give each box room; this host stands in the middle.
+    others.forEach((one, at) => {
+      const perRing = 7;
+      const ring = Math.floor(at / perRing);
+      const inRing = Math.min(perRing, others.length - ring * perRing);
+      const angle = (2 * Math.PI * (at % perRing)) / inRing - Math.PI / 2 + ring / 2;
+      this.known.set(one.name, { name: one.name, x: 265 * (ring + 1) * Math.cos(angle), y: 250 * (ring + 1) * Math.sin(angle) });
+    });
+    for (const one of missing) if (one.self) this.known.set(one.name, { name: one.name, x: 0, y: 0, fx: 0, fy: 0 });
+    const nodes = all.map((one) => this.known.get(one.name)).filter((one) => one !== undefined);
+    forceSimulation(nodes)
+      .force('apart', forceCollide(box.width * 0.6))
+      .force('charge', forceManyBody().strength(-60))
+      .force('link', forceLink([]))
+      .force('x', forceX(0).strength(0.02))
+      .force('y', forceY(0).strength(0.02))
+      .stop()
+      .tick(60);
+    for (const node of nodes) {
+      node.x = Math.round(node.x ?? 0);
+      node.y = Math.round(node.y ?? 0);
+      node.fx = node.x;
+      node.fy = node.y;
+    }
+    try {
+      localStorage.setItem(storage, JSON.stringify([...this.known.values()].map((one) => [one.name, one.x, one.y])));
+    } catch {
+      // The places hold for this page then.
+    }
+  }
+}
+
+interface Bundle {
+  pair: [string, string];
+  degree: Degree;
+  count: number;
+  words: Set<string>;
+}
+
+/** Matches between two hosts, by degree; those within a host are counted by the host alone. */
+function bundled(links: Link[]): { between: Bundle[]; within: Map<string, number> } {
+  const between = new Map<string, Bundle>();
+  const within = new Map<string, number>();
+  for (const link of links) {
+    const pair = [participantOf(link.request.consumer), participantOf(link.service.provider)].sort() as [string, string];
+    if (pair[0] === pair[1]) {
+      if (link.degree !== 'refused') within.set(pair[0], (within.get(pair[0]) ?? 0) + 1);
+      continue;
+    }
+    const key = `${pair.join()} ${link.degree}`;
+    const bundle = between.get(key) ?? { pair, degree: link.degree, count: 0, words: new Set<string>() };
+    bundle.count += 1;
+    bundle.words.add(link.word);
+    between.set(key, bundle);
+  }
+  const inOrder = [...between.values()].sort((a, b) => degrees.indexOf(a.degree) - degrees.indexOf(b.degree));
+  return { between: inOrder, within };
+}
+
+export interface Drawing {
+  moment: Moment;
+  links: Link[];
+  choice: Choice;
+  /** Participants that a finding is about, those that the filter leaves, and requests that nobody serves by participant. */
+  wrong: Set<string>;
+  shown: (participant: string) => boolean;
+  unserved: Map<string, number>;
+  gone: { id: string; name: string }[];
+}
+
+export class Picture {
+  private readonly places = new Places();
+  private readonly root = svg('svg', { role: 'group', 'aria-label': 'Robots, and the matches between them', preserveAspectRatio: 'xMidYMid meet' });
+
+  constructor(
+    parent: Element,
+    private readonly choose: (choice: Choice) => void,
+  ) {
+    parent.append(this.root);
+  }
+
+  draw(drawing: Drawing): void {
+    const { moment, choice } = drawing;
+    const ghosts = drawing.gone.map(({ id, name }) => ({ id, name, self: false }) as Participant);
+    const all = [...moment.participants.values(), ...ghosts];
+    const places = this.places.of(all);
+    const { between, within } = bundled(drawing.links);
+    const isChosen = (id: string) => id === choice.participant || choice.pair?.includes(id) === true;
+    const hasChoice = choice.participant !== undefined || choice.pair !== undefined;
+    const lines = between.flatMap((bundle) => {
+      const [a, b] = [places.get(bundle.pair[0]), places.get(bundle.pair[1])];
+      if (a === undefined || b === undefined) return [];
+      const isNear = choice.pair !== undefined ? bundle.pair.every(isChosen) : bundle.pair.some(isChosen);
+      const isFaint = (hasChoice && !isNear) || !bundle.pair.every(drawing.shown);
+      return [this.line(bundle, a, b, isFaint, isNear)];
+    });
+    const inOrder = all.sort((a, b) => Number(b.self) - Number(a.self) || a.name.localeCompare(b.name, 'en', { numeric: true }));
+    const boxes = inOrder.map((one) =>
+      this.box(one, places.get(one.id) ?? { x: 0, y: 0 }, drawing, within.get(one.id) ?? 0, !moment.participants.has(one.id), isChosen(one.id)),
+    );
+    const xs = [...places.values()].map((place) => place.x);
+    const ys = [...places.values()].map((place) => place.y);
+    const margin = { x: box.width / 2 + 14, y: box.height / 2 + 14 };
+    const [left, top] = [Math.min(0, ...xs) - margin.x, Math.min(0, ...ys) - margin.y];
+    this.root.setAttribute('viewBox', `${left} ${top} ${Math.max(0, ...xs) + margin.x - left} ${Math.max(0, ...ys) + margin.y - top}`);
+    refill(this.root, svg('g', { class: 'lines', 'aria-hidden': 'true' }, ...lines), svg('g', {}, ...boxes));
+  }
+
+  private line(bundle: Bundle, a: { x: number; y: number }, b: { x: number; y: number }, isFaint: boolean, isNear: boolean): SVGElement {
+    // Lines of one pair lie beside each other.
+    const apart = (degrees.indexOf(bundle.degree) - 1) * 7;
+    const length = Math.hypot(b.x - a.x, b.y - a.y) || 1;
+    const [dx, dy] = [(-(b.y - a.y) / length) * apart, ((b.x - a.x) / length) * apart];
+    const ends = { x1: a.x + dx, y1: a.y + dy, x2: b.x + dx, y2: b.y + dy };
+    const text = `${bundle.count} ${bundle.degree}${bundle.degree === 'refused' ? ` (${[...bundle.words].join(', ')})` : ''}`;
+    const group = svg('g', { class: `line ${bundle.degree}${isFaint ? ' faint' : ''}${isNear ? ' near' : ''}`, click: () => this.choose({ pair: bundle.pair }) },
+      svg('line', { ...ends, class: 'wide' }),
+      svg('line', { ...ends, class: 'thin', 'stroke-width': (1.2 + Math.min(2.4, Math.log2(bundle.count) * 0.5)).toFixed(2) }),
+      svg('title', {}, text));
+    if (bundle.degree === 'refused' && isNear) {
+      group.append(svg('text', { x: (a.x + b.x) / 2 + dx, y: (a.y + b.y) / 2 + dy - 4, class: 'code' }, [...bundle.words].join(', ')));
+    }
+    return group;
+  }
+
+  private box(one: Participant, at: { x: number; y: number }, drawing: Drawing, within: number, isGone: boolean, isChosen: boolean): SVGElement {
+    const unserved = drawing.unserved.get(one.id) ?? 0;
+    const modules = new Set([...drawing.moment.services.values()].filter((entry) => participantOf(entry.provider) === one.id).map((entry) => entry.provider));
+    for (const request of drawing.moment.requests.values()) if (participantOf(request.consumer) === one.id) modules.add(request.consumer);
+    const second = isGone ? 'gone' : `${modules.size} ${modules.size === 1 ? 'module' : 'modules'}, ${within} inside`;
+    const third = isGone ? 'was here' : `${one.publications} offered, ${one.subscriptions} asked`;
+    const isWrong = drawing.wrong.has(one.id) || isGone;
+    const more = `${one.name}, ${within} matches inside${unserved > 0 ? `, ${unserved} requests not served` : ''}${isWrong ? ', something is wrong' : ''}`;
+    const choose = () => this.choose(isChosen ? {} : { participant: one.id });
+    const group = svg('g', {
+      class: `box${isWrong ? ' wrong' : ''}${isGone ? ' gone' : ''}${one.self ? ' self' : ''}${drawing.shown(one.id) ? '' : ' faint'}${isChosen ? ' chosen' : ''}`,
+      transform: `translate(${at.x - box.width / 2} ${at.y - box.height / 2})`,
+      tabindex: 0, role: 'button', 'aria-pressed': String(isChosen), 'aria-description': more, 'data-key': `box ${one.name}`,
+      click: choose,
+      keydown: (event) => {
+        if (event instanceof KeyboardEvent && (event.key === 'Enter' || event.key === ' ')) {
+          event.preventDefault();
+          choose();
+        }
+      },
+    },
+      svg('rect', { width: box.width, height: box.height, rx: 8 }),
+      svg('text', { x: 12, y: 21, class: 'name' }, shortened(one.name, one.self ? 11 : 15)), ' ',
+      svg('text', { x: 12, y: 38 }, second), ', ',
+      svg('text', { x: 12, y: 53 }, third), ' ');
+    if (one.self) group.append(svg('text', { x: box.width - 10, y: 20, class: 'this' }, 'this host'));
+    if (unserved > 0) {
+      group.append(svg('circle', { cx: box.width - 3, cy: 4, r: 11, class: 'badge' }), svg('text', { x: box.width - 3, y: 8, class: 'badge-text' }, String(unserved)));
+    }
+    return group;
+  }
+}

@@ -1,0 +1,102 @@
+// What is there at a moment, and what happened in the last hour.
+import type { Change, Participant, Request, Service } from './answers.js';
+
+export interface Moment {
+  participants: Map<string, Participant>;
+  services: Map<string, Service>;
+  requests: Map<string, Request>;
+}
+
+export type Kind = keyof Moment;
+
+/** The key of the records of each kind. */
+const keys = { participants: 'id', services: 'service', requests: 'subscription' } as const;
+
+export interface Happening {
+  time: number;
+  kind: Kind;
+  key: string;
+  event: Change['event'];
+  record: Participant | Service | Request;
+  reason: string;
+}
+
+/** How long happenings are kept, in milliseconds, and how many at most. The eldest give way. */
+export const hour = 3_600_000;
+export const maxHappenings = 20_000;
+
+export const emptyMoment = (): Moment => ({ participants: new Map(), services: new Map(), requests: new Map() });
+
+function apply(moment: Moment, happening: Happening): void {
+  const records = moment[happening.kind] as Map<string, Happening['record']>;
+  if (happening.event === 'del') records.delete(happening.key);
+  else records.set(happening.key, happening.record);
+}
+
+/** The team as it is, and as it was since this page was opened, an hour at most. */
+export class Team {
+  readonly now = emptyMoment();
+  readonly happenings: Happening[] = [];
+  /** What was there before the first happening. */
+  private readonly before = emptyMoment();
+  /** Keys that a stream which was opened anew has told, by kind; the others have gone meanwhile. */
+  private readonly told = new Map<Kind, Set<string>>();
+  private readonly settled = new Set<Kind>();
+
+  /** A stream begins to tell all that is there. */
+  begin(kind: Kind): void {
+    this.told.set(kind, new Set());
+  }
+
+  /** A stream has told all that is there: what it did not tell has gone. */
+  settle(kind: Kind, time: number): void {
+    const told = this.told.get(kind);
+    if (told === undefined) return;
+    this.told.delete(kind);
+    this.settled.add(kind);
+    for (const [key, record] of [...this.now[kind]]) {
+      if (!told.has(key)) this.keep({ time, kind, key, event: 'del', record, reason: 'gone meanwhile' });
+    }
+  }
+
+  take(kind: Kind, change: Change & Record<string, unknown>): void {
+    const { event, time, reason, ...record } = change;
+    delete record['former'];
+    const key = String(record[keys[kind]]);
+    this.told.get(kind)?.add(key);
+    const known = this.now[kind].has(key);
+    const kept = record as unknown as Happening['record'];
+    if (event === 'add' && !this.settled.has(kind)) {
+      // What was there when the page was opened has not come now.
+      for (const moment of [this.before, this.now]) (moment[kind] as Map<string, Happening['record']>).set(key, kept);
+    } else if (event === 'add' && known) {
+      (this.now[kind] as Map<string, Happening['record']>).set(key, kept);
+    } else {
+      this.keep({ time: Date.parse(time), kind, key, event, record: kept, reason: reason ?? '' });
+    }
+  }
+
+  /** The team at an instant of the last hour. Cost: the happenings until then. */
+  at(time: number): Moment {
+    const moment: Moment = {
+      participants: new Map(this.before.participants),
+      services: new Map(this.before.services),
+      requests: new Map(this.before.requests),
+    };
+    for (const happening of this.happenings) {
+      if (happening.time > time) break;
+      apply(moment, happening);
+    }
+    return moment;
+  }
+
+  private keep(happening: Happening): void {
+    apply(this.now, happening);
+    this.happenings.push(happening);
+    const since = happening.time - hour;
+    while (this.happenings.length > maxHappenings || (this.happenings[0]?.time ?? since) < since) {
+      const eldest = this.happenings.shift();
+      if (eldest !== undefined) apply(this.before, eldest);
+    }
+  }
+}

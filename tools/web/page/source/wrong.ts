@@ -1,0 +1,121 @@
+// What is wrong, worst first: each with how it was seen, what would mend it, and its place in the picture.
+import { identityText, participantOf, type Ontology, type Participant, type Request, type Security, type Status } from './answers.js';
+import type { Happening } from './team.js';
+
+export type Level = 'error' | 'warning';
+
+export interface Finding {
+  key: string;
+  level: Level;
+  title: string;
+  text: string;
+  /** The participants that it is about, and one of its requests. */
+  places: string[];
+  request?: Request;
+}
+
+/** The share of announcements lost from which deadlines bear no more, and how late a host may be, in its intervals. */
+const tooMuchLoss = 0.4;
+const tooLate = 2.5;
+
+function gone(happenings: Happening[], now: Map<string, Participant>): Finding[] {
+  const last = new Map<string, Happening>();
+  for (const happening of happenings) {
+    if (happening.kind === 'participants') last.set((happening.record as Participant).name, happening);
+  }
+  const present = new Set([...now.values()].map((one) => one.name));
+  return [...last]
+    .filter(([name, happening]) => happening.event === 'del' && !present.has(name))
+    .map(([name, happening]) => ({
+      key: `gone ${name}`,
+      level: 'error',
+      title: `${name} is gone since ${new Date(happening.time).toLocaleTimeString([], { hour12: false })}`,
+      text: 'Its announcements no longer come. Is it switched off, or out of reach of the radio?',
+      places: [happening.key],
+    }));
+}
+
+function hearing(participants: Participant[]): Finding[] {
+  const findings: Finding[] = [];
+  for (const one of participants) {
+    if (one.self) continue;
+    const places = [one.id];
+    if (one.hears_us === false || one.hears_us === 0) {
+      findings.push({ key: `deaf ${one.id}`, level: 'error', title: `${one.name} does not hear this host`, places,
+        text: 'A switch, an access point or a firewall keeps our multicasts from it. Name each host to the other by --peer.' });
+    }
+    if ((one.loss ?? 0) > tooMuchLoss) {
+      findings.push({ key: `loss ${one.id}`, level: 'warning', title: `${Math.round((one.loss ?? 0) * 100)} % of what ${one.name} says is lost`, places,
+        text: 'Deadlines bear about 40 %. Is it at the edge of the radio, or does a Wi-Fi card save power?' });
+    } else if (one.heard > tooLate * one.interval) {
+      findings.push({ key: `late ${one.id}`, level: 'warning', title: `${one.name} was last heard ${one.heard.toFixed(0)} s ago`, places,
+        text: `It speaks each ${one.interval} s otherwise, and is gone when its deadline passes.` });
+    }
+  }
+  return findings;
+}
+
+function ontologies(ontology: Ontology | undefined): Finding[] {
+  if (ontology === undefined) return [];
+  const findings: Finding[] = [];
+  if (ontology.failed.length > 0) {
+    findings.push({ key: 'ontology failed', level: 'error', title: 'An ontology could not be read', text: ontology.failed.join('\n'), places: [] });
+  }
+  if (ontology.contradiction) {
+    findings.push({ key: 'contradiction', level: 'error', title: 'The ontology contradicts itself', places: [],
+      text: 'geminga-ontology check says which axioms do.' });
+  }
+  if (ontology.others.length > 0) {
+    findings.push({
+      key: 'digests', level: 'warning', places: ontology.others.map((one) => one.participant),
+      title: `${ontology.others.map((one) => one.name).join(', ')}: another ontology`,
+      text: ontology.others.map((one) => `${one.name} has ${one.ontology}`).join(', ') +
+        `; this host has ${ontology.digest ?? 'none'}. Load the same files on every host.`,
+    });
+  }
+  return findings;
+}
+
+function keys(security: Security | undefined): Finding[] {
+  return (security?.participants ?? [])
+    .filter((one) => one.lacks.length > 0)
+    .map((one) => ({ key: `key ${one.participant}`, level: 'error', title: `${one.name} lacks a key`, places: [one.participant],
+      text: `It cannot open what is sealed by ${one.lacks.join(', ')}. Copy the key file to it, and have its daemon read it: pkill -HUP gemingad` }));
+}
+
+/** The reason without what the title says. */
+const reasonOf = (request: Request): string => (request.because ?? '').replace(/^nobody offers (concept|text|id)=[^,]*?( as [^,]*)?, /, '');
+
+/** Requests without a service; those of many hosts for the same are one finding. */
+function unmatched(requests: Request[]): Finding[] {
+  const groups = new Map<string, Request[]>();
+  for (const request of requests) {
+    const key = `${request.name} ${identityText(request)} ${request.mode} ${request.why ?? ''}`;
+    groups.set(key, [...(groups.get(key) ?? []), request]);
+  }
+  return [...groups].map(([key, group]) => {
+    const [first] = group as [Request];
+    return { key: `request ${key}`, level: 'error', title: `Nobody serves ${identityText(first)}`, text: reasonOf(first), request: first,
+      places: [...new Set(group.map((one) => participantOf(one.consumer)))] };
+  });
+}
+
+export interface Seen {
+  participants: Map<string, Participant>;
+  happenings: Happening[];
+  unmatched: Request[];
+  ontology: Ontology | undefined;
+  security: Security | undefined;
+  status: Status | undefined;
+}
+
+export function findings(seen: Seen): Finding[] {
+  const all = [
+    ...gone(seen.happenings, seen.participants),
+    ...hearing([...seen.participants.values()]),
+    ...keys(seen.security),
+    ...ontologies(seen.ontology),
+    ...unmatched(seen.unmatched),
+  ];
+  return [...all.filter((one) => one.level === 'error'), ...all.filter((one) => one.level === 'warning')];
+}
