@@ -16,6 +16,13 @@ async function bundled(entry, more) {
   return result.outputFiles[0].text.trim();
 }
 
+/** The licences of what is bundled, which its authors ask to be handed on with it. */
+const bundledPackages = ['uplot', 'd3-force', 'd3-dispatch', 'd3-quadtree', 'd3-timer'];
+const licences = bundledPackages
+  .map((name) => `${name}: ${readFileSync(join(here, 'node_modules', name, 'LICENSE'), 'utf8').trim()}`)
+  .join('\n\n')
+  .replaceAll('--', '- -');
+
 const hash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 const script = await bundled('source/main.ts', { format: 'iife' });
 const style = await bundled('source/style.css', {});
@@ -30,6 +37,7 @@ const policy = [
   "form-action 'none'",
 ].join('; ');
 const page = readFileSync(join(here, 'source/index.html'), 'utf8')
+  .replace('{licences}', () => licences)
   .replace('{policy}', () => policy)
   .replace('{style}', () => style)
   .replace('{script}', () => script);

@@ -34,6 +34,28 @@ export function bodyOf(id: string): HTMLElement {
   return body;
 }
 
+/** Elements by key that stay as long as what they were made of is the same, so that a drawing costs what has changed. */
+export class Kept<E extends Element> {
+  private known = new Map<string, { of: string; element: E }>();
+  private next = new Map<string, { of: string; element: E }>();
+
+  take(key: string, of: string, make: () => E): E {
+    const known = this.known.get(key);
+    const kept = known?.of === of ? known : { of, element: make() };
+    this.next.set(key, kept);
+    return kept.element;
+  }
+
+  /** Ends a drawing: the elements that were taken are the children of `parent`, in their order. */
+  put(parent: Element): void {
+    const elements = [...this.next.values()].map((one) => one.element);
+    this.known = this.next;
+    this.next = new Map();
+    const isSame = elements.length === parent.children.length && elements.every((element, at) => parent.children[at] === element);
+    if (!isSame) refill(parent, ...elements);
+  }
+}
+
 /** Replaces what is in an element, and keeps the focus where an element of the same data-key comes again. */
 export function refill(parent: Element, ...children: Child[]): void {
   const focused = document.activeElement;

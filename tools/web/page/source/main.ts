@@ -12,7 +12,8 @@ import { Timeline } from './timeline.js';
 import { findings, type Finding } from './wrong.js';
 
 const slowly = 10_000;
-const redrawEach = 150;
+const redrawEach = 200;
+const hearingEach = 1000;
 
 class Page {
   private readonly team = new Team();
@@ -30,6 +31,8 @@ class Page {
   private candidates = new Set<string>();
   private past: { time: number; moment: Moment } | undefined;
   private absence = '';
+  private heardDrawn = 0;
+  private foundLast = '';
   private lastHeard = Date.now();
   private unmatched: Request[] = [];
   private ontology: Ontology | undefined;
@@ -205,7 +208,10 @@ class Page {
       gone: [...gone].map(([name, id]) => ({ id, name })),
     });
     byId('picture').classList.toggle('stale', this.absence !== '');
-    drawHearing(bodyOf('hearing'), [...this.team.now.participants.values()], (id) => this.choose({ participant: id }));
+    if (Date.now() - this.heardDrawn > hearingEach) {
+      this.heardDrawn = Date.now();
+      drawHearing(bodyOf('hearing'), [...this.team.now.participants.values()], (id) => this.choose({ participant: id }));
+    }
     this.timeline.draw(this.team.happenings, this.opened);
   }
 
@@ -225,6 +231,9 @@ class Page {
     const words = list.length === 0 ? 'Nothing is wrong' : `What is wrong (${list.length})`;
     if (title.textContent !== words) title.textContent = words;
     byId('wrong').classList.toggle('fine', list.length === 0);
+    const told = JSON.stringify(list);
+    if (told === this.foundLast) return;
+    this.foundLast = told;
     const name = (id: string) => this.team.now.participants.get(id)?.name ?? '';
     refill(bodyOf('wrong'), list.length === 0 ? h('p', {}, this.team.now.participants.size === 0 ? 'Nobody is known yet.' : 'Every request that is known is served, and every host is heard.')
       : h('ul', { class: 'findings' }, ...list.map((one) => h('li', { class: one.level },

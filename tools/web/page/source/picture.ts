@@ -1,9 +1,11 @@
 // The picture of the team: robots as boxes in places that stay, and a line for the matches of two of them.
 import { forceCollide, forceLink, forceManyBody, forceSimulation, forceX, forceY, type SimulationNodeDatum } from 'd3-force';
 import { participantOf, type Participant } from './answers.js';
-import { refill, shortened, svg } from './dom.js';
+import { Kept, shortened, svg } from './dom.js';
 import type { Degree, Link } from './matches.js';
 import type { Moment } from './team.js';
+
+type Named = Pick<Participant, 'id' | 'name' | 'self'>;
 
 interface Place extends SimulationNodeDatum {
   name: string;
@@ -34,12 +36,16 @@ export class Places {
   }
 
   of(participants: Participant[]): Map<string, { x: number; y: number }> {
-    const missing = participants.filter((one) => !this.known.has(one.name)).sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
-    if (missing.length > 0) this.find(missing, participants);
-    return new Map(participants.map((one) => [one.id, { x: this.known.get(one.name)?.x ?? 0, y: this.known.get(one.name)?.y ?? 0 }]));
+    // Of robots that share a name, each but the first has a place of its own identifier.
+    const first = new Map<string, string>();
+    for (const one of participants) if (!first.has(one.name)) first.set(one.name, one.id);
+    const named = participants.map(({ id, name, self }) => ({ id, name: first.get(name) === id ? name : `${name} ${id}`, self }));
+    const missing = named.filter((one) => !this.known.has(one.name)).sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+    if (missing.length > 0) this.find(missing, named);
+    return new Map(named.map((one) => [one.id, { x: this.known.get(one.name)?.x ?? 0, y: this.known.get(one.name)?.y ?? 0 }]));
   }
 
-  private find(missing: Participant[], all: Participant[]): void {
+  private find(missing: Named[], all: Named[]): void {
     const others = missing.filter((one) => !one.self);
     // As many rings as give each box room; this host stands in the middle.
     others.forEach((one, at) => {
@@ -100,6 +106,20 @@ function bundled(links: Link[]): { between: Bundle[]; within: Map<string, number
   return { between: inOrder, within };
 }
 
+/** The modules of each participant. */
+function modulesOf(moment: Moment): Map<string, Set<string>> {
+  const modules = new Map<string, Set<string>>();
+  const add = (peer: string): void => {
+    const participant = participantOf(peer);
+    const known = modules.get(participant);
+    if (known === undefined) modules.set(participant, new Set([peer]));
+    else known.add(peer);
+  };
+  for (const service of moment.services.values()) add(service.provider);
+  for (const request of moment.requests.values()) add(request.consumer);
+  return modules;
+}
+
 export interface Drawing {
   moment: Moment;
   links: Link[];
@@ -115,11 +135,17 @@ export class Picture {
   private readonly places = new Places();
   private readonly root = svg('svg', { role: 'group', 'aria-label': 'Robots, and the matches between them', preserveAspectRatio: 'xMidYMid meet' });
 
+  private readonly lineGroup = svg('g', { class: 'lines', 'aria-hidden': 'true' });
+  private readonly boxGroup = svg('g');
+  private readonly lines = new Kept<SVGElement>();
+  private readonly boxes = new Kept<SVGElement>();
+
   constructor(
     parent: Element,
     private readonly choose: (choice: Choice) => void,
   ) {
     parent.append(this.root);
+    this.root.append(this.lineGroup, this.boxGroup);
   }
 
   draw(drawing: Drawing): void {
@@ -128,25 +154,33 @@ export class Picture {
     const all = [...moment.participants.values(), ...ghosts];
     const places = this.places.of(all);
     const { between, within } = bundled(drawing.links);
+    const modules = modulesOf(moment);
     const isChosen = (id: string) => id === choice.participant || choice.pair?.includes(id) === true;
     const hasChoice = choice.participant !== undefined || choice.pair !== undefined;
-    const lines = between.flatMap((bundle) => {
+    for (const bundle of between) {
       const [a, b] = [places.get(bundle.pair[0]), places.get(bundle.pair[1])];
-      if (a === undefined || b === undefined) return [];
+      if (a === undefined || b === undefined) continue;
       const isNear = choice.pair !== undefined ? bundle.pair.every(isChosen) : bundle.pair.some(isChosen);
       const isFaint = (hasChoice && !isNear) || !bundle.pair.every(drawing.shown);
-      return [this.line(bundle, a, b, isFaint, isNear)];
-    });
+      const of = [a.x, a.y, b.x, b.y, isFaint, isNear, bundle.count, ...bundle.words].join();
+      this.lines.take(`${bundle.pair.join()} ${bundle.degree}`, of, () => this.line(bundle, a, b, isFaint, isNear));
+    }
     const inOrder = all.sort((a, b) => Number(b.self) - Number(a.self) || a.name.localeCompare(b.name, 'en', { numeric: true }));
-    const boxes = inOrder.map((one) =>
-      this.box(one, places.get(one.id) ?? { x: 0, y: 0 }, drawing, within.get(one.id) ?? 0, !moment.participants.has(one.id), isChosen(one.id)),
-    );
+    for (const one of inOrder) {
+      const at = places.get(one.id) ?? { x: 0, y: 0 };
+      const [inside, count, isGone] = [within.get(one.id) ?? 0, modules.get(one.id)?.size ?? 0, !moment.participants.has(one.id)];
+      const of = [at.x, at.y, one.id, one.publications, one.subscriptions, inside, count, isGone, isChosen(one.id), drawing.shown(one.id),
+        drawing.wrong.has(one.id), drawing.unserved.get(one.id) ?? 0].join();
+      this.boxes.take(one.id, of, () => this.box(one, at, drawing, inside, count, isGone, isChosen(one.id)));
+    }
     const xs = [...places.values()].map((place) => place.x);
     const ys = [...places.values()].map((place) => place.y);
     const margin = { x: box.width / 2 + 14, y: box.height / 2 + 14 };
     const [left, top] = [Math.min(0, ...xs) - margin.x, Math.min(0, ...ys) - margin.y];
-    this.root.setAttribute('viewBox', `${left} ${top} ${Math.max(0, ...xs) + margin.x - left} ${Math.max(0, ...ys) + margin.y - top}`);
-    refill(this.root, svg('g', { class: 'lines', 'aria-hidden': 'true' }, ...lines), svg('g', {}, ...boxes));
+    const view = `${left} ${top} ${Math.max(0, ...xs) + margin.x - left} ${Math.max(0, ...ys) + margin.y - top}`;
+    if (this.root.getAttribute('viewBox') !== view) this.root.setAttribute('viewBox', view);
+    this.lines.put(this.lineGroup);
+    this.boxes.put(this.boxGroup);
   }
 
   private line(bundle: Bundle, a: { x: number; y: number }, b: { x: number; y: number }, isFaint: boolean, isNear: boolean): SVGElement {
@@ -166,11 +200,9 @@ export class Picture {
     return group;
   }
 
-  private box(one: Participant, at: { x: number; y: number }, drawing: Drawing, within: number, isGone: boolean, isChosen: boolean): SVGElement {
+  private box(one: Participant, at: { x: number; y: number }, drawing: Drawing, within: number, modules: number, isGone: boolean, isChosen: boolean): SVGElement {
     const unserved = drawing.unserved.get(one.id) ?? 0;
-    const modules = new Set([...drawing.moment.services.values()].filter((entry) => participantOf(entry.provider) === one.id).map((entry) => entry.provider));
-    for (const request of drawing.moment.requests.values()) if (participantOf(request.consumer) === one.id) modules.add(request.consumer);
-    const second = isGone ? 'gone' : `${modules.size} ${modules.size === 1 ? 'module' : 'modules'}, ${within} inside`;
+    const second = isGone ? 'gone' : `${modules} ${modules === 1 ? 'module' : 'modules'}, ${within} inside`;
     const third = isGone ? 'was here' : `${one.publications} offered, ${one.subscriptions} asked`;
     const isWrong = drawing.wrong.has(one.id) || isGone;
     const more = `${one.name}, ${within} matches inside${unserved > 0 ? `, ${unserved} requests not served` : ''}${isWrong ? ', something is wrong' : ''}`;

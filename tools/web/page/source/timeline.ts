@@ -3,6 +3,7 @@ import type { Participant, Request, Service } from './answers.js';
 import { clock, h, refill, svg } from './dom.js';
 import { hour, type Happening } from './team.js';
 
+const second = 1000;
 const lane = 22;
 const left = 100;
 const width = 600;
@@ -16,6 +17,7 @@ export class Timeline {
   private readonly lanes = svg('svg', { class: 'lanes', role: 'img', 'aria-label': 'Comings and goings by robot', preserveAspectRatio: 'none' });
   private readonly list = h('ol', { class: 'happenings' });
   private since = Date.now();
+  private drawn = 0;
 
   /** `look` is told the instant to look at, or nothing for the present. */
   constructor(
@@ -27,17 +29,26 @@ export class Timeline {
       this.lanes, h('h3', {}, 'Latest'), this.list);
   }
 
+  /** Draws anew once a second at most. */
   draw(happenings: Happening[], opened: number): void {
     const now = Date.now();
+    if (now - this.drawn < second) return;
+    this.drawn = now;
     this.since = Math.max(opened, now - hour);
     this.slider.min = String(-Math.max(1, Math.round((now - this.since) / 1000)));
     const shown = happenings.filter((one) => one.time >= this.since);
-    const names = [...new Set(shown.map(nameOf))].sort((a, b) => a.localeCompare(b, 'en', { numeric: true })).slice(0, 100);
+    const byName = new Map<string, Happening[]>();
+    for (const one of shown) {
+      const known = byName.get(nameOf(one));
+      if (known === undefined) byName.set(nameOf(one), [one]);
+      else known.push(one);
+    }
+    const names = [...byName.keys()].sort((a, b) => a.localeCompare(b, 'en', { numeric: true })).slice(0, 100);
     const span = Math.max(60_000, now - this.since);
     const rows = names.map((name, at) => {
       const marks: SVGElement[] = [];
       let last = -1;
-      for (const one of shown.filter((happening) => nameOf(happening) === name)) {
+      for (const one of byName.get(name) ?? []) {
         const share = 1 - (now - one.time) / span;
         if (one.kind !== 'participants' && share - last < nearest) continue;
         last = share;

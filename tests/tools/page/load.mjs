@@ -1,0 +1,66 @@
+// The main thread of the page with 100 robots, 2000 services and ten changes a second, beside an empty page: `load.mjs PAGE PAGE_BUILD
+// [SECONDS]`. The team is imagined by this script. Prints milliseconds of script, style and layout a second and a frame, and the heap.
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [file, pageBuild, seconds = '20'] = process.argv.slice(2);
+const { resolve } = createRequire(join(process.cwd(), pageBuild, 'package.json'));
+const puppeteer = (await import(pathToFileURL(resolve('puppeteer-core')).href)).default;
+const robots = 100;
+const perRobot = 20;
+const id = (robot) => (0x10000000 + robot).toString(16);
+const participants = Array.from({ length: robots }, (_, robot) => ({ id: id(robot), name: `robot${robot}`, addresses: ['192.0.2.1'], heard: 1, interval: 2, loss: 0,
+  ontology: '0', publications: perRobot, subscriptions: perRobot, self: robot === 0 }));
+const entry = (robot, at) => ({ name: `module${at % 5}`, participant_name: `robot${robot}`, concept: `soccer:C${at}`, mode: 'otm/stream', priority: 0, local: false, attributes: {} });
+const each = (made) => participants.flatMap((_, robot) => Array.from({ length: perRobot }, (_, at) => made(robot, at)));
+const services = each((robot, at) => ({ service: `${id(robot)}/${at % 5}/${at}`, provider: `${id(robot)}/${at % 5}`, used: true, ...entry(robot, at) }));
+const requests = each((robot, at) => ({ subscription: `${id(robot)}/${at % 5}/${at}`, consumer: `${id(robot)}/${at % 5}`, match: 'narrower', limit: 0, served: true,
+  provider: `robot${(robot + at) % robots}`, ...entry(robot, at) }));
+const listings = { participants, services, requests };
+
+const server = createServer((request, response) => {
+  const url = new URL(request.url, 'http://127.0.0.1');
+  if (url.pathname === '/') return response.setHeader('content-type', 'text/html').end(readFileSync(file));
+  if (url.pathname === '/empty') return response.setHeader('content-type', 'text/html').end('<!doctype html><title>empty</title>');
+  if (url.pathname !== '/api/events') {
+    const kind = url.pathname.slice('/api/'.length);
+    const answers = { participants, requests: [], status: { name: 'robot0', datagrams_received: 0 }, ontology: { failed: [], others: [] }, security: { participants: [] },
+      match: services.filter((one) => one.concept === url.searchParams.get('concept')).map((one) => ({ ...one, degree: 'exact', distance: 0 })) };
+    return response.setHeader('content-type', 'application/json').end(JSON.stringify(answers[kind] ?? {}));
+  }
+  response.setHeader('content-type', 'text/event-stream');
+  const tell = (event, record) => response.write(`data: ${JSON.stringify({ event, time: new Date().toISOString(), ...record })}\n\n`);
+  const listing = listings[url.searchParams.get('of')];
+  for (const record of listing) tell('add', record);
+  if (listing !== services) return undefined;
+  let turn = 0;
+  const timer = setInterval(() => tell('modify', { ...services[(turn += 7) % services.length], priority: turn }), 100);
+  return request.on('close', () => clearInterval(timer));
+}).listen(0, '127.0.0.1');
+await new Promise((listening) => server.once('listening', listening));
+
+const browser = await puppeteer.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking'] });
+for (const path of ['/empty', '/']) {
+  const page = await browser.newPage();
+  await page.setViewport({ width: 1440, height: 1000 });
+  await page.goto(`http://127.0.0.1:${server.address().port}${path}`);
+  await new Promise((settled) => setTimeout(settled, 8000));
+  const before = await page.metrics();
+  const frames = await page.evaluate((span) => new Promise((done) => {
+    let count = 0;
+    const end = performance.now() + span;
+    const next = () => (++count, performance.now() < end ? requestAnimationFrame(next) : done(count));
+    next();
+  }), Number(seconds) * 1000);
+  const after = await page.metrics();
+  const spent = (after.TaskDuration - before.TaskDuration) * 1000;
+  console.log(`${path}: ${(spent / Number(seconds)).toFixed(0)} ms a second, ${(spent / frames).toFixed(2)} ms a frame (${frames} frames), ` +
+    `heap ${(before.JSHeapUsedSize / 1e6).toFixed(1)} then ${(after.JSHeapUsedSize / 1e6).toFixed(1)} MB`);
+  await page.close();
+}
+await browser.close();
+process.exit(0);
