@@ -239,7 +239,7 @@ class Page {
       : h('ul', { class: 'findings' }, ...list.map((one) => h('li', { class: one.level },
         h('button', { type: 'button', 'data-key': one.key, click: () => this.open(one) },
           h('b', {}, h('span', { class: 'level' }, one.level === 'error' ? '✕ ' : '! '), one.title),
-          ...(one.request === undefined ? [] : [h('span', { class: 'places' }, `${one.request.name} on ${one.places.map(name).filter((word) => word !== '').join(', ')}`)]),
+          ...(one.request === undefined ? [] : [h('span', { class: 'places' }, `${one.request.name} on ${one.places.map(name).filter((word) => word !== '').sort((a, b) => a.localeCompare(b, 'en', { numeric: true })).join(', ')}`)]),
           h('span', { class: 'text' }, one.text))))));
   }
 }

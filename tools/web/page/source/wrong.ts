@@ -93,7 +93,8 @@ function unmatched(requests: Request[]): Finding[] {
     const key = `${request.name} ${identityText(request)} ${request.mode} ${request.why ?? ''}`;
     groups.set(key, [...(groups.get(key) ?? []), request]);
   }
-  return [...groups].map(([key, group]) => {
+  const most = [...groups].sort(([a, one], [b, other]) => other.length - one.length || a.localeCompare(b));
+  return most.map(([key, group]) => {
     const [first] = group as [Request];
     return { key: `request ${key}`, level: 'error', title: `Nobody serves ${identityText(first)}`, text: reasonOf(first), request: first,
       places: [...new Set(group.map((one) => participantOf(one.consumer)))] };
