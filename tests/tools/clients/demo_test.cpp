@@ -82,6 +82,7 @@ TEST_F(Demo, KeepsTheTeamUntilItIsStoppedAsTheReadmeSays) {
   Process keep(start({"--keep"}));
   ASSERT_TRUE(keep.wait_for("The team goes on")) << keep.said();
   EXPECT_EQ(keep.wait(), 0) << "the terminal is given back: " << keep.said();
+  EXPECT_THAT(keep.said(), HasSubstr("shows the team in a browser"));
   EXPECT_THAT(keep.said(), HasSubstr("sar:LimbSighting is at 3.00 2.00 on the field"))
       << "the other team is understood";
 
