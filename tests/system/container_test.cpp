@@ -1,5 +1,5 @@
-// Each way to put modules and daemons into containers, as examples/containers/README.md tells it, tried with real daemons.
-// daemons.
+// Each way to put modules and daemons into containers, as examples/containers/README.md tells it, tried with real
+// daemons. daemons.
 #include "system/container.hpp"
 
 #include <gmock/gmock.h>

@@ -13,7 +13,8 @@
 
 namespace geminga::web {
 
-/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND` and `/api/events?of=KIND`. Knows no sockets. Neither copies nor moves.
+/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND` and `/api/events?of=KIND`. Knows no sockets. Neither copies nor
+/// moves.
 class Site {
  public:
   using Then = std::function<void(Response)>;
