@@ -19,7 +19,7 @@ struct Link {
   std::string reason;     ///< in words
 };
 
-/// A link needs this much confidence. Chosen by hand on ontologies of robots and sensors, before any public test.
+/// A link needs this much confidence. Chosen by hand; no public track of alignments was looked at.
 inline constexpr double least_confidence = 0.7;
 
 /// Each entity is in at most one link; best first, and equal ones by IRI. The same on every machine. Names that share a

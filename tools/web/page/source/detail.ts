@@ -1,4 +1,4 @@
-// What is known of what was chosen: a robot, two robots, or a request; and who would serve what nobody has asked for yet.
+// The details of one robot, two robots or a request, and the answer to what would be if somebody asked.
 import {
   ask, identityText, participantOf,
   type Check, type Match, type PairAnswer, type Request, type RequestAnswer, type Service,

@@ -1,4 +1,4 @@
-// What is there at a moment, and what happened in the last hour.
+// The state of the team at a moment, and the happenings of the last hour.
 import type { Change, Participant, Request, Service } from './answers.js';
 
 export interface Moment {
@@ -67,7 +67,7 @@ export class Team {
     const known = this.now[kind].has(key);
     const kept = record as unknown as Happening['record'];
     if (event === 'add' && !this.settled.has(kind)) {
-      // What was there when the page was opened has not come now.
+      // Services that were there when the page was opened have not come now.
       for (const moment of [this.before, this.now]) (moment[kind] as Map<string, Happening['record']>).set(key, kept);
     } else if (event === 'add' && known) {
       (this.now[kind] as Map<string, Happening['record']>).set(key, kept);

@@ -1,4 +1,4 @@
-// What is wrong, worst first: each with how it was seen, what would mend it, and its place in the picture.
+// The faults of the team, worst first: each with how it was seen, what would mend it, and its place in the picture.
 import { identityText, participantOf, type Ontology, type Participant, type Request, type Security, type Status } from './answers.js';
 import type { Happening } from './team.js';
 
