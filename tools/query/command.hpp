@@ -49,6 +49,7 @@ void add_status(CLI::App& app, Run& selected);
 /// Ends without a word where there is no daemon, or none that answers in two seconds.
 void add_complete(CLI::App& app, RunEvenAlone& selected);
 void add_doctor(CLI::App& app, RunEvenAlone& selected);
+void add_mcp(CLI::App& app, RunAlone& selected);
 void add_record(CLI::App& app, RunAlone& selected);
 void add_replay(CLI::App& app, RunAlone& selected);
 void add_top(CLI::App& app, RunAlone& selected);

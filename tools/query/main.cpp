@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
     add(app, selected);
   }
   add_doctor(app, selected_even_alone);
+  add_mcp(app, selected_alone);
   add_record(app, selected_alone);
   add_replay(app, selected_alone);
   add_top(app, selected_alone);

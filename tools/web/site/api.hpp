@@ -4,9 +4,7 @@
 
 #include <boost/json/value.hpp>
 #include <expected>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "web/asking/asker.hpp"
 #include "web/site/response.hpp"
@@ -16,9 +14,6 @@ namespace geminga::web {
 /// The question `/api/KIND?KEY=VALUE&...`: KIND and keys are those of `query` (src/discovery/participant/QUERIES.md). A
 /// key without a meaning there is an error, so that a slip of a letter is not taken for an answer to what was asked.
 [[nodiscard]] std::expected<Query, Response> read_question(std::string_view kind, const Parameters& parameters);
-
-/// The words of all kinds, in their order.
-[[nodiscard]] std::vector<std::string> kinds();
 
 /// The field that names a record of a listing for its whole life; empty: the kind is no listing, and has no events.
 [[nodiscard]] std::string_view key_of(std::string_view kind);
