@@ -20,6 +20,7 @@
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 #include "ontology/format.hpp"
+#include "ontology/graph/asked_instances.hpp"
 #include "ontology/graph/asserted.hpp"
 #include "ontology/graph/inferred.hpp"
 #include "ontology/individuals/realized_files.hpp"
@@ -284,11 +285,18 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   base::Budget asking = budget_of(limits, request.most_steps);
   limit_asking(limits);
   Progress progress(!request.as_json);
+  AskedInstances instances(*classified, budget, progress);
+  graph::FindInstances find_instances;
+  if (!request.only_asserted)
+    find_instances = [&](const graph::AskedExpression& asked_for) {
+      auto found = instances.find(asked_for);
+      progress.show("asking");
+      return found;
+    };
   progress.show("asking");
-  const auto answer =
-      graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking,
-                 request.only_asserted ? graph::Expressions::are_triples : graph::Expressions::are_refused);
+  const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking, find_instances);
   progress.clear();
+  if (instances.open() && !classified->classification.is_cut_off) say_error("more may follow: " + *instances.open());
   if (!answer)
     return say_failure(answer.error().text, request.as_json, answer.error().is_limit ? Exit::timed_out : Exit::usage);
   const Exit exit = write(*answer, request, *rows, asked);
@@ -321,14 +329,21 @@ void add_query(CLI::App& program, Choice& choice) {
       "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file that ends in .rq. The prefixes of the "
       "files\n"
       "need no declaration. Nothing is fetched: FROM and SERVICE are refused. What follows are all relations between\n"
-      "named classes and properties, and all types and facts of named individuals. Instances of a class expression,\n"
-      "as in ?x a [ a owl:Restriction ; ... ], are no triples and are refused: see geminga-ontology instances.\n"
+      "named classes and properties, and all types and facts of named individuals. Of a class expression, as\n"
+      "OWL is written in RDF (?x a [ a owl:Restriction ; owl:onProperty ... ]), the named individuals are found that "
+      "are\n"
+      "in it in every model, as by geminga-ontology instances; --asserted finds what the files say in so many "
+      "triples.\n"
+      "Refused are a variable in an expression, one that stands elsewhere than behind rdf:type, names that the files "
+      "do\n"
+      "not have, and more than 16 expressions.\n"
       "Exit status: 0 there are rows, or the answer is yes; 1 there are none, it is no, or the ontology contradicts\n"
       "itself; 4 a limit was reached: of the search, which has three quarters of --time-limit, and the answer is that\n"
       "of what is settled by then; of --rows, and the first ones are written; or of the query, which then has no\n"
       "answer (--query-steps; --graph-limit; --time-limit, or 300 s of processor time where there is none).\n"
       "\nExamples:\n"
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
+      "  geminga-ontology query team/ 'SELECT ?x WHERE { ?x a [ owl:complementOf soccer:BallInfo ] }'\n"
       "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query pizza.owl unnamed.rq --format csv");
   run_when_named(*command, choice, request, query);

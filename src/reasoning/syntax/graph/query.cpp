@@ -1,26 +1,21 @@
 #include "reasoning/syntax/graph/query.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 #include <memory>
-#include <set>
 #include <string_view>
 
 #include "base/text.hpp"
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/literals.hpp"
 #include "reasoning/syntax/graph/store.hpp"
 #include "reasoning/syntax/graph/triple_index.hpp"
+#include "reasoning/syntax/graph/triples_source.hpp"
 
 namespace geminga::graph {
 namespace {
 
 struct Free {
   void operator()(rasqal_query* query) const { rasqal_free_query(query); }
-  void operator()(librdf_query* query) const { librdf_free_query(query); }
-  void operator()(librdf_query_results* results) const { librdf_free_query_results(results); }
-  void operator()(librdf_storage* storage) const { librdf_free_storage(storage); }
-  void operator()(librdf_model* model) const { librdf_free_model(model); }
-  void operator()(librdf_stream* stream) const { librdf_free_stream(stream); }
+  void operator()(rasqal_query_results* results) const { rasqal_free_query_results(results); }
 };
 template <typename T>
 using Owned = std::unique_ptr<T, Free>;
@@ -108,65 +103,29 @@ bool has_service(rasqal_graph_pattern* pattern) {
   }
 }
 
-/// The name of a blank node or of a variable that stands for one; empty for what is named.
-std::string_view blank_name(const rasqal_literal* literal) {
-  if (literal == nullptr) return {};
-  if (literal->type == RASQAL_LITERAL_BLANK) return reinterpret_cast<const char*>(literal->string);
-  if (literal->type != RASQAL_LITERAL_VARIABLE || literal->value.variable->type != RASQAL_VARIABLE_TYPE_ANONYMOUS)
-    return {};
-  return reinterpret_cast<const char*>(literal->value.variable->name);
-}
-
-bool is_one_of(const rasqal_literal* literal, std::initializer_list<std::string_view> names) {
-  if (literal == nullptr || literal->type != RASQAL_LITERAL_URI) return false;
-  const std::string_view uri = reinterpret_cast<const char*>(raptor_uri_as_string(literal->value.uri));
-  return std::ranges::find(names, uri) != names.end();
-}
-
-/// Whether a query asks for the instances of a class expression: ?x a [ owl:onProperty ... ].
-bool asks_for_instances(rasqal_query* query) {
-  std::set<std::string_view> types;
-  std::set<std::string_view> expressions;
-  raptor_sequence* triples = rasqal_query_get_triple_sequence(query);
-  for (int at = 0; triples != nullptr && at < raptor_sequence_size(triples); ++at) {
-    const auto* triple = static_cast<const rasqal_triple*>(raptor_sequence_get_at(triples, at));
-    if (is_one_of(triple->predicate, {rdf_type})) types.insert(blank_name(triple->object));
-    if (is_one_of(triple->predicate,
-                  {"http://www.w3.org/2002/07/owl#onProperty", "http://www.w3.org/2002/07/owl#unionOf",
-                   "http://www.w3.org/2002/07/owl#intersectionOf", "http://www.w3.org/2002/07/owl#complementOf",
-                   "http://www.w3.org/2002/07/owl#oneOf"}))
-      expressions.insert(blank_name(triple->subject));
-  }
-  return std::ranges::any_of(types, [&](std::string_view of) { return !of.empty() && expressions.contains(of); });
-}
-
-/// Why a query is refused, or its variables. Rasqal reads the query and does nothing else with it.
-std::optional<std::string> refusal_of(World& world, const std::string& query, Expressions expressions,
-                                      std::vector<std::string>& variables) {
-  const Owned<rasqal_query> read(rasqal_new_query(world.rasqal(), language, nullptr));
-  if (read == nullptr) return "memory is short";
-  if (rasqal_query_prepare(read.get(), octets(query), nullptr) != 0) {
-    const std::string error = world.take_error();
-    return "the query cannot be read: " + (error.empty() ? "check its syntax" : error);
-  }
-  const rasqal_query_verb verb = rasqal_query_get_verb(read.get());
+/// Why a query that rasqal has read is refused.
+std::optional<std::string> refusal_of(rasqal_query* query) {
+  const rasqal_query_verb verb = rasqal_query_get_verb(query);
   const bool is_known =
       verb == RASQAL_QUERY_VERB_SELECT || verb == RASQAL_QUERY_VERB_ASK || verb == RASQAL_QUERY_VERB_CONSTRUCT;
   if (!is_known)
     return std::string(rasqal_query_verb_as_string(verb)) + " is not answered here: write SELECT, ASK or CONSTRUCT";
-  raptor_sequence* sources = rasqal_query_get_data_graph_sequence(read.get());
+  raptor_sequence* sources = rasqal_query_get_data_graph_sequence(query);
   if (sources != nullptr && raptor_sequence_size(sources) > 0)
     return "FROM would fetch a graph, and nothing is fetched: name the file before the query";
-  if (has_service(rasqal_query_get_query_graph_pattern(read.get())))
+  if (has_service(rasqal_query_get_query_graph_pattern(query)))
     return "SERVICE would ask another host, and nothing is fetched";
-  if (expressions == Expressions::are_refused && asks_for_instances(read.get()))
-    return "the instances of a class expression are no triples: ask geminga-ontology instances, or --asserted only";
-  raptor_sequence* named = rasqal_query_get_bound_variable_sequence(read.get());
+  return std::nullopt;
+}
+
+std::vector<std::string> variables_of(rasqal_query* query) {
+  std::vector<std::string> variables;
+  raptor_sequence* named = rasqal_query_get_bound_variable_sequence(query);
   for (int at = 0; named != nullptr && at < raptor_sequence_size(named); ++at) {
     const auto* variable = static_cast<const rasqal_variable*>(raptor_sequence_get_at(named, at));
     if (variable->name != nullptr) variables.emplace_back(reinterpret_cast<const char*>(variable->name));
   }
-  return std::nullopt;
+  return variables;
 }
 
 /// The octets of a row, about.
@@ -176,41 +135,40 @@ std::size_t octets_of(const std::vector<std::optional<Node>>& row) {
   return octets;
 }
 
-void read_rows(librdf_query_results* results, const GraphLimits& limits, Answer& answer) {
-  const int count = librdf_query_results_get_bindings_count(results);
-  // librdf does not know them for an answer without rows.
+void read_rows(World& world, rasqal_query_results* results, const GraphLimits& limits, Answer& answer) {
+  const int count = rasqal_query_results_get_bindings_count(results);
+  // rasqal does not know them for an answer without rows.
   if (count > 0) answer.variables.clear();
-  for (int at = 0; at < count; ++at) answer.variables.emplace_back(librdf_query_results_get_binding_name(results, at));
+  for (int at = 0; at < count; ++at)
+    answer.variables.emplace_back(reinterpret_cast<const char*>(rasqal_query_results_get_binding_name(results, at)));
   std::size_t octets = 0;
-  for (; librdf_query_results_finished(results) == 0; librdf_query_results_next(results)) {
+  for (; rasqal_query_results_finished(results) == 0; rasqal_query_results_next(results)) {
     if (answer.rows.size() >= limits.rows || octets > limits.query_octets) {
       answer.is_cut = true;
       return;
     }
     auto& row = answer.rows.emplace_back();
     for (int at = 0; at < count; ++at) {
-      librdf_node* node = librdf_query_results_get_binding_value(results, at);
-      row.push_back(node == nullptr ? std::nullopt : std::optional(node_of(*node)));
-      if (node != nullptr) librdf_free_node(node);
+      const OwnedTerm term = term_of(world, rasqal_query_results_get_binding_value(results, at));
+      row.push_back(term == nullptr ? std::nullopt : std::optional(node_of(*term)));
     }
     octets += octets_of(row);
   }
 }
 
-std::optional<std::string> read_triples(World& world, librdf_query_results* results, const Prefixes& prefixes,
+std::optional<std::string> read_triples(World& world, rasqal_query_results* results, const Prefixes& prefixes,
                                         Format format, const GraphLimits& limits, Answer& answer) {
   Statements made(world);
   std::size_t octets = 0;
-  const Owned<librdf_stream> stream(librdf_query_results_as_stream(results));
-  for (; stream != nullptr && librdf_stream_end(stream.get()) == 0; librdf_stream_next(stream.get())) {
+  while (const raptor_statement* triple = rasqal_query_results_get_triple(results)) {
     if (made.size() >= limits.rows || octets > limits.query_octets) {
       answer.is_cut = true;
       break;
     }
-    const librdf_statement* triple = librdf_stream_get_object(stream.get());
     octets += triple_octets + graph::octets_of(*triple->subject) + graph::octets_of(*triple->predicate) +
               graph::octets_of(*triple->object);
     if (!made.add_copy(triple)) return "memory is short";
+    if (rasqal_query_results_next_triple(results) != 0) break;
   }
   made.sort();
   auto text = write(world, made, format, prefixes);
@@ -219,11 +177,26 @@ std::optional<std::string> read_triples(World& world, librdf_query_results* resu
   return std::nullopt;
 }
 
+/// Reads what a query returned. Returns why that failed.
+std::optional<std::string> read_answer(World& world, rasqal_query_results* results, const Prefixes& prefixes,
+                                       Format format, const GraphLimits& limits, Answer& answer) {
+  if (rasqal_query_results_is_boolean(results) != 0) {
+    answer.kind = Answer::Kind::truth;
+    answer.is_true = rasqal_query_results_get_boolean(results) > 0;
+  } else if (rasqal_query_results_is_graph(results) != 0) {
+    answer.kind = Answer::Kind::triples;
+    return read_triples(world, results, prefixes, format, limits, answer);
+  } else {
+    read_rows(world, results, limits, answer);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
                                     Format format, const GraphLimits& limits, base::Budget* budget,
-                                    Expressions expressions) {
+                                    const FindInstances& find_instances) {
   const auto refuse = [](std::string text) { return std::unexpected(AskError{std::move(text)}); };
   if (query.size() > limits.query_bytes)
     return refuse("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
@@ -234,30 +207,33 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
     return refuse("the query is no text in UTF-8");
   World& world = graph.store().world;
   const std::string text = with_prefixes(query, prefixes);
-  Answer answer;
-  if (auto refusal = refusal_of(world, text, expressions, answer.variables)) return refuse(std::move(*refusal));
-
-  TripleIndex index(graph.store().statements.all(), limits, budget);
-  const Owned<librdf_storage> storage(index.storage(world));
-  const Owned<librdf_model> model(storage ? librdf_new_model(world.redland(), storage.get(), nullptr) : nullptr);
-  if (!model) return refuse("Redland cannot hold the graph: memory is short");
-  const Owned<librdf_query> asked(librdf_new_query(world.redland(), language, nullptr, octets(text), nullptr));
-  const Owned<librdf_query_results> results(asked ? librdf_model_query_execute(model.get(), asked.get()) : nullptr);
-  if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
-  if (!results) {
+  const auto refuse_with_error = [&](std::string_view what, std::string_view otherwise) {
     const std::string error = world.take_error();
-    return refuse("the query cannot be answered: " + (error.empty() ? "memory is short" : error));
+    return refuse(std::string(what).append(error.empty() ? otherwise : error));
+  };
+  const Owned<rasqal_query> asked(rasqal_new_query(world.rasqal(), language, nullptr));
+  if (asked == nullptr) return refuse("memory is short");
+  if (rasqal_query_prepare(asked.get(), octets(text), nullptr) != 0)
+    return refuse_with_error("the query cannot be read: ", "check its syntax");
+  if (auto refusal = refusal_of(asked.get())) return refuse(std::move(*refusal));
+  Expressions expressions(world);
+  if (find_instances) {
+    auto refusal = expressions.read(asked.get());
+    if (!refusal) refusal = expressions.find(find_instances);
+    if (refusal) return refuse(std::move(*refusal));
   }
-  std::optional<std::string> failed;
-  if (librdf_query_results_is_boolean(results.get()) != 0) {
-    answer.kind = Answer::Kind::truth;
-    answer.is_true = librdf_query_results_get_boolean(results.get()) > 0;
-  } else if (librdf_query_results_is_graph(results.get()) != 0) {
-    answer.kind = Answer::Kind::triples;
-    failed = read_triples(world, results.get(), prefixes, format, limits, answer);
-  } else {
-    read_rows(results.get(), limits, answer);
-  }
+
+  Answer answer;
+  answer.variables = variables_of(asked.get());
+  TripleIndex index(graph.store().statements.all(), limits, budget);
+  TriplesSource source(world, index, expressions);
+  if (!source.serve(asked.get())) return refuse("memory is short");
+  const Owned<rasqal_query_results> results(rasqal_query_execute(asked.get()));
+  if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
+  if (!results)
+    return refuse_with_error("the query cannot be answered: ",
+                             "rasqal cannot compute an operation of it, such as MINUS");
+  auto failed = read_answer(world, results.get(), prefixes, format, limits, answer);
   if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
   if (failed) return refuse(std::move(*failed));
   if (const std::string error = world.take_error(); !error.empty())

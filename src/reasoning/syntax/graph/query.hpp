@@ -1,4 +1,4 @@
-// A SPARQL query over a graph, by rasqal through librdf. Nothing is fetched, and nothing is changed.
+// A SPARQL query over a graph, by rasqal. Nothing is fetched, and nothing is changed.
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_QUERY_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_QUERY_HPP
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/budget.hpp"
+#include "reasoning/syntax/graph/expressions.hpp"
 #include "reasoning/syntax/graph/graph.hpp"
 
 namespace geminga::graph {
@@ -29,18 +30,16 @@ struct AskError {
   bool is_limit = false;
 };
 
-/// Whether a query may ask for what is of a class expression (?x a [ owl:onProperty ... ]). It finds what the graph
-/// says in so many triples, and no instance that follows.
-enum class Expressions : std::uint8_t { are_triples, are_refused };
-
 /// Asks a sorted graph. SELECT, ASK and CONSTRUCT are answered. What would fetch or change something (SERVICE, FROM,
 /// LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares them. `budget`
 /// (null: no limit) counts the triples that are looked at; what rasqal computes without them, only the process limits.
 /// Beyond a limit there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS).
+/// With `find_instances` a blank node of a class expression behind rdf:type (expressions.hpp) asks for the instances
+/// that it finds, before anything is looked at; without, for the triples of such a node.
 [[nodiscard]] std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query,
                                                   const Prefixes& prefixes, Format format = Format::turtle,
                                                   const GraphLimits& limits = {}, base::Budget* budget = nullptr,
-                                                  Expressions expressions = Expressions::are_triples);
+                                                  const FindInstances& find_instances = {});
 
 }  // namespace geminga::graph
 

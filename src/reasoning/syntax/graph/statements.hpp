@@ -32,6 +32,7 @@ class Statements {
   void sort();
   /// Removes what another one has. Both must be sorted.
   void remove(const Statements& others);
+  [[nodiscard]] World& world() const { return world_; }
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   void for_each(const TripleSink& sink) const;
   [[nodiscard]] std::span<raptor_statement* const> all() const { return all_; }

@@ -1,4 +1,4 @@
-// The triples of a graph as librdf asks for them in a query, found by binary search, with each step counted.
+// The triples of a graph, found by binary search in a query, with each step counted.
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_TRIPLE_INDEX_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_TRIPLE_INDEX_HPP
 
@@ -23,8 +23,6 @@ class TripleIndex {
   /// at, and each search as one.
   TripleIndex(std::span<raptor_statement* const> sorted, const GraphLimits& limits, base::Budget* budget);
 
-  /// A storage of librdf with these triples; null if memory is short. The index must outlive it.
-  [[nodiscard]] librdf_storage* storage(World& world);
   /// The limit that ended the query; nothing while none has.
   [[nodiscard]] const std::optional<std::string>& problem() const { return problem_; }
 
@@ -33,6 +31,9 @@ class TripleIndex {
 
   /// The triples that match a pattern, in which null stands for anything; some more may be among them.
   [[nodiscard]] std::span<raptor_statement* const> candidates(const raptor_statement& pattern) const;
+  /// The same among a few triples, which are sorted as those of the index.
+  [[nodiscard]] static std::span<raptor_statement* const> candidates(std::span<raptor_statement* const> sorted,
+                                                                     const raptor_statement& pattern);
 
  private:
   std::span<raptor_statement* const> by_subject_;
@@ -44,6 +45,9 @@ class TripleIndex {
   std::uint64_t steps_ = 0;
   std::optional<std::string> problem_;
 };
+
+/// Whether a triple matches a pattern.
+[[nodiscard]] bool fits(const raptor_statement& statement, const raptor_statement& pattern);
 
 }  // namespace geminga::graph
 

@@ -74,6 +74,7 @@ TEST_F(Query, FetchesAndChangesNothing) {
        {"LOAD <http://127.0.0.1/x>", "INSERT DATA { e:a e:p e:b }", "DELETE WHERE { ?s ?p ?o }", "CLEAR ALL"})
     EXPECT_THAT(refusal(change), testing::Ne("answered")) << change;
   EXPECT_THAT(refusal("DESCRIBE e:a"), HasSubstr("write SELECT, ASK or CONSTRUCT"));
+  EXPECT_THAT(refusal("SELECT * WHERE { ?s ?p ?o MINUS { ?s ?p e:d } }"), HasSubstr("such as MINUS"));
 }
 
 TEST_F(Query, IsRefusedWhereItCannotBeRead) {
@@ -155,6 +156,75 @@ TEST_F(Query, EndsAtItsLimitOfOctets) {
   ASSERT_TRUE(answer);
   EXPECT_TRUE(answer->is_cut);
   EXPECT_EQ(answer->rows.size(), 1U);
+}
+
+/// A finder of instances that notes what it is asked for, and answers with e:a and e:c.
+struct Finder {
+  std::vector<AskedExpression> asked;
+  FindInstances find =
+      [this](const AskedExpression& expression) -> std::expected<std::vector<std::string>, std::string> {
+    asked.push_back(expression);
+    return std::vector<std::string>{"http://e/c", "http://e/a"};
+  };
+};
+
+TEST_F(Query, JoinsTheInstancesOfClassExpressionsWithTheGraph) {
+  const std::string owl = "PREFIX owl: <http://www.w3.org/2002/07/owl#> ";
+  const auto rows = [&](const std::string& pattern) {
+    Finder finder;
+    const auto answer = graph::ask(graph_, owl + "SELECT ?x WHERE { " + pattern + " }", prefixes, Format::n_triples, {},
+                                   nullptr, finder.find);
+    std::string text = answer ? "" : answer.error().text;
+    for (std::size_t at = 0; answer && at < answer->rows.size(); ++at)
+      text += answer->rows[at][0] ? answer->rows[at][0]->text.substr(9) : "-";
+    return text;
+  };
+  const std::string some = "[ a owl:Restriction ; owl:onProperty e:p ; owl:someValuesFrom [ owl:oneOf ( e:a e:b ) ] ]";
+  EXPECT_EQ(rows("?x a " + some), "ac");
+  EXPECT_EQ(rows("e:a a " + some + " . ?x rdfs:label ?l"), "abc");
+  EXPECT_EQ(rows("e:b a " + some + " . ?x rdfs:label ?l"), "");
+  EXPECT_EQ(rows("?x rdfs:label \"the c\"@en . ?x a " + some), "c");
+  EXPECT_EQ(rows("?x a " + some + " . ?x a [ owl:complementOf e:d ]"), "ac");
+  EXPECT_EQ(rows("{ ?x a [ owl:unionOf ( e:a e:b ) ] } UNION { ?x rdfs:subClassOf e:d }"), "acabc");
+  EXPECT_EQ(rows("?x rdfs:subClassOf e:d OPTIONAL { ?y a " + some + " . FILTER(?y = ?x) }"), "abc");
+  EXPECT_EQ(rows("{ SELECT ?x WHERE { ?x a " + some + " } }"), "ac");
+  EXPECT_EQ(rows("?y a " + some + " . ?z owl:onProperty ?x"), "") << "the expression is no triple of the graph";
+  EXPECT_EQ(rows("?y a " + some + " . ?y a ?x"), "");
+}
+
+TEST_F(Query, GivesAClassExpressionAsItsTriplesAlone) {
+  Finder finder;
+  const auto answer = graph::ask(
+      graph_,
+      "PREFIX owl: <http://www.w3.org/2002/07/owl#> SELECT ?x WHERE { ?x a [ a owl:Restriction ; owl:onProperty "
+      "e:p ; owl:maxCardinality 1 ] ; rdfs:label ?l }",
+      prefixes, Format::n_triples, {}, nullptr, finder.find);
+  ASSERT_TRUE(answer) << answer.error().text;
+  ASSERT_EQ(finder.asked.size(), 1U);
+  const AskedExpression& asked = finder.asked.front();
+  ASSERT_EQ(asked.triples.size(), 3U);
+  for (const auto& triple : asked.triples) EXPECT_EQ(triple.subject, asked.root);
+  EXPECT_EQ(asked.triples.back().object,
+            (Node{Node::Kind::literal, "1", "http://www.w3.org/2001/XMLSchema#integer", {}}));
+}
+
+TEST_F(Query, RefusesExpressionsThatItCannotAskFor) {
+  const auto refusal_of = [&](const std::string& pattern) {
+    Finder finder;
+    const auto answer =
+        graph::ask(graph_, "PREFIX owl: <http://www.w3.org/2002/07/owl#> SELECT * WHERE { " + pattern + " }", prefixes,
+                   Format::n_triples, {}, nullptr, finder.find);
+    return answer ? "answered" : answer.error().text;
+  };
+  EXPECT_THAT(refusal_of("?x a [ owl:onProperty ?p ; owl:someValuesFrom e:d ]"), HasSubstr("a variable stands in"));
+  EXPECT_THAT(refusal_of("?x a [ owl:onProperty e:p ; ?q e:d ]"), HasSubstr("a variable stands in"));
+  EXPECT_THAT(refusal_of("?x a _:b . _:b owl:complementOf e:d . ?y rdfs:subClassOf _:b"), HasSubstr("stand elsewhere"));
+  EXPECT_EQ(refusal_of("?x rdfs:subClassOf [ owl:complementOf e:d ]"), "answered") << "that asks for triples";
+  for (const std::size_t count : {max_expressions - 1, max_expressions, max_expressions + 1}) {
+    std::string pattern;
+    for (std::size_t at = 0; at < count; ++at) pattern += "?x a [ owl:complementOf e:d ] . ";
+    EXPECT_EQ(refusal_of(pattern) == "answered", count <= max_expressions) << count;
+  }
 }
 
 TEST(GraphLimit, OfOctetsCountsTriplesAndTheirTexts) {
