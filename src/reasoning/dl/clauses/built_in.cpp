@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view swrlb = "http://www.w3.org/2003/11/swrlb#";
 
-constexpr std::array<std::pair<std::string_view, BuiltInForm>, 38> built_ins{{
+constexpr std::array<std::pair<std::string_view, BuiltInForm>, 40> built_ins{{
     {"equal", {BuiltIn::equal, 2, 2, true}},
     {"notEqual", {BuiltIn::not_equal, 2, 2, false}},
     {"lessThan", {BuiltIn::less_than, 2, 2, false}},
@@ -49,6 +49,8 @@ constexpr std::array<std::pair<std::string_view, BuiltInForm>, 38> built_ins{{
     {"substringBefore", {BuiltIn::substring_before, 3, 3, true}},
     {"substringAfter", {BuiltIn::substring_after, 3, 3, true}},
     {"matches", {BuiltIn::matches, 2, 2, false}},
+    {"translate", {BuiltIn::translate, 4, 4, true}},
+    {"replace", {BuiltIn::replace, 4, 4, true}},
 }};
 
 static_assert([] {

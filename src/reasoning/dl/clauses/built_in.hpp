@@ -48,6 +48,8 @@ enum class BuiltIn : std::uint8_t {
   substring_before,
   substring_after,
   matches,
+  translate,
+  replace,
 };
 
 /// The arguments of a built-in.

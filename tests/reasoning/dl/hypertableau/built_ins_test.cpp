@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reasoning/dl/hypertableau/rules/patterns.hpp"
 #include "reasoning/owl/source.hpp"
 
 namespace geminga::hypertableau {
@@ -127,7 +128,7 @@ TEST(BuiltIns, LeaveOpenWhatIsTooLarge) {
          {"stringConcat", {"?", std::string(max_text_octets - 1, 'a'), "b"}, Holds::yes},
          {"stringConcat", {"?", std::string(max_text_octets, 'a'), "b"}, Holds::unknown},
          {"upperCase", {"?", "ä"}, Holds::unknown},
-         {"matches", {"a", "a"}, Holds::unknown}});
+         {"matches", {"a", "(a"}, Holds::unknown}});
 }
 
 TEST(BuiltIns, WorkWithDoublesAsTheyAre) {
@@ -168,6 +169,57 @@ TEST(BuiltIns, LookAtTextsAndMakeThem) {
          {"booleanNot", {"?", "true"}, Holds::yes, "false"},
          {"booleanNot", {"false", "true"}},
          {"booleanNot", {"?", "a"}, Holds::no}});
+}
+
+TEST(BuiltIns, MatchAndReplaceByPatternsOfXPath) {
+  // The examples of XQuery 1.0 and XPath 2.0 Functions and Operators, sections 7.6.2, 7.6.3 and 7.4.9.
+  check({{"matches", {"abracadabra", "bra"}},
+         {"matches", {"abracadabra", "^a.*a$"}},
+         {"matches", {"abracadabra", "^bra"}, Holds::no},
+         {"matches", {"a\nb", "a.b"}, Holds::no},
+         {"matches", {"a\nb", "^b"}, Holds::no},
+         {"matches", {"a\rb", "a.b"}, Holds::unknown},
+         {"matches", {"robot_12", "^[A-Za-z_]+\\d{2,3}$"}},
+         {"matches", {"\u0967", "^\\d$"}},
+         {"matches", {"é", "^\\w$"}},
+         {"matches", {"a-b", "^[\\w-]+$"}},
+         {"matches", {"a b", "\\S\\s\\S"}},
+         {"matches", {"Ab", "^\\p{Lu}\\P{Lu}$"}},
+         {"matches", {"", ""}},
+         {"matches", {"abc", "(?:b|x)c"}},
+         {"replace", {"?", "abracadabra", "bra", "*"}, Holds::yes, "a*cada*"},
+         {"replace", {"?", "abracadabra", "a.*a", "*"}, Holds::yes, "*"},
+         {"replace", {"?", "abracadabra", "a.*?a", "*"}, Holds::yes, "*c*bra"},
+         {"replace", {"?", "abracadabra", "a(.)", "a$1$1"}, Holds::yes, "abbraccaddabbra"},
+         {"replace", {"?", "AAAA", "A+?", "b"}, Holds::yes, "bbbb"},
+         {"replace", {"?", "abc", "b", "\\$$0\\\\"}, Holds::yes, "a$b\\c"},
+         {"replace", {"?", "abc", "(x)|b", "[$1]"}, Holds::yes, "a[]c"},
+         {"replace", {"?", "abc", "x*", "-"}, Holds::unknown},
+         {"replace", {"?", "abc", "b", "$"}, Holds::unknown},
+         {"replace", {"abc", "abd", "d", "c"}},
+         {"translate", {"?", "bar", "abc", "ABC"}, Holds::yes, "BAr"},
+         {"translate", {"?", "--aaa--", "abc-", "ABC"}, Holds::yes, "AAA"},
+         {"translate", {"?", "abcdabc", "abc", "äB"}, Holds::yes, "äBdäB"}});
+  // Patterns that RE2 has not, or means otherwise.
+  for (const char* pattern : {"(a)\\1",      "[a-z-[aeiou]]",
+                              "\\i",         "\\p{IsBasicLatin}",
+                              "\\p{Cn}",     "\\p{Greek}",
+                              "a**",         "a{,3}",
+                              "*a",          "a)",
+                              "(a",          "]",
+                              "[]",          "[^]",
+                              "[a",          "{",
+                              "(?i)a",       "\\bA",
+                              "\\x41",       "\\Qa",
+                              "[[:alpha:]]", "[a-c-e]",
+                              "[\\d-z]",     "[z-a]",
+                              "[\\W]",       "a{1001}",
+                              "^*",          "\\"})
+    check({{"matches", {"a", pattern}, Holds::unknown}});
+  for (const std::size_t size : {max_pattern_octets - 1, max_pattern_octets, max_pattern_octets + 1}) {
+    const std::string pattern(size, 'a');
+    check({{"matches", {pattern, pattern}, size <= max_pattern_octets ? Holds::yes : Holds::unknown}});
+  }
 }
 
 TEST(BuiltIns, WithOtherNamesAreNotKnown) {

@@ -2,12 +2,15 @@
 #include "reasoning/dl/hypertableau/rules/texts.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "reasoning/dl/hypertableau/rules/patterns.hpp"
 
 namespace geminga::hypertableau {
 namespace {
@@ -47,6 +50,13 @@ std::optional<Number> rounded(const Value& value) {
   return result.value->position;
 }
 
+/// The octets of the character that begins here.
+std::string_view character_at(std::string_view text, std::size_t at) {
+  std::size_t next = at + 1;
+  while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0U) == 0x80U) ++next;
+  return text.substr(at, next - at);
+}
+
 /// The characters whose position p, from 1, has  start <= p < start + length.
 Computed substring(std::span<const Value> operands) {
   const std::string_view text = text_of(operands[0]);
@@ -61,11 +71,10 @@ Computed substring(std::span<const Value> operands) {
   std::string result;
   std::size_t position = 0;
   for (std::size_t at = 0; at < text.size();) {
-    std::size_t next = at + 1;
-    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0U) == 0x80U) ++next;
+    const std::string_view character = character_at(text, at);
     ++position;
-    if (*start <= position && (!end || position < *end)) result += text.substr(at, next - at);
-    at = next;
+    if (*start <= position && (!end || position < *end)) result += character;
+    at += character.size();
   }
   return text_value(result);
 }
@@ -78,6 +87,30 @@ std::string without_surplus_space(std::string_view text) {
     result += is_space ? ' ' : c;
   }
   if (result.ends_with(' ')) result.pop_back();
+  return result;
+}
+
+std::vector<std::string_view> characters_of(std::string_view text) {
+  std::vector<std::string_view> characters;
+  for (std::size_t at = 0; at < text.size(); at += characters.back().size())
+    characters.push_back(character_at(text, at));
+  return characters;
+}
+
+/// Each character that is in `from` becomes the one at its first place there in `to`, or goes where `to` is shorter.
+std::string translated(std::string_view text, std::string_view from, std::string_view to) {
+  const auto targets = characters_of(to);
+  std::map<std::string_view, std::string_view> become;
+  std::size_t place = 0;
+  for (const std::string_view character : characters_of(from)) {
+    become.try_emplace(character, place < targets.size() ? targets[place] : std::string_view());
+    ++place;
+  }
+  std::string result;
+  for (const std::string_view character : characters_of(text)) {
+    const auto found = become.find(character);
+    result += found == become.end() ? character : found->second;
+  }
   return result;
 }
 
@@ -122,6 +155,14 @@ Computed make_text(BuiltIn built_in, std::span<const Value> operands) {
         return text_value(at == std::string_view::npos ? std::string_view() : text.substr(0, at));
       return text_value(at == std::string_view::npos ? std::string_view() : text.substr(at + part.size()));
     }
+    case BuiltIn::translate:
+      if (!is_text(operands[1]) || !is_text(operands[2])) return {};
+      return text_value(translated(text, text_of(operands[1]), text_of(operands[2])));
+    case BuiltIn::replace: {
+      if (!is_text(operands[1]) || !is_text(operands[2])) return {};
+      const auto result = replaced(text, text_of(operands[1]), text_of(operands[2]), max_text_octets);
+      return result ? text_value(*result) : Computed{Holds::unknown, std::nullopt};
+    }
     default:
       return {};
   }
@@ -148,6 +189,10 @@ Holds compare_texts(BuiltIn built_in, const Value& first, const Value& second) {
       if (text.find(part) != std::string_view::npos) return Holds::yes;
       if (!is_ascii(text) || !is_ascii(part)) return Holds::unknown;
       return answer(base::in_lower_case(text).find(base::in_lower_case(part)) != std::string::npos);
+    case BuiltIn::matches: {
+      const auto is_match = has_match(text, part);
+      return is_match ? answer(*is_match) : Holds::unknown;
+    }
     default:
       return Holds::unknown;
   }

@@ -18,7 +18,8 @@
 // different datatype. We make no terms ourselves, and one URI a piece.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
-  return "leak:raptor_new_term\nleak:raptor_new_uri_from_counted_string\n";
+  return "leak:raptor_new_term\nleak:raptor_new_uri_from_counted_string\nleak:rasqal_world_default_generate_bnodeid_"
+         "handler\n";
 }
 #endif
 
