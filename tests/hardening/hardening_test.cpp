@@ -103,7 +103,7 @@ TEST(HardeningOfAll, IsReadFromEveryProgramAndTheLibrary) {
   std::vector<std::string> names;
   for (const std::string& path : linked_files()) names.push_back(std::filesystem::path(path).filename().string());
   for (const char* name : {"gemingad", "geminga-ontology", "geminga-publish", "geminga-query", "geminga-subscribe",
-                           "geminga-unseal", "geminga-web", "libgeminga.so.1.0.0"})
+                           "geminga-unseal", "geminga-web", "geminga-bridge", "libgeminga.so.1.0.0"})
     EXPECT_THAT(names, Contains(name));
 }
 

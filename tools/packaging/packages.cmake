@@ -95,10 +95,28 @@ in_package(geminga-web ${CMAKE_INSTALL_DATADIR}/doc/geminga-web/examples ${PROJE
            ${PROJECT_SOURCE_DIR}/examples/monitoring/geminga.rules.yml ${PROJECT_SOURCE_DIR}/examples/monitoring/geminga.rules_test.yml
            ${PROJECT_SOURCE_DIR}/examples/monitoring/README.md)
 
+geminga_package(geminga-bridge
+  SUMMARY "bridges between a robot team and the services of others"
+  DESCRIPTION "geminga-bridge KIND starts the bridge of a kind, which is in the package
+geminga-bridge-KIND."
+  SECTION net
+  RECOMMENDS "geminga (= ${PROJECT_VERSION})"
+  SUGGESTS "geminga-bridge-dns-sd")
+
+if(TARGET geminga-bridge-dns-sd)
+  geminga_package(geminga-bridge-dns-sd
+    SUMMARY "bridge between a robot team and DNS-SD"
+    DESCRIPTION "Announces the services of a team by DNS-SD, with concept and
+representation in the TXT record, and states what printers, cameras and
+computers announce as services of the team. It goes through avahi-daemon."
+    SECTION net
+    DEPENDS "geminga-bridge (= ${PROJECT_VERSION}), avahi-daemon")
+endif()
+
 geminga_package(geminga-ontologies ALL
   SUMMARY "ontologies for robot teams"
-  DESCRIPTION "The words for services that Geminga ships: the core, a robot soccer team
-and a rescue team, in Turtle."
+  DESCRIPTION "The words for services that Geminga ships: the core, a robot soccer team,
+a rescue team, and what others offer by DNS-SD, in Turtle."
   SECTION science)
 
 geminga_package(libgeminga1
@@ -143,7 +161,8 @@ and send and receive messages."
 # The targets that packages hold.
 get_property(manuals GLOBAL PROPERTY geminga_manuals)
 add_custom_target(packaged)
-foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-web geminga-dissector ${manuals} geminga client_java)
+foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-web geminga-bridge geminga-bridge-dns-sd
+        geminga-dissector ${manuals} geminga client_java)
   if(TARGET ${target})
     add_dependencies(packaged ${target})
   endif()

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -24,10 +23,18 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 
-constexpr std::array programs{"gemingad",          "geminga-ontology", "geminga-query", "geminga-publish",
-                              "geminga-subscribe", "geminga-unseal",   "geminga-web"};
-
 fs::path made(const std::string& file) { return fs::path(GEMINGA_BINARY_DIR) / "manual" / file; }
+
+/// All that are installed; a kind of bridge where its library is.
+const std::vector<std::string> programs = [] {
+  std::vector<std::string> all{"gemingad",          "geminga-ontology", "geminga-query", "geminga-publish",
+                               "geminga-subscribe", "geminga-unseal",   "geminga-web",   "geminga-bridge"};
+  for (const char* kind : {"geminga-bridge-dns-sd"}) {
+    if (fs::exists(made(std::string(kind) + ".1"))) all.emplace_back(kind);
+  }
+  return all;
+}();
+
 fs::path page_of(const std::string& program) { return made(program + (program == "gemingad" ? ".8" : ".1")); }
 
 std::string text_of(const fs::path& file) {
@@ -89,7 +96,7 @@ std::optional<std::string> said_by(std::vector<std::string> words) {
 }
 
 TEST(ManualOfThePrograms, HasEveryFlagOfTheHelp) {
-  for (const std::string program : programs) {
+  for (const std::string& program : programs) {
     const std::string page = text_of(page_of(program));
     const std::string zsh = text_of(made('_' + program));
     std::vector<std::string> commands = commands_of(help(program));
@@ -115,7 +122,7 @@ TEST(ManualOfThePrograms, HasEveryFlagOfTheHelp) {
 }
 
 TEST(ManualOfThePrograms, HasItsExamplesAndExitStatuses) {
-  for (const std::string program : programs) {
+  for (const std::string& program : programs) {
     const std::string page = text_of(page_of(program));
     EXPECT_THAT(page, HasSubstr(".SH EXAMPLES\n.EX\n  " + in_roff(program) + ' ')) << program;
     EXPECT_TRUE(page.contains(".SH EXIT STATUS\n") || page.contains("status 0")) << program;
@@ -135,7 +142,7 @@ TEST(ManualOfThePrograms, CompletesValuesInBash) {
 }
 
 TEST(ManualOfThePrograms, IsTakenByMandocAndGroffWithoutAWord) {
-  for (const std::string program : programs) {
+  for (const std::string& program : programs) {
     const std::string page = page_of(program).string();
     const auto mandoc = said_by({"/usr/bin/mandoc", "-T", "lint", "-W", "warning", page});
     const auto groff = said_by({"/usr/bin/groff", "-man", "-ww", "-Tutf8", "-z", page});
@@ -146,7 +153,7 @@ TEST(ManualOfThePrograms, IsTakenByMandocAndGroffWithoutAWord) {
 }
 
 TEST(ManualOfThePrograms, IsTakenByBashAndZsh) {
-  for (const std::string program : programs) {
+  for (const std::string& program : programs) {
     EXPECT_EQ(said_by({"/bin/bash", "-n", made(program + ".bash").string()}).value_or("no bash"), "") << program;
     const auto zsh = said_by({"/usr/bin/zsh", "-n", made('_' + program).string()});
     EXPECT_THAT(zsh.value_or(""), IsEmpty()) << program;

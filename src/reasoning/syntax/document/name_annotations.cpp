@@ -1,6 +1,7 @@
 #include "reasoning/syntax/document/name_annotations.hpp"
 
 #include "reasoning/owl/conversion.hpp"
+#include "reasoning/owl/outside_names.hpp"
 #include "reasoning/owl/unit.hpp"
 
 namespace geminga::document {
@@ -10,7 +11,7 @@ using Form = AnnotationValue::Form;
 
 bool is_label(std::string_view property) {
   return property == "http://www.w3.org/2000/01/rdf-schema#label" ||
-         property == "http://www.w3.org/2004/02/skos/core#prefLabel";
+         property == "http://www.w3.org/2004/02/skos/core#prefLabel" || owl::is_outside_name(property);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The annotations of names that mean something here: labels, conversions with their costs, and statements of units.
+// The annotations of names that mean something here: labels and names from outside, conversions with their costs, and
+// statements of units.
 #ifndef GEMINGA_REASONING_SYNTAX_DOCUMENT_NAME_ANNOTATIONS_HPP
 #define GEMINGA_REASONING_SYNTAX_DOCUMENT_NAME_ANNOTATIONS_HPP
 

@@ -176,10 +176,12 @@ TEST(Document, CollectsLabels) {
       "AnnotationAssertion(rdfs:label :A \"ball\")\nAnnotationAssertion(skos:prefLabel :A \"Ball\"@de-CH)\n"
       "AnnotationAssertion(Annotation(rdfs:label \"no\") rdfs:label <http://e/B> \"an \\\"x\\\" \\\\\"^^xsd:string)\n"
       "AnnotationAssertion(rdfs:comment :A \"no\")\nAnnotationAssertion(rdfs:label _:b \"no\")\n"
+      "AnnotationAssertion(<https://geminga.example/core#dnsServiceType> :B \"_b._tcp\")\n"
       "AnnotationAssertion(rdfs:label :A :B)\nSubClassOf(Annotation(rdfs:label \"no\") :A :B))");
   ASSERT_EQ(reading.error, "");
-  EXPECT_THAT(reading.labels(), ElementsAre("http://e/A ball", "http://e/A Ball@de-ch", "http://e/B an \"x\" \\"));
-  EXPECT_EQ(reading.document.annotations, 9U);
+  EXPECT_THAT(reading.labels(), ElementsAre("http://e/A ball", "http://e/A Ball@de-ch", "http://e/B an \"x\" \\",
+                                            "http://e/B _b._tcp"));
+  EXPECT_EQ(reading.document.annotations, 10U);
   EXPECT_EQ(reading.document.axioms, 1U);
 }
 

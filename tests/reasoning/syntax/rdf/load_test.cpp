@@ -125,6 +125,7 @@ TEST(Labels, OfClassesAreKeptWithTheirLanguage) {
   const auto loaded = load_text("a.ttl", std::string(turtle_prefixes) +
                                              ":A a owl:Class ; rdfs:label \"Ball\"@en, \"Kugel\"@de ; "
                                              "<http://www.w3.org/2004/02/skos/core#prefLabel> \"ball\" .\n"
+                                             ":A <https://geminga.example/core#messageType> \"b/msg/Ball\" .\n"
                                              ":B rdfs:subClassOf :A ; rdfs:label \"undeclared\" .\n"
                                              ":i a :A ; rdfs:label \"an individual\" .\n");
   ASSERT_TRUE(loaded) << to_string(loaded.error());
@@ -134,7 +135,7 @@ TEST(Labels, OfClassesAreKeptWithTheirLanguage) {
                      std::string(loaded->source.name(label.text)) + '@' +
                      std::string(loaded->source.name(label.language)));
   EXPECT_THAT(labels, testing::UnorderedElementsAre("http://e/A Ball@en", "http://e/A Kugel@de", "http://e/A ball@",
-                                                    "http://e/B undeclared@"));
+                                                    "http://e/A b/msg/Ball@", "http://e/B undeclared@"));
 }
 
 TEST(Conversions, AreReadWithTheCostsOfTheirAnnotations) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "reasoning/owl/outside_names.hpp"
 #include "reasoning/owl/unit.hpp"
 #include "reasoning/syntax/rdf/mapping/annotation_mapper.hpp"
 #include "reasoning/syntax/rdf/mapping/axiom_mapper.hpp"
@@ -27,7 +28,8 @@ void add_labels(const NodeTypes& types, const ExpressionMapper& expressions, con
     for (const std::uint32_t about : graph.about(node)) {
       const Triple& triple = graph.triple(about);
       const Word predicate = word_of(triple.predicate);
-      if (predicate != Word::rdfs_label && predicate != Word::skos_pref_label) continue;
+      const bool is_label = predicate == Word::rdfs_label || predicate == Word::skos_pref_label;
+      if (!is_label && !owl::is_outside_name(graph.text(triple.predicate))) continue;
       const Node label = graph.node(triple.object);
       if (label.kind != NodeKind::literal) continue;
       ontology.add_label(graph.text(node), label.text,
