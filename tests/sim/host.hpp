@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ class Host final : public env::Env {
   bool hears_strangers_alone = false;
   /// Whether multicasts of others reach it.
   bool hears_multicasts = true;
+  /// The names of hosts whose multicasts do not reach it.
+  std::set<std::string> multicasts_kept_from;
   /// Whether datagrams to it alone reach it. Hosts that it wishes to answer are sent copies then.
   bool hears_datagrams_alone = false;
   /// Whether they come from hosts that are named by --peer.

@@ -121,6 +121,7 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
   for (const auto& receiver : hosts_) {
     const bool is_sender = receiver.get() == &sender;
     if (!is_sender && !(is_reached(sender, *receiver) && receiver->hears_multicasts)) continue;
+    if (receiver->multicasts_kept_from.contains(sender.name())) continue;
     for (const Host::Port& to : receiver->ports()) {
       if (to.segment != from->segment) continue;
       if (!is_sender && random_.chance(air.loss)) continue;

@@ -5,11 +5,10 @@
 #include <set>
 
 #include "doctor/checks.hpp"
+#include "doctor/listening.hpp"
 
 namespace geminga::doctor {
 namespace {
-
-constexpr std::uint16_t usual_port = 4717;
 
 std::uint16_t port_of(const Answers& answers) {
   const double port = number(answers.status["port"]);
@@ -47,7 +46,11 @@ std::string list_command(const std::string& rule) {
 
 }  // namespace
 
-Findings check_firewall(const Host& host, const Answers& answers, IsRefused is_refused) {
+Habits habits_of(const Answers& answers) {
+  return {.port = port_of(answers), .groups = parts_of(answers.status["multicast"])};
+}
+
+Findings check_firewall(const Host& host, const Answers& answers, TryToSend try_to_send) {
   Findings findings;
   const std::uint16_t port = port_of(answers);
   const std::string word = "UDP port " + std::to_string(port);
@@ -58,11 +61,14 @@ Findings check_firewall(const Host& host, const Answers& answers, IsRefused is_r
     std::string rule_out;
     std::string rule_in;
     bool refuses = false;
+    bool has_route = true;
     for (const std::string& group : groups_on(interface, answers)) {
       const Crossing out{.way = Way::out, .interface = name, .group = group, .port = port};
       Crossing in = out;
       in.way = Way::in;
-      refuses = refuses || is_refused(out);
+      const Sending sending = try_to_send(out);
+      refuses = refuses || sending == Sending::refused;
+      has_route = has_route && sending != Sending::no_route;
       if (rule_out.empty()) rule_out = dropping_rule(host, out);
       if (rule_in.empty()) rule_in = dropping_rule(host, in);
     }
@@ -74,7 +80,7 @@ Findings check_firewall(const Host& host, const Answers& answers, IsRefused is_r
            list_command(rule_out)});
     }
     // A datagram that does not go out does not come back either.
-    const bool is_quiet = !refuses && rule_out.empty() && number(interface["quiet"]) > patience;
+    const bool is_quiet = !refuses && has_route && rule_out.empty() && number(interface["quiet"]) > patience;
     if (is_quiet || !rule_in.empty()) {
       const std::string quiet = "for " + std::string(interface["quiet"]) +
                                 " s nothing came in, not even this host's own multicasts (interfaces: quiet)";
@@ -82,6 +88,30 @@ Findings check_firewall(const Host& host, const Answers& answers, IsRefused is_r
                           "Something on this host, most likely its firewall, drops the announcements that come in on " +
                               name + ": it hears nobody.",
                           and_also(is_quiet ? quiet : "", rule_in), "Let " + word + " in.", list_command(rule_in)});
+    }
+  }
+  return findings;
+}
+
+Findings check_multicast_routes(const Answers& answers, TryToSend try_to_send) {
+  Findings findings;
+  const std::uint16_t port = port_of(answers);
+  for (const Record& interface : answers.interfaces) {
+    const std::string name(interface["name"]);
+    if (interface["ignored"] == "1") continue;
+    const std::vector<std::string> addresses = parts_of(interface["addresses"]);
+    for (const std::string& group : parts_of(answers.status["multicast"])) {
+      const auto same = [&](const std::string& one) { return is_ipv6(one) == is_ipv6(group); };
+      const Crossing out{.way = Way::out, .interface = name, .group = group, .port = port};
+      if (std::ranges::none_of(addresses, same) || try_to_send(out) != Sending::no_route) continue;
+      const std::string family = is_ipv6(group) ? "-6 " : "";
+      findings.push_back(
+          {std::ranges::all_of(addresses, same) ? Severity::failure : Severity::risk, "no_multicast_route",
+           "This host has no route to the group " + group + " on " + name +
+               ": nobody hears it there by that family of IP.",
+           "the kernel says so when a datagram is sent there", "Give the interface its route for multicast back.",
+           "ip " + family + "route add multicast " + (is_ipv6(group) ? "ff00::/8" : "224.0.0.0/4") + " dev " + name +
+               (is_ipv6(group) ? " table local" : "")});
     }
   }
   return findings;

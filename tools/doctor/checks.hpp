@@ -38,12 +38,15 @@ inline constexpr std::size_t least_team = 2;
 [[nodiscard]] Findings check_daemon(const Host& host, const Answers& answers, std::string_view version);
 
 /// The outcome of the experiments with what goes out.
-using IsRefused = bool (*)(const Crossing&);
+using TryToSend = Sending (*)(const Crossing&);
 /// Looks for what keeps announcements from coming in or going out, by the firewall's own list and by experiment.
-[[nodiscard]] Findings check_firewall(const Host& host, const Answers& answers, IsRefused is_refused);
+[[nodiscard]] Findings check_firewall(const Host& host, const Answers& answers, TryToSend try_to_send);
+/// Interfaces on which the kernel has no route to a group of a family that they have addresses of.
+[[nodiscard]] Findings check_multicast_routes(const Answers& answers, TryToSend try_to_send);
 
 /// Loss, hosts that do not hear us, keys, digests, and strangers on the link.
-[[nodiscard]] Findings check_team(const Answers& answers);
+/// `hears_all`: every port and group was listened to (overhears_all()).
+[[nodiscard]] Findings check_team(const Answers& answers, bool hears_all);
 /// Addresses at which services are announced, and to which no route leads.
 [[nodiscard]] Findings check_addresses(const Host& host, const Answers& answers, bool (*has_route)(const std::string&));
 /// Announcements that the daemon does not take: another port, another multicast group, the other family.
@@ -59,6 +62,8 @@ void sort_by_severity(Findings& findings);
 
 /// A number of an answer; 0 where it is none.
 [[nodiscard]] double number(std::string_view text);
+/// How the daemon speaks.
+[[nodiscard]] Habits habits_of(const Answers& answers);
 /// The parts of a list between commas.
 [[nodiscard]] std::vector<std::string> parts_of(std::string_view list);
 /// `robot2 (1f151dd5)`

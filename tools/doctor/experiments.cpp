@@ -49,12 +49,12 @@ bool set_int(int socket, int level, int option, int value) {
 
 }  // namespace
 
-bool is_refused(const Crossing& out) {
+Sending try_to_send(const Crossing& out) {
   const unsigned index = ::if_nametoindex(out.interface.c_str());
   const Target target(out.group, out.port, index);
-  if (index == 0 || target.size == 0) return false;
+  if (index == 0 || target.size == 0) return Sending::leaves;
   const Descriptor socket(out.is_ipv6() ? AF_INET6 : AF_INET);
-  if (socket.number < 0) return false;
+  if (socket.number < 0) return Sending::leaves;
   bool is_aimed = false;
   if (out.is_ipv6()) {
     is_aimed = set_int(socket.number, IPPROTO_IPV6, IPV6_MULTICAST_IF, static_cast<int>(index)) &&
@@ -67,9 +67,13 @@ bool is_refused(const Crossing& out) {
                set_int(socket.number, IPPROTO_IP, IP_MULTICAST_TTL, 0) &&
                set_int(socket.number, IPPROTO_IP, IP_MULTICAST_LOOP, 0);
   }
-  if (!is_aimed) return false;
+  if (!is_aimed) return Sending::leaves;
   const bool is_sent = ::sendto(socket.number, "", 0, MSG_DONTWAIT | MSG_NOSIGNAL, target.get(), target.size) >= 0;
-  return !is_sent && errno == EPERM;  // netfilter's word for a datagram that a rule drops
+  if (is_sent) return Sending::leaves;
+  if (errno == EPERM) return Sending::refused;  // netfilter's word for a datagram that a rule drops
+  // The words for no route, and for a route or a policy of `unreachable`, `prohibit` and `blackhole`.
+  const bool has_no_route = errno == ENETUNREACH || errno == EHOSTUNREACH || errno == EACCES || errno == EINVAL;
+  return has_no_route ? Sending::no_route : Sending::leaves;
 }
 
 bool has_route(const std::string& address) {

@@ -8,9 +8,10 @@
 
 namespace geminga::doctor {
 
-/// Whether the host's firewall refuses a datagram to a group. The datagram has a time to live of 0 and no copy for this
-/// host: it passes the rules for what goes out, and nobody gets it.
-[[nodiscard]] bool is_refused(const Crossing& out);
+/// Sends a datagram to a group, and tells what the kernel does with it. The datagram has a time to live of 0 and no
+/// copy for this host: it passes routes and rules for what goes out, and nobody gets it. `leaves` where that cannot be
+/// tried.
+[[nodiscard]] Sending try_to_send(const Crossing& out);
 
 /// Whether the kernel has a route to a numeric address. True for what is no address.
 [[nodiscard]] bool has_route(const std::string& address);

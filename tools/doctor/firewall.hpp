@@ -20,6 +20,13 @@ struct Crossing {
   [[nodiscard]] bool is_ipv6() const { return group.find(':') != std::string::npos; }
 };
 
+/// The way of such a datagram that goes out.
+enum class Sending : std::uint8_t {
+  leaves,
+  refused,   ///< by a rule of the firewall
+  no_route,  ///< it has no route to the group on that interface
+};
+
 /// The judgement of the rules about it.
 struct Passage {
   enum class Verdict : std::uint8_t {

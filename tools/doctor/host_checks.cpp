@@ -135,9 +135,10 @@ void drop_consequences(Findings& findings) {
   };
   const Consequence consequences[] = {
       {"alone",
-       {"firewall_in", "firewall_out", "no_interface", "nowhere_heard", "mtu_small", "other_group", "unsealed_heard",
-        "other_key", "key_missing", "other_version", "off_link", "other_port", "other_multicast", "one_family"}},
-      {"deaf_to_us", {"firewall_out"}},
+       {"firewall_in", "firewall_out", "no_multicast_route", "no_interface", "nowhere_heard", "mtu_small",
+        "other_group", "unsealed_heard", "other_key", "key_missing", "other_version", "off_link", "other_port",
+        "other_multicast", "one_family"}},
+      {"deaf_to_us", {"firewall_out", "no_multicast_route"}},
       {"nowhere_heard", {"no_interface"}},
       {"ontologies_differ", {"two_teams"}},
       {"other_key", {"key_missing"}},

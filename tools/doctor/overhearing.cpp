@@ -5,36 +5,18 @@
 #include <net/if.h>
 #include <netinet/in.h>
 #include <netpacket/packet.h>
-#include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <set>
+
+#include "doctor/listening.hpp"
 
 namespace geminga::doctor {
 namespace {
-
-constexpr const char* usual_group_v4 = "239.192.47.17";
-constexpr const char* usual_group_v6 = "ff02::4717";
-
-/// Descriptors that are closed at the end.
-struct Sockets {
-  std::vector<int> numbers;
-  Sockets() = default;
-  ~Sockets() {
-    for (const int number : numbers) ::close(number);
-  }
-  Sockets(const Sockets&) = delete;
-  Sockets& operator=(const Sockets&) = delete;
-  int open(int family, int type, int protocol) {
-    const int number = ::socket(family, type | SOCK_CLOEXEC | SOCK_NONBLOCK, protocol);
-    if (number >= 0) numbers.push_back(number);
-    return number;
-  }
-};
 
 void join_usual_groups(Sockets& sockets, unsigned index) {
   ip_mreqn v4{};
@@ -58,7 +40,8 @@ std::string text_of(int family, const unsigned char* address) {
   return ::inet_ntop(family, address, text.data(), text.size()) == nullptr ? "" : text.data();
 }
 
-/// Whether the octets begin as an announcement does (ANNOUNCEMENT.md, "Worked example"; SEALING.md, "The datagram").
+}  // namespace
+
 bool read_announcement(std::span<const unsigned char> octets, std::string& participant) {
   constexpr std::array<unsigned char, 5> format{0x0d, 0x47, 0x4d, 0x4e, 0x01};
   participant.clear();
@@ -71,8 +54,6 @@ bool read_announcement(std::span<const unsigned char> octets, std::string& parti
   }
   return true;
 }
-
-}  // namespace
 
 bool read_packet(std::span<const unsigned char> packet, bool is_ipv6, Overheard& into) {
   constexpr unsigned char udp = 17;
@@ -94,48 +75,45 @@ bool read_packet(std::span<const unsigned char> packet, bool is_ipv6, Overheard&
   return read_announcement(packet.subspan(header + udp_header), into.participant);
 }
 
-std::vector<Overheard> overhear(const std::vector<std::string>& interfaces, std::chrono::milliseconds time) {
+bool overhears_all() {
+  Sockets sockets;
+  return sockets.open(AF_PACKET, SOCK_DGRAM, htons(ETH_P_IP)) >= 0;
+}
+
+std::vector<Overheard> overhear(const std::vector<std::string>& interfaces, const Habits& ours,
+                                std::chrono::milliseconds time) {
+  if (!overhears_all()) return overhear_neighbouring(interfaces, ours, time);
   struct Ear {
     std::string interface;
     bool is_ipv6 = false;
   };
   Sockets sockets;
-  std::vector<Ear> ears;
-  std::vector<pollfd> waiting;
+  std::map<int, Ear> ears;  // by descriptor
   for (const std::string& interface : interfaces) {
     const unsigned index = ::if_nametoindex(interface.c_str());
     if (index == 0) continue;
     for (const int protocol : {ETH_P_IP, ETH_P_IPV6}) {
       const int socket = sockets.open(AF_PACKET, SOCK_DGRAM, htons(static_cast<std::uint16_t>(protocol)));
-      if (socket < 0) return {};
       sockaddr_ll place{};
       place.sll_family = AF_PACKET;
       place.sll_protocol = htons(static_cast<std::uint16_t>(protocol));
       place.sll_ifindex = static_cast<int>(index);
-      if (::bind(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0) continue;
-      waiting.push_back({.fd = socket, .events = POLLIN, .revents = 0});
-      ears.push_back({interface, protocol == ETH_P_IPV6});
+      if (socket < 0 || ::bind(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0) continue;
+      ears[socket] = {interface, protocol == ETH_P_IPV6};
     }
     join_usual_groups(sockets, index);
   }
   std::set<Overheard> heard;
   std::array<unsigned char, 2048> packet{};
-  const auto end = std::chrono::steady_clock::now() + time;
-  for (;;) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
-    if (left <= 0 || waiting.empty()) break;
-    if (::poll(waiting.data(), waiting.size(), static_cast<int>(left)) <= 0) continue;
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-      if (waiting[i].revents == 0) continue;
-      const ssize_t size = ::recv(waiting[i].fd, packet.data(), packet.size(), MSG_DONTWAIT);
-      if (size <= 0) continue;
-      Overheard one;
-      one.interface = ears[i].interface;
-      if (!read_packet(std::span(packet).first(static_cast<std::size_t>(size)), ears[i].is_ipv6, one)) continue;
-      if (heard.size() < max_overheard) heard.insert(std::move(one));
-    }
-  }
+  listen(sockets, time, [&](int socket) {
+    const ssize_t size = ::recv(socket, packet.data(), packet.size(), MSG_DONTWAIT);
+    const auto ear = ears.find(socket);
+    if (size <= 0 || ear == ears.end()) return;
+    Overheard one;
+    one.interface = ear->second.interface;
+    if (!read_packet(std::span(packet).first(static_cast<std::size_t>(size)), ear->second.is_ipv6, one)) return;
+    if (heard.size() < max_overheard) heard.insert(std::move(one));
+  });
   return {heard.begin(), heard.end()};
 }
 

@@ -22,6 +22,17 @@ struct Overheard {
   [[nodiscard]] bool is_ipv6() const { return source.find(':') != std::string::npos; }
 };
 
+/// How the own daemon speaks.
+struct Habits {
+  std::uint16_t port = 0;
+  std::vector<std::string> groups;
+};
+
+/// Where announcements are listened for without a right: so many ports and groups to both sides of ours and of the
+/// usual ones (4717, 239.192.47.17, ff02::4717).
+inline constexpr int neighbouring_ports = 8;
+inline constexpr int neighbouring_groups = 4;
+
 /// The most senders that are told apart.
 inline constexpr std::size_t max_overheard = 64;
 
@@ -29,10 +40,18 @@ inline constexpr std::size_t max_overheard = 64;
 /// not for a group. Takes bytes from anywhere.
 [[nodiscard]] bool read_packet(std::span<const unsigned char> packet, bool is_ipv6, Overheard& into);
 
-/// Listens to whole packets for so long, which needs the capability CAP_NET_RAW; without it, gives nothing at once.
-/// Joins the usual groups meanwhile, so that a switch sends them here. Sorted, each sender once.
-[[nodiscard]] std::vector<Overheard> overhear(const std::vector<std::string>& interfaces,
+/// Whether octets begin as an announcement does (ANNOUNCEMENT.md, "Worked example"; SEALING.md, "The datagram").
+/// `participant` as in Overheard. Takes bytes from anywhere.
+[[nodiscard]] bool read_announcement(std::span<const unsigned char> octets, std::string& participant);
+
+/// Listens for so long. With the capability CAP_NET_RAW it hears whole packets, and so every port and group, and joins
+/// the usual groups meanwhile, so that a switch sends them here. Without it, it hears neighbouring ports and groups
+/// (see above), and a family of IP only where the interface has an address of it. Sorted, each sender once.
+[[nodiscard]] std::vector<Overheard> overhear(const std::vector<std::string>& interfaces, const Habits& ours,
                                               std::chrono::milliseconds time);
+
+/// Whether this process hears every port and group.
+[[nodiscard]] bool overhears_all();
 
 }  // namespace geminga::doctor
 

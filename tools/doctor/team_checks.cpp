@@ -110,7 +110,7 @@ void check_digests(const Answers& answers, Findings& findings) {
 
 }  // namespace
 
-Findings check_team(const Answers& answers) {
+Findings check_team(const Answers& answers, bool hears_all) {
   Findings findings;
   std::size_t others = 0;
   for (const Record& participant : answers.participants) {
@@ -120,7 +120,8 @@ Findings check_team(const Answers& answers) {
   }
   if (others == 0 && !answers.interfaces.empty() && number(answers.status["uptime"]) > time_to_hear) {
     findings.push_back({Severity::risk, "alone", "No other participant is heard.",
-                        "participants: this host only, for " + std::string(answers.status["uptime"]) + " s",
+                        "participants: this host only, for " + std::string(answers.status["uptime"]) + " s" +
+                            (hears_all ? "" : "; without root only ports and groups near the usual ones were heard"),
                         "If others should be: are they on this link, with the same group, port and key? Wi-Fi, the "
                         "bridges of Docker and "
                         "WSL often drop multicast; a firewall may drop UDP port 4717. Naming a host shows which it is.",

@@ -1,16 +1,11 @@
 // geminga-query doctor: looks for the usual causes of silence on this host, in the team, and in what is asked for.
-#include <algorithm>
 #include <boost/json/object.hpp>
-#include <chrono>
-#include <cmath>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 
-#include "doctor/checks.hpp"
-#include "doctor/experiments.hpp"
+#include "doctor/examination.hpp"
 #include "doctor/other_view.hpp"
 #include "doctor/report.hpp"
 #include "query/command.hpp"
@@ -75,18 +70,6 @@ struct Wishes {
   std::string with;
 };
 
-/// Listens to the link for a little longer than an interval, in which each neighbour speaks once without loss.
-std::vector<doctor::Overheard> overhear(const Answers& answers) {
-  constexpr double intervals = 1.25;
-  constexpr double longest = 5;
-  std::vector<std::string> interfaces;
-  for (const Record& one : answers.interfaces) {
-    if (one["loopback"] == "0") interfaces.emplace_back(one["name"]);
-  }
-  const double seconds = std::min(intervals * doctor::number(answers.status["interval"]), longest);
-  return doctor::overhear(interfaces, std::chrono::milliseconds(std::lround(1000 * seconds)));
-}
-
 void print_side_by_side(const Context& context, const doctor::OtherView& other, const Answers& ours) {
   if (!other.is_answered) return;
   shell::Table table({{"WHAT"}, {"HERE", false, 20}, {shell::printable(other.name), false, 20}});
@@ -94,52 +77,20 @@ void print_side_by_side(const Context& context, const doctor::OtherView& other, 
   table.print(std::cout, context.terminal);
 }
 
-/// All that this host and its daemon show, and the other one where it is to be asked.
-Result<Findings, ClientError> look(Client& client, const doctor::Host& host, const std::string& with,
-                                   std::optional<Answers>& answers, std::optional<doctor::OtherView>& other) {
-  auto asked = doctor::ask(client);
-  if (!asked) return std::unexpected(asked.error());
-  answers = std::move(*asked);
-  if (auto confirmed = doctor::confirm_deaf(client, *answers); !confirmed) return std::unexpected(confirmed.error());
-  Findings findings;
-  for (Findings more :
-       {doctor::check_daemon(host, *answers, GEMINGA_VERSION),
-        doctor::check_firewall(host, *answers, &doctor::is_refused), doctor::check_team(*answers),
-        doctor::check_addresses(host, *answers, &doctor::has_route),
-        doctor::check_overheard(host, *answers, overhear(*answers)), doctor::check_requests(*answers)}) {
-    findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  }
-  if (with.empty()) return findings;
-  auto asked_other = doctor::ask_other(client, *answers, with);
-  if (!asked_other) return std::unexpected(asked_other.error());
-  other = std::move(*asked_other);
-  Findings there = doctor::check_other(*other, *answers, GEMINGA_VERSION);
-  findings.insert(findings.end(), std::make_move_iterator(there.begin()), std::make_move_iterator(there.end()));
-  return findings;
-}
-
 shell::ExitStatus diagnose(const Context& context, Result<Client, ClientError>& client, const Wishes& wishes) {
   if (refuses_watch(context, "doctor")) return shell::ExitStatus::wrong_use;
   if (!client && client.error().kind == ClientError::Kind::wrong_use) return shell::report(program, client.error());
-  const doctor::Host host = doctor::look_at_host();
-  Findings findings = doctor::check_host(host);
-  std::optional<Answers> answers;
-  std::optional<doctor::OtherView> other;
-  auto more = client ? look(*client, host, wishes.with, answers, other)
-                     : doctor::check_absent_daemon(host, client.error(), context.common.connect);
-  if (!more) return shell::report(program, more.error());
-  findings.insert(findings.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
-  doctor::drop_consequences(findings);
-  doctor::sort_by_severity(findings);
+  const auto looked =
+      doctor::examine(client, {.version = GEMINGA_VERSION, .connect = context.common.connect, .with = wishes.with});
+  if (!looked) return shell::report(program, looked.error());
+  const auto& [findings, host, answers, other] = *looked;
   if (!wishes.report.empty()) {
     const auto names = wishes.is_nameless ? doctor::Names::numbered : doctor::Names::as_they_are;
     if (!write_report(wishes.report, doctor::report_of(findings, host, answers, other, names)))
       return shell::ExitStatus::wrong_use;
   }
   if (context.common.is_json) {
-    boost::json::object document = doctor::to_json(findings);
-    if (other) document["with"] = doctor::to_json(*other);
-    shell::print(std::cout, document);
+    shell::print(std::cout, doctor::to_json(*looked));
   } else {
     if (other) print_side_by_side(context, *other, *answers);
     print_findings(context, findings, answers);

@@ -72,6 +72,13 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
+/// A participant that the sender of a presence hears on this link, and an address at which it can be reached there.
+struct Introduction {
+  ParticipantId participant{};  ///< never 0
+  std::string address;          ///< numeric, without zone
+  friend bool operator==(const Introduction&, const Introduction&) = default;
+};
+
 /// The average time between two announcements: the configured one, doubled so often, but at most max_interval.
 [[nodiscard]] constexpr base::Duration stretched(base::Duration interval, unsigned doublings) {
   return std::max(interval, std::min<base::Duration>(max_interval, interval * (1 << doublings)));
@@ -107,8 +114,9 @@ struct Announcement {
 
   // Testimony and questions about others, in a presence only.
   Witness witness;
-  std::vector<ParticipantId> lacks;   ///< participants whose newest state it does not have
-  std::vector<ParticipantId> doubts;  ///< participants that it will take for gone unless it hears of them soon
+  std::vector<ParticipantId> lacks;         ///< participants whose newest state it does not have
+  std::vector<ParticipantId> doubts;        ///< participants that it will take for gone unless it hears of them soon
+  std::vector<Introduction> introductions;  ///< for a receiver that does not hear these; max_introductions at most
 
   // Of an inquiry and a diagnosis only, which have no state and no testimony.
   ParticipantId partner{};         ///< the one that is asked, or has asked; never 0

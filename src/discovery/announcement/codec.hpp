@@ -37,7 +37,7 @@ enum class DecodeError : std::uint8_t {
   bad_protocol,    ///< too long or not a word
   bad_attribute,   ///< a limit or the grammar of attributes is violated
   bad_filter,      ///< a limit of provider filters or of the where expression is violated
-  bad_witness,     ///< testimony of a wrong size, or too many names, or the identifier 0
+  bad_witness,     ///< testimony of a wrong size, too many names, the identifier 0, or a wrong introduction
   bad_change,      ///< a change that begins from its own revision or a later one
   bad_diagnosis,   ///< an inquiry or a diagnosis of nobody, or lines over their limits or with control characters
 };

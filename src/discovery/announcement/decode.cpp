@@ -14,6 +14,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/wire_choice.hpp"
 #include "discovery/announcement/wire_entry.hpp"
+#include "discovery/announcement/wire_presence.hpp"
 
 namespace geminga::announcement {
 namespace {
@@ -264,32 +265,6 @@ Decoded<PeerState> peer_of(const wire::Peer& message, Kind kind, const std::vect
   return peer;
 }
 
-Decoded<void> read_witness(const std::string& octets, Witness& witness) {
-  if (octets.empty()) return {};
-  constexpr std::size_t most = witness_bytes(max_participants + 1);
-  if (octets.size() < witness_bytes(1) || octets.size() > most) return Failure(DecodeError::bad_witness);
-  const std::span all(reinterpret_cast<const std::uint8_t*>(octets.data()), octets.size());
-  witness.members = static_cast<std::uint16_t>(all[0] | all[1] << 8);
-  witness.heard.assign_octets(all.subspan(2));
-  return {};
-}
-
-Decoded<void> read_named(const google::protobuf::RepeatedField<std::uint32_t>& ids, std::vector<ParticipantId>& named) {
-  if (ids.size() > static_cast<int>(max_named)) return Failure(DecodeError::bad_witness);
-  for (const auto id : ids) {
-    if (id == 0) return Failure(DecodeError::bad_witness);
-    named.push_back(ParticipantId{id});
-  }
-  return {};
-}
-
-/// The fields of a presence only.
-Decoded<void> read_presence(const wire::Announcement& message, Announcement& announcement) {
-  if (const auto read = read_witness(message.witness(), announcement.witness); !read) return read;
-  if (const auto read = read_named(message.lacks(), announcement.lacks); !read) return read;
-  return read_named(message.doubts(), announcement.doubts);
-}
-
 /// Whether a kind leaves to the state its name, its interval and all that stands for long.
 bool is_short(Kind kind) { return kind >= Kind::presence; }
 
@@ -370,8 +345,7 @@ std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcem
   reset(announcement);
   if (const auto read = read_header(message, announcement); !read) return read.error();
   if (announcement.kind == Kind::presence) {
-    if (const auto read = read_presence(message, announcement); !read) return read.error();
-    return std::nullopt;
+    return read_presence(message, announcement) ? std::nullopt : std::optional(DecodeError::bad_witness);
   }
   if (announcement.kind == Kind::inquiry || announcement.kind == Kind::diagnosis) {
     const auto read = read_exchange(message, announcement);

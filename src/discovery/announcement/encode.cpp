@@ -9,6 +9,7 @@
 #include "discovery/announcement/fault.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/wire_entry.hpp"
+#include "discovery/announcement/wire_presence.hpp"
 
 namespace geminga::announcement {
 namespace {
@@ -71,19 +72,6 @@ wire::Announcement header_of(const Announcement& announcement) {
   return header;
 }
 
-std::string octets_of(const Witness& witness) {
-  if (witness.heard.empty()) return {};
-  const auto count = std::min(witness.heard.size(), max_participants + 1);
-  std::string octets(witness_bytes(count), '\0');
-  octets[0] = static_cast<char>(witness.members & 0xff);
-  octets[1] = static_cast<char>(witness.members >> 8);
-  for (std::size_t i = 0; i < count; ++i) {
-    auto& octet = octets[2 + i / 4];
-    octet = static_cast<char>(static_cast<std::uint8_t>(octet) | std::to_underlying(witness.heard[i]) << (i % 4 * 2));
-  }
-  return octets;
-}
-
 /// The fields that a presence and a change begin with. Receivers take the others from the state.
 wire::Announcement short_header_of(const Announcement& announcement) {
   auto message = beginning_of(announcement);
@@ -94,9 +82,7 @@ wire::Announcement short_header_of(const Announcement& announcement) {
 
 wire::Announcement presence_of(const Announcement& announcement) {
   auto message = short_header_of(announcement);
-  message.set_witness(octets_of(announcement.witness));
-  for (const auto id : announcement.lacks | std::views::take(max_named)) message.add_lacks(std::to_underlying(id));
-  for (const auto id : announcement.doubts | std::views::take(max_named)) message.add_doubts(std::to_underlying(id));
+  write_presence(announcement, message);
   return message;
 }
 

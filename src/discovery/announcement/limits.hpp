@@ -59,6 +59,8 @@ inline constexpr std::size_t max_vouched = max_paths * max_addresses;
 
 /// Participants that one announcement says it lacks, and as many that it doubts.
 inline constexpr std::size_t max_named = 16;
+/// Participants that one presence introduces.
+inline constexpr std::size_t max_introductions = 8;
 /// Octets of the testimony about so many participants (Witness).
 constexpr std::size_t witness_bytes(std::size_t members) { return 2 + (members + 3) / 4; }
 /// Lines of a diagnosis, and octets of each. A whole inquiry has max_datagram_bytes, so no diagnosis is longer.

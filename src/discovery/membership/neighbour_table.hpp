@@ -112,6 +112,10 @@ class NeighbourTable final : private ServiceRoom {
   /// Whether it has said for long that it does not hear us, though we hear it.
   [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const { return witnesses_.is_deaf_to_us(id); }
 
+  /// Whether it hears us, and has said for long that it knows other participants than we do; whether anybody has.
+  [[nodiscard]] bool knows_others(ParticipantId id) const { return witnesses_.knows_others(id); }
+  [[nodiscard]] bool anybody_knows_others() const { return witnesses_.anybody_knows_others(); }
+
   [[nodiscard]] bool is_known(ParticipantId id) const { return records_.record(id) != nullptr; }
   [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;
   /// When a datagram last proved that a known participant still offers and asks for what was last heard of it.

@@ -33,6 +33,7 @@ std::string_view remedy(Rejection rejection) {
     case Rejection::too_short:
     case Rejection::malformed:
     case Rejection::own:
+    case Rejection::copied:
       break;
   }
   return "no sealed announcement of this version";

@@ -23,6 +23,7 @@ struct Arrival {
   std::string_view interface_name;
   std::string_view source;
   base::Instant now;
+  bool is_alone = false;  ///< it came to us alone, and not by multicast
 };
 
 /// How a datagram was sealed, as far as that can be told, and what became of it.

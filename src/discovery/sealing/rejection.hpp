@@ -22,8 +22,9 @@ enum class Rejection : std::uint8_t {
   downgraded,     ///< not sealed, in the name of a participant that seals
   own,            ///< our own datagram, given back by the link: no fault, and not counted as one
   unreadable,     ///< not sealed, which is allowed, but no announcement
+  copied,         ///< heard by multicast, and said to us alone, too, or the other way round: no fault, and not counted
 };
-inline constexpr std::size_t rejection_count = 12;
+inline constexpr std::size_t rejection_count = 13;
 
 /// "too-large", "plain", ... Static storage.
 [[nodiscard]] std::string_view to_string(Rejection rejection);

@@ -14,23 +14,32 @@ namespace geminga::sealing {
 
 /// A sliding window over counters (RFC 4303, section 3.4.3) that also closes with time: a datagram that comes more than
 /// overtaken_time after a higher counter is refused, heard or not. A sender says each datagram once. If two of our
-/// interfaces are on its link each of them hears it once, and each is a way to it.
+/// interfaces are on its link each of them hears it once, and each is a way to it. A host that is spoken to alone
+/// beside multicasts gets it twice on one interface: by multicast and alone.
 class ReplayWindow {
  public:
   /// Begins a window: the session has just proved itself by the datagram with this counter. Older ones count as heard.
-  ReplayWindow(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now);
+  ReplayWindow(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now, bool is_alone);
 
   /// Whether a datagram with this counter may be heard. Changes nothing, since the datagram may be forged.
   [[nodiscard]] bool is_open(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now) const;
   /// Enters that it was heard. Requires is_open().
-  void take(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now);
+  void take(env::InterfaceIndex interface, std::uint32_t counter, base::Instant now, bool is_alone);
+
+  /// Whether a datagram that is not open was heard by multicast and comes alone, or the other way round, for the first
+  /// time. Changes nothing.
+  [[nodiscard]] bool is_copy(env::InterfaceIndex interface, std::uint32_t counter, bool is_alone) const;
+  /// Enters that the copy came, so that a further one is none. Requires is_copy().
+  void take_copy(env::InterfaceIndex interface, std::uint32_t counter, bool is_alone);
 
  private:
   static_assert(window_counters == 64);
-  /// The datagrams heard on one interface: bit i is the counter highest_ - i.
+  /// The datagrams that came on one interface, by multicast and alone: bit i is the counter highest_ - i.
   struct Way {
     env::InterfaceIndex interface{};
-    std::uint64_t heard = 0;
+    std::uint64_t by_multicast = 0;
+    std::uint64_t alone = 0;
+    [[nodiscard]] std::uint64_t& came(bool is_alone) { return is_alone ? alone : by_multicast; }
   };
 
   [[nodiscard]] std::uint32_t floor(base::Instant now) const;

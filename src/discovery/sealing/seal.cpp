@@ -81,9 +81,9 @@ std::expected<Opened, Rejection> Seal::open(std::span<const std::byte> datagram,
   }();
   if (!opened) outcome.rejection = opened.error();
   // An unsealed datagram is entered by attribute(), which may still reject it.
-  if (opened || opened.error() != Rejection::own) {
-    if (!opened || opened->session) ledger_.enter(outcome, arrival);
-  }
+  const bool is_counted =
+      opened ? opened->session.has_value() : opened.error() != Rejection::own && opened.error() != Rejection::copied;
+  if (is_counted) ledger_.enter(outcome, arrival);
   return opened;
 }
 
@@ -101,11 +101,16 @@ std::expected<Opened, Rejection> Seal::open_sealed(std::span<const std::byte> da
     return std::unexpected(Rejection::own);
   }
   KnownSession* known = sessions_.find(header->session);
-  if (known != nullptr && !known->window.is_open(arrival.interface, header->counter, arrival.now)) {
+  const bool is_heard = known != nullptr && !known->window.is_open(arrival.interface, header->counter, arrival.now);
+  if (is_heard && !known->window.is_copy(arrival.interface, header->counter, arrival.is_alone)) {
     return std::unexpected(Rejection::replayed);
   }
   const auto size = sealing::open(*key, *header, datagram, heard_);
   if (!size) return std::unexpected(size.error());
+  if (is_heard) {
+    known->window.take_copy(arrival.interface, header->counter, arrival.is_alone);
+    return std::unexpected(Rejection::copied);
+  }
   std::span<const std::byte> text = std::span(heard_).first(*size);
   Read read{.header = *header};
   read.had_room = datagram.size() + greeting_bytes(max_keys, false, 0, 0) <= env::max_datagram_bytes;
@@ -136,12 +141,14 @@ bool Seal::admit(const Read& read, const Arrival& arrival) {
       return false;
     }
     challenges_.settle(header.session);
-    if (sessions_.add(header.session, {ReplayWindow(arrival.interface, header.counter, arrival.now), {}, {}, {}, {}})) {
+    if (sessions_.add(
+            header.session,
+            {ReplayWindow(arrival.interface, header.counter, arrival.now, arrival.is_alone), {}, {}, {}, {}})) {
       challenges_.renew(Challenge(random_bits_()));
     }
     known = sessions_.find(header.session);
   } else {
-    known->window.take(arrival.interface, header.counter, arrival.now);
+    known->window.take(arrival.interface, header.counter, arrival.now, arrival.is_alone);
   }
   known->heard = arrival.now;
   known->protection = header.protection;

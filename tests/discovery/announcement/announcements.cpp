@@ -167,6 +167,11 @@ Announcement random_presence(Random& random) {
       named->push_back(ParticipantId{static_cast<std::uint32_t>(1 + random.below(0xffffffff))});
     }
   }
+  for (auto count = random.below(max_introductions + 1); count > 0; --count) {
+    const std::string host = std::to_string(1 + random.below(254));
+    made.introductions.push_back({ParticipantId{static_cast<std::uint32_t>(1 + random.below(0xffffffff))},
+                                  (random.chance(0.5) ? "10.0.0." : "fd00::") + host});
+  }
   return made;
 }
 

@@ -227,11 +227,13 @@ TEST(Codec, NamesNoMoreParticipantsInAPresenceThanItMay) {
   presence.kind = Kind::presence;
   presence.lacks.assign(max_named + 1, ParticipantId{7});
   presence.doubts.assign(max_named + 1, ParticipantId{8});
+  presence.introductions.assign(max_introductions + 1, {ParticipantId{9}, "10.0.0.9"});
   presence.witness.heard.assign(max_participants + 2, HeardWithin::half);
   const auto decoded = decode(encode(presence)[0]);
   ASSERT_TRUE(decoded) << to_string(decoded.error());
   EXPECT_EQ(decoded->lacks.size(), max_named);
   EXPECT_EQ(decoded->doubts.size(), max_named);
+  EXPECT_EQ(decoded->introductions.size(), max_introductions);
   EXPECT_EQ(decoded->witness.heard.size(), max_participants + 4);
 }
 

@@ -288,6 +288,12 @@ TEST(Decode, RefusesEachViolationInAPresenceByItsWord) {
       bend(m);
     };
   };
+  const auto introduces = [=](std::uint32_t participant, const char* address, std::size_t count = 1) {
+    return presence([=](auto& m) {
+      for (std::size_t i = 0; i < count; ++i) m.add_introductions()->set_participant(participant);
+      for (auto& one : *m.mutable_introductions()) one.set_address(address);
+    });
+  };
   const auto most = witness_bytes(max_participants + 1);
   expect({
       {"nothing is said of others", presence([](auto&) {}), std::nullopt},
@@ -301,6 +307,11 @@ TEST(Decode, RefusesEachViolationInAPresenceByItsWord) {
        DecodeError::bad_witness},
       {"lacks nobody", presence([](auto& m) { m.add_lacks(0); }), DecodeError::bad_witness},
       {"doubts nobody", presence([](auto& m) { m.add_doubts(0); }), DecodeError::bad_witness},
+      {"most introductions", introduces(7, "host", max_introductions), std::nullopt},
+      {"more introductions", introduces(7, "host", max_introductions + 1), DecodeError::bad_witness},
+      {"introduces nobody", introduces(0, "host"), DecodeError::bad_witness},
+      {"introduces nowhere", introduces(7, ""), DecodeError::bad_witness},
+      {"introduces a group", introduces(7, "\xef..."), DecodeError::bad_witness},
       {"a bad group", presence([](auto& m) { m.set_group("a,b"); }), DecodeError::bad_name},
       {"participant 0", presence([](auto& m) { m.set_participant(0); }), DecodeError::bad_identifier},
   });

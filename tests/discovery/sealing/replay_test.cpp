@@ -64,6 +64,19 @@ TEST_F(SealOfTwo, HearsNoDatagramTwice) {
   EXPECT_EQ(other.hear(datagram, env::InterfaceIndex(9)), "replayed") << "and not later";
 }
 
+TEST_F(SealOfTwo, CountsACopyThatIsSaidAloneBesideAMulticastAsNoReplay) {
+  const Octets datagram = one.say("state");
+  EXPECT_EQ(other.hear(datagram), "state");
+  Arrival alone = other.arrival();
+  alone.is_alone = true;
+  EXPECT_EQ(other.seal.open(bent(datagram, 40), alone).error(), Rejection::forged);
+  EXPECT_EQ(other.seal.open(datagram, alone).error(), Rejection::copied);
+  EXPECT_EQ(other.seal.ledger().rejected(Rejection::copied), 0U);
+  EXPECT_EQ(other.seal.ledger().rejected(Rejection::replayed), 0U);
+  EXPECT_EQ(other.seal.open(datagram, alone).error(), Rejection::replayed) << "the second one";
+  EXPECT_EQ(other.seal.ledger().rejected(Rejection::replayed), 1U);
+}
+
 TEST_F(SealOfTwo, HearsNothingThatWasKeptBack) {
   const Octets kept = one.say("old");
   EXPECT_EQ(other.hear(one.say("new")), "new");

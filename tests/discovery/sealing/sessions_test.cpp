@@ -9,7 +9,7 @@ namespace {
 constexpr base::Instant start{std::chrono::hours(1)};
 
 KnownSession heard_at(base::Instant instant) {
-  return {ReplayWindow(env::InterfaceIndex{1}, 1, instant), instant, Protection::encrypted, KeyId(1), {}};
+  return {ReplayWindow(env::InterfaceIndex{1}, 1, instant, false), instant, Protection::encrypted, KeyId(1), {}};
 }
 
 TEST(Sessions, ForgetTheSilentHalfForOneMoreThanTheyHold) {

@@ -94,6 +94,52 @@ TEST(Reach, IsForEightHostsAtMost) {
   EXPECT_THAT(team.world.ask(team.host(0), "status"), Contains(HasSubstr(" tried_alone=8 ")));
 }
 
+/// A team of which two never heard each other by multicast, and all others hear and are heard by everybody.
+struct Apart : Robots {
+  Apart(std::uint64_t seed, int count, double loss, bool is_sealed)
+      : Robots(World::seed_or(seed), count, {.loss = loss, .longest_delay = std::chrono::milliseconds(5)}, patient) {
+    for (const auto& host : world.hosts()) {
+      if (is_sealed) host->settings.sealing = policy(Mode::encrypted, {1});
+      host->hears_datagrams_alone = true;
+    }
+    host(0).multicasts_kept_from = {host(1).name()};
+    host(1).multicasts_kept_from = {host(0).name()};
+    team.is_excused = true;  // they are right to miss each other at first
+    start();
+  }
+  [[nodiscard]] std::size_t known_to(std::size_t number) { return world.ask(host(number), "participants").size() - 1; }
+};
+
+TEST(Reach, IsFoundByTheWordOfOthersInASealedTeamAtAnyLoss) {
+  for (const double loss : {0.0, 0.3}) {
+    Apart robots(66, 4, loss, true);
+    robots.world.run_for(seconds(60));
+    EXPECT_EQ(robots.known_to(0), 4U) << "loss " << loss;
+    EXPECT_EQ(robots.known_to(1), 4U) << "loss " << loss;
+    robots.world.run_for(seconds(60));
+    EXPECT_EQ(robots.known_to(0), 4U) << "and kept, loss " << loss;
+  }
+}
+
+TEST(Reach, OfAHostThatIsHeardByOthersAloneIsTriedWithinItsOctets) {
+  Apart robots(67, 3, 0, true);
+  robots.host(0).hears_datagrams_alone = robots.host(1).hears_datagrams_alone = false;
+  robots.world.run_for(minutes(15));
+  const std::uint64_t first = robots.host(0).octets_sent_alone;
+  EXPECT_GT(first, 0U);
+  EXPECT_LE(first, participant::max_tries_of_unheard * participant::max_try_bytes);
+  const std::uint64_t said = robots.host(2).octets_sent();
+  robots.world.run_for(minutes(60));
+  EXPECT_LE(robots.host(2).octets_sent() - said, std::uint64_t{60} * 60 * 100) << "introductions end";
+}
+
+TEST(Reach, IsNotFoundByTheWordOfOthersWithoutAKey) {
+  Apart robots(68, 3, 0, false);
+  robots.world.run_for(seconds(60));
+  EXPECT_EQ(robots.known_to(0), 2U);
+  EXPECT_EQ(robots.host(0).octets_sent_alone + robots.host(2).octets_sent_alone, 0U);
+}
+
 TEST(Reach, IsLeftToTheOwnerWithoutAKey) {
   Met team(65, 3, 0, false);
   team.team.is_excused = true;

@@ -43,7 +43,8 @@ Host healthy_host() {
   return host;
 }
 
-bool passes(const Crossing&) { return false; }
+Sending passes(const Crossing&) { return Sending::leaves; }
+Sending has_no_route(const Crossing& out) { return out.is_ipv6() ? Sending::no_route : Sending::leaves; }
 bool leads_there(const std::string&) { return true; }
 
 Answers healthy_team() {
@@ -63,9 +64,10 @@ Answers healthy_team() {
 TEST(Doctor, FindsNothingWhereNothingIsWrong) {
   EXPECT_THAT(check_host(healthy_host()), IsEmpty());
   EXPECT_THAT(check_daemon(healthy_host(), healthy_team(), "1.0.0"), IsEmpty());
-  EXPECT_THAT(check_team(healthy_team()), IsEmpty());
+  EXPECT_THAT(check_team(healthy_team(), true), IsEmpty());
   EXPECT_THAT(check_requests(healthy_team()), IsEmpty());
   EXPECT_THAT(check_firewall(healthy_host(), healthy_team(), &passes), IsEmpty());
+  EXPECT_THAT(check_multicast_routes(healthy_team(), &passes), IsEmpty());
   EXPECT_THAT(check_addresses(healthy_host(), healthy_team(), &leads_there), IsEmpty());
   EXPECT_THAT(check_overheard(healthy_host(), healthy_team(), {}), IsEmpty());
 }
@@ -89,10 +91,24 @@ TEST(Doctor, FindsAnInterfaceOnWhichNothingComesInForFourIntervals) {
     EXPECT_EQ(codes(check_firewall(healthy_host(), answers, &passes)) == std::vector<std::string>{"firewall_in"},
               is_found)
         << quiet;
-    EXPECT_THAT(codes(check_firewall(healthy_host(), answers, [](const Crossing&) { return true; })),
+    EXPECT_THAT(codes(check_firewall(healthy_host(), answers, [](const Crossing&) { return Sending::refused; })),
                 ElementsAre("firewall_out"))
         << "what does not go out does not come back";
   }
+}
+
+TEST(Doctor, FindsAGroupWithoutARouteWhereTheInterfaceHasAnAddressOfItsFamily) {
+  Answers answers = healthy_team();
+  EXPECT_THAT(check_multicast_routes(answers, &has_no_route), IsEmpty()) << "it speaks IPv4 alone";
+  for (const auto& [addresses, severity] :
+       {std::pair("10.0.0.1,fd00::1", Severity::risk), std::pair("fd00::1", Severity::failure)}) {
+    answers.interfaces[0].fields[1].second = addresses;
+    const Findings found = check_multicast_routes(answers, &has_no_route);
+    ASSERT_THAT(codes(found), ElementsAre("no_multicast_route")) << addresses;
+    EXPECT_EQ(found[0].severity, severity) << addresses;
+    EXPECT_EQ(found[0].command, "ip -6 route add multicast ff00::/8 dev eth0 table local");
+  }
+  EXPECT_THAT(check_firewall(healthy_host(), answers, &has_no_route), IsEmpty());
 }
 
 TEST(Doctor, FindsAKeyThatOthersMayRead) {
@@ -227,17 +243,18 @@ TEST(Doctor, FindsLossThatDeadlinesDoNotBear) {
   Answers answers = healthy_team();
   answers.participants[1].fields.back() = {"addresses", "10.0.0.2"};
   answers.participants[1].fields[3] = {"loss", "0.6"};
-  EXPECT_THAT(check_team(answers), IsEmpty());
+  EXPECT_THAT(check_team(answers, true), IsEmpty());
   answers.participants[1].fields[3] = {"loss", "0.61"};
-  EXPECT_THAT(codes(check_team(answers)), ElementsAre("loss_high"));
+  EXPECT_THAT(codes(check_team(answers, true)), ElementsAre("loss_high"));
 }
 
 TEST(Doctor, FindsAHostThatIsAloneOnlyWhenOthersHadTimeToSpeak) {
   Answers answers = healthy_team();
   answers.participants.pop_back();
-  EXPECT_THAT(codes(check_team(answers)), ElementsAre("alone"));
+  EXPECT_THAT(codes(check_team(answers, true)), ElementsAre("alone"));
+  EXPECT_THAT(check_team(answers, false).at(0).seen, testing::HasSubstr("without root only ports and groups near"));
   answers.status.fields[1].second = "10";
-  EXPECT_THAT(check_team(answers), IsEmpty());
+  EXPECT_THAT(check_team(answers, true), IsEmpty());
 }
 
 TEST(Doctor, FindsStrangersKeysAndDigests) {
@@ -247,7 +264,8 @@ TEST(Doctor, FindsStrangersKeysAndDigests) {
   answers.security = {record({{"mode", "encrypted"}, {"keys", "aaaa"}}),
                       record({{"participant", "00000002"}, {"name", "two"}, {"lacks", "aaaa"}})};
   answers.participants[1].fields[2].second = "bb";
-  EXPECT_THAT(codes(check_team(answers)), ElementsAre("other_group", "other_key", "key_lacking", "ontologies_differ"));
+  EXPECT_THAT(codes(check_team(answers, true)),
+              ElementsAre("other_group", "other_key", "key_lacking", "ontologies_differ"));
 }
 
 TEST(Doctor, GroupsRequestsByTheirReason) {

@@ -16,16 +16,19 @@ Codes codes_in(const std::string& text) {
   return codes;
 }
 
-std::string examined(const system::Lab& lab, std::size_t host) {
+std::string examined(const system::Lab& lab, std::size_t host, Rights rights) {
   const std::string address = "127.0.0.1:" + std::to_string(lab.gcnp_port(host));
-  return system::run(lab.on(host, {system::program("geminga-query"), "--connect", address, "--json", "doctor"})).said;
+  std::vector<std::string> words;
+  if (rights == Rights::none) words = {"/usr/bin/setpriv", "--bounding-set", "-net_raw"};
+  words.insert(words.end(), {system::program("geminga-query"), "--connect", address, "--json", "doctor"});
+  return system::run(lab.on(host, words)).said;
 }
 
-::testing::AssertionResult comes_to(const system::Lab& lab, std::size_t host, const Codes& wanted) {
+::testing::AssertionResult comes_to(const system::Lab& lab, std::size_t host, const Codes& wanted, Rights rights) {
   const auto end = std::chrono::steady_clock::now() + system::patience;
   std::string found;
   while (std::chrono::steady_clock::now() < end) {
-    found = examined(lab, host);
+    found = examined(lab, host, rights);
     if (codes_in(found) == wanted) return ::testing::AssertionSuccess();
   }
   return ::testing::AssertionFailure() << "found at last: " << found;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/json/value.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,13 @@ using Codes = std::vector<std::string>;
 
 /// The codes of a document of findings.
 [[nodiscard]] Codes codes_in(const std::string& text);
+/// Whether the doctor may listen to whole packets.
+enum class Rights : std::uint8_t { all, none };
 /// The document of the doctor on a host.
-[[nodiscard]] std::string examined(const system::Lab& lab, std::size_t host);
+[[nodiscard]] std::string examined(const system::Lab& lab, std::size_t host, Rights rights = Rights::all);
 /// Asks until the doctor finds this and nothing else, as long as the test's patience lasts.
-[[nodiscard]] ::testing::AssertionResult comes_to(const system::Lab& lab, std::size_t host, const Codes& wanted);
+[[nodiscard]] ::testing::AssertionResult comes_to(const system::Lab& lab, std::size_t host, const Codes& wanted,
+                                                  Rights rights = Rights::all);
 /// How the only finding was seen; empty where there is not exactly one.
 [[nodiscard]] std::string seen_on(const system::Lab& lab, std::size_t host);
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "doctor/listening.hpp"
+
 namespace geminga::doctor {
 namespace {
 
@@ -49,6 +51,18 @@ TEST(Overhearing, TakesNothingElseForAnAnnouncement) {
   Octets long_header = whole;
   long_header[0] = 0x4f;
   EXPECT_FALSE(read_packet(long_header, false, one)) << "the header would end behind the packet";
+}
+
+TEST(Overhearing, ListensBesideOurPortAndGroupAndTheUsualOnes) {
+  const Places usual = places_beside({.port = 4717, .groups = {"239.192.47.17", "ff02::4717"}});
+  EXPECT_EQ(usual.ports.size(), 2U * neighbouring_ports + 1);
+  EXPECT_EQ(usual.ports.front(), 4717 - neighbouring_ports);
+  EXPECT_EQ(usual.groups, (std::vector<std::string>{"239.192.47.17", "ff02::4717"}));
+  EXPECT_EQ(usual.next_groups.size(), 2U * neighbouring_groups);
+  const Places edges = places_beside({.port = 65535, .groups = {"239.1.1.255"}});
+  EXPECT_EQ(edges.ports.back(), 65535);
+  EXPECT_EQ(edges.ports.size(), 2U * neighbouring_ports + 1 + neighbouring_ports + 1);
+  EXPECT_EQ(edges.next_groups.size(), 3U * neighbouring_groups);
 }
 
 }  // namespace

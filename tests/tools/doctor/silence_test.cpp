@@ -124,6 +124,21 @@ TEST_F(Silence, OnAnotherPortAndInAnotherGroup) {
   EXPECT_EQ(lab.daemon(1).wait(), 0);
   lab.start(2, {"--interval", "0.2", "--multicast", "239.192.47.18"});
   EXPECT_TRUE(comes_to(lab, 0, {"other_multicast"}));
+  EXPECT_TRUE(comes_to(lab, 0, {"other_multicast"}, Rights::none));
+  lab.daemon(2).signal(SIGTERM);
+  EXPECT_EQ(lab.daemon(2).wait(), 0);
+  lab.start(1, {"--interval", "0.2", "--port", "4718"});
+  EXPECT_TRUE(comes_to(lab, 0, {"other_port"}, Rights::none));
+}
+
+TEST_F(Silence, OfAnInterfaceWithoutARouteForMulticasts) {
+  Lab lab(2);
+  lab.take_ipv4(0);
+  lab.take_ipv4(1);
+  lab.start_all({"--interval", "0.2"});
+  EXPECT_TRUE(comes_to(lab, 0, {}));
+  must_run(lab, 0, {ip, "-6", "route", "del", "multicast", "ff00::/8", "dev", "wlan0", "table", "local"});
+  EXPECT_TRUE(comes_to(lab, 0, {"no_multicast_route"}));
 }
 
 TEST_F(Silence, OfAnInterfaceThatIsDown) {

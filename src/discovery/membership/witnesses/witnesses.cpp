@@ -166,18 +166,28 @@ void Witnesses::hear_of_us(const announcement::Announcement& presence, Instant n
   const bool knows_only_itself = presence.witness.members == folded(place).fold_of(presence.revision);
   const bool is_deaf = is_of_same(presence) ? presence.witness.heard[own_place_] == HeardWithin::longer
                                             : knows_only_itself || difference(presence) == self_.fold();
-  if (!is_deaf) {
-    member.deaf_since = member.deaf_until = base::never;
-    return;
-  }
-  if (member.deaf_since == base::never) member.deaf_since = now;
-  member.deaf_until = now;
+  member.is_deaf.note(is_deaf, now);
+  member.knows_others.note(!is_of_same(presence), now);
+}
+
+void Witnesses::Saying::note(bool is_said, Instant now) {
+  if (!is_said || since == base::never) since = is_said ? now : base::never;
+  until = now;
 }
 
 bool Witnesses::is_deaf_to_us(ParticipantId id) const {
   const auto place = place_of(id);
-  if (!is_at(place, id) || others_[place].deaf_since == base::never) return false;
-  return others_[place].deaf_until - others_[place].deaf_since >= deaf_intervals * others_[place].interval;
+  return is_at(place, id) && others_[place].is_deaf.lasts(deaf_intervals * others_[place].interval);
+}
+
+bool Witnesses::knows_others(ParticipantId id) const {
+  const auto place = place_of(id);
+  if (!is_at(place, id) || others_[place].is_deaf.since != base::never) return false;
+  return others_[place].knows_others.lasts(deaf_intervals * others_[place].interval);
+}
+
+bool Witnesses::anybody_knows_others() const {
+  return std::ranges::any_of(ids_, [this](ParticipantId id) { return knows_others(id); });
 }
 
 bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {

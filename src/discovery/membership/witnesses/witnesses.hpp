@@ -54,6 +54,11 @@ class Witnesses {
   bool hear(const announcement::Announcement& presence, base::Instant now);
   /// Whether a known participant, which we hear, has said for deaf_intervals of its own that it does not hear us.
   [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const;
+  /// Whether a known participant, which hears us, has said for deaf_intervals of its own that it knows other
+  /// participants than we do.
+  [[nodiscard]] bool knows_others(ParticipantId id) const;
+  /// Whether any does. Looks at every participant.
+  [[nodiscard]] bool anybody_knows_others() const;
   /// The latest instant at or after which somebody else has heard it; the beginning of time if nobody said so.
   [[nodiscard]] base::Instant seen(ParticipantId id) const;
   /// How many testimonies of participants other than itself were heard within `interval`, or within the interval before
@@ -61,6 +66,13 @@ class Witnesses {
   [[nodiscard]] std::size_t words(ParticipantId id, base::Instant now, base::Duration interval) const;
 
  private:
+  /// A thing that a participant says in all its presences: when it began to, and when it last did; never: it does not.
+  struct Saying {
+    base::Instant since = base::never;
+    base::Instant until = base::never;
+    void note(bool is_said, base::Instant now);
+    [[nodiscard]] bool lasts(base::Duration time) const { return since != base::never && until - since >= time; }
+  };
   struct Member {
     announcement::BootNonce boot{};
     std::uint64_t revision = 0;
@@ -70,9 +82,8 @@ class Witnesses {
     std::uint16_t said_fold = 0;   ///< of the participants that it knows
     base::Instant fold_changed{};  ///< when it first said so
     base::Instant heard_us{};      ///< it heard us then or later
-    /// When it began to say that it has not heard us, and when it last said so; never: it does not say so.
-    base::Instant deaf_since = base::never;
-    base::Instant deaf_until = base::never;
+    Saying is_deaf{};              ///< that it has not heard us
+    Saying knows_others{};         ///< that it knows other participants than we do
   };
   struct Word {
     ParticipantId from{};

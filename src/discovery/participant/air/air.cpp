@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/address.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
 
@@ -30,6 +31,7 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
       own_(std::move(own)),
       neighbours_(settings.group),
       seal_([&env] { return env.random_bits(); }),
+      introductions_(neighbours_, seal_, settings_),
       announcer_({.env = env,
                   .settings = settings_,
                   .own = own_,
@@ -37,6 +39,7 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
                   .seal = seal_,
                   .dual_stack = dual_stack_,
                   .deaf_hosts = deaf_hosts_,
+                  .introductions = introductions_,
                   .counters = counters_}) {}
 
 void Air::start() {
@@ -66,8 +69,11 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   const env::Interface* on = find(env_, interface);
   if (on == nullptr) return std::nullopt;  // It came in just before the interface went away.
   ++counters_.interfaces[interface].received;
-  const sealing::Arrival arrival{
-      .interface = interface, .interface_name = on->name, .source = source, .now = env_.now()};
+  const sealing::Arrival arrival{.interface = interface,
+                                 .interface_name = on->name,
+                                 .source = source,
+                                 .now = env_.now(),
+                                 .is_alone = env_.is_sender_named() || env_.is_sender_unnamed()};
   const auto opened = seal_.open(datagram, arrival);
   if (!opened) {
     if (opened.error() == sealing::Rejection::own)
@@ -101,6 +107,7 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (heard_.kind == announcement::Kind::presence) one_way_.hear(heard_, neighbours_, source, on->name, env_.log());
   reach(*on, source);
+  if (opened->session) meet(*on);
   speak_to(*on, hearing, opened->session.has_value());
   return announcer_.heard(
       {.announcement = heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
@@ -134,6 +141,20 @@ void Air::reach(const env::Interface& on, std::string_view source) {
     deaf_hosts_.hear(heard_.participant);
   } else {
     deaf_hosts_.hear_deaf({.participant = heard_.participant, .interface = on.index, .address = std::string(source)},
+                          settings_.interval, env_.now());
+  }
+}
+
+void Air::meet(const env::Interface& on) {
+  if (!is_sealed() || heard_.group != settings_.group || !neighbours_.is_known(heard_.participant)) return;
+  for (const announcement::Introduction& one : heard_.introductions) {
+    const auto address = base::parse_address(one.address);
+    const bool is_ours = std::ranges::any_of(env_.interfaces(), [&](const env::Interface& interface) {
+      return std::ranges::find(interface.addresses, one.address) != interface.addresses.end();
+    });
+    if (!address || is_ours || address->scope() == base::AddressScope::loopback) continue;
+    if (one.participant == announcer_.id() || neighbours_.is_known(one.participant)) continue;
+    deaf_hosts_.introduce({.participant = one.participant, .interface = on.index, .address = one.address},
                           settings_.interval, env_.now());
   }
 }

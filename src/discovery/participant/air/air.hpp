@@ -14,6 +14,7 @@
 #include "discovery/participant/air/deaf_hosts.hpp"
 #include "discovery/participant/air/diagnoses.hpp"
 #include "discovery/participant/air/dual_stack.hpp"
+#include "discovery/participant/air/introductions.hpp"
 #include "discovery/participant/air/one_way.hpp"
 #include "discovery/participant/air/presence.hpp"
 #include "discovery/sealing/seal.hpp"
@@ -71,6 +72,8 @@ class Air {
   [[nodiscard]] bool is_sealed() const { return seal_.policy().mode >= sealing::Mode::authenticated; }
   /// Begins or ends to try the sender alone, by what it says of us.
   void reach(const env::Interface& on, std::string_view source);
+  /// Tries those alone that its sender hears and we do not.
+  void meet(const env::Interface& on);
   /// Tries those alone whose deadlines have passed.
   void reach_lost(base::Instant now);
   void speak_to(const env::Interface& on, membership::Hearing hearing, bool is_sealed);
@@ -84,6 +87,7 @@ class Air {
   DualStack dual_stack_;
   OneWay one_way_;
   DeafHosts deaf_hosts_;
+  Introductions introductions_;
   Diagnoses diagnoses_;
   announcement::Announcement heard_;  ///< the last one; its memory is used again
   Announcer announcer_;

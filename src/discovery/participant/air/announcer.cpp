@@ -368,7 +368,6 @@ announcement::Announcement Announcer::state() const {
 std::size_t Announcer::send(const announcement::Announcement& announcement) {
   std::size_t most = 0;
   const auto& interfaces = means_.env.interfaces();
-  const bool is_counted = announcement.kind < announcement::Kind::inquiry;
   for (const env::Interface& interface : interfaces) {
     // A participant that speaks IPv6 alone hears of us by the first datagram, and answers it.
     if (!means_.dual_stack.speaks_on(interface, means_.seal, means_.env.now()) && sequences_.contains(interface.index))
@@ -377,6 +376,7 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
     const auto encode = [&](const announcement::Announcement& all) {
       announcement::Announcement here = announcement::on_interface(all, interface, interfaces);
       here.sequence = sequence;
+      means_.introductions.add_to(here, interface.index, means_.env.now());
       return announcement::encode(here);
     };
     auto datagrams = encode(announcement);
@@ -387,7 +387,7 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
       means_.env.send(interface.index, datagram);
       for (const std::string& address : means_.deaf_hosts.take(interface.index, datagram.size(), means_.env.now()))
         means_.env.send_alone(interface.index, address, datagram);
-      if (is_counted) ++sequence;
+      if (announcement.kind < announcement::Kind::inquiry) ++sequence;
       ++means_.counters.datagrams_sent;
       ++means_.counters.interfaces[interface.index].sent;
       means_.counters.bytes_sent += datagram.size();

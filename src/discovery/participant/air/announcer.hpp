@@ -20,6 +20,7 @@
 #include "discovery/participant/air/counters.hpp"
 #include "discovery/participant/air/deaf_hosts.hpp"
 #include "discovery/participant/air/dual_stack.hpp"
+#include "discovery/participant/air/introductions.hpp"
 #include "discovery/participant/air/presence.hpp"
 #include "discovery/participant/air/sent_datagrams.hpp"
 #include "discovery/sealing/seal.hpp"
@@ -50,6 +51,7 @@ class Announcer {
     sealing::Seal& seal;
     DualStack& dual_stack;
     DeafHosts& deaf_hosts;
+    Introductions& introductions;
     AirCounters& counters;
   };
   /// Draws its boot nonce and its seeds from Env.

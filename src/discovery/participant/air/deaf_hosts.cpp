@@ -13,27 +13,26 @@ DeafHosts::Host* DeafHosts::find(ParticipantId participant) {
 void DeafHosts::hear_deaf(const Way& way, base::Duration interval, base::Instant now) {
   if (Host* known = find(way.participant)) {
     known->way = way;
-    known->is_lost = false;
+    known->cause = Cause::deaf;
     if (std::exchange(known->is_reached, false)) pause(*known, now);
     return;
   }
-  if (hosts_.size() == max_deaf_hosts) {
-    const auto lost = std::ranges::find(hosts_, true, &Host::is_lost);
-    if (lost == hosts_.end()) return;
-    hosts_.erase(lost);
-  }
-  add(way, false, interval, now);
+  add(way, Cause::deaf, interval, now);
 }
 
 void DeafHosts::lose(const Way& way, base::Duration interval, base::Instant now) {
   forget(way.participant);
-  if (hosts_.size() < max_deaf_hosts) add(way, true, interval, now);
+  add(way, Cause::lost, interval, now);
+}
+
+void DeafHosts::introduce(const Way& way, base::Duration interval, base::Instant now) {
+  if (find(way.participant) == nullptr) add(way, Cause::introduced, interval, now);
 }
 
 void DeafHosts::hear(ParticipantId participant) {
   Host* known = find(participant);
   if (known == nullptr) return;
-  known->is_reached = !known->is_lost && known->octets > 0;
+  known->is_reached = known->cause == Cause::deaf && known->octets > 0;
   if (!known->is_reached) forget(participant);
 }
 
@@ -41,9 +40,14 @@ void DeafHosts::forget(ParticipantId participant) {
   std::erase_if(hosts_, [&](const Host& one) { return one.way.participant == participant; });
 }
 
-void DeafHosts::add(const Way& way, bool is_lost, base::Duration interval, base::Instant now) {
+void DeafHosts::add(const Way& way, Cause cause, base::Duration interval, base::Instant now) {
+  if (hosts_.size() == max_deaf_hosts) {
+    const auto least = std::ranges::min_element(hosts_, {}, &Host::cause);
+    if (least->cause >= cause) return;
+    hosts_.erase(least);
+  }
   hosts_.push_back(
-      {.way = way, .is_lost = is_lost, .interval = interval, .begin = now, .end = now + try_intervals * interval});
+      {.way = way, .cause = cause, .interval = interval, .begin = now, .end = now + try_intervals * interval});
 }
 
 void DeafHosts::pause(Host& host, base::Instant now) {
@@ -66,13 +70,13 @@ std::vector<std::string> DeafHosts::take(env::InterfaceIndex interface, std::siz
       continue;
     }
     if (now >= host.end || (now >= host.begin && host.octets + octets > max_try_bytes)) pause(host, now);
-    if (host.is_lost && host.tries > max_tries_of_lost) continue;
+    if (host.is_given_up()) continue;
     if (now < host.begin || host.way.interface != interface) continue;
     host.octets += octets;
     octets_sent_ += octets;
     addresses.push_back(host.way.address);
   }
-  std::erase_if(hosts_, [](const Host& one) { return one.is_lost && one.tries > max_tries_of_lost; });
+  std::erase_if(hosts_, [](const Host& one) { return one.is_given_up(); });
   return addresses;
 }
 

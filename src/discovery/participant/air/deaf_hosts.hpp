@@ -22,8 +22,9 @@ inline constexpr std::size_t max_try_bytes = std::size_t{16} * 1024;
 /// The pause behind a try, doubled after each up to the longest.
 inline constexpr int first_pause_intervals = 8;
 inline constexpr int longest_pause_intervals = 256;
-/// The tries for a host that is not heard at all. One that is heard is tried for as long as it is.
-inline constexpr std::size_t max_tries_of_lost = 8;
+/// The tries for a host that is not heard at all, after which it has to be introduced again. One that is heard is tried
+/// for as long as it is.
+inline constexpr std::size_t max_tries_of_unheard = 8;
 
 /// Only where announcements are sealed: what comes alone is believed by its seal alone.
 class DeafHosts {
@@ -36,10 +37,13 @@ class DeafHosts {
   };
 
   /// It is heard, and says that it does not hear us. Begins to try it where there is room; a host that is not heard at
-  /// all gives way.
+  /// all gives way, and among those an introduced one first.
   void hear_deaf(const Way& way, base::Duration interval, base::Instant now);
-  /// Its deadline has passed, and it said no goodbye. Begins to try it where there is room.
+  /// Its deadline has passed, and it said no goodbye. Begins to try it where there is room; an introduced one gives
+  /// way.
   void lose(const Way& way, base::Duration interval, base::Instant now);
+  /// Somebody else hears it, and we do not. Begins to try it where there is room.
+  void introduce(const Way& way, base::Duration interval, base::Instant now);
   /// It is heard, and nothing says that it does not hear us. A deaf host is *reached* then: it hears our copies, and
   /// goes on getting them.
   void hear(ParticipantId participant);
@@ -55,18 +59,21 @@ class DeafHosts {
   [[nodiscard]] std::uint64_t octets_sent() const { return octets_sent_; }
 
  private:
+  /// Why it is tried: the later ones come first.
+  enum class Cause : std::uint8_t { introduced, lost, deaf };
   struct Host {
     Way way;
-    bool is_lost = false;
+    Cause cause{};
     bool is_reached = false;
     base::Duration interval{};
     base::Instant begin{};  ///< of the try under way, or of the next one
     base::Instant end{};    ///< of that try
     std::size_t octets = 0;
     std::size_t tries = 1;
+    [[nodiscard]] bool is_given_up() const { return cause != Cause::deaf && tries > max_tries_of_unheard; }
   };
 
-  void add(const Way& way, bool is_lost, base::Duration interval, base::Instant now);
+  void add(const Way& way, Cause cause, base::Duration interval, base::Instant now);
   /// Ends the try: the next one begins after a pause.
   static void pause(Host& host, base::Instant now);
   [[nodiscard]] Host* find(ParticipantId participant);

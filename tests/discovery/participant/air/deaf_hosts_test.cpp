@@ -63,7 +63,7 @@ TEST(DeafHosts, ThatAreLostAreGivenUpAfterEightTries) {
   hosts.lose(way(7), interval, noon);
   for (base::Instant now = noon; now < noon + std::chrono::hours(2); now += interval) (void)hosts.take(eth0, 1, now);
   EXPECT_EQ(hosts.size(), 0U);
-  EXPECT_EQ(hosts.octets_sent(), max_tries_of_lost * try_intervals);
+  EXPECT_EQ(hosts.octets_sent(), max_tries_of_unheard * try_intervals);
 }
 
 TEST(DeafHosts, AreEightAtMostAndThoseThatAreHeardComeFirst) {
@@ -78,6 +78,20 @@ TEST(DeafHosts, AreEightAtMostAndThoseThatAreHeardComeFirst) {
   hosts.hear_deaf(way(20), interval, noon);
   EXPECT_EQ(hosts.size(), max_deaf_hosts);
   EXPECT_THAT(hosts.take(eth0, 1, noon), testing::Contains("10.0.0.20"));
+}
+
+TEST(DeafHosts, ThatAreIntroducedGiveWayToThoseThatWereHeard) {
+  DeafHosts hosts;
+  for (std::uint32_t number = 1; number <= max_deaf_hosts + 1; ++number) hosts.introduce(way(number), interval, noon);
+  EXPECT_THAT(hosts.take(eth0, 1, noon), testing::SizeIs(max_deaf_hosts));
+  hosts.lose(way(20), interval, noon);
+  hosts.hear_deaf(way(21), interval, noon);
+  hosts.introduce(way(22), interval, noon);
+  const auto tried = hosts.take(eth0, 1, noon);
+  EXPECT_THAT(tried, testing::IsSupersetOf({"10.0.0.20", "10.0.0.21"}));
+  EXPECT_THAT(tried, testing::Not(testing::Contains("10.0.0.22")));
+  for (base::Instant now = noon; now < noon + std::chrono::hours(2); now += interval) (void)hosts.take(eth0, 1, now);
+  EXPECT_EQ(hosts.size(), 1U) << "those that are not heard are given up";
 }
 
 TEST(DeafHosts, AreSpokenToOnceTheyAreReachedUntilTheyAreDeafAgainOrLeave) {
