@@ -97,6 +97,7 @@ std::vector<std::string> violations(const Law& law, const SourceFile& file) {
   static const std::map<std::string, Owners> owners = {
       {"avahi-", {"tools/bridge/avahi"}},
       {"boost/multi_index", {"discovery/registry"}},
+      {"dds/", {"tools/bridge/cyclone"}},
       {"librdf", {"reasoning/syntax/graph"}},
       {"rasqal", {"reasoning/syntax/graph"}},
       {"raptor", {"reasoning/syntax/rdf/triples"}},

@@ -21,14 +21,16 @@ namespace geminga::bridge {
 namespace {
 
 constexpr std::string_view program = "geminga-bridge";
-constexpr std::array<std::string_view, 1> kinds{"dns-sd"};
+constexpr std::array<std::string_view, 2> kinds{"dns-sd", "dds"};
 
 constexpr const char* examples = R"(Examples:
   geminga-bridge dns-sd
+  geminga-bridge dds --domain 7
   geminga-bridge dns-sd --help
 
 Kinds:
   dns-sd   DNS-SD over multicast DNS, through avahi-daemon
+  dds      the readers and writers of a DDS domain, of ROS 2 among them, by Cyclone DDS
 
 Each kind is the program geminga-bridge-KIND of the package of that name, which needs libraries that no other part of Geminga
 does. None runs unless it is started. A bridge is a client of the local daemon, and what it states for others ends with it.

@@ -101,7 +101,7 @@ geminga_package(geminga-bridge
 geminga-bridge-KIND."
   SECTION net
   RECOMMENDS "geminga (= ${PROJECT_VERSION})"
-  SUGGESTS "geminga-bridge-dns-sd")
+  SUGGESTS "geminga-bridge-dds, geminga-bridge-dns-sd")
 
 if(TARGET geminga-bridge-dns-sd)
   geminga_package(geminga-bridge-dns-sd
@@ -113,10 +113,20 @@ computers announce as services of the team. It goes through avahi-daemon."
     DEPENDS "geminga-bridge (= ${PROJECT_VERSION}), avahi-daemon")
 endif()
 
+if(TARGET geminga-bridge-dds)
+  geminga_package(geminga-bridge-dds
+    SUMMARY "bridge between a robot team and DDS"
+    DESCRIPTION "Shows the readers and writers of a DDS domain to a team as requests and
+services, with the names, types and policies of ROS 2. It carries no
+messages."
+    SECTION net
+    DEPENDS "geminga-bridge (= ${PROJECT_VERSION})")
+endif()
+
 geminga_package(geminga-ontologies ALL
   SUMMARY "ontologies for robot teams"
   DESCRIPTION "The words for services that Geminga ships: the core, a robot soccer team,
-a rescue team, and what others offer by DNS-SD, in Turtle."
+a rescue team, and what others offer by DNS-SD and ROS 2, in Turtle."
   SECTION science)
 
 geminga_package(libgeminga1
@@ -161,7 +171,7 @@ and send and receive messages."
 # The targets that packages hold.
 get_property(manuals GLOBAL PROPERTY geminga_manuals)
 add_custom_target(packaged)
-foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-web geminga-bridge geminga-bridge-dns-sd
+foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-web geminga-bridge geminga-bridge-dds geminga-bridge-dns-sd
         geminga-dissector ${manuals} geminga client_java)
   if(TARGET ${target})
     add_dependencies(packaged ${target})

@@ -21,7 +21,7 @@ Ran bridge(std::vector<std::string> words) {
 TEST(Bridge, SaysWhichKindsThereAre) {
   const Ran unknown = bridge({"dns"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_THAT(unknown.said, HasSubstr("geminga-bridge: no kind is 'dns': there are dns-sd"));
+  EXPECT_THAT(unknown.said, HasSubstr("geminga-bridge: no kind is 'dns': there are dns-sd, dds"));
   EXPECT_EQ(bridge({}).status, 2);
   EXPECT_EQ(bridge({"--help"}).status, 0);
   EXPECT_EQ(bridge({"../gemingad"}).status, 2) << "nothing else is started";
@@ -33,6 +33,22 @@ TEST(Bridge, RefusesWhatIsNoTypeOfDnsSd) {
   EXPECT_THAT(bridge({"dns-sd", "--type", "_geminga._udp"}).said, HasSubstr("is Geminga's own"));
   EXPECT_EQ(bridge({"dns-sd", "--connect", "nowhere"}).status, 2);
   EXPECT_EQ(bridge({"dns-sd", "--only", "both"}).status, 2);
+}
+
+TEST(Bridge, RefusesWhatIsNoDomainOfDds) {
+  if (!std::filesystem::exists(program("geminga-bridge-dds"))) GTEST_SKIP() << "the kind is not built";
+  for (const char* domain : {"233", "-1", "seven", ""}) {
+    EXPECT_EQ(bridge({"dds", "--domain", domain}).status, 2) << domain;
+  }
+  EXPECT_THAT(bridge({"dds", "--domain", "233"}).said, HasSubstr("--domain: 233 is no domain"));
+  const Ran ran =
+      run({.words = {program("geminga-bridge-dds")}, .environment = {{"ROS_DOMAIN_ID", "x"}}, .before = {}});
+  EXPECT_THAT(ran.said, HasSubstr("ROS_DOMAIN_ID: x is no domain"));
+  const Ran broken = run({.words = {program("geminga-bridge-dds")},
+                          .environment = {{"CYCLONEDDS_URI", "<CycloneDDS><Nonsense/></CycloneDDS>"}},
+                          .before = {}});
+  EXPECT_EQ(broken.status, 2) << broken.said;
+  EXPECT_THAT(broken.said, HasSubstr("domain 0 cannot be joined"));
 }
 
 }  // namespace
