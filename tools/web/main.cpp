@@ -10,6 +10,7 @@
 #include "shell/report.hpp"
 #include "shell/whole_lines.hpp"
 #include "web/asking/daemon_asker.hpp"
+#include "web/examining/background_doctor.hpp"
 #include "web/server/event_loop.hpp"
 #include "web/server/server.hpp"
 #include "web/settings.hpp"
@@ -29,7 +30,7 @@ constexpr const char* examples = R"(Examples:
 / is a page that shows the team in a browser, live, and what is wrong first. /metrics is in OpenMetrics. /livez says 200 while
 the program lives, /readyz while the daemon answers and is up to date, else 503 and why. /api/participants, services, requests,
 match, explain, why, ontology, status and security print what geminga-query --json prints, with the keys of query:
-/api/requests?unmatched=1. /api/events?of=services and its like are server-sent events with the objects of geminga-query --watch
+/api/requests?unmatched=1. /api/doctor prints what geminga-query --json doctor prints. /api/events?of=services and its like are server-sent events with the objects of geminga-query --watch
 --json.
 
 It runs without a daemon, too, and connects again by itself. Nothing can be changed over HTTP, and nothing is encrypted: where
@@ -41,7 +42,13 @@ int serve(const Flags& flags, const Settings& settings) {
   boost::asio::io_context context(1);
   client::Reactor reactor([](const std::string& reason) { shell::complain(program, reason); });
   DaemonAsker asker(reactor, settings.daemon, flags.common.timeout_or(std::chrono::seconds(5)));
-  Site site(asker, settings.rules);
+  ClientOptions connection;
+  connection.connect = flags.common.connect;
+  connection.name = std::string(program);
+  connection.timeout = flags.common.timeout_or(std::chrono::seconds(5));
+  BackgroundDoctor doctor(context, connection, GEMINGA_VERSION);
+  Site site(asker, settings.rules,
+            [&doctor](auto then) { doctor.ask([then](const Examined& examined) { then(*examined); }); });
   Server server(context, site);
   std::string places;
   if (settings.listen) {

@@ -109,7 +109,8 @@ TEST_F(Program, SaysWhatGemingaQuerySays) {
       {"/api/why?concept=soccer:TrackedObject&offer.text=a",
        {"why", "--concept", "soccer:TrackedObject", "--offer-text", "a"}},
       {"/api/ontology", {"ontology"}},
-      {"/api/security", {"security"}}};
+      {"/api/security", {"security"}},
+      {"/api/doctor", {"doctor"}}};
   for (const auto& [target, words] : questions) {
     const Reply reply = get(target);
     EXPECT_EQ(reply.status, 200) << target << reply.body;

@@ -5,6 +5,7 @@
 
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -116,7 +117,7 @@ TEST_F(Scraped, IsTakenByPromtool) {
   said_by({"/bin/sh", "-c", std::string(promtool) + " check metrics <" + (folder_.path / "metrics").string()});
 }
 
-TEST_F(Scraped, RaisesTheAlertsOfARequestThatNobodyServesAndOfADaemonThatIsAway) {
+TEST_F(Scraped, RaisesTheAlertsOfRequestsDaemonsOntologiesAndRobots) {
   if (!is_there()) GTEST_SKIP() << "Debian's prometheus is not installed";
   serve();
   start_prometheus();
@@ -134,6 +135,13 @@ TEST_F(Scraped, RaisesTheAlertsOfARequestThatNobodyServesAndOfADaemonThatIsAway)
   ASSERT_TRUE(comes_to({"GemingaDaemonAway"}));
   bench_.start_daemon();
   ASSERT_TRUE(comes_to({}));
+  if (!bench_.lab().has_namespaces()) return;  // another team may be heard on this link
+  auto other = bench_.start(
+      "gemingad", {"--name", "other", "--interval", "0.2", "--gcnp", "127.0.0.1:" + std::to_string(client::free_port()),
+                   "--ontology", GEMINGA_SOURCE_DIR "/ontology/robot-soccer.ttl"});
+  ASSERT_TRUE(comes_to({"GemingaOntologiesDiffer"}));
+  other->signal(SIGKILL);
+  ASSERT_TRUE(comes_to({"GemingaRobotGone"})) << "it said no goodbye";
 }
 
 }  // namespace

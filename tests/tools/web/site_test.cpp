@@ -82,6 +82,27 @@ TEST_F(SiteTest, TakesTheKeysOfAQuestionAndNoOthers) {
   EXPECT_THAT(asker.asked, ElementsAre(Query{"why", {{"concept", "a:B"}, {"offer.attr.rate", "30"}}}));
 }
 
+TEST_F(SiteTest, GivesTheDoctorsDocumentLaterOrWhyThereIsNone) {
+  EXPECT_EQ(get("/api/doctor").status, 404U) << "there is none";
+  std::vector<std::function<void(const Result<boost::json::value, ClientError>&)>> waiting;
+  Site examined(asker, {}, [&](auto then) { waiting.push_back(std::move(then)); });
+  std::vector<Response> responses;
+  const auto ask = [&](const char* target) {
+    examined.answer({.method = "GET", .target = target, .hosts = {"localhost"}, .authorizations = {}, .accept = ""},
+                    [&](const Response& response) { responses.push_back(response); });
+  };
+  ask("/api/doctor");
+  ask("/api/doctor");
+  ask("/api/doctor?with=robot2");
+  ASSERT_THAT(waiting, SizeIs(2));
+  waiting[0](boost::json::value{{"findings", boost::json::array()}});
+  waiting[1](std::unexpected(ClientError{ClientError::Kind::closed, "the daemon is gone"}));
+  ASSERT_THAT(responses, SizeIs(3));
+  EXPECT_EQ(responses[0].status, 400U);
+  EXPECT_EQ(responses[1].body, "{\"findings\":[]}\n");
+  EXPECT_EQ(responses[2].status, 503U);
+}
+
 TEST_F(SiteTest, AnswersWithTheDaemonsCode) {
   const std::vector<std::pair<ErrorCode, unsigned>> codes{
       {ErrorCode::malformed, 400}, {ErrorCode::unknown_request, 404},

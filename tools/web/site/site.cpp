@@ -49,6 +49,7 @@ void Site::route(const Request& request, const Target& target, const Then& then)
     return then(failure(404, "name a question: /api/status and its like, or /api/events"));
   }
   if (path == "/api/events") return answer_events(target.parameters, then);
+  if (path == "/api/doctor" && examine_) return answer_doctor(target.parameters, then);
   if (path.starts_with(api)) return answer_question(path.substr(api.size()), target.parameters, then);
   if (path != "/" && path != open_path && path != "/readyz" && path != "/metrics") {
     return then(failure(404, "there is no such page: there are /, /metrics, /livez, /readyz and /api/"));
@@ -86,6 +87,13 @@ void Site::answer_question(std::string_view kind, const Parameters& parameters, 
   if (!query) return then(std::move(query.error()));
   asker_.ask(*query, [query = *query, then](const Outcome& outcome) {
     then(outcome->has_value() ? document(document_of(query, outcome->value())) : failure_of(outcome->error()));
+  });
+}
+
+void Site::answer_doctor(const Parameters& parameters, const Then& then) {
+  if (!parameters.empty()) return then(failure(400, "no parameters go with /api/doctor"));
+  examine_([then](const Result<boost::json::value, ClientError>& examined) {
+    then(examined ? document(*examined) : failure_of(examined.error()));
   });
 }
 

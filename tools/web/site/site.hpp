@@ -2,6 +2,7 @@
 #ifndef GEMINGA_WEB_SITE_SITE_HPP
 #define GEMINGA_WEB_SITE_SITE_HPP
 
+#include <boost/json/value.hpp>
 #include <functional>
 
 #include "web/asking/asker.hpp"
@@ -13,14 +14,18 @@
 
 namespace geminga::web {
 
-/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND` and `/api/events?of=KIND`. Knows no sockets. Neither copies nor
-/// moves.
+/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND`, `/api/doctor` and `/api/events?of=KIND`. Knows no sockets.
+/// Neither copies nor moves.
 class Site {
  public:
   using Then = std::function<void(Response)>;
 
-  /// Borrows the asker.
-  Site(Asker& asker, Rules rules) : asker_(asker), rules_(std::move(rules)) {}
+  /// Gives the document of the doctor later, or why there is none.
+  using Examine = std::function<void(std::function<void(const Result<boost::json::value, ClientError>&)>)>;
+
+  /// Borrows the asker. Without `examine` there is no doctor.
+  Site(Asker& asker, Rules rules, Examine examine = {})
+      : asker_(asker), rules_(std::move(rules)), examine_(std::move(examine)) {}
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
 
@@ -36,9 +41,11 @@ class Site {
   void answer_metrics(Form form, const Then& then);
   void answer_question(std::string_view kind, const Parameters& parameters, const Then& then);
   void answer_events(const Parameters& parameters, const Then& then);
+  void answer_doctor(const Parameters& parameters, const Then& then);
 
   Asker& asker_;
   Rules rules_;
+  Examine examine_;
   Traffic traffic_;
 };
 
