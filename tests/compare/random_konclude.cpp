@@ -7,12 +7,16 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "compare/disguises.hpp"
 #include "compare/functional_syntax.hpp"
 #include "compare/konclude.hpp"
 #include "compare/opinions.hpp"
 #include "compare/shapes.hpp"
+#include "ontology/loading/readers.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
 #include "support/random_ontology.hpp"
 
 namespace {
@@ -44,31 +48,61 @@ std::vector<Subject> subjects(std::uint64_t seed) {
   return all;
 }
 
+/// The one that is written in disguise, of another kind with each seed.
+Subject in_disguise(std::uint64_t seed) {
+  std::vector<Subject> all = subjects(seed);
+  return std::move(all[seed % all.size()]);
+}
+
+/// Where the document of one subject lies while it is compared.
+std::filesystem::path place_of(const std::string& name) {
+  return std::filesystem::temp_directory_path() / ("random-" + std::to_string(::getpid()) + '-' + name);
+}
+
 /// True where both agree, or Konclude has no answer. What it lacks is no fault of ours unless our tableau lacks it too.
-bool is_agreed(const Subject& subject, std::uint64_t seed) {
-  const owl::Ontology& source = subject.source;
-  const auto file = std::filesystem::temp_directory_path() / ("random-" + std::to_string(::getpid()) + ".ofn");
-  std::ofstream(file) << functional_syntax(source);
+bool is_agreed(const std::string& name, std::uint64_t seed, const owl::Ontology& source,
+               const std::filesystem::path& file) {
   const auto expected = konclude_closure(file, seconds);
   const Opinion ours = of_the_reasoner(source);
   if (!expected) {
-    std::printf("%s, seed %llu: %s\n", subject.name.c_str(), static_cast<unsigned long long>(seed),
-                expected.error().c_str());
-    std::filesystem::remove(file);
+    std::printf("%s, seed %llu: %s\n", name.c_str(), static_cast<unsigned long long>(seed), expected.error().c_str());
     return true;
   }
   const auto found = contradictions(ours, {*expected, true, {}});
   for (const std::string& line : found)
-    std::printf("%s, seed %llu: of us and Konclude %s\n", subject.name.c_str(), static_cast<unsigned long long>(seed),
+    std::printf("%s, seed %llu: of us and Konclude %s\n", name.c_str(), static_cast<unsigned long long>(seed),
                 line.c_str());
-  if (!found.empty()) {
-    for (const std::string& line : contradictions(ours, of_the_tableau(source)))
-      std::printf("    of us and our tableau %s\n", line.c_str());
-    const std::string kept = "difference-" + subject.name + "-" + std::to_string(seed) + ".ofn";
-    std::filesystem::copy_file(file, kept, std::filesystem::copy_options::overwrite_existing);
+  if (found.empty()) return true;
+  for (const std::string& line : contradictions(ours, of_the_tableau(source)))
+    std::printf("    of us and our tableau %s\n", line.c_str());
+  const std::string kept = "difference-" + name + "-" + std::to_string(seed) + file.extension().string();
+  std::filesystem::copy_file(file, kept, std::filesystem::copy_options::overwrite_existing);
+  return false;
+}
+
+bool is_agreed(const Subject& subject, std::uint64_t seed) {
+  const std::filesystem::path file = place_of("t.ofn");
+  std::ofstream(file) << functional_syntax(subject.source);
+  const bool is_same = is_agreed(subject.name, seed, subject.source, file);
+  std::filesystem::remove(file);
+  return is_same;
+}
+
+/// The same for a document in disguise, which both read for themselves.
+bool is_agreed(const Disguised& disguised, const std::string& name, std::uint64_t seed) {
+  const std::filesystem::path file = place_of(disguised.file_name);
+  std::ofstream(file, std::ios::binary) << disguised.document;
+  ontology::Readers readers;
+  const auto loaded = rdf::load(std::vector{file.string()}, {}, &readers);
+  bool is_same = false;
+  if (loaded) {
+    is_same = is_agreed(name, seed, loaded->source, file);
+  } else {
+    std::printf("%s, seed %llu: %s\n", name.c_str(), static_cast<unsigned long long>(seed),
+                syntax::to_string(loaded.error()).c_str());
   }
   std::filesystem::remove(file);
-  return found.empty();
+  return is_same;
 }
 
 }  // namespace
@@ -91,6 +125,10 @@ int main(int argc, char** argv) {
       ++compared;
       differences += is_agreed(subject, seed) ? 0U : 1U;
     }
+    const Subject disguised = in_disguise(seed);
+    compared += 2;
+    differences += is_agreed(in_owl_xml(disguised.source, seed, Disguise::as_others_read), "owlxml", seed) ? 0U : 1U;
+    differences += is_agreed(in_rdf_xml(disguised.source, seed, Disguise::as_others_read), "rdfxml", seed) ? 0U : 1U;
   }
   std::printf("%llu ontologies, %llu with differences\n", static_cast<unsigned long long>(compared),
               static_cast<unsigned long long>(differences));
