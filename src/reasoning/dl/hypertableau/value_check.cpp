@@ -82,15 +82,26 @@ std::uint32_t ValueCheck::known_set(const std::vector<std::uint32_t>& ranges, st
   return found->second;
 }
 
+bool ValueCheck::can_be_alone(const Counted& counted) const {
+  const std::vector<OpaqueSet>& opaque = counted.set.opaque;
+  if (opaque.empty()) return counted.least > 0;
+  // separate_opaque() asks for nothing of values of which there are many, unless equality is asked for.
+  return counted.least >= many_values &&
+         std::ranges::none_of(opaque, [&](const OpaqueSet& set) { return ranges_.is_literal(set.term); });
+}
+
 std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, DependencySets& sets) {
   std::vector<Variable> variables;
-  std::vector<std::uint32_t> number_of(graph.node_count(), none);
   std::vector<std::uint32_t> ranges;
-  free_.resize(graph.node_count());
+  last_looks_.resize(graph.node_count());
+  number_of_.resize(graph.node_count(), none);
   for (const NodeId node : graph.values()) {
-    const Free versions{graph.node(node).version, graph.node(node).surroundings};
-    if (free_[node] == versions || !graph.is_active(node)) continue;
+    Look& last = last_looks_[node];
+    const bool is_unchanged =
+        last.version == graph.node(node).version && last.surroundings == graph.node(node).surroundings;
+    if ((is_unchanged && last.is_free) || !graph.is_active(node)) continue;
     ++looked_;
+    if (!is_unchanged) last = {graph.node(node).version, graph.node(node).surroundings, no_set, false};
     Variable variable;
     variable.node = node;
     ranges.clear();
@@ -106,38 +117,36 @@ std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, D
       } else if (fact.kind == FactKind::unequal) {
         is_alone = false;
         const NodeId other = fact.a == node ? fact.b : fact.a;
-        if (other > node || number_of[other] == none) continue;
-        variable.differs.push_back(number_of[other]);
+        if (other > node || number_of_[other] == none) continue;
+        variable.differs.push_back(number_of_[other]);
         variable.because.push_back(fact.dependency);
       }
     }
-    if (is_free) {
-      free_[node] = versions;
-      continue;
+    if (!is_free && last.known == no_set) {
+      std::ranges::sort(ranges);
+      last.known = known_set(ranges, graph.node(node).literal);
     }
-    std::ranges::sort(ranges);
-    variable.known = known_set(ranges, graph.node(node).literal);
-    if (is_alone && sets_[variable.known].least > 0 && sets_[variable.known].set.opaque.empty()) {
-      free_[node] = versions;
-      continue;
-    }
+    last.is_free = is_free || (is_alone && can_be_alone(sets_[last.known]));
+    if (last.is_free) continue;
+    variable.known = last.known;
     // With more values than there are nodes, one is left for it whatever the others take.
     if (sets_[variable.known].least > graph.values().size()) continue;
     if (has_siblings) {
       const Siblings& siblings = graph.siblings_of(node);
       for (NodeId other = siblings.first; other < node; ++other) {
-        if (number_of[other] == none) continue;
-        variable.differs.push_back(number_of[other]);
+        if (number_of_[other] == none) continue;
+        variable.differs.push_back(number_of_[other]);
         variable.because.push_back(siblings.dependency);
       }
     }
-    number_of[node] = static_cast<std::uint32_t>(variables.size());
+    number_of_[node] = static_cast<std::uint32_t>(variables.size());
     for (std::size_t at = 0; at < variable.differs.size(); ++at) {
-      variables[variable.differs[at]].differs.push_back(number_of[node]);
+      variables[variable.differs[at]].differs.push_back(number_of_[node]);
       variables[variable.differs[at]].because.push_back(variable.because[at]);
     }
     variables.push_back(std::move(variable));
   }
+  for (const Variable& variable : variables) number_of_[variable.node] = none;
   return variables;
 }
 
@@ -221,6 +230,7 @@ std::optional<bool> ValueCheck::can_differ(const std::vector<Variable>& variable
     const Counted& one = sets_[variables[at].known];
     return uses_most ? one.most : one.least;
   };
+  if (group.size() == 1 && variables[group.front()].differs.empty()) return count(group.front()) > 0;
   std::map<std::uint32_t, std::size_t> open;  // with how many open ones each must differ from
   for (const std::uint32_t at : group) open.emplace(at, variables[at].differs.size());
   for (bool changed = true; changed;) {

@@ -65,13 +65,17 @@ class ValueCheck {
     std::uint64_t most = 0;
   };
 
-  /// The versions of a value that was found free: it has a value, and need not differ from any other.
-  struct Free {
+  static constexpr std::uint32_t no_set = 0xffffffff;
+  /// The findings of the last look at a value; they hold while its versions are the same.
+  struct Look {
     std::uint64_t version = 0;
     std::uint64_t surroundings = 0;
-    friend bool operator==(const Free&, const Free&) = default;
+    std::uint32_t known = no_set;  ///< its set, in sets_
+    bool is_free = false;          ///< it has a value, and need not differ from any other
   };
 
+  /// Whether a value that need not differ from a named one always exists, whatever the others are.
+  [[nodiscard]] bool can_be_alone(const Counted& counted) const;
   [[nodiscard]] std::vector<Variable> variables_of(const Graph& graph, DependencySets& sets);
   /// Lets the values in an opaque set differ from those outside of it. Returns why that is not all that opaque sets
   /// say; empty: it is.
@@ -84,7 +88,8 @@ class ValueCheck {
   ValueRanges ranges_;
   std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
   std::vector<Counted> sets_;
-  std::vector<Free> free_;  ///< by node, as of the last look
+  std::vector<Look> last_looks_;          ///< by node
+  std::vector<std::uint32_t> number_of_;  ///< by node: of its variable, while variables_of() runs; else none
   std::size_t looked_ = 0;
   std::map<Value, owl::TermId> representative_;
   std::uint32_t made_ = 0;  ///< values that no literal names
