@@ -128,7 +128,7 @@ class Writer {
   Disguise disguise_;
 };
 
-/// What OWL 1 wrote: a union or intersection of one class, or of none.
+/// Adds the forms of OWL 1: a union or intersection of one class, or of none.
 std::string with_leftovers(std::string line, Writer& writer) {
   if (line.starts_with("<Declaration") || line.starts_with("<DisjointUnion")) return line;
   std::string result;
