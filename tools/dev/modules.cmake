@@ -8,9 +8,10 @@ target_compile_features(geminga_flags INTERFACE cxx_std_23)
 target_compile_options(geminga_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 # A product and a sum are rounded one after the other on every machine, so that a simulated run has one trace.
 target_compile_options(geminga_flags INTERFACE -ffp-contract=off)
-# std::stable_sort of GCC 12's library uses what it deprecates itself, and clang says so at every instance.
+# std::stable_sort of GCC 12's library uses what it deprecates itself, and clang says so at every instance. Of a std::array clang also
+# wants the braces doubled, which C++ lets leave out.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  target_compile_options(geminga_flags INTERFACE -Wno-deprecated-declarations)
+  target_compile_options(geminga_flags INTERFACE -Wno-deprecated-declarations -Wno-missing-braces)
 endif()
 if(GEMINGA_SANITIZE)
   target_compile_options(geminga_flags INTERFACE -fsanitize=${GEMINGA_SANITIZE} -fno-omit-frame-pointer
@@ -167,12 +168,13 @@ function(geminga_test_library name)
   endforeach()
 endfunction()
 
-# geminga_test(NAME [SIMULATES] [APART] SOURCES file... [DEPENDS module...] [LINK external-target...])
+# geminga_test(NAME [SIMULATES] [APART] [ONE_AT_A_TIME] SOURCES file... [DEPENDS module...] [LINK external-target...])
 # The tests of one module: tests/NAME mirrors src/NAME. Every TEST is known to ctest under its own name. SIMULATES: the tests
 # themselves run for long, and are compiled as the product is where no sanitizer asks for -O1 anyway. Six files are compiled as one, but
-# in the preset dev; APART: each by itself, since they give different things one name.
+# in the preset dev; APART: each by itself, since they give different things one name. ONE_AT_A_TIME: ctest starts none of its tests
+# while another one runs.
 function(geminga_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES;APART" "" "SOURCES;DEPENDS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES;APART;ONE_AT_A_TIME" "" "SOURCES;DEPENDS;LINK")
   string(REPLACE "/" "_" target "geminga_${name}_tests")
   add_executable(${target} ${arg_SOURCES})
   geminga_test_body(${target})
@@ -187,5 +189,9 @@ function(geminga_test name)
     string(REPLACE "/" "_" module ${module})
     target_link_libraries(${target} PRIVATE geminga_${module})
   endforeach()
-  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  set(properties TIMEOUT 300)
+  if(arg_ONE_AT_A_TIME)
+    list(APPEND properties RESOURCE_LOCK ${target})
+  endif()
+  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()

@@ -54,13 +54,13 @@ int StopSignals::pending() {
 
 StopSignals::Woken StopSignals::wait(int descriptor, std::optional<std::chrono::milliseconds> timeout,
                                      int other) const {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
+  using Steady = std::chrono::steady_clock;
+  const auto begin = Steady::now();
   std::array<pollfd, 3> watched{{{signals_, POLLIN, 0}, {descriptor, POLLIN, 0}, {other, POLLIN, 0}}};
   while (true) {
     int milliseconds = -1;
     if (timeout) {
-      const auto left = *timeout - std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
+      const auto left = *timeout - std::chrono::duration_cast<std::chrono::milliseconds>(Steady::now() - begin);
       milliseconds = static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, std::numeric_limits<int>::max()));
     }
     const int ready = poll(watched.data(), watched.size(), milliseconds);

@@ -116,7 +116,7 @@ void VocabularyChange::place_again() {
   if (place_walk_) {
     place_walk_->must_repeat = true;
   } else {
-    place_walk_.emplace();
+    place_walk_ = PlaceWalk();
   }
 }
 

@@ -11,7 +11,7 @@ namespace geminga::sealing {
 namespace {
 
 constexpr int codec = sodium_base64_VARIANT_ORIGINAL;
-constexpr std::string_view word = "key ";
+constexpr std::string_view opening = "key ";
 constexpr std::string_view form = "a key file has comments, which begin with #, and one line: key ID SECRET";
 constexpr std::string_view way_out = ": make one with gemingad --generate-key FILE";
 
@@ -21,8 +21,8 @@ std::unexpected<KeyFileError> failure(std::size_t line, std::string_view what) {
 
 /// `key ID SECRET`
 std::expected<Key, KeyFileError> read_line(std::string_view line, std::size_t number) {
-  if (!line.starts_with(word)) return failure(number, form);
-  line.remove_prefix(word.size());
+  if (!line.starts_with(opening)) return failure(number, form);
+  line.remove_prefix(opening.size());
   const auto space = line.find(' ');
   if (space == std::string_view::npos) return failure(number, form);
   const std::string_view id = line.substr(0, space);
@@ -73,7 +73,7 @@ std::string write_key(const Key::Secret& secret) {
   std::string text =
       "# A key of a Geminga team. Whoever can read it can hear the team and speak in its name.\n"
       "# Each host of the team has a copy, with mode 0600: gemingad --key-file FILE\n";
-  text += std::string(word) + to_string(Key(secret).id()) + ' ' + coded.data() + '\n';
+  text += std::string(opening) + to_string(Key(secret).id()) + ' ' + coded.data() + '\n';
   sodium_memzero(coded.data(), coded.size());
   return text;
 }

@@ -144,7 +144,7 @@ bool SourceLocality::is_trivial_union(Terms arguments) {
 
 /// A rule whose body never holds, or whose head always does.
 bool SourceLocality::is_trivial_rule(Terms arguments) {
-  const auto has_predicate = [this](const owl::Term& atom) {
+  const auto has_predicate = [](const owl::Term& atom) {
     return atom.kind >= TermKind::class_atom && atom.kind <= TermKind::data_property_atom;
   };
   const auto is_atom = [&](TermId id, Extension extension) {

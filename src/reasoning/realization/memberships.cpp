@@ -9,13 +9,13 @@ namespace {
 using clauses::IndividualId;
 using hypertableau::Supposition;
 using hypertableau::Verdict;
-using Individuals = std::vector<IndividualId>;
+using IndividualIds = std::vector<IndividualId>;
 
 /// The most questions about one ontology, and the most of them that are too hard.
 constexpr std::size_t max_questions = 100'000;
 constexpr std::size_t max_unanswered = 20;
 
-bool contains(const Individuals& sorted, IndividualId wanted) { return std::ranges::binary_search(sorted, wanted); }
+bool contains(const IndividualIds& sorted, IndividualId wanted) { return std::ranges::binary_search(sorted, wanted); }
 
 class Deciding {
  public:

@@ -51,7 +51,8 @@ struct Wish {
 class Agent {
  public:
   explicit Agent(Node node) : node_(std::move(node)) {
-    node_.on_event([this](const ChannelEvent& event) { std::visit([this](const auto& one) { tell(one); }, event); });
+    node_.on_event(
+        [this](const ChannelEvent& event) { std::visit([this](const auto& one) { this->tell(one); }, event); });
   }
 
   void run() {

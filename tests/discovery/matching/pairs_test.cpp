@@ -58,7 +58,7 @@ TEST(Pairs, ThatAreWithdrawnGiveWhomToSettleInOrderOfKey) {
   const auto& gone = owners.add(offer(key(2, 1, 1), ball));
   owners.add(offer(key(2, 1, 2), ball));
   std::vector<const registry::StoredSubscription*> asked;
-  for (const std::uint32_t number : {2, 1}) asked.push_back(&owners.add(request(key(here, 1, number), ball, 1)));
+  for (const std::uint32_t number : {2U, 1U}) asked.push_back(&owners.add(request(key(here, 1, number), ball, 1)));
   Cause cause;
   owners.pairs.judge_anew(asked, cause);
   (void)owners.told();

@@ -18,7 +18,7 @@ constexpr std::string_view no_room =
 }  // namespace
 
 Server::Server(boost::asio::io_context& context, Site& site, Limits limits)
-    : context_(context), site_(site), limits_(limits), doors_(std::make_shared<env::Doors>(context)) {}
+    : site_(site), limits_(limits), doors_(std::make_shared<env::Doors>(context)) {}
 
 Server::~Server() {
   doors_->close();

@@ -43,7 +43,6 @@ class Server {
   bool drop_longest_waiting();
   void turn_away(Connection::Socket socket);
 
-  boost::asio::io_context& context_;
   Site& site_;
   Limits limits_;
   std::shared_ptr<env::Doors> doors_;                                 ///< shared with the handlers that it posts
