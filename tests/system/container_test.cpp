@@ -1,5 +1,5 @@
 // Each way to put modules and daemons into containers, as examples/containers/README.md tells it, tried with real
-// daemons. daemons.
+// daemons.
 #include "system/container.hpp"
 
 #include <gmock/gmock.h>
@@ -130,6 +130,27 @@ TEST_F(WithTheSocketOfTheHost, WhatAModuleAsksForComesBackTheWayThatItsHelloWent
                                      "exec '" + program("geminga-subscribe") + "' --connect '" + socket +
                                          "' --text camera " + flags + " --listen"}));
     EXPECT_TRUE(subscribe.wait_for("camera\n")) << flags << subscribe.said() << publish.said();
+  }
+}
+
+TEST_F(WithTheSocketOfTheHost, AModuleThatAsksForMessagesOverUdpGetsNone) {
+  for (const std::string mode : {"oto", "otm/pubsub"}) {
+    Process subscribe(inside("geminga-subscribe", {"--text", "shot-" + mode, "--mode", mode, "--listen"}));
+    Process publish(
+        lab->on(1, {"/bin/bash", "-c",
+                    "for ((i = 1;; ++i)); do echo frame-$i; read -rt 0.05 <> <(:) || true; done | '" +
+                        program("geminga-publish") + "' --text shot-" + mode + " --mode " + mode + " --send"}));
+    Talk talk = lab->talk(0);
+    ASSERT_TRUE(talk.wait_until("requests", [&](const auto& lines) {
+      return lines.size() == 1 && field(lines[0], "served") == "1";
+    })) << mode;
+    // A module with the network of the host gets twenty messages meanwhile.
+    Process beside(lab->on(0, {program("geminga-subscribe"), "--text", "shot-" + mode, "--mode", mode, "--listen"}));
+    ASSERT_TRUE(beside.wait_for("frame-")) << beside.said() << publish.said();
+    const std::string said = beside.said();
+    const int first = std::stoi(said.substr(said.rfind("frame-") + 6));
+    EXPECT_TRUE(beside.wait_for("frame-" + std::to_string(first + 20))) << beside.said();
+    EXPECT_THAT(subscribe.said(), testing::Not(HasSubstr("frame-"))) << mode;
   }
 }
 

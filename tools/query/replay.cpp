@@ -1,4 +1,6 @@
 // geminga-query replay: plays a recording to every program that speaks GCNP, or writes it as MCAP.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
@@ -74,15 +76,25 @@ ExitStatus write_mcap(recording::Reader& reader, const ReplayFlags& flags, const
 
 ExitStatus play(recording::Player& player, const ReplayFlags& flags, const ToldFindings& findings) {
   ExitStatus status = ExitStatus::found;
-  recording::Server server(player, {.where = flags.where,
-                                    .is_paused = flags.is_paused,
-                                    .ends = flags.ends,
-                                    .ended = [&](const std::optional<recording::Finding>& finding) {
-                                      if (finding) status = findings.refuse(*finding);
-                                      std::cout << "The recording ends at " << shell::timestamp(player.state().time())
-                                                << (flags.ends ? "." : ": its last moment stays until Ctrl-C.") << '\n'
-                                                << std::flush;
-                                    }});
+  recording::Server server(
+      player, {.where = flags.where,
+               .is_paused = flags.is_paused,
+               .ends = flags.ends,
+               .ended =
+                   [&](const std::optional<recording::Finding>& finding) {
+                     if (finding) status = findings.refuse(*finding);
+                     std::cout << "The recording ends at " << shell::timestamp(player.state().time())
+                               << (flags.ends ? "." : ": its last moment stays until Ctrl-C.") << '\n'
+                               << std::flush;
+                   },
+               .words = flags.file == "-" ? -1 : STDIN_FILENO,
+               .followed =
+                   [&](bool plays, const std::string& error) {
+                     if (!error.empty()) shell::complain(program, error);
+                     std::cout << (plays ? "Plays from " : "Stands at ") << shell::timestamp(player.state().time());
+                     if (player.speed() != 1) std::cout << ", speed " << player.speed();
+                     std::cout << '\n' << std::flush;
+                   }});
   if (const auto listening = server.listen(); !listening) {
     shell::complain(program, listening.error());
     return ExitStatus::wrong_use;
@@ -162,6 +174,8 @@ void add_replay(CLI::App& app, RunAlone& selected) {
       "  geminga-query replay field-test.jsonl --at 14:03:10\n"
       "  zstd -dc field-test.jsonl.zst | geminga-query replay - --from 90\n"
       "  geminga-query replay field-test.jsonl --mcap field-test.mcap\n"
+      "While it runs, a line of standard input moves it: pause, play (an empty line does either), speed X, seek TIME, "
+      "+10, -10 (seconds).\n"
       "A recording has no ontology: it knows why a request had no services, and compares concepts by their names.");
   command->callback(
       [flags, &selected] { selected = [flags](const Context& context) { return replay(context, *flags); }; });

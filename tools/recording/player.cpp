@@ -16,24 +16,42 @@ std::expected<void, Finding> Player::read() {
 
 std::expected<Player, Finding> Player::begin(Reader reader, double speed, std::optional<Moment> from) {
   Player player(std::move(reader), speed);
-  if (auto read = player.read(); !read) return std::unexpected(std::move(read.error()));
-  const std::optional<Entry> first = player.next_;
+  if (auto started = player.start(from); !started) return std::unexpected(std::move(started.error()));
+  return player;
+}
+
+std::expected<void, Finding> Player::start(const std::optional<Moment>& from) {
+  if (auto first_read = read(); !first_read) return first_read;
+  const std::optional<Entry> first = next_;
   const auto is_due = [&] {
     // The records of a snapshot are part of it: all lines of its moment are there at once.
-    return player.next_->at == first->at || (from && has_come(*player.next_, *from, *first));
+    return next_->at == first->at || (from && has_come(*next_, *from, *first));
   };
-  while (player.next_ && is_due()) {
-    player.last_ = player.next_->at;
-    player.state_.apply(*player.next_);
-    if (auto read = player.read(); !read) return std::unexpected(std::move(read.error()));
+  while (next_ && is_due()) {
+    last_ = next_->at;
+    state_.apply(*next_);
+    if (auto more = read(); !more) return more;
   }
-  if (from && !player.next_) {
-    return std::unexpected(Finding{0, 0, "the recording ends before that moment, after " + span_words(player.last_)});
+  const auto* at = from ? std::get_if<At>(&*from) : nullptr;
+  if (at != nullptr && next_) last_ = std::max(last_, *at);
+  begin_ = now_ = last_;
+  state_.stand_at(now_);
+  if (!from || next_) return {};
+  return std::unexpected(Finding{0, 0, "the recording ends before that moment, after " + span_words(last_)});
+}
+
+std::expected<void, Finding> Player::seek(const Moment& moment) {
+  if (!reader_.rewind()) {
+    return std::unexpected(Finding{0, 0, "this recording cannot be read again: give its file to seek in it"});
   }
-  if (const auto* at = from ? std::get_if<At>(&*from) : nullptr) player.last_ = std::max(player.last_, *at);
-  player.begin_ = player.last_;
-  player.state_.stand_at(player.begin_);
-  return player;
+  state_ = State();
+  last_ = {};
+  return start(moment);
+}
+
+void Player::set_speed(double speed) {
+  speed_ = speed;
+  begin_ = now_;
 }
 
 std::expected<void, Finding> Player::move_to(std::chrono::nanoseconds played) {
@@ -44,7 +62,8 @@ std::expected<void, Finding> Player::move_to(std::chrono::nanoseconds played) {
     if (auto more = read(); !more) return more;
   }
   // Behind the end the last moment stays as it is.
-  state_.stand_at(next_ ? now : last_);
+  now_ = next_ ? now : last_;
+  state_.stand_at(now_);
   return {};
 }
 

@@ -1,5 +1,6 @@
 #include "recording/reader.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace geminga::recording {
@@ -36,8 +37,8 @@ Reader::Cut Reader::cut() {
 void Reader::mend_time(Entry& entry) {
   entry.at += shift_;
   if (entry.at < last_) {
-    report_(here("time runs backwards by " + std::to_string((last_ - entry.at).count()) +
-                 " ms: from here on it is counted from the line before"));
+    report(here("time runs backwards by " + std::to_string((last_ - entry.at).count()) +
+                " ms: from here on it is counted from the line before"));
     shift_ += last_ - entry.at;
     entry.at = last_;
   }
@@ -53,25 +54,40 @@ std::expected<std::optional<Entry>, Finding> Reader::next() {
                                                  : "has no snapshot, which a recording begins with"));
     }
     if (cut_line == Cut::too_long) {
-      report_(here("has over " + std::to_string(max_line_bytes) + " octets: left out"));
+      report(here("has over " + std::to_string(max_line_bytes) + " octets: left out"));
       continue;
     }
     auto entry = read_line(line_);
     if (!entry && entry.error().is_other_version) return std::unexpected(here(std::move(entry.error().text)));
     if (!entry) {
-      report_(here(cut_line == Cut::unended ? "the recording was cut within this line: " + entry.error().text
-                                            : entry.error().text + ": left out"));
+      report(here(cut_line == Cut::unended ? "the recording was cut within this line: " + entry.error().text
+                                           : entry.error().text + ": left out"));
       continue;
     }
     if (std::holds_alternative<Unknown>(entry->event)) continue;
     if (std::holds_alternative<Snapshot>(entry->event)) has_begun_ = true;
     if (!has_begun_) {
-      if (left_out_++ == 0) report_(here("the beginning is missing: lines before the first snapshot are left out"));
+      if (left_out_++ == 0) report(here("the beginning is missing: lines before the first snapshot are left out"));
       continue;
     }
     mend_time(*entry);
     return std::optional<Entry>(std::move(*entry));
   }
+}
+
+void Reader::report(const Finding& finding) {
+  if (finding.line > read_before_) report_(finding);
+}
+
+bool Reader::rewind() {
+  in_.clear();
+  if (!in_.seekg(0)) return false;
+  read_before_ = std::max(read_before_, std::exchange(line_number_, 0));
+  line_begin_ = read_ = 0;
+  left_out_ = 0;
+  has_begun_ = false;
+  last_ = shift_ = {};
+  return true;
 }
 
 }  // namespace geminga::recording

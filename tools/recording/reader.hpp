@@ -38,12 +38,16 @@ class Reader {
   /// recording, or one of another version.
   [[nodiscard]] std::expected<std::optional<Entry>, Finding> next();
 
+  /// Begins anew at the first line, and reports nothing twice. False: the stream cannot go back, as a pipe cannot.
+  [[nodiscard]] bool rewind();
+
  private:
   enum class Cut { whole, too_long, unended, none };
   /// Reads one line into line_, at most max_line_bytes of it.
   Cut cut();
   [[nodiscard]] Finding here(std::string text) const { return {line_number_, line_begin_, std::move(text)}; }
   void mend_time(Entry& entry);
+  void report(const Finding& finding);
 
   std::istream& in_;
   Report report_;
@@ -51,7 +55,8 @@ class Reader {
   std::size_t line_number_ = 0;
   std::uint64_t line_begin_ = 0;
   std::uint64_t read_ = 0;
-  std::size_t left_out_ = 0;  ///< entries before the first snapshot
+  std::size_t read_before_ = 0;  ///< lines that were read before rewind()
+  std::size_t left_out_ = 0;     ///< entries before the first snapshot
   bool has_begun_ = false;
   At last_{};
   At shift_{};  ///< added to the times of the file

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sys/inotify.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -187,6 +188,26 @@ TEST_F(RecordAndReplay, RefuseStatementsOfPrograms) {
       bench_.run("geminga-publish", {"--connect", in("replay.sock"), "--text", "x", "--port", "5", "--mode", "oto"});
   EXPECT_EQ(offered.status, 2);
   EXPECT_THAT(offered.errors, HasSubstr("this is a recording"));
+  player->signal(SIGTERM);
+  EXPECT_EQ(player->wait(), 0);
+}
+
+TEST_F(RecordAndReplay, IsMovedByWordsOnStandardInput) {
+  const std::string words = in("words");
+  ASSERT_EQ(::mkfifo(words.c_str(), 0600), 0);
+  const std::string file = GEMINGA_SOURCE_DIR "/tests/fuzz/seeds/recording/field_test.jsonl";
+  auto player = bench_.start("/bin/sh", {"-c", "exec \"$0\" replay \"$1\" --gcnp \"$2\" <\"$3\"",
+                                         system::program("geminga-query"), file, in("replay.sock"), words});
+  std::ofstream user(words);
+  user << "seek 3\npause\n" << std::flush;
+  ASSERT_TRUE(player->wait_for("Stands at 2026-11-27T03:10:05")) << player->said();
+  user << "faster\nspeed 0.5\n" << std::flush;
+  ASSERT_TRUE(player->wait_for("'faster' is no word for a replay")) << player->said();
+  ASSERT_TRUE(player->wait_for(", speed 0.5")) << player->said();
+  user << "-3\n" << std::flush;
+  ASSERT_TRUE(player->wait_for("Stands at 2026-11-27T03:10:02")) << player->said();
+  user.close();
+  EXPECT_EQ(ask({"participants"}).status, 0) << "it goes on without a user";
   player->signal(SIGTERM);
   EXPECT_EQ(player->wait(), 0);
 }

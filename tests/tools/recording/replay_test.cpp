@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "recording/control.hpp"
 #include "recording/player.hpp"
 #include "recording/talk.hpp"
 #include "tools/recording/rows.hpp"
@@ -187,6 +188,43 @@ TEST_F(APlayer, BeginsAtAMoment) {
   const auto late = begin(1, "16");
   ASSERT_FALSE(late);
   EXPECT_THAT(late.error().text, HasSubstr("ends before that moment, after 15.0 s"));
+}
+
+TEST_F(APlayer, GoesBackAndAheadAndChangesItsSpeedWhileItPlays) {
+  auto player = begin(1);
+  ASSERT_TRUE(player->move_to(10s));
+  EXPECT_THAT(player->state().of("participants"), SizeIs(1));
+  ASSERT_TRUE(player->seek(At{3s}));
+  EXPECT_THAT(player->state().of("participants"), SizeIs(2)) << "robot 2 is there again";
+  EXPECT_THAT(player->state().of("services"), SizeIs(1));
+  EXPECT_EQ(player->now(), At{3s});
+  player->set_speed(10);
+  EXPECT_EQ(player->next_due(), 200ms);
+  ASSERT_TRUE(player->move_to(200ms));
+  EXPECT_THAT(player->state().of("services"), IsEmpty());
+  const auto beyond = player->seek(At{99s});
+  ASSERT_FALSE(beyond);
+  EXPECT_THAT(beyond.error().text, HasSubstr("ends before that moment"));
+  EXPECT_TRUE(player->is_over());
+  ASSERT_TRUE(player->seek(At{0s})) << "and back from the end";
+  EXPECT_FALSE(player->is_over());
+}
+
+TEST(Control, IsReadFromALine) {
+  const auto kind = [](std::string_view line) {
+    const auto control = read_control(line);
+    return control ? control->index() : std::variant_npos;
+  };
+  const std::vector<std::pair<std::string_view, std::size_t>> lines{
+      {"", 0},           {" \r", 0},      {"pause", 1},         {"pa", 1},      {"play", 2}, {" pl ", 2},
+      {"speed 0.01", 3}, {"sp 10000", 3}, {"seek 14:03:10", 4}, {"se 90.5", 4}, {"+10", 5},  {"-2.5", 5}};
+  for (const auto& [line, index] : lines) EXPECT_EQ(kind(line), index) << line;
+  EXPECT_EQ(std::get<Skip>(*read_control("-2.5")).time, -2500ms);
+  for (const char* line : {"p", "s 1", "x", "pause now", "speed", "speed 0", "speed nan", "speed 1x", "seek",
+                           "seek noon", "+", "-", "+14:03", "++1", "\x1b[2J"}) {
+    ASSERT_FALSE(read_control(line)) << line;
+    EXPECT_THAT(read_control(line).error(), Not(HasSubstr("\x1b")));
+  }
 }
 
 TEST(HasCome, TakesATimeOfDayBehindTheBeginning) {

@@ -1,6 +1,10 @@
 #include "recording/serving/server.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <utility>
 
@@ -11,6 +15,9 @@ namespace {
 
 /// A client's next answer waits while it has more octets than this to read, as with a daemon.
 constexpr std::size_t unread_before_more = std::size_t{64} * 1024;
+
+/// A longer line of the user is no word.
+constexpr std::size_t max_word_octets = 4096;
 
 /// The longest wait for the next entry at once, so that no sum of times can overflow.
 constexpr std::chrono::nanoseconds longest_wait = std::chrono::hours(1);
@@ -49,11 +56,19 @@ void Server::run() {
   begin_ = Clock::now();
   streams_->serve();
   if (!options_.is_paused) wait_for_next();
+  if (const int words = ::fcntl(options_.words, F_DUPFD_CLOEXEC, 0); words >= 0) {
+    boost::system::error_code error;
+    words_.assign(words, error);  // a file or /dev/null cannot be waited for, and has no words
+    if (error) ::close(words);
+  }
+  if (words_.is_open()) wait_for_word();
   context_.run();
 }
 
 void Server::end() {
   timer_.cancel();
+  words_timer_.cancel();
+  words_.close();
   signals_.cancel();
   streams_->shut_down();
   context_.stop();
@@ -76,6 +91,57 @@ void Server::wait_for_next() {
     move();
     if (!player_.is_over()) wait_for_next();
   });
+}
+
+void Server::wait_for_word() {
+  words_.async_wait(boost::asio::posix::stream_descriptor::wait_read, [this](const boost::system::error_code& error) {
+    if (error) return;
+    // In the background of a shell, reading would stop this process, and the word is for the shell.
+    if (::isatty(words_.native_handle()) != 0 && ::tcgetpgrp(words_.native_handle()) != ::getpgrp()) {
+      words_timer_.expires_after(std::chrono::seconds(1));
+      words_timer_.async_wait([this](const boost::system::error_code& late) {
+        if (!late) wait_for_word();
+      });
+      return;
+    }
+    std::array<char, 256> piece{};
+    const ssize_t size = ::read(words_.native_handle(), piece.data(), piece.size());
+    if (size <= 0) return;  // the user has nothing more to say
+    said_.append(piece.data(), static_cast<std::size_t>(size));
+    for (auto end = said_.find('\n'); end != std::string::npos; end = said_.find('\n')) {
+      follow(said_.substr(0, end));
+      said_.erase(0, end + 1);
+    }
+    if (said_.size() > max_word_octets) said_.clear();
+    if (words_.is_open()) wait_for_word();
+  });
+}
+
+void Server::follow(std::string_view line) {
+  move();
+  const auto read = read_control(line);
+  const auto done = read ? control(*read) : std::unexpected(read.error());
+  begin_ = Clock::now();
+  player_.set_speed(player_.speed());
+  timer_.cancel();
+  if (!player_.is_over()) is_told_ = false;
+  if (options_.followed) options_.followed(!options_.is_paused && !player_.is_over(), done ? "" : done.error());
+  if (!options_.is_paused) wait_for_next();
+}
+
+std::expected<void, std::string> Server::control(const Control& control) {
+  const auto seek = [this](const Moment& moment) -> std::expected<void, std::string> {
+    const auto sought = player_.seek(moment);
+    if (sought) return {};
+    return std::unexpected(sought.error().text);
+  };
+  if (std::holds_alternative<Toggle>(control)) options_.is_paused = !options_.is_paused;
+  if (std::holds_alternative<Pause>(control)) options_.is_paused = true;
+  if (std::holds_alternative<Play>(control)) options_.is_paused = false;
+  if (const auto* speed = std::get_if<SetSpeed>(&control)) player_.set_speed(speed->speed);
+  if (const auto* to = std::get_if<Seek>(&control)) return seek(to->moment);
+  if (const auto* skip = std::get_if<Skip>(&control)) return seek(std::max(At{}, player_.now() + skip->time));
+  return {};
 }
 
 void Server::hear(env::StreamId stream, std::string_view octets) {

@@ -3,6 +3,7 @@
 #define GEMINGA_RECORDING_SERVING_SERVER_HPP
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <expected>
@@ -12,6 +13,7 @@
 #include <string>
 
 #include "env/asio/streams.hpp"
+#include "recording/control.hpp"
 #include "recording/player.hpp"
 #include "recording/talk.hpp"
 
@@ -26,6 +28,10 @@ class Server {
     bool ends = false;       ///< run() returns at the end of the recording
     /// Told when the recording has come to its end, or cannot be read further (with the reason).
     std::function<void(const std::optional<Finding>&)> ended;
+    /// A descriptor with a word for the replay in each line (control.hpp), which stays the caller's; negative: none.
+    int words = -1;
+    /// Told what became of a word: whether the replay plays, or why the word was not followed.
+    std::function<void(bool plays, const std::string& error)> followed{};
   };
 
   /// Borrows the player for its life.
@@ -49,6 +55,11 @@ class Server {
 
   void move();
   void wait_for_next();
+  /// Reads the next word of the user.
+  void wait_for_word();
+  void follow(std::string_view line);
+  /// Does what a word says; the error says why it cannot be done.
+  std::expected<void, std::string> control(const Control& control);
   void hear(env::StreamId stream, std::string_view octets);
   /// Answers what a client has said, as long as it reads the answers.
   void answer(env::StreamId stream);
@@ -59,6 +70,9 @@ class Server {
   boost::asio::io_context context_;
   boost::asio::signal_set signals_{context_};
   boost::asio::steady_timer timer_{context_};
+  boost::asio::posix::stream_descriptor words_{context_};
+  boost::asio::steady_timer words_timer_{context_};  ///< until a shell gives the terminal back
+  std::string said_;                                 ///< of a word
   std::shared_ptr<env::Streams> streams_;
   std::map<env::StreamId, Client> clients_;
   std::uint32_t last_peer_ = 0;
