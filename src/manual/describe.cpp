@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "manual/bash_completion.hpp"
+#include "manual/fish_completion.hpp"
 #include "manual/man_page.hpp"
 #include "manual/outline.hpp"
 #include "manual/zsh_completion.hpp"
@@ -43,6 +44,7 @@ std::optional<std::string> described(const CLI::App& app, int argc, const char* 
   if (form == "man") return man_page(outline_of(app), section, date());
   if (form == "bash") return bash_completion(outline_of(app));
   if (form == "zsh") return zsh_completion(outline_of(app));
+  if (form == "fish") return fish_completion(outline_of(app));
   return std::nullopt;
 }
 

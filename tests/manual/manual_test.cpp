@@ -13,6 +13,7 @@
 
 #include "manual/bash_completion.hpp"
 #include "manual/describe.hpp"
+#include "manual/fish_completion.hpp"
 #include "manual/man_page.hpp"
 #include "manual/outline.hpp"
 #include "manual/zsh_completion.hpp"
@@ -145,13 +146,24 @@ TEST_F(Manual, ZshIsToldWhatEachMeans) {
   EXPECT_THAT(text, Not(HasSubstr("hidden")));
 }
 
+TEST_F(Manual, FishIsToldWhatEachMeans) {
+  const std::string text = fish_completion(outline());
+  EXPECT_THAT(text, HasSubstr("\ncomplete -c awkward -f\n"));
+  EXPECT_THAT(text,
+              HasSubstr(R"x(complete -c awkward -s m -l mode -x -a 'fast very-slow' -d 'How: [fast] or \'slow\'\\')x"));
+  EXPECT_THAT(text, HasSubstr("-n 'not __fish_seen_subcommand_from draw show' -a draw -d 'Draws: \"quickly\"'\n"));
+  EXPECT_THAT(text, HasSubstr("complete -c awkward -n '__fish_seen_subcommand_from draw' -F\n")) << "its files";
+  EXPECT_THAT(text, HasSubstr("complete -c awkward -n '__fish_seen_subcommand_from draw' -l format -x -a 'dot svg'"));
+  EXPECT_THAT(text, Not(HasSubstr("hidden")));
+}
+
 TEST_F(Manual, IsAskedForByTwoWordsOnly) {
   const auto asked = [&](std::vector<const char*> words) {
     return described(app_, static_cast<int>(words.size()), words.data());
   };
-  for (const char* form : {"man", "bash", "zsh"}) EXPECT_TRUE(asked({"awkward", "--describe", form})) << form;
+  for (const char* form : {"man", "bash", "zsh", "fish"}) EXPECT_TRUE(asked({"awkward", "--describe", form})) << form;
   EXPECT_FALSE(asked({"awkward", "--describe"}));
-  EXPECT_FALSE(asked({"awkward", "--describe", "fish"}));
+  EXPECT_FALSE(asked({"awkward", "--describe", "tcsh"}));
   EXPECT_FALSE(asked({"awkward", "draw", "--describe", "man"}));
   ::setenv("SOURCE_DATE_EPOCH", "86400", 1);
   EXPECT_THAT(*asked({"awkward", "--describe", "man"}), HasSubstr(" 1970-01-02 "));

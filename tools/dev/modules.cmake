@@ -112,16 +112,19 @@ function(geminga_manual name section package)
   set(man ${folder}/${name}.${section})
   set(bash ${folder}/${name}.bash)
   set(zsh ${folder}/_${name})
-  add_custom_command(OUTPUT ${man} ${man}.gz ${bash} ${zsh}
+  set(fish ${folder}/${name}.fish)
+  add_custom_command(OUTPUT ${man} ${man}.gz ${bash} ${zsh} ${fish}
     COMMAND ${name} --describe man > ${man}
     COMMAND gzip -9n < ${man} > ${man}.gz
     COMMAND ${name} --describe bash > ${bash}
     COMMAND ${name} --describe zsh > ${zsh}
+    COMMAND ${name} --describe fish > ${fish}
     DEPENDS ${name} VERBATIM)
-  add_custom_target(${name}-manual ALL DEPENDS ${man}.gz ${bash} ${zsh})
+  add_custom_target(${name}-manual ALL DEPENDS ${man}.gz ${bash} ${zsh} ${fish})
   set_property(GLOBAL APPEND PROPERTY geminga_manuals ${name}-manual)
   install(FILES ${man}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT ${package})
   install(FILES ${bash} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${name} COMPONENT ${package})
+  install(FILES ${fish} DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT ${package})
   # zsh looks into the first folder below /usr/local, and into the second one below /usr, where packages put their files.
   install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT not-packaged)
   install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT ${package} EXCLUDE_FROM_ALL)

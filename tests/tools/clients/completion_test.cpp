@@ -1,4 +1,4 @@
-// The completions of bash and zsh ask the living daemon, and take what robots say for nothing but text.
+// The completions of bash, zsh and fish ask the living daemon, and take what robots say for nothing but text.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -93,8 +93,8 @@ class Completion : public Query {
   Completion() {
     std::string path = fs::temp_directory_path() / "geminga-completion-XXXXXX";
     if (::mkdtemp(path.data()) != nullptr) folder_ = path;
-    for (const char* form : {"bash", "zsh"}) {
-      std::ofstream(folder_ / (std::string(form) == "zsh" ? "_geminga-query" : "bash"))
+    for (const char* form : {"bash", "fish", "zsh"}) {
+      std::ofstream(folder_ / (std::string(form) == "zsh" ? "_geminga-query" : form))
           << bench_.query({"--describe", form}).out;
     }
   }
@@ -255,6 +255,27 @@ TEST_F(Completion, WorksForWhoTypesInBash) {
   EXPECT_TRUE(bash.shows("\\)"));
   bash.type("\necho en''d\n");
   EXPECT_TRUE(bash.shows("end"));
+  EXPECT_FALSE(fs::exists(trap));
+}
+
+TEST_F(Completion, WorksInFish) {
+  if (!fs::exists("/usr/bin/fish")) GTEST_SKIP() << "fish is not installed";
+  Talk robot = bench_.talk();
+  const fs::path trap = folder_ / "trap";
+  robot.say("1 pub create mode=oto port=5000 text=\"(touch " + trap.string() + ")\"");
+  EXPECT_THAT(robot.lines_until_pong(), IsEmpty());
+  const auto offered = [&](const std::string& line) {
+    auto start = bench_.lab().on(0, {"/usr/bin/fish", "--no-config", "-c", "source $argv[1]; complete -C $argv[2]",
+                                     (folder_ / "fish").string(), line});
+    start.environment = environment(nobody());
+    return system::run(start).said;
+  };
+  const std::string query = "geminga-query --connect " + address() + ' ';
+  EXPECT_THAT(offered(query + "match soccer:SharedBallI"), HasSubstr("soccer:SharedBallInfo"));
+  EXPECT_THAT(offered(query + "why "), HasSubstr("vision@robot0 asks for 77, nobody serves it"));
+  EXPECT_THAT(offered(query + "match --text "), HasSubstr("touch"));
+  EXPECT_THAT(offered(query + "partic"), HasSubstr("participants\t"));
+  EXPECT_THAT(offered(query + "doctor --repo"), HasSubstr("--report\t"));
   EXPECT_FALSE(fs::exists(trap));
 }
 
