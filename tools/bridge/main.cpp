@@ -21,7 +21,7 @@ namespace geminga::bridge {
 namespace {
 
 constexpr std::string_view program = "geminga-bridge";
-constexpr std::array<std::string_view, 2> kinds{"dns-sd", "dds"};
+constexpr std::array<std::string_view, 3> kinds{"dns-sd", "dds", "mqtt"};
 
 constexpr const char* examples = R"(Examples:
   geminga-bridge dns-sd
@@ -31,9 +31,10 @@ constexpr const char* examples = R"(Examples:
 Kinds:
   dns-sd   DNS-SD over multicast DNS, through avahi-daemon
   dds      the readers and writers of a DDS domain, of ROS 2 among them, by Cyclone DDS
+  mqtt     a server of MQTT as a link between daemons that have no other
 
 Each kind is the program geminga-bridge-KIND of the package of that name, which needs libraries that no other part of Geminga
-does. None runs unless it is started. A bridge is a client of the local daemon, and what it states for others ends with it.
+does. None runs unless it is started. What a bridge states for others ends with it.
 
 Exit status: that of the kind; 2 wrong usage, also a kind that is not installed.)";
 

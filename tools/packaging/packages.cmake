@@ -101,7 +101,7 @@ geminga_package(geminga-bridge
 geminga-bridge-KIND."
   SECTION net
   RECOMMENDS "geminga (= ${PROJECT_VERSION})"
-  SUGGESTS "geminga-bridge-dds, geminga-bridge-dns-sd")
+  SUGGESTS "geminga-bridge-dds, geminga-bridge-dns-sd, geminga-bridge-mqtt")
 
 if(TARGET geminga-bridge-dns-sd)
   geminga_package(geminga-bridge-dns-sd
@@ -121,6 +121,16 @@ services, with the names, types and policies of ROS 2. It carries no
 messages."
     SECTION net
     DEPENDS "geminga-bridge (= ${PROJECT_VERSION})")
+endif()
+
+if(TARGET geminga-bridge-mqtt)
+  geminga_package(geminga-bridge-mqtt
+    SUMMARY "bridge between robot teams over MQTT"
+    DESCRIPTION "Carries the announcements of daemons that have no other link over a server
+of MQTT. They stay sealed with the team's key."
+    SECTION net
+    DEPENDS "geminga-bridge (= ${PROJECT_VERSION})"
+    SUGGESTS "mosquitto")
 endif()
 
 geminga_package(geminga-ontologies ALL
@@ -172,7 +182,7 @@ and send and receive messages."
 get_property(manuals GLOBAL PROPERTY geminga_manuals)
 add_custom_target(packaged)
 foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-web geminga-bridge geminga-bridge-dds geminga-bridge-dns-sd
-        geminga-dissector ${manuals} geminga client_java)
+        geminga-bridge-mqtt geminga-dissector ${manuals} geminga client_java)
   if(TARGET ${target})
     add_dependencies(packaged ${target})
   endif()

@@ -21,7 +21,7 @@ Ran bridge(std::vector<std::string> words) {
 TEST(Bridge, SaysWhichKindsThereAre) {
   const Ran unknown = bridge({"dns"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_THAT(unknown.said, HasSubstr("geminga-bridge: no kind is 'dns': there are dns-sd, dds"));
+  EXPECT_THAT(unknown.said, HasSubstr("geminga-bridge: no kind is 'dns': there are dns-sd, dds, mqtt"));
   EXPECT_EQ(bridge({}).status, 2);
   EXPECT_EQ(bridge({"--help"}).status, 0);
   EXPECT_EQ(bridge({"../gemingad"}).status, 2) << "nothing else is started";
@@ -49,6 +49,28 @@ TEST(Bridge, RefusesWhatIsNoDomainOfDds) {
                           .before = {}});
   EXPECT_EQ(broken.status, 2) << broken.said;
   EXPECT_THAT(broken.said, HasSubstr("domain 0 cannot be joined"));
+}
+
+TEST(Bridge, RefusesWhatIsNoServer) {
+  for (const char* kind : {"mqtt"}) {
+    if (!std::filesystem::exists(program(std::string("geminga-bridge-") + kind))) continue;
+    const std::string good = std::string(kind) + "://127.0.0.1";
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{},
+                                               {"127.0.0.1"},
+                                               {"http://127.0.0.1"},
+                                               {std::string(kind) + "://"},
+                                               {good + ":0"},
+                                               {good, "--team", "a/b"},
+                                               {good, "--site", "a.b"},
+                                               {good, "--listen", "10.0.0.1:4720"},
+                                               {good, "--daemon", "nowhere"},
+                                               {good, "--ca", "x.pem"}}) {
+      std::vector<std::string> line{kind};
+      line.insert(line.end(), words.begin(), words.end());
+      EXPECT_EQ(bridge(line).status, 2) << testing::PrintToString(line);
+    }
+  }
 }
 
 }  // namespace

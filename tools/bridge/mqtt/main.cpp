@@ -1,0 +1,75 @@
+// geminga-bridge-mqtt: a server of MQTT as a link between daemons that have no other.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bridge/mosquitto/mqtt_server.hpp"
+#include "bridge/words/daemon_socket.hpp"
+#include "bridge/words/word_options.hpp"
+#include "shell/options.hpp"
+#include "shell/report.hpp"
+#include "shell/stop_signals.hpp"
+#include "shell/whole_lines.hpp"
+
+namespace geminga::bridge {
+namespace {
+
+constexpr std::string_view program = "geminga-bridge-mqtt";
+
+constexpr const char* examples = R"(Examples:
+  geminga-bridge-mqtt mqtt://base.local --team rescue --site hall
+  geminga-bridge mqtt mqtts://broker.example --ca team.pem --user robot1
+  gemingad --interface wlan0 --interface lo --peer 127.0.0.1:4720 --key-file team.key
+
+The daemon names the bridge as its peer, and the server is a link for it: what it says there is heard by the daemons of all other
+sites, and the other way round. Words are the daemon's datagrams, sealed with the team's key where there is one. The server sees
+their sizes and times; without a key it could say what it likes. It keeps none of them: who is gone is gone at its deadline, and
+a newcomer is told by those that live. Which sites are there is retained below geminga/TEAM/site, and taken away by last wills.
+
+Exit status: 0 ended by a signal, 2 wrong usage, or the address of --listen is taken.)";
+
+int fail(const std::string& text) {
+  shell::complain(program, text);
+  return static_cast<int>(shell::ExitStatus::wrong_use);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Carries the announcements of daemons over a server of MQTT.", std::string(program));
+  app.footer(examples);
+  WordOptions options;
+  options.add_to(app, std::string(program), "mqtt|mqtts");
+  if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
+  const auto settings = options.settings("mqtt", "mqtts", 1883, 8883);
+  if (!settings) return fail(settings.error());
+
+  const auto log = [](const std::string& line) { shell::complain(program, line); };
+  const shell::StopSignals signals;
+  client::Reactor reactor(log);
+  Tally tally(reactor, log);
+  std::unique_ptr<DaemonSocket> daemon;
+  MqttServer server(reactor, *settings, tally,
+                    {.word =
+                         [&](DaemonSocket::Word word) {
+                           const auto given = daemon->give(word);
+                           if (given == DaemonSocket::Given::too_long) tally.count("words of no size that a word has");
+                           if (given == DaemonSocket::Given::too_many) tally.count("words over the limit of a second");
+                         },
+                     .log = log});
+  auto opened = DaemonSocket::open(settings->own, settings->daemon, reactor, tally,
+                                   [&server](DaemonSocket::Word word) { server.say(word); });
+  if (!opened) return fail(opened.error());
+  daemon = std::move(*opened);
+  if (const auto started = server.start(); !started) return fail(started.error());
+  while (signals.wait(reactor.descriptor(), std::nullopt) != shell::StopSignals::Woken::stopped) reactor.process();
+  server.leave();
+  return static_cast<int>(shell::ExitStatus::found);
+}
+
+}  // namespace
+}  // namespace geminga::bridge
+
+int main(int argc, char** argv) {
+  const geminga::shell::WholeLines lines;
+  return geminga::bridge::run(argc, argv);
+}
