@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "ontology/alignment/words.hpp"
-#include "ontology/lint/entities.hpp"
+#include "ontology/entities/entities.hpp"
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/owl/annotation.hpp"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ontology/lint/entities.hpp"
+#include "ontology/entities/entities.hpp"
 #include "ontology/loading/classified_files.hpp"
 
 namespace geminga::ontology {

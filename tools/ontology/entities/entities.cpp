@@ -1,4 +1,4 @@
-#include "ontology/lint/entities.hpp"
+#include "ontology/entities/entities.hpp"
 
 #include <algorithm>
 #include <array>

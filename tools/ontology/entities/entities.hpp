@@ -1,6 +1,6 @@
 // The entities that files declare or describe, with their places and what annotations say of them.
-#ifndef GEMINGA_ONTOLOGY_LINT_ENTITIES_HPP
-#define GEMINGA_ONTOLOGY_LINT_ENTITIES_HPP
+#ifndef GEMINGA_ONTOLOGY_ENTITIES_ENTITIES_HPP
+#define GEMINGA_ONTOLOGY_ENTITIES_ENTITIES_HPP
 
 #include <cstdint>
 #include <functional>
