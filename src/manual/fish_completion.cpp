@@ -47,7 +47,7 @@ std::string lines(const std::string& name, const std::string& condition, const s
 
 /// Offers what the daemon knows, which `geminga-query complete` tells as fish wants it: a word, a tab, its meaning.
 /// Fish quotes each word; what a daemon says is never evaluated. `--connect` of the command line leads to the daemon.
-constexpr std::string_view living =
+constexpr std::string_view living_in_fish =
     R"x(function __geminga_living
   set -l connect
   set -l last
@@ -69,7 +69,7 @@ end
 
 std::string fish_completion(const Outline& program) {
   std::string text = "# Completion for fish, made from the table of flags of " + program.name + ".\n";
-  text += std::string(living) + "complete -c " + program.name + " -f\n";
+  text += std::string(living_in_fish) + "complete -c " + program.name + " -f\n";
   std::string commands;
   for (const Outline& command : program.commands) commands += ' ' + command.name;
   const std::string before = commands.empty() ? "" : "not __fish_seen_subcommand_from" + commands;
