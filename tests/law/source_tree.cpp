@@ -101,6 +101,7 @@ std::vector<std::string> violations(const Law& law, const SourceFile& file) {
       {"librdf", {"reasoning/syntax/graph"}},
       {"rasqal", {"reasoning/syntax/graph"}},
       {"mosquitto.h", {"tools/bridge/mosquitto"}},
+      {"nats/", {"tools/bridge/cnats"}},
       {"raptor", {"reasoning/syntax/rdf/triples"}},
       {"re2", {"reasoning/dl/hypertableau/rules"}},
       {"google/protobuf", {"discovery/announcement", "tools/wireshark"}},

@@ -21,7 +21,7 @@ namespace geminga::bridge {
 namespace {
 
 constexpr std::string_view program = "geminga-bridge";
-constexpr std::array<std::string_view, 3> kinds{"dns-sd", "dds", "mqtt"};
+constexpr std::array<std::string_view, 4> kinds{"dns-sd", "dds", "mqtt", "nats"};
 
 constexpr const char* examples = R"(Examples:
   geminga-bridge dns-sd
@@ -32,6 +32,7 @@ Kinds:
   dns-sd   DNS-SD over multicast DNS, through avahi-daemon
   dds      the readers and writers of a DDS domain, of ROS 2 among them, by Cyclone DDS
   mqtt     a server of MQTT as a link between daemons that have no other
+  nats     the same with a server of NATS
 
 Each kind is the program geminga-bridge-KIND of the package of that name, which needs libraries that no other part of Geminga
 does. None runs unless it is started. What a bridge states for others ends with it.

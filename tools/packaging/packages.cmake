@@ -101,7 +101,7 @@ geminga_package(geminga-bridge
 geminga-bridge-KIND."
   SECTION net
   RECOMMENDS "geminga (= ${PROJECT_VERSION})"
-  SUGGESTS "geminga-bridge-dds, geminga-bridge-dns-sd, geminga-bridge-mqtt")
+  SUGGESTS "geminga-bridge-dds, geminga-bridge-dns-sd, geminga-bridge-mqtt, geminga-bridge-nats")
 
 if(TARGET geminga-bridge-dns-sd)
   geminga_package(geminga-bridge-dns-sd
@@ -131,6 +131,16 @@ of MQTT. They stay sealed with the team's key."
     SECTION net
     DEPENDS "geminga-bridge (= ${PROJECT_VERSION})"
     SUGGESTS "mosquitto")
+endif()
+
+if(TARGET geminga-bridge-nats)
+  geminga_package(geminga-bridge-nats
+    SUMMARY "bridge between robot teams over NATS"
+    DESCRIPTION "Carries the announcements of daemons that have no other link over a server
+of NATS. They stay sealed with the team's key."
+    SECTION net
+    DEPENDS "geminga-bridge (= ${PROJECT_VERSION})"
+    SUGGESTS "nats-server")
 endif()
 
 geminga_package(geminga-ontologies ALL
@@ -182,7 +192,7 @@ and send and receive messages."
 get_property(manuals GLOBAL PROPERTY geminga_manuals)
 add_custom_target(packaged)
 foreach(target gemingad geminga-ontology geminga-query geminga-publish geminga-subscribe geminga-unseal geminga-web geminga-bridge geminga-bridge-dds geminga-bridge-dns-sd
-        geminga-bridge-mqtt geminga-dissector ${manuals} geminga client_java)
+        geminga-bridge-mqtt geminga-bridge-nats geminga-dissector ${manuals} geminga client_java)
   if(TARGET ${target})
     add_dependencies(packaged ${target})
   endif()

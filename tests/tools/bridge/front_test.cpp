@@ -21,7 +21,7 @@ Ran bridge(std::vector<std::string> words) {
 TEST(Bridge, SaysWhichKindsThereAre) {
   const Ran unknown = bridge({"dns"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_THAT(unknown.said, HasSubstr("geminga-bridge: no kind is 'dns': there are dns-sd, dds, mqtt"));
+  EXPECT_THAT(unknown.said, HasSubstr("geminga-bridge: no kind is 'dns': there are dns-sd, dds, mqtt, nats"));
   EXPECT_EQ(bridge({}).status, 2);
   EXPECT_EQ(bridge({"--help"}).status, 0);
   EXPECT_EQ(bridge({"../gemingad"}).status, 2) << "nothing else is started";
@@ -52,7 +52,7 @@ TEST(Bridge, RefusesWhatIsNoDomainOfDds) {
 }
 
 TEST(Bridge, RefusesWhatIsNoServer) {
-  for (const char* kind : {"mqtt"}) {
+  for (const char* kind : {"mqtt", "nats"}) {
     if (!std::filesystem::exists(program(std::string("geminga-bridge-") + kind))) continue;
     const std::string good = std::string(kind) + "://127.0.0.1";
     for (const std::vector<std::string>& words :

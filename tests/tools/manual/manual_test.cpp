@@ -29,7 +29,8 @@ fs::path made(const std::string& file) { return fs::path(GEMINGA_BINARY_DIR) / "
 const std::vector<std::string> programs = [] {
   std::vector<std::string> all{"gemingad",          "geminga-ontology", "geminga-query", "geminga-publish",
                                "geminga-subscribe", "geminga-unseal",   "geminga-web",   "geminga-bridge"};
-  for (const char* kind : {"geminga-bridge-dds", "geminga-bridge-dns-sd", "geminga-bridge-mqtt"}) {
+  for (const char* kind :
+       {"geminga-bridge-dds", "geminga-bridge-dns-sd", "geminga-bridge-mqtt", "geminga-bridge-nats"}) {
     if (fs::exists(made(std::string(kind) + ".1"))) all.emplace_back(kind);
   }
   return all;

@@ -1,0 +1,71 @@
+// A server of NATS that carries words, by libnats.
+#ifndef GEMINGA_BRIDGE_CNATS_NATS_SERVER_HPP
+#define GEMINGA_BRIDGE_CNATS_NATS_SERVER_HPP
+
+#include <nats/nats.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "bridge/team/tally.hpp"
+#include "bridge/words/daemon_socket.hpp"
+#include "bridge/words/word_options.hpp"
+#include "client/channels/reactor.hpp"
+
+namespace geminga::bridge {
+
+/// Octets that the server has not taken yet. A word over it is dropped and counted: the air would have lost it, too.
+inline constexpr int max_unsent_octets = 256 * 1024;
+
+/// Says each word on the subject `geminga.TEAM.word.SITE`, and hears those of all other sites. Connects again by
+/// itself, each second. Words from there go to the daemon on libnats' threads; everything else happens on that of the
+/// reactor. Neither copies nor moves.
+class NatsServer {
+ public:
+  using Word = std::span<const std::byte>;
+  using Tell = std::function<void(const std::string& line)>;
+
+  /// `credentials`: a file with NATS' user credentials (a JWT and an NKey); empty: none. Borrows reactor, tally and
+  /// daemon.
+  NatsServer(client::Reactor& reactor, WordSettings settings, std::string credentials, Tally& tally,
+             DaemonSocket& daemon, Tell tell);
+  ~NatsServer();
+  NatsServer(const NatsServer&) = delete;
+  NatsServer& operator=(const NatsServer&) = delete;
+
+  /// Begins to connect. The error is one line: what libnats cannot use.
+  [[nodiscard]] std::expected<void, std::string> start();
+  /// Says a word, if the server is there.
+  void say(Word word);
+
+ private:
+  [[nodiscard]] natsStatus set_options();
+  void on_message(const natsMsg* message);
+  void on_second();
+
+  client::Reactor& reactor_;
+  WordSettings settings_;
+  std::string credentials_;
+  Tally& tally_;
+  DaemonSocket& daemon_;
+  Tell tell_;
+  std::string own_;  ///< the subject of this site
+  natsOptions* options_ = nullptr;
+  natsConnection* connection_ = nullptr;
+  natsSubscription* subscription_ = nullptr;
+  bool was_up_ = false;
+  std::string last_line_;
+  std::atomic<std::uint32_t> too_long_ = 0;  ///< counted by libnats' threads, told by ours
+  std::atomic<std::uint32_t> too_many_ = 0;
+  client::Reactor::Timer second_;
+};
+
+}  // namespace geminga::bridge
+
+#endif

@@ -1,0 +1,74 @@
+// geminga-bridge-nats: a server of NATS as a link between daemons that have no other.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bridge/cnats/nats_server.hpp"
+#include "bridge/words/daemon_socket.hpp"
+#include "bridge/words/word_options.hpp"
+#include "shell/options.hpp"
+#include "shell/report.hpp"
+#include "shell/stop_signals.hpp"
+#include "shell/whole_lines.hpp"
+
+namespace geminga::bridge {
+namespace {
+
+constexpr std::string_view program = "geminga-bridge-nats";
+
+constexpr const char* examples = R"(Examples:
+  geminga-bridge-nats nats://base.local --team rescue --site hall
+  geminga-bridge nats tls://hub.example --ca team.pem --credentials robot1.creds
+  gemingad --interface wlan0 --interface lo --peer 127.0.0.1:4720 --key-file team.key
+
+The daemon names the bridge as its peer, and the server is a link for it: what it says there is heard by the daemons of all other
+sites, and the other way round. Words are the daemon's datagrams, sealed with the team's key where there is one. The server sees
+their sizes and times; without a key it could say what it likes. It keeps none of them: who is gone is gone at its deadline, and
+a newcomer is told by those that live. Accounts, clusters and leaf nodes are the server's.
+
+Exit status: 0 ended by a signal, 2 wrong usage, or the address of --listen is taken.)";
+
+int fail(const std::string& text) {
+  shell::complain(program, text);
+  return static_cast<int>(shell::ExitStatus::wrong_use);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Carries the announcements of daemons over a server of NATS.", std::string(program));
+  app.footer(examples);
+  WordOptions options;
+  options.add_to(app, std::string(program), "nats|tls");
+  std::string credentials;
+  app.add_option("--credentials", credentials, "A file with NATS' user credentials (a JWT and an NKey)")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile, "", "");
+  if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
+  const auto settings = options.settings("nats", "tls", 4222, 4222);
+  if (!settings) return fail(settings.error());
+
+  const auto log = [](const std::string& line) { shell::complain(program, line); };
+  const shell::StopSignals signals;
+  client::Reactor reactor(log);
+  Tally tally(reactor, log);
+  std::optional<NatsServer> server;
+  auto daemon = DaemonSocket::open(settings->own, settings->daemon, reactor, tally, [&server](DaemonSocket::Word word) {
+    if (server) server->say(word);
+  });
+  if (!daemon) return fail(daemon.error());
+  server.emplace(reactor, *settings, credentials, tally, **daemon, log);
+  const auto started = server->start();
+  while (started && signals.wait(reactor.descriptor(), std::nullopt) != shell::StopSignals::Woken::stopped) {
+    reactor.process();
+  }
+  server.reset();  // its threads give words to the socket
+  return started ? static_cast<int>(shell::ExitStatus::found) : fail(started.error());
+}
+
+}  // namespace
+}  // namespace geminga::bridge
+
+int main(int argc, char** argv) {
+  const geminga::shell::WholeLines lines;
+  return geminga::bridge::run(argc, argv);
+}
