@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -76,6 +77,20 @@ TEST_F(Dds, ShowsARobotWithRosBesideOursAndWhyAQosDoesNotFit) {
   EXPECT_EQ(robot->wait(), 0);
   EXPECT_TRUE(says("services", {"protocol=dds"}, false));
   EXPECT_TRUE(says("requests", {"topic="}, false));
+}
+
+TEST_F(Dds, ShowsProgramsOfFastDdsToo) {
+  if (!std::filesystem::exists(program("fast_robot"))) GTEST_SKIP() << "Fast DDS is not installed";
+  Process robot(lab_.on(1, {program("fast_robot"), "3", "w", "rt/scan"}));
+  ASSERT_TRUE(robot.wait_for("there")) << robot.said();
+  EXPECT_TRUE(says("services", {"concept=ros:SensorMsgsLaserScan", "topic=/scan", "reliability=reliable"}));
+  Process node(lab_.on(1, {program("fast_robot"), "3", "r", "rt/other"}));
+  EXPECT_TRUE(says("requests unmatched=1", {"topic=/other", "why=where"}));
+  for (Process* one : {&robot, &node}) {
+    one->signal(SIGTERM);
+    EXPECT_EQ(one->wait(), 0);
+  }
+  EXPECT_TRUE(says("services", {"protocol=dds"}, false));
 }
 
 TEST_F(Dds, HealsWhenTheDaemonComesBackAndLeavesNothingBehind) {
