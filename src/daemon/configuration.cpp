@@ -56,6 +56,8 @@ class Resolver {
     read_texts(host_name);
     result_.is_strict = read_truth("strict");
     result_.diagnoses = read_truth("diagnose");
+    result_.relay = read_truth("relay");
+    result_.air.are_peers_links = result_.relay;
     read_prefixes();
     read_gcnp();
     read_air();

@@ -50,6 +50,7 @@ struct Configuration {
   /// The mode, which is plain where there are no key files and only there. main() reads the files and adds the keys.
   sealing::Policy sealing;
   bool says_plain = false;  ///< `sealing = "plain"` is stated, and not only the default
+  bool relay = false;       ///< all that is heard on one link is passed on to the others
   bool diagnoses = false;   ///< others of the team are told what we hear
   base::Duration interval = std::chrono::seconds(2);
   base::LogLevel log_level = base::LogLevel::info;

@@ -31,10 +31,11 @@ std::expected<ConfigurationChange, std::vector<std::string>> ConfigurationInForc
   }
   failure_.clear();
   ConfigurationChange change;
-  for (const bool differs : {keep(read->name, current_.name), keep(read->group, current_.group),
-                             keep(read->gcnp, current_.gcnp), keep(read->gcnp_socket, current_.gcnp_socket),
-                             keep(read->interval, current_.interval), keep(read->state_folder, current_.state_folder),
-                             keep(read->diagnoses, current_.diagnoses), keep(read->cage, current_.cage)}) {
+  for (const bool differs :
+       {keep(read->name, current_.name), keep(read->group, current_.group), keep(read->gcnp, current_.gcnp),
+        keep(read->gcnp_socket, current_.gcnp_socket), keep(read->interval, current_.interval),
+        keep(read->state_folder, current_.state_folder), keep(read->diagnoses, current_.diagnoses),
+        keep(read->relay, current_.relay), keep(read->cage, current_.cage)}) {
     change.awaits_a_start = change.awaits_a_start || differs;
   }
   change.air = read->air != current_.air;

@@ -13,9 +13,10 @@ namespace geminga::daemon {
 
 /// Differences between the configuration that was in force and the one that was read.
 struct ConfigurationChange {
-  bool air = false;             ///< interfaces, groups, peers or port
-  bool sealing = false;         ///< keys or mode
-  bool awaits_a_start = false;  ///< one of name, group, gcnp, gcnp-socket, interval, diagnose, state-folder and cage
+  bool air = false;      ///< interfaces, groups, peers or port
+  bool sealing = false;  ///< keys or mode
+  bool awaits_a_start =
+      false;  ///< one of name, group, gcnp, gcnp-socket, interval, relay, diagnose, state-folder and cage
 };
 
 class ConfigurationInForce {

@@ -78,6 +78,7 @@ std::string to_toml(const Configuration& configuration) {
   text += line("key-file", in_quotes(configuration.key_files));
   const bool is_default = configuration.key_files.empty() && !configuration.says_plain;
   text += (is_default ? "# " : "") + line("sealing", in_quotes(to_string(configuration.sealing.mode)));
+  text += line("relay", configuration.relay ? "true" : "false");
   text += line("diagnose", configuration.diagnoses ? "true" : "false");
   text += line("interval", std::to_string(milliseconds / 1000) + '.' + fraction);
   text += line("log-level", in_quotes(to_string(configuration.log_level)));

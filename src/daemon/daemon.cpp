@@ -141,6 +141,7 @@ void Daemon::begin() {
   settings.group = configuration.group;
   settings.interval = configuration.interval;
   settings.sealing = configuration.sealing;
+  settings.relay = configuration.relay;
   settings.diagnoses = configuration.diagnoses;
   settings.version = GEMINGA_VERSION;
   settings.lasting = lasting_;

@@ -26,7 +26,7 @@ struct Key {
   std::string_view help;
 };
 
-inline constexpr std::array<Key, 20> keys{{
+inline constexpr std::array<Key, 21> keys{{
     {"ontology", ValueType::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times"},
     {"strict", ValueType::truth, "true|false",
@@ -37,6 +37,10 @@ inline constexpr std::array<Key, 20> keys{{
     {"peer", ValueType::texts, "HOST[:PORT]",
      "Send copies to this host, where multicast does not pass; without a team key the other host has to name this one, "
      "too. '*': accept every host with the team's key. May be given many times"},
+    {"relay", ValueType::truth, "true|false",
+     "Pass on what is heard on one link to the others: every interface in use, and every host that peer names "
+     "(default: "
+     "false). Without a team key only between hosts that name each other"},
     {"announce-address", ValueType::texts, "[INTERFACE=]ADDRESS",
      "Announce this address in place of the interface's own, as behind NAT; may be given many times"},
     {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)"},

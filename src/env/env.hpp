@@ -38,6 +38,9 @@ struct Interface {
   /// Set on the IPv6 side of a dual-stack interface: the number of its IPv4 side. What is said on the IPv4 side is said
   /// here only as far as somebody needs it.
   std::optional<InterfaceIndex> ipv6_side_of{};
+  /// The way to one host alone that is named by --peer, as a link of its own; only where the participant is a relay.
+  /// Elsewhere such a host gets copies of what is multicast on an interface.
+  bool is_named_peer = false;
   friend bool operator==(const Interface&, const Interface&) = default;
 };
 

@@ -29,6 +29,8 @@ std::string word(announcement::Kind kind) {
       return "inquiry";
     case announcement::Kind::diagnosis:
       return "diagnosis";
+    case announcement::Kind::relayed:
+      return "relayed";
   }
   return "?";
 }

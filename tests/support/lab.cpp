@@ -106,6 +106,27 @@ class Lab::Namespaces {
     if (::setns(home_, CLONE_NEWNET) != 0) std::abort();  // every later step would be on the wrong host
   }
 
+  /// Another bridge with these hosts, and a second cable for the one between.
+  void add_link(std::size_t between, const std::vector<std::size_t>& hosts) const {
+    ip({"link", "add", "far", "type", "bridge", "forward_delay", "0", "mcast_snooping", "0"});
+    ip({"link", "set", "far", "up"});
+    for (const std::size_t host : hosts) {
+      ip({"link", "set", port_of(host), "master", "far"});
+      enter(host);
+      ip({"address", "flush", "dev", "wlan0"});
+      ip({"address", "add", far_address(host) + "/24", "dev", "wlan0"});
+      leave();
+    }
+    ip({"link", "add", "farport", "type", "veth", "peer", "name", "wlan1", "netns",
+        "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(hosts_.at(between))});
+    ip({"link", "set", "farport", "master", "far", "up"});
+    enter(between);
+    ip({"address", "add", far_address(between) + "/24", "dev", "wlan1"});
+    ip({"link", "set", "wlan1", "up"});
+    leave();
+  }
+
+  static std::string far_address(std::size_t host) { return "10.47.18." + std::to_string(host + 1); }
   static std::string address(std::size_t host) { return "10.47.17." + std::to_string(host + 1); }
 
  private:
@@ -240,6 +261,10 @@ void Lab::join(std::size_t host) {
 
 void Lab::keep_multicasts_from(std::size_t host) {
   ip({"link", "set", "dev", port_of(host), "type", "bridge_slave", "mcast_flood", "off"});
+}
+
+void Lab::add_link(std::size_t between, const std::vector<std::size_t>& hosts) {
+  namespaces_->add_link(between, hosts);
 }
 
 void Lab::take_ipv4(std::size_t host) {

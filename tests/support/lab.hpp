@@ -64,6 +64,10 @@ class Lab {
   /// it. Only with namespaces.
   void keep_multicasts_from(std::size_t host);
 
+  /// Moves hosts to a second link, with addresses of their own, and joins one more host to both: its interface there is
+  /// wlan1. Call once, before daemons start. Only with namespaces.
+  void add_link(std::size_t between, const std::vector<std::size_t>& hosts);
+
   /// Removes the host's IPv4 address. Only with namespaces.
   void take_ipv4(std::size_t host);
 

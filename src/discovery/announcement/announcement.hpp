@@ -10,6 +10,7 @@
 #include "base/time.hpp"
 #include "discovery/announcement/heard_list.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/announcement/relayed.hpp"
 #include "geminga/service.hpp"
 
 namespace geminga::announcement {
@@ -31,6 +32,8 @@ enum class Kind : std::uint8_t {
   inquiry,
   /// The answer to an inquiry.
   diagnosis,
+  /// A datagram of another participant, passed on by a relay.
+  relayed,
 };
 
 /// A publication with the GCNP number that its peer gave it. The address is numeric without zone, or empty: the
@@ -122,6 +125,9 @@ struct Announcement {
   ParticipantId partner{};         ///< the one that is asked, or has asked; never 0
   std::uint64_t token = 0;         ///< drawn by the one that asks
   std::vector<std::string> lines;  ///< of a diagnosis: `word key=value ...`
+
+  std::vector<Behind> behind;  ///< of a relay's presence: participants that are not heard on this link
+  Relayed relayed;             ///< of a relayed word, which has nothing else but its sender
 
   friend bool operator==(const Announcement&, const Announcement&) = default;
 };

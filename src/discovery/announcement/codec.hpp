@@ -40,8 +40,9 @@ enum class DecodeError : std::uint8_t {
   bad_witness,     ///< testimony of a wrong size, too many names, the identifier 0, or a wrong introduction
   bad_change,      ///< a change that begins from its own revision or a later one
   bad_diagnosis,   ///< an inquiry or a diagnosis of nobody, or lines over their limits or with control characters
+  bad_relayed,     ///< a word or testimony of a relay over its limits, or without a way
 };
-inline constexpr std::size_t decode_error_count = 21;
+inline constexpr std::size_t decode_error_count = 22;
 
 /// "too-large", "not-protobuf", ... Static storage.
 [[nodiscard]] std::string_view to_string(DecodeError error);
@@ -61,7 +62,8 @@ using Datagram = std::vector<std::byte>;
 
 /// Writes an announcement as one datagram, or a state that does not fit as several. They are numbered from
 /// `announcement.sequence` on; the caller's next sequence number is greater by their count. Each has at most
-/// max_datagram_bytes and is complete in itself. Equal announcements give equal bytes.
+/// max_datagram_bytes and is complete in itself; a part of a state has max_said_bytes if its services allow it.
+/// Testimony of a relay that does not fit into one presence takes further ones. Equal announcements give equal bytes.
 ///
 /// Peers without a service are left out. A change that does not fit into one datagram gives none: only the state tells
 /// it. An inquiry is padded to max_datagram_bytes; of a diagnosis the lines that do not fit are left out. A service

@@ -15,6 +15,7 @@
 #include "discovery/announcement/wire_choice.hpp"
 #include "discovery/announcement/wire_entry.hpp"
 #include "discovery/announcement/wire_presence.hpp"
+#include "discovery/announcement/wire_relay.hpp"
 
 namespace geminga::announcement {
 namespace {
@@ -54,9 +55,11 @@ void reset(Announcement& announcement) {
   fresh.witness.heard = std::move(announcement.witness.heard);
   fresh.lacks = std::move(announcement.lacks);
   fresh.doubts = std::move(announcement.doubts);
+  fresh.behind = std::move(announcement.behind);
   fresh.witness.heard.clear();
   fresh.lacks.clear();
   fresh.doubts.clear();
+  fresh.behind.clear();
   announcement = std::move(fresh);
 }
 
@@ -79,6 +82,8 @@ Decoded<Kind> kind_of(wire::Kind kind) {
       return Kind::inquiry;
     case wire::KIND_DIAGNOSIS:
       return Kind::diagnosis;
+    case wire::KIND_RELAYED:
+      return Kind::relayed;
     default:
       return Failure(DecodeError::bad_kind);
   }
@@ -110,15 +115,6 @@ Decoded<Degree> degree_of(wire::Degree degree) {
     default:
       return Failure(DecodeError::bad_degree);
   }
-}
-
-/// The text of an address of 4 or 16 octets at which a host can be reached.
-Decoded<std::string> address_of(const std::string& octets) {
-  const base::Address address{{octets.begin(), octets.end()}, {}};
-  if ((octets.size() != 4 && octets.size() != 16) || address.scope() == base::AddressScope::unspecified) {
-    return Failure(DecodeError::bad_address);
-  }
-  return address.text();
 }
 
 /// The IRIs of the term table, in its order.
@@ -180,7 +176,7 @@ Decoded<void> read_common(const Message& message, const std::vector<std::string>
   service.port = static_cast<std::uint16_t>(message.port());
   if (!message.address().empty()) {
     auto address = address_of(message.address());
-    if (!address) return Failure(address.error());
+    if (!address) return Failure(DecodeError::bad_address);
     service.address = std::move(*address);
   }
   service.priority = message.priority();
@@ -327,15 +323,7 @@ Decoded<void> read_header(const wire::Announcement& message, Announcement& annou
   return {};
 }
 
-constexpr std::array<std::string_view, decode_error_count> words = {
-    "too-large",    "not-protobuf", "not-geminga",   "other-version", "bad-kind",     "bad-identifier", "bad-name",
-    "bad-interval", "bad-part",     "bad-address",   "bad-table",     "bad-identity", "bad-mode",       "bad-degree",
-    "bad-port",     "bad-protocol", "bad-attribute", "bad-filter",    "bad-witness",  "bad-change",     "bad-diagnosis",
-};
-
 }  // namespace
-
-std::string_view to_string(DecodeError error) { return words[std::to_underlying(error)]; }
 
 std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcement& announcement) {
   if (datagram.size() > max_datagram_bytes) return DecodeError::too_large;
@@ -345,11 +333,18 @@ std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcem
   reset(announcement);
   if (const auto read = read_header(message, announcement); !read) return read.error();
   if (announcement.kind == Kind::presence) {
-    return read_presence(message, announcement) ? std::nullopt : std::optional(DecodeError::bad_witness);
+    if (!read_presence(message, announcement)) return DecodeError::bad_witness;
+    return read_behind(message, announcement.behind) ? std::nullopt : std::optional(DecodeError::bad_relayed);
   }
   if (announcement.kind == Kind::inquiry || announcement.kind == Kind::diagnosis) {
     const auto read = read_exchange(message, announcement);
     return read ? std::nullopt : std::optional(read.error());
+  }
+  if (announcement.kind == Kind::relayed) {
+    auto relayed = read_relayed(message);
+    if (!relayed) return DecodeError::bad_relayed;
+    announcement.relayed = std::move(*relayed);
+    return std::nullopt;
   }
   const auto terms = terms_of(message);
   if (!terms) return terms.error();

@@ -10,6 +10,7 @@
 #include "discovery/announcement/limits.hpp"
 #include "discovery/announcement/wire_entry.hpp"
 #include "discovery/announcement/wire_presence.hpp"
+#include "discovery/announcement/wire_relay.hpp"
 
 namespace geminga::announcement {
 namespace {
@@ -43,6 +44,9 @@ wire::Announcement beginning_of(const Announcement& announcement) {
       break;
     case Kind::diagnosis:
       header.set_kind(wire::KIND_DIAGNOSIS);
+      break;
+    case Kind::relayed:
+      header.set_kind(wire::KIND_RELAYED);
       break;
   }
   header.set_participant(std::to_underlying(announcement.participant));
@@ -158,7 +162,8 @@ class Packer {
     // A peer of its own takes the message first: if it does not fit, the part is as it was.
     wire::Peer entry;
     open += write(entry, part.terms);
-    if (base_bytes_ + part.terms.bytes() + closed + framed_bytes(2, open) > max_datagram_bytes) {
+    const auto bytes = base_bytes_ + part.terms.bytes() + closed + framed_bytes(2, open);
+    if (bytes > (is_empty_ ? max_datagram_bytes : max_said_bytes)) {
       part.terms.go_back(mark);
       if (is_new_peer) part.peers.pop_back();
       return false;
@@ -214,6 +219,32 @@ Datagram write(wire::Announcement header, Packer::Part part) {
   return write(header);
 }
 
+/// Says as many presences as the testimony needs. Questions stand in the first one.
+std::vector<Datagram> encode_presence(Announcement announcement) {
+  std::vector<Datagram> datagrams;
+  std::span<const Behind> behind(announcement.behind);
+  do {
+    auto message = presence_of(announcement);
+    behind = behind.subspan(write_behind(behind, max_datagram_bytes, message));
+    datagrams.push_back(write(message));
+    announcement.lacks.clear();
+    announcement.doubts.clear();
+    announcement.introductions.clear();
+    ++announcement.sequence;
+  } while (!behind.empty());
+  return datagrams;
+}
+
+Datagram write_word(const Announcement& announcement) {
+  wire::Announcement message;
+  message.set_format(format_major << 24 | format_magic);
+  message.set_minor(format_minor);
+  message.set_kind(wire::KIND_RELAYED);
+  message.set_participant(std::to_underlying(announcement.participant));
+  write_relayed(announcement.relayed, message);
+  return write(message);
+}
+
 std::vector<Datagram> encode_change(const Announcement& announcement) {
   auto header = short_header_of(announcement);
   header.set_since(announcement.since);
@@ -260,7 +291,8 @@ std::size_t fitting_lines(const Announcement& diagnosis) {
 
 std::vector<Datagram> encode(const Announcement& announcement) {
   GEMINGA_ASSERT(announcement.participant != ParticipantId{});
-  if (announcement.kind == Kind::presence) return {write(presence_of(announcement))};
+  if (announcement.kind == Kind::presence) return encode_presence(announcement);
+  if (announcement.kind == Kind::relayed) return {write_word(announcement)};
   if (announcement.kind == Kind::change) return encode_change(announcement);
   if (announcement.kind == Kind::inquiry) return {write_inquiry(announcement)};
   if (announcement.kind == Kind::diagnosis) return {write_diagnosis(announcement)};

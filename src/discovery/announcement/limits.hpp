@@ -66,6 +66,18 @@ constexpr std::size_t witness_bytes(std::size_t members) { return 2 + (members +
 /// Lines of a diagnosis, and octets of each. A whole inquiry has max_datagram_bytes, so no diagnosis is longer.
 inline constexpr std::size_t max_diagnosis_lines = 64;
 inline constexpr std::size_t max_diagnosis_line_bytes = 200;
+/// Relays that a word passes at most. Each adds an interval to the time in which a death is told.
+inline constexpr std::size_t max_hops = 4;
+/// A word that a relay passes on, its envelope included: what is left of an announcement by the largest header of the
+/// relay (59 octets).
+inline constexpr std::size_t max_word_bytes = 1136;
+/// A state is split into datagrams of at most so many octets, so that each of them can be passed on. A service that is
+/// too large for that has a datagram of its own, which is not.
+inline constexpr std::size_t max_said_bytes = max_word_bytes - env::max_envelope_bytes;
+/// Participants that one datagram of a relay testifies about; for more of them it says several.
+inline constexpr std::size_t max_behind = 160;
+/// The greatest age that a relay says: longer than any deadline behind max_hops relays.
+inline constexpr base::Duration max_relayed_age = std::chrono::minutes(10);
 /// The group that a presence means when it names none.
 inline constexpr std::string_view default_group = "default";
 

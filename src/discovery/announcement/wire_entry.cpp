@@ -71,6 +71,13 @@ void write(const ProviderFilter& filter, wire::ProviderFilter& message) {
 
 }  // namespace
 
+std::optional<std::string> address_of(const std::string& octets) {
+  const base::Address address{{octets.begin(), octets.end()}, {}};
+  if ((octets.size() != 4 && octets.size() != 16) || address.scope() == base::AddressScope::unspecified)
+    return std::nullopt;
+  return address.text();
+}
+
 std::string address_octets(const std::string& text) {
   const auto address = base::parse_address(text);
   return address ? std::string(address->octets.begin(), address->octets.end()) : std::string();

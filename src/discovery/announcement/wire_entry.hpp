@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_ANNOUNCEMENT_WIRE_ENTRY_HPP
 #define GEMINGA_DISCOVERY_ANNOUNCEMENT_WIRE_ENTRY_HPP
 
+#include <optional>
 #include <string>
 
 #include "discovery/announcement/announcement.hpp"
@@ -14,6 +15,8 @@ namespace geminga::announcement {
 /// 'G', 'M', 'N', before the major version in a little-endian fixed32.
 inline constexpr std::uint32_t format_magic = 0x4E4D47;
 
+/// The text of an address of 4 or 16 octets; nothing: it has others, or no host can be reached at it.
+[[nodiscard]] std::optional<std::string> address_of(const std::string& octets);
 /// The octets of a numeric address; empty for any other text.
 [[nodiscard]] std::string address_octets(const std::string& text);
 

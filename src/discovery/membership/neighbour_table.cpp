@@ -28,6 +28,7 @@ Hearing NeighbourTable::hear(const announcement::Announcement& announcement, con
       return hear_short(announcement, arrival);
     case announcement::Kind::inquiry:
     case announcement::Kind::diagnosis:
+    case announcement::Kind::relayed:
       return Hearing::stale;  // they say nothing of their sender's state, and are taken in elsewhere
     case announcement::Kind::state:
       break;
@@ -130,7 +131,7 @@ Hearing NeighbourTable::hear_short(const announcement::Announcement& announcemen
   const auto hearing = record.hear(announcement, arrival, changes_);
   admission_.update(*holder->second.member, record.standing());
   update(*holder, arrival.now);
-  if (is_new && hearing == Hearing::known && witnesses_.hear(announcement, arrival.now)) {
+  if (is_new && hearing == Hearing::known && arrival.passage == nullptr && witnesses_.hear(announcement, arrival.now)) {
     for (const auto id : std::set(lacks_and_doubts_.doubted())) {  // others are looked up at their deadline
       const auto known = records_.find(id);
       known->second.record->ask_witnesses(arrival.now);

@@ -115,6 +115,20 @@ class NeighbourTable final : private ServiceRoom {
   /// Whether it hears us, and has said for long that it knows other participants than we do; whether anybody has.
   [[nodiscard]] bool knows_others(ParticipantId id) const { return witnesses_.knows_others(id); }
   [[nodiscard]] bool anybody_knows_others() const { return witnesses_.anybody_knows_others(); }
+  /// Takes in what the presence of a relay says of participants that are not heard on its link. Its sender was known
+  /// before, and is believed: by a seal, or since the owner has named it. `passage` is the way to the relay itself: its
+  /// loss and interval.
+  void hear_behind(const announcement::Announcement& presence, const Passage& passage, base::Instant now);
+  /// Whether a known participant is heard by ourselves, so that no relay is needed.
+  [[nodiscard]] bool is_heard_directly(ParticipantId id, base::Instant now) const;
+  /// Asks for the state of a known participant, since somebody who hears it through us lacks it.
+  void suspect(ParticipantId id, base::Instant now);
+  /// Asks for a sign of life of a known participant, since somebody who hears it through us doubts it.
+  void doubt(ParticipantId id, base::Instant now);
+  /// The ways to a known participant; nothing: it is unknown.
+  [[nodiscard]] std::optional<Reach> reach(ParticipantId id) const;
+  /// The ways to each participant, in ascending order of identifier.
+  void for_each_reach(const std::function<void(const Reach&)>& visit) const;
 
   [[nodiscard]] bool is_known(ParticipantId id) const { return records_.record(id) != nullptr; }
   [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;

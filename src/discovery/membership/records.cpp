@@ -1,6 +1,7 @@
 #include "discovery/membership/records.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace geminga::membership {
@@ -40,6 +41,11 @@ void Records::count(Known& known) {
   int heard = 0;
   int span = 0;
   for (const auto& way : known.record->ways()) {
+    if (way.is_relayed()) {  // A relay has said the loss, and counts as much as a full window.
+      heard += static_cast<int>(std::lround(LossWindow::full_span * (1 - way.loss())));
+      span += LossWindow::full_span;
+      continue;
+    }
     heard += way.losses().heard();
     span += way.losses().span();
   }

@@ -265,6 +265,7 @@ void Participant::settle() {
   }
   const bool is_changed = all.clients.own().take_change();
   if (all.knowledge.matcher.take_choice_change() || is_changed) all.air.announcer().changed();
+  all.air.beyond().proceed();
   if (!is_over()) all.air.announcer().announce();
   if (all.phase == Phase::stopping && all.air.announcer().is_finished()) all.phase = Phase::stopped;
   all.before_event = all.knowledge.work.done();
@@ -276,7 +277,8 @@ base::Instant Participant::deadline() const {
   if (all.phase == Phase::stopping) return base::never;
   const bool is_turn_due = all.phase == Phase::ready && all.clients.turns().is_due();
   if (is_turn_due || is_feed_due() || all.knowledge.ontology_change.is_under_way()) return all.env.now();
-  return std::min({all.air.neighbours().next_deadline(), all.clients.deadline(), all.knowledge.next_due()});
+  return std::min(
+      {all.air.neighbours().next_deadline(), all.air.beyond().due(), all.clients.deadline(), all.knowledge.next_due()});
 }
 
 }  // namespace geminga::participant

@@ -105,28 +105,55 @@ std::expected<Opened, Rejection> Seal::open_sealed(std::span<const std::byte> da
   if (is_heard && !known->window.is_copy(arrival.interface, header->counter, arrival.is_alone)) {
     return std::unexpected(Rejection::replayed);
   }
-  const auto size = sealing::open(*key, *header, datagram, heard_);
-  if (!size) return std::unexpected(size.error());
+  auto content = this->content(*key, *header, datagram);
+  if (!content) return std::unexpected(content.error());
   if (is_heard) {
     known->window.take_copy(arrival.interface, header->counter, arrival.is_alone);
     return std::unexpected(Rejection::copied);
   }
-  std::span<const std::byte> text = std::span(heard_).first(*size);
-  Read read{.header = *header};
+  Read read{.header = *header, .greeting = std::move(content->greeting)};
   read.had_room = datagram.size() + greeting_bytes(max_keys, false, 0, 0) <= env::max_datagram_bytes;
-  if (header->has_greeting) {
-    auto greeting = read_greeting(text);
-    if (!greeting) return std::unexpected(greeting.error());
-    read.greeting = std::move(greeting->greeting);
-    text = text.subspan(greeting->size);
-  }
   if (!admit(read, arrival)) return std::unexpected(Rejection::unproved);
-  if (header->is_compressed) {
-    const auto expanded = compression_->expand(text, expanded_);
-    if (!expanded) return std::unexpected(expanded.error());
-    text = std::span(expanded_).first(*expanded);
-  }
-  return Opened{.text = text, .protection = header->protection, .session = header->session};
+  const auto text = expanded(*header, content->text);
+  if (!text) return std::unexpected(text.error());
+  return Opened{
+      .text = *text, .protection = header->protection, .session = header->session, .counter = header->counter};
+}
+
+std::expected<Opened, Rejection> Seal::open_vouched(std::span<const std::byte> word) {
+  if (!is_sealed(word)) return Opened{.text = word};
+  const auto header = read_header(word);
+  if (!header) return std::unexpected(header.error());
+  const Key* key = policy_.keys.find(header->key);
+  if (key == nullptr) return std::unexpected(Rejection::unknown_key);
+  if (is_sealing() && header->session == session_) return std::unexpected(Rejection::own);
+  auto content = this->content(*key, *header, word);
+  if (!content) return std::unexpected(content.error());
+  const auto text = expanded(*header, content->text);
+  if (!text) return std::unexpected(text.error());
+  return Opened{
+      .text = *text, .protection = header->protection, .session = header->session, .counter = header->counter};
+}
+
+std::expected<Seal::Content, Rejection> Seal::content(const Key& key, const Header& header,
+                                                      std::span<const std::byte> datagram) {
+  const auto size = sealing::open(key, header, datagram, heard_);
+  if (!size) return std::unexpected(size.error());
+  Content content{.text = std::span(heard_).first(*size)};
+  if (!header.has_greeting) return content;
+  auto greeting = read_greeting(content.text);
+  if (!greeting) return std::unexpected(greeting.error());
+  content.greeting = std::move(greeting->greeting);
+  content.text = content.text.subspan(greeting->size);
+  return content;
+}
+
+std::expected<std::span<const std::byte>, Rejection> Seal::expanded(const Header& header,
+                                                                    std::span<const std::byte> text) {
+  if (!header.is_compressed) return text;
+  const auto size = compression_->expand(text, expanded_);
+  if (!size) return std::unexpected(size.error());
+  return std::span<const std::byte>(expanded_).first(*size);
 }
 
 /// Whether a datagram sealed with one of our keys is to be heard: it is neither a copy nor a recording.

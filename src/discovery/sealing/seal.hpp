@@ -53,6 +53,7 @@ struct Opened {
   std::span<const std::byte> text;  ///< borrowed until the next call
   Protection protection = Protection::plain;
   std::optional<Session> session{};  ///< present unless it is plain
+  std::uint32_t counter = 0;         ///< of a sealed one: which datagram of its session it is
 };
 
 /// How a participant of the team seals.
@@ -80,6 +81,11 @@ class Seal {
                                                 base::Instant now);
   /// The text of a datagram, if it is to be heard. Takes bytes from anywhere; a forged datagram costs less than 1 us.
   [[nodiscard]] std::expected<Opened, Rejection> open(std::span<const std::byte> datagram, const Arrival& arrival);
+  /// The text of a word that a relay has passed on (SEALING.md, "Relayed words"). The relay's own datagram was opened
+  /// before, so it vouches for the word's session, which need not have proved itself to us. Gives a plain word as it
+  /// is; the caller knows whether it hears such ones. Its greeting is not answered, and nothing is entered into the
+  /// ledger. Whether the word is new is for VouchedWords to say.
+  [[nodiscard]] std::expected<Opened, Rejection> open_vouched(std::span<const std::byte> word);
   /// Tells which participant said what was opened last. False: it is not to be heard, since that participant seals, and
   /// this was not sealed.
   [[nodiscard]] bool attribute(const Opened& opened, ParticipantId participant, const Arrival& arrival);
@@ -110,6 +116,15 @@ class Seal {
   /// Opens the envelope; `outcome` says what was found.
   [[nodiscard]] std::expected<Opened, Rejection> open_sealed(std::span<const std::byte> datagram,
                                                              const Arrival& arrival, Outcome& outcome);
+  /// The greeting and the text of a datagram, borrowed until the next call.
+  struct Content {
+    Greeting greeting{};
+    std::span<const std::byte> text;
+  };
+  [[nodiscard]] std::expected<Content, Rejection> content(const Key& key, const Header& header,
+                                                          std::span<const std::byte> datagram);
+  [[nodiscard]] std::expected<std::span<const std::byte>, Rejection> expanded(const Header& header,
+                                                                              std::span<const std::byte> text);
   /// Takes in a datagram that was sealed with one of our keys.
   struct Read {
     Header header;

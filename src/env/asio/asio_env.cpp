@@ -63,7 +63,7 @@ void AsioEnv::open_air(AirSettings settings) {
   unicast_.reset();
   if (!settings_.peers.empty() || settings_.admission != Admission::nobody) {
     unicast_ = std::make_unique<Unicast>(
-        context_, settings_.peers, settings_.admission, settings_.port, log_, air_counts_,
+        context_, settings_.peers, settings_.are_peers_links, settings_.admission, settings_.port, log_, air_counts_,
         [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
           receive(interface, source, datagram);
         });
@@ -166,6 +166,10 @@ bool AsioEnv::scan() {
   for (const Joined& one : found) {
     seen.push_back(one.link.interface);
     seen.back().announced = announced_on(seen.back(), settings_.announced);
+  }
+  if (unicast_) {
+    std::ranges::move(unicast_->peer_links(seen), std::back_inserter(seen));
+    std::ranges::sort(seen, {}, &Interface::index);
   }
   say_missing(seen);
   bool is_well = missing_.empty();

@@ -31,6 +31,8 @@ struct AirSettings {
   std::vector<std::string> groups;      ///< numeric multicast addresses
   std::uint16_t port = 0;
   std::vector<HostPort> peers;  ///< hosts that get copies by unicast
+  /// Each of them is a link of its own (Interface::is_named_peer), since a relay says other things to it.
+  bool are_peers_links = false;
   Admission admission = Admission::nobody;
   /// Announced in place of the interfaces' own.
   std::vector<AnnouncedAddress> announced{};

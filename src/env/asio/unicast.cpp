@@ -41,10 +41,11 @@ std::optional<address> source_towards(net::io_context& context, const udp::endpo
 
 class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
  public:
-  Sockets(net::io_context& context, std::vector<HostPort> peers, Admission admission, std::uint16_t port,
-          base::LogSink& log, AirCounts& counts, Receive receive)
+  Sockets(net::io_context& context, std::vector<HostPort> peers, bool are_links, Admission admission,
+          std::uint16_t port, base::LogSink& log, AirCounts& counts, Receive receive)
       : context_(context),
         port_(port),
+        are_links_(are_links),
         admission_(admission),
         log_(log),
         counts_(counts),
@@ -85,8 +86,14 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
   }
 
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) {
-    for (const NamedPeer& peer : peers_) {
-      if (const Route* route = peer.route()) send(interface, *route, datagram);
+    for (std::size_t i = 0; i < peers_.size(); ++i) {
+      const Route* route = peers_[i].route();
+      if (route == nullptr) continue;
+      if (!are_links_) {
+        send(interface, *route, datagram);
+      } else if (link_of(i) == interface) {
+        send(*route, datagram);
+      }
     }
     for (const Route& route : guests_.take_routes(datagram.size(), interface, Clock::now())) {
       send(interface, route, datagram);
@@ -99,6 +106,23 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
     if (error) return;
     const udp::endpoint there(host, port_);
     send(interface, {there, source_towards(context_, there)}, datagram);
+  }
+
+  [[nodiscard]] std::vector<Interface> peer_links(const std::vector<Interface>& interfaces) const {
+    std::vector<Interface> links;
+    if (!are_links_) return links;
+    for (std::size_t i = 0; i < peers_.size(); ++i) {
+      const Route* route = peers_[i].route();
+      const auto way = route != nullptr && route->via ? sockets_.find(*route->via) : sockets_.end();
+      if (way == sockets_.end()) continue;
+      const auto through = std::ranges::find(interfaces, way->second->interface, &Interface::index);
+      if (through == interfaces.end()) continue;
+      links.push_back(*through);
+      links.back().index = link_of(i);
+      links.back().name += ">" + to_string(peers_[i].name());
+      links.back().is_named_peer = true;
+    }
+    return links;
   }
 
   [[nodiscard]] bool is_sender_named() const { return is_named_speaking_; }
@@ -161,10 +185,20 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
                               });
   }
 
+  /// A named host as a link of its own, by its place among them.
+  static InterfaceIndex link_of(std::size_t peer) {
+    return InterfaceIndex{first_peer_link + static_cast<std::uint32_t>(peer)};
+  }
+
   void send(InterfaceIndex interface, const Route& route, std::span<const std::byte> datagram) {
     if (!route.via) return;
     const auto found = sockets_.find(*route.via);
-    if (found == sockets_.end() || found->second->interface != interface) return;
+    if (found != sockets_.end() && found->second->interface == interface) send(route, datagram);
+  }
+
+  void send(const Route& route, std::span<const std::byte> datagram) {
+    const auto found = route.via ? sockets_.find(*route.via) : sockets_.end();
+    if (found == sockets_.end()) return;
     (void)::sendto(found->second->socket.native_handle(), datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
                    route.to.data(), static_cast<socklen_t>(route.to.size()));
   }
@@ -188,7 +222,9 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
             .to = reception->from, .via = socket.own, .interface = socket.interface, .octets = reception->size};
       }
       is_named_speaking_ = is_named;
-      receive_(socket.interface, from, std::span(buffer).first(reception->size));
+      const bool is_link = is_named && are_links_;
+      const auto place = static_cast<std::size_t>(peer - peers_.begin());
+      receive_(is_link ? link_of(place) : socket.interface, from, std::span(buffer).first(reception->size));
       is_named_speaking_ = false;
       speaking_.reset();
     }
@@ -255,6 +291,7 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
 
   net::io_context& context_;
   std::uint16_t port_;
+  bool are_links_;
   Admission admission_;
   base::LogSink& log_;
   AirCounts& counts_;
@@ -271,13 +308,17 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
   bool is_stopped_ = false;
 };
 
-Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, Admission admission, std::uint16_t port,
-                 base::LogSink& log, AirCounts& counts, Receive receive)
-    : sockets_(std::make_shared<Sockets>(context, std::move(peers), admission, port, log, counts, std::move(receive))) {
+Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, bool are_links, Admission admission,
+                 std::uint16_t port, base::LogSink& log, AirCounts& counts, Receive receive)
+    : sockets_(std::make_shared<Sockets>(context, std::move(peers), are_links, admission, port, log, counts,
+                                         std::move(receive))) {
   sockets_->start();
 }
 Unicast::~Unicast() { sockets_->stop(); }
 void Unicast::set_links(const std::vector<Link>& links) { sockets_->set_links(links); }
+std::vector<Interface> Unicast::peer_links(const std::vector<Interface>& interfaces) const {
+  return sockets_->peer_links(interfaces);
+}
 void Unicast::send_alone(InterfaceIndex interface, std::string_view to, std::span<const std::byte> datagram) {
   sockets_->send_alone(interface, to, datagram);
 }

@@ -21,6 +21,9 @@ namespace geminga::env {
 
 /// The most hosts that are named.
 inline constexpr std::size_t max_unicast_peers = 64;
+/// The number of the first named host as a link of its own; the others follow in their order. No interface of a kernel
+/// has such a number.
+inline constexpr std::uint32_t first_peer_link = std::uint32_t{1} << 30U;
 
 /// The hosts that are sent copies.
 struct UnicastCounts {
@@ -53,9 +56,10 @@ class Unicast {
   using Receive = std::function<void(InterfaceIndex interface, const boost::asio::ip::address& source,
                                      std::span<const std::byte> datagram)>;
 
-  /// Adds the datagrams that are not taken to `counts`, which is borrowed for the life of this object.
-  Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, Admission admission, std::uint16_t port,
-          base::LogSink& log, AirCounts& counts, Receive receive);
+  /// Adds the datagrams that are not taken to `counts`, which is borrowed for the life of this object. `are_links`:
+  /// each named host is a link of its own, and gets only what is sent on that.
+  Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, bool are_links, Admission admission,
+          std::uint16_t port, base::LogSink& log, AirCounts& counts, Receive receive);
   ~Unicast();
   Unicast(const Unicast&) = delete;
   Unicast& operator=(const Unicast&) = delete;
@@ -63,6 +67,9 @@ class Unicast {
   /// Sets the interfaces, and looks at the routes again. Call regularly.
   void set_links(const std::vector<Link>& links);
   void send(InterfaceIndex interface, std::span<const std::byte> datagram);
+  /// The named hosts that a route through one of these interfaces leads to, as links of their own; none unless they are
+  /// to be.
+  [[nodiscard]] std::vector<Interface> peer_links(const std::vector<Interface>& interfaces) const;
   /// Env::send_alone(), from our own address on the route there.
   void send_alone(InterfaceIndex interface, std::string_view to, std::span<const std::byte> datagram);
   /// Env::is_sender_named(), Env::is_sender_unnamed(), Env::answer_sender().

@@ -102,7 +102,7 @@ TEST(SoccerRobot, AnnouncesNineServicesAndSevenRequestsInOneDatagram) {
 
 TEST(SoccerRobot, AnnouncesAllItsModulesInOneDatagramAndWithAttributesInTwo) {
   EXPECT_EQ(octets(robot(100, 100, "CartesianFieldFrame", {}), 1), 1086U);
-  EXPECT_EQ(octets(robot(100, 100, "CartesianFieldFrame", {{"period", "33ms"}}), 2), 1510U);
+  EXPECT_EQ(octets(robot(100, 100, "CartesianFieldFrame", {{"period", "33ms"}}), 2), 1600U);
 }
 
 TEST(SoccerRobot, ClaimsInASmallDatagram) {

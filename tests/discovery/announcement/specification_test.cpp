@@ -42,6 +42,18 @@ TEST(AnnouncementSpecification, ItsWorkedDiagnosisIsWhatTheCodecWritesAndReads) 
   EXPECT_EQ(*decoded, worked_diagnosis());
 }
 
+TEST(AnnouncementSpecification, ItsRelayedWordIsWhatTheCodecWritesAndReads) {
+  const auto octets = octets_in_specification("## Worked example of a relayed word");
+  const auto decoded = decode(octets);
+  ASSERT_TRUE(decoded) << to_string(decoded.error());
+  EXPECT_EQ(decoded->kind, Kind::relayed);
+  EXPECT_EQ(decoded->relayed.word.size(), 36U);
+  EXPECT_EQ(decoded->relayed.age, std::chrono::milliseconds(3));
+  EXPECT_EQ(decoded->relayed.through, (std::vector{ParticipantId{0x5e6f7a8b}, ParticipantId{0x1a2b3c4d}}));
+  EXPECT_EQ(decoded->relayed.source, "192.168.1.2");
+  EXPECT_EQ(to_hex_text(encode(*decoded).front()), to_hex_text(octets));
+}
+
 TEST(AnnouncementSpecification, NamesEveryReasonForRefusal) {
   std::ifstream file(GEMINGA_SOURCE_DIR "/src/discovery/announcement/ANNOUNCEMENT.md");
   std::stringstream text;

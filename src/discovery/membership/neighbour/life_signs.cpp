@@ -10,6 +10,7 @@ using base::Instant;
 void LifeSigns::renew(Duration interval, const Reception& reception) {
   is_doubted_ = false;
   is_unasked_ = false;
+  delay_ = reception.delay;
   const auto time = patience(interval, reception);
   latest_ = latest(interval, reception);
   deadline_ = std::min(seen() + time, latest_);
@@ -40,7 +41,7 @@ void LifeSigns::ask(Instant now, Duration patience) {
 }
 
 Instant LifeSigns::doubt_due(Duration interval) const {
-  const auto unseen = after_intervals(seen(), interval, doubt_after);
+  const auto unseen = after_intervals(seen(), interval, doubt_after) + delay_;
   // Whoever is only heard of must be heard in the end.
   return latest_ == base::never ? unseen : std::min(unseen, after_intervals(latest_, interval, -asked_before_latest));
 }

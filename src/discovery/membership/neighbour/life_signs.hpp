@@ -15,8 +15,8 @@ class LifeSigns {
  public:
   LifeSigns(base::Instant now, base::Duration interval) : heard_(now), deadline_(now + patience(interval, {})) {}
 
-  /// Takes in that we have heard it ourselves.
-  void hear(base::Instant now) { heard_ = now; }
+  /// Takes in that we have heard it ourselves, or that a relay did at that instant.
+  void hear(base::Instant at) { heard_ = std::max(heard_, at); }
   /// Sets the deadline by the last sign of life. Ends the doubt.
   void renew(base::Duration interval, const Reception& reception);
   /// Takes in that others have heard it at `seen` or later. Returns whether the deadline has moved. All of them
@@ -32,6 +32,8 @@ class LifeSigns {
   void set_succeeded(std::optional<base::Instant> succeeded) { succeeded_ = succeeded; }
   /// Begins the doubt if it is due. Call at doubt_due(), or later.
   void doubt(base::Instant now, base::Duration interval) { is_doubted_ |= doubt_due(interval) <= now; }
+  /// Begins the doubt at once: somebody else doubts it who hears it through us.
+  void doubt() { is_doubted_ = true; }
   /// Makes the deadline at most `latest`, or at least `earliest`.
   void shorten(base::Instant latest) { deadline_ = std::min(deadline_, latest); }
   void postpone(base::Instant earliest) { deadline_ = std::max(deadline_, earliest); }
@@ -54,6 +56,7 @@ class LifeSigns {
   base::Instant witnessed_;  ///< when others have heard it, as far as we know
   base::Instant deadline_;
   base::Instant latest_ = base::never;  ///< the deadline that witnesses cannot move, as it was last known
+  base::Duration delay_{};              ///< by which signs of life are late (Reception)
   bool is_doubted_ = false;
   std::optional<base::Instant> succeeded_;  ///< when its next incarnation seemed to begin
   bool is_unasked_ = false;                 ///< its next incarnation seems to have begun, and it was not asked yet

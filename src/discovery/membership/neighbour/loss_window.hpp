@@ -13,6 +13,7 @@ class LossWindow {
  public:
   /// The share of lost ones means nothing before so many numbers were in the window.
   static constexpr int least_span = 16;
+  static constexpr int full_span = 64;
 
   /// Takes in that a datagram with this number was heard. A number from before the window means that the sender counts
   /// anew.
@@ -57,7 +58,7 @@ class LossWindow {
   }
 
  private:
-  static constexpr std::uint64_t width = 64;
+  static constexpr std::uint64_t width = full_span;
   std::uint64_t newest_ = 0;
   std::uint64_t heard_ = 0;  ///< bit n: newest_ - n was heard
   int span_ = 0;             ///< numbers in the window since the first one heard

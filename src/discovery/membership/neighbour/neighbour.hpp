@@ -38,7 +38,9 @@ struct Neighbour {
   double loss = 0;  ///< of the best path
   std::size_t publications = 0;
   std::size_t subscriptions = 0;
-  bool is_deaf = false;      ///< it has said for long that it does not hear us, though we hear it
+  bool is_deaf = false;  ///< it has said for long that it does not hear us, though we hear it
+  /// The relays on the way to it, as far as they are known, the one next to it first; empty: it is heard directly.
+  std::vector<ParticipantId> through;
   bool is_complete = false;  ///< all parts of its newest revision were heard
 };
 

@@ -54,7 +54,10 @@ Duration NeighbourRecord::hold(Instant now) const {
 double NeighbourRecord::known_loss() const { return ways_.is_loss_known() ? ways_.loss() : 0.3; }
 
 Reception NeighbourRecord::reception(Instant now) const {
-  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, lasting_interval(now))};
+  const auto interval = lasting_interval(now);
+  const auto late =
+      passage_ ? static_cast<Duration::rep>(passage_->hops) * std::max(interval, passage_->interval) : Duration(0);
+  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, interval), .delay = late};
 }
 
 Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
@@ -88,6 +91,8 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   const auto now = arrival.now;
   end_contest(now);
   bool is_forged = false;  // something that was believed is forged
+  // A seal proves that this is the participant, which needs no relay any more.
+  if (arrival.passage == nullptr && passage_ && arrival.is_sealed) ways_.close_relayed();
   auto* way = ways_.find(announcement, arrival);
   const bool is_where_it_was = way != nullptr && way->source() == arrival.source;
   if (way != nullptr) {
@@ -105,6 +110,12 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
   if (!is_where_it_was) meet(*way, arrival);
+  if (arrival.passage != nullptr) {
+    take_passage(*arrival.passage, now);
+  } else {
+    passage_.reset();
+    heard_directly_ = now;
+  }
   const bool is_copy = way->is_copy(announcement.sequence, now);
   if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
@@ -113,7 +124,7 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   if (order == Order::contradiction) contest(now, changes);
   if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
   const bool is_sign = way->is_vouched && !is_copy;
-  if (is_sign) signs_.hear(now);
+  if (is_sign) signs_.hear(arrival.passage != nullptr ? now - arrival.passage->age : now);
   set_deadlines(*way, is_sign, now);
   return order == Order::contradiction ? Hearing::contradiction : Hearing::known;
 }
@@ -208,8 +219,8 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
 }
 
 void NeighbourRecord::meet(NeighbourWay& way, const Arrival& arrival) {
-  if (!has_spoken_ || arrival.is_sealed) ways_.vouch(arrival.source);
-  way.is_vouched = ways_.is_vouched(arrival.source);
+  if (!has_spoken_ || (arrival.is_sealed && arrival.passage == nullptr)) ways_.vouch(arrival.source);
+  way.is_vouched = arrival.passage != nullptr || ways_.is_vouched(arrival.source);
 }
 
 bool NeighbourRecord::introduces(const announcement::Announcement& state, const Arrival& arrival) const {
@@ -226,15 +237,6 @@ void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now
   way.deadline = signs_.deadline();
   // A service that is not heard of until the next datagram keeps the deadline that it had.
   next_service_deadline_ = std::min(next_service_deadline_, moment(now, false).deadline);
-}
-
-void NeighbourRecord::ask_witnesses(Instant now) {
-  // For a contested participant only its own datagrams count. Without a way we may not reach it, though others do.
-  if (is_contested_ || ways_.all().empty()) return;
-  if (!signs_.witness(witnesses_.seen(id_), now, lasting_interval(now), reception(now))) return;
-  // The way on which it was heard last is the best guess of how it can be reached.
-  const auto last = std::ranges::max_element(ways_.all(), {}, &NeighbourWay::heard);
-  if (last != ways_.all().end()) last->deadline = std::max(last->deadline, signs_.deadline());
 }
 
 void NeighbourRecord::succeed(std::uint32_t lasting, const Arrival& arrival) {
@@ -287,7 +289,7 @@ void NeighbourRecord::end_contest(Instant now) {
 
 Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
   end_contest(arrival.now);
-  if (ways_.find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
+  if (arrival.passage == nullptr && ways_.find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
   if (!is_contested_) return Hearing::goodbye;
   signs_.shorten(arrival.now + hold(arrival.now));
   contested_until_ = std::max(contested_until_, signs_.deadline());
@@ -388,6 +390,7 @@ Neighbour NeighbourRecord::snapshot() const {
   neighbour.publications = services_.publications();
   neighbour.subscriptions = services_.size() - neighbour.publications;
   neighbour.is_deaf = witnesses_.is_deaf_to_us(id_);
+  if (passage_) neighbour.through = passage_->through;
   neighbour.is_complete = is_complete_;
   return neighbour;
 }

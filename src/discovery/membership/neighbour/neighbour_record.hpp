@@ -21,6 +21,7 @@
 #include "discovery/membership/neighbour/neighbour.hpp"
 #include "discovery/membership/neighbour/neighbour_services.hpp"
 #include "discovery/membership/neighbour/neighbour_ways.hpp"
+#include "discovery/membership/neighbour/reach.hpp"
 #include "discovery/membership/neighbour/revocable.hpp"
 #include "discovery/membership/neighbour/rising_count.hpp"
 #include "discovery/membership/neighbour/service_room.hpp"
@@ -90,6 +91,16 @@ class NeighbourRecord {
     return arrival.is_sealed || ways_.is_vouched(arrival.source);
   }
 
+  /// Takes in what a relay testifies: that it spoke `passage.age` ago, and that its state is that of this revision (0:
+  /// not said). Counts for nothing while it is heard directly or is contested.
+  void hear_of(const Passage& passage, std::uint64_t revision, base::Instant now);
+  /// Whether we hear it ourselves: it spoke to us within hold_intervals.
+  [[nodiscard]] bool is_heard_directly(base::Instant now) const;
+  /// The relays on the way to it; null: it was last heard directly.
+  [[nodiscard]] const Passage* passage() const { return passage_ ? &*passage_ : nullptr; }
+  /// Its ways, for a relay.
+  [[nodiscard]] Reach reach() const;
+
   /// Looks up what others have testified about it.
   void ask_witnesses(base::Instant now);
   /// Takes in that a participant of its name claims an identifier or is new, at the address of one of its ways: that
@@ -132,6 +143,8 @@ class NeighbourRecord {
   }
   /// Whether it gave no sign of life for so long that its deadline is near.
   [[nodiscard]] bool is_doubted() const { return signs_.is_doubted(); }
+  /// Asks for a sign of life at once.
+  void doubt() { signs_.doubt(); }
   /// Moves every deadline before `until` to `until`.
   void postpone(base::Instant until);
   [[nodiscard]] const std::vector<NeighbourWay>& ways() const { return ways_.all(); }
@@ -193,6 +206,8 @@ class NeighbourRecord {
   /// Whether a state shows that its source is an address of its sender, since the sender moves there: from now on its
   /// services are told there. So nobody can keep somebody else's services alive where they are.
   [[nodiscard]] bool introduces(const announcement::Announcement& state, const Arrival& arrival) const;
+  /// Takes in on which way it is heard now.
+  void take_passage(const Passage& passage, base::Instant now);
   void set_deadlines(NeighbourWay& way, bool is_sign, base::Instant now);
   /// Chooses the address for services without one.
   void choose_address();
@@ -229,6 +244,9 @@ class NeighbourRecord {
   base::Instant next_lapse_ = base::never;  ///< while contested: the first instant at which a service may lapse
   base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier deadline
   std::optional<Rival> rival_;
+  std::optional<base::Instant> heard_directly_;
+  std::optional<Passage> passage_;  ///< present while the last word came through a relay
+  base::Instant passed_{};          ///< when that passage was last used
   NeighbourWays ways_;
   NeighbourServices services_;
   const Witnesses& witnesses_;

@@ -17,7 +17,9 @@ std::vector<std::string> usable(const announcement::Announcement& announcement, 
   const auto add = [&](std::string_view text) {
     auto address = base::parse_address(text);
     if (!address) return;
-    const bool needs_zone = address->is_ipv6() && address->scope() == base::AddressScope::link_local;
+    const bool is_of_link = address->scope() == base::AddressScope::link_local;
+    if (is_of_link && arrival.passage != nullptr) return;  // It cannot be reached beyond its own link.
+    const bool needs_zone = address->is_ipv6() && is_of_link;
     address->zone = needs_zone ? std::string(arrival.interface_name) : std::string();
     addresses.push_back(address->text());
   };
@@ -29,7 +31,8 @@ std::vector<std::string> usable(const announcement::Announcement& announcement, 
 }  // namespace
 
 NeighbourWay::NeighbourWay(const announcement::Announcement& first, const Arrival& arrival)
-    : opened_(arrival.now),
+    : is_relayed_(arrival.passage != nullptr),
+      opened_(arrival.now),
       source_(arrival.source),
       addresses_(usable(first, arrival), arrival.now),
       sequences_(first.sequence, arrival.now),
@@ -40,11 +43,13 @@ NeighbourWay::NeighbourWay(const announcement::Announcement& first, const Arriva
   path_.interface_name = arrival.interface_name;
   path_.link = first.link;
   path_.heard = arrival.now;
+  if (is_relayed_) path_.loss = arrival.passage->loss;
 }
 
 NeighbourWay::Origin NeighbourWay::origin(const announcement::Announcement& announcement, const Arrival& arrival,
                                           bool needs_silence, Duration hold) {
-  if (arrival.source == source_) {
+  if (arrival.source == source_ || is_relayed_) {
+    source_ = arrival.source;
     mover_.reset();
     return Origin::bound;
   }
@@ -126,8 +131,10 @@ void NeighbourWay::count(const announcement::Announcement& announcement, const A
     sequences_.rise(sequence, arrival.now);
   }
   path_.heard = arrival.now;
+  path_.interface = arrival.interface;
   path_.interface_name = arrival.interface_name;
-  path_.loss = losses_.loss();
+  // The numbers of a relayed way have gaps where presences were, which a relay does not pass on.
+  if (!is_relayed_) path_.loss = losses_.loss();
 }
 
 void NeighbourWay::say(const announcement::Announcement& announcement, const Arrival& arrival, bool is_contested,

@@ -72,6 +72,15 @@ class NeighbourWay {
   /// Undoes what was said less than `hold` ago.
   void roll_back(base::Instant now, base::Duration hold);
 
+  /// Whether its datagrams come through relays, on whatever interface.
+  [[nodiscard]] bool is_relayed() const { return is_relayed_; }
+  /// Takes in the loss of all hops of a relayed way.
+  void set_loss(double loss) { path_.loss = loss; }
+  /// Whether a datagram belongs to this way, from whatever address it came.
+  [[nodiscard]] bool is_way_of(const announcement::Announcement& announcement, const Arrival& arrival) const {
+    if (link() != announcement.link || is_relayed_ != (arrival.passage != nullptr)) return false;
+    return is_relayed_ || is_on(arrival.interface);
+  }
   [[nodiscard]] bool is_on(env::InterfaceIndex interface) const { return path_.interface == interface; }
   [[nodiscard]] env::InterfaceIndex interface() const { return path_.interface; }
   [[nodiscard]] std::uint32_t link() const { return path_.link; }
@@ -89,7 +98,9 @@ class NeighbourWay {
   }
   [[nodiscard]] bool is_next(std::uint64_t sequence) const { return losses_.is_empty() || sequence > losses_.newest(); }
   [[nodiscard]] bool has(std::uint64_t sequence) const { return losses_.has(sequence); }
-  [[nodiscard]] double loss() const { return losses_.loss(); }
+  [[nodiscard]] double loss() const { return path_.loss; }
+  /// Whether enough was heard for the loss to mean something.
+  [[nodiscard]] bool is_loss_known() const { return is_relayed_ || losses_.span() >= LossWindow::least_span; }
   [[nodiscard]] const LossWindow& losses() const { return losses_; }
   [[nodiscard]] StateAssembly& assembly() { return assembly_; }
   /// The highest sequence number.
@@ -115,6 +126,7 @@ class NeighbourWay {
   void move(const Arrival& arrival, base::Duration hold);
 
   Path path_;
+  bool is_relayed_;
   base::Instant opened_;
   std::string source_;
   std::optional<Home> home_;

@@ -10,23 +10,22 @@ namespace geminga::membership {
 using base::Duration;
 
 NeighbourWay* NeighbourWays::find(const announcement::Announcement& announcement, const Arrival& arrival) {
-  const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
-    return each.interface() == arrival.interface && each.link() == announcement.link;
-  });
+  const auto way =
+      std::ranges::find_if(ways_, [&](const NeighbourWay& each) { return each.is_way_of(announcement, arrival); });
   return way == ways_.end() ? nullptr : &*way;
 }
 
 const NeighbourWay* NeighbourWays::find_bound(const announcement::Announcement& announcement,
                                               const Arrival& arrival) const {
   const auto way = std::ranges::find_if(ways_, [&](const NeighbourWay& each) {
-    return each.interface() == arrival.interface && each.link() == announcement.link && each.source() == arrival.source;
+    return each.is_way_of(announcement, arrival) && (each.is_relayed() || each.source() == arrival.source);
   });
   return way == ways_.end() ? nullptr : &*way;
 }
 
 bool NeighbourWays::may_open(const announcement::Announcement& announcement, const Arrival& arrival, Duration hold,
                              bool is_contested) {
-  if (ways_.empty()) return true;
+  if (ways_.empty() || arrival.passage != nullptr) return true;
   const auto is_alive = [&](const NeighbourWay& way) { return arrival.now - way.heard() < hold; };
   const auto is_of_source = [&](const NeighbourWay& way) { return way.source() == arrival.source; };
   const auto is_here = [&](const NeighbourWay& way) { return way.is_on(arrival.interface); };
@@ -57,7 +56,8 @@ bool NeighbourWays::close_later(const NeighbourWay& way, const Arrival& arrival)
   if (opening_ && opening_->interface == arrival.interface) opening_.reset();
   const auto opened = way.opened();
   const auto closed = std::erase_if(ways_, [&](const NeighbourWay& each) {
-    return each.is_on(arrival.interface) && each.source() == arrival.source && each.opened() > opened;
+    return !each.is_relayed() && each.is_on(arrival.interface) && each.source() == arrival.source &&
+           each.opened() > opened;
   });
   was_misled_ |= closed > 0;
   return closed > 0;
@@ -79,9 +79,6 @@ double NeighbourWays::loss() const {
   return best;
 }
 
-bool NeighbourWays::is_loss_known() const {
-  return std::ranges::any_of(ways_,
-                             [](const NeighbourWay& way) { return way.losses().span() >= LossWindow::least_span; });
-}
+bool NeighbourWays::is_loss_known() const { return std::ranges::any_of(ways_, &NeighbourWay::is_loss_known); }
 
 }  // namespace geminga::membership

@@ -29,6 +29,9 @@ class NeighbourWays {
   /// whether there were any: somebody opened them in its name.
   bool close_later(const NeighbourWay& way, const Arrival& arrival);
 
+  /// Closes the ways through relays, since the participant is heard directly.
+  void close_relayed() { std::erase_if(ways_, &NeighbourWay::is_relayed); }
+
   /// Whether words from this address are signs of life (ANNOUNCEMENT.md, "Whose words are signs of life").
   [[nodiscard]] bool is_vouched(std::string_view source) const;
   void vouch(std::string_view source);

@@ -37,7 +37,7 @@ base::Duration patience(base::Duration interval, const Reception& reception) {
   const double more = std::max(2.5 * (reception.loss - 0.2), 10 * reception.loss * reception.loss * alone);
   const double intervals = std::min(shortest_deadline + std::max(0.0, more), longest_deadline);
   const auto least = after_intervals(base::Instant{}, interval, doubt_after) + least_questions * question_time;
-  return std::max(after_intervals(base::Instant{}, interval, intervals), least) - base::Instant{};
+  return std::max(after_intervals(base::Instant{}, interval, intervals), least) - base::Instant{} + reception.delay;
 }
 
 }  // namespace geminga::membership

@@ -13,6 +13,7 @@ namespace geminga::membership {
 struct Reception {
   double loss = 0;            ///< the share of its datagrams that we miss, in [0, 1]
   std::size_t witnesses = 0;  ///< how often others testified in an interval how lately they have heard it
+  base::Duration delay{};     ///< by which its signs of life are late: an interval for each relay on the way
 };
 
 /// The shortest and the longest deadline, in intervals: the shortest where nothing is lost.

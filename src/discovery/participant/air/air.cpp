@@ -40,7 +40,9 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
                   .dual_stack = dual_stack_,
                   .deaf_hosts = deaf_hosts_,
                   .introductions = introductions_,
-                  .counters = counters_}) {}
+                  .counters = counters_,
+                  .behind = [this](const env::Interface& on) { return beyond_.behind(on); }}),
+      beyond_({.env = env, .settings = settings_, .neighbours = neighbours_, .seal = seal_, .announcer = announcer_}) {}
 
 void Air::start() {
   seal_.adopt(settings_.sealing, env_.now());
@@ -97,20 +99,49 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
     hear_exchange(opened->session.has_value());
     return std::nullopt;
   }
+  const bool is_sealed = opened->session.has_value();
+  if (heard_.kind == announcement::Kind::relayed) return take_in_relayed(*on, is_sealed, served);
+  const auto links = beyond_.links_for(*opened, heard_, *on);
   const bool is_about_us = heard_.participant == announcer_.id();  // it may be a lie, and others hear it
   if (!is_about_us && DualStack::is_said_twice(heard_, *on)) return std::nullopt;
   const membership::Hearing hearing = neighbours_.hear(heard_, {.interface = interface,
                                                                 .interface_name = on->name,
                                                                 .source = source,
                                                                 .now = env_.now(),
-                                                                .is_sealed = opened->session.has_value()});
+                                                                .is_sealed = is_sealed});
   ++counters_.hearings.at(std::to_underlying(hearing));
-  if (heard_.kind == announcement::Kind::presence) one_way_.hear(heard_, neighbours_, source, on->name, env_.log());
+  if (heard_.kind == announcement::Kind::presence) {
+    one_way_.hear(heard_, neighbours_, source, on->name, env_.log());
+    beyond_.hear_presence(heard_, *on, hearing, is_sealed || env_.is_sender_named());
+  } else {
+    beyond_.pass_on({.datagram = datagram, .source = source}, links, hearing);
+  }
   reach(*on, source);
-  if (opened->session) meet(*on);
-  speak_to(*on, hearing, opened->session.has_value());
+  if (is_sealed) meet(*on);
+  speak_to(*on, hearing, is_sealed);
   return announcer_.heard(
       {.announcement = heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+}
+
+std::optional<Announcer::Consequence> Air::take_in_relayed(const env::Interface& on, bool is_sealed,
+                                                           ParticipantId served) {
+  const announcement::Announcement* word = beyond_.unwrap(heard_, is_sealed || env_.is_sender_named());
+  if (word == nullptr || (served != announcer_.id() && word->participant == served)) return std::nullopt;
+  const announcement::Relayed& relayed = heard_.relayed;
+  const membership::Passage passage = beyond_.passage(heard_, on);
+  const auto links = beyond_.links_for(*word, on, is_sealed);
+  const membership::Hearing hearing = neighbours_.hear(*word, {.interface = on.index,
+                                                               .interface_name = on.name,
+                                                               .source = relayed.source,
+                                                               .now = env_.now(),
+                                                               .is_sealed = is_sealed,
+                                                               .passage = &passage});
+  ++counters_.hearings.at(std::to_underlying(hearing));
+  if (hearing == membership::Hearing::own) return std::nullopt;
+  beyond_.pass_on({.datagram = relayed.word, .age = relayed.age, .through = relayed.through, .source = relayed.source},
+                  links, hearing);
+  return announcer_.heard(
+      {.announcement = *word, .hearing = hearing, .datagram = relayed.word, .source = relayed.source, .on = on});
 }
 
 const Diagnoses::Diagnosis* Air::diagnosis_of(ParticipantId participant) {
@@ -162,7 +193,7 @@ void Air::meet(const env::Interface& on) {
 void Air::reach_lost(base::Instant now) {
   if (!is_sealed() || neighbours_.next_deadline() > now) return;
   neighbours_.for_each([&](const membership::Neighbour& one) {
-    if (one.deadline > now || one.paths.empty() || one.paths.front().addresses.empty()) return;
+    if (one.deadline > now || one.paths.empty() || !one.through.empty() || one.paths.front().addresses.empty()) return;
     deaf_hosts_.lose({.participant = one.id,
                       .interface = one.paths.front().interface,
                       .address = one.paths.front().addresses.front()},

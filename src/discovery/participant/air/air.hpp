@@ -10,6 +10,7 @@
 
 #include "discovery/membership/neighbour_table.hpp"
 #include "discovery/participant/air/announcer.hpp"
+#include "discovery/participant/air/beyond.hpp"
 #include "discovery/participant/air/counters.hpp"
 #include "discovery/participant/air/deaf_hosts.hpp"
 #include "discovery/participant/air/diagnoses.hpp"
@@ -61,8 +62,13 @@ class Air {
   [[nodiscard]] const sealing::Seal& seal() const { return seal_; }
   [[nodiscard]] const AirCounters& counters() const { return counters_; }
   [[nodiscard]] const DeafHosts& deaf_hosts() const { return deaf_hosts_; }
+  [[nodiscard]] Beyond& beyond() { return beyond_; }
+  [[nodiscard]] const Beyond& beyond() const { return beyond_; }
 
  private:
+  /// Takes in a word that a relay has wrapped.
+  [[nodiscard]] std::optional<Announcer::Consequence> take_in_relayed(const env::Interface& on, bool is_sealed,
+                                                                      ParticipantId served);
   [[nodiscard]] std::optional<Announcer::Consequence> take_in(env::InterfaceIndex interface, std::string_view source,
                                                               std::span<const std::byte> datagram,
                                                               ParticipantId served);
@@ -91,6 +97,7 @@ class Air {
   Diagnoses diagnoses_;
   announcement::Announcement heard_;  ///< the last one; its memory is used again
   Announcer announcer_;
+  Beyond beyond_;
 };
 
 }  // namespace geminga::participant

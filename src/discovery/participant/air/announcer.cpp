@@ -40,7 +40,8 @@ Announcer::Announcer(const Means& means)
       claim_(means.env.random_bits(),
              [&neighbours = means.neighbours](ParticipantId id) { return neighbours.is_known(id); }),
       schedule_(schedule_options(means.settings), means.env.random_bits()),
-      sent_(means.env.random_bits()) {}
+      outlet_({.env = means.env, .seal = means.seal, .deaf_hosts = means.deaf_hosts, .counters = means.counters},
+              means.env.random_bits()) {}
 
 void Announcer::start() {
   claim_.start(means_.env.now());
@@ -300,7 +301,7 @@ Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
 /// A datagram with our boot nonce is our own echo, or a forgery that all others hear, too.
 void Announcer::heard_own(const Heard& heard) {
   if (!claim_.is_held() || heard.announcement.participant != claim_.id()) return;
-  if (may_be_ours(means_.env, heard.source) && sent_.contains(heard.datagram)) return;
+  if (may_be_ours(means_.env, heard.source) && outlet_.has_sent(heard.datagram)) return;
   ++means_.counters.contradicted;
   schedule_.contradict(means_.env.now());
   report(heard);
@@ -377,20 +378,14 @@ std::size_t Announcer::send(const announcement::Announcement& announcement) {
       announcement::Announcement here = announcement::on_interface(all, interface, interfaces);
       here.sequence = sequence;
       means_.introductions.add_to(here, interface.index, means_.env.now());
+      if (here.kind == announcement::Kind::presence && means_.behind) here.behind = means_.behind(interface);
       return announcement::encode(here);
     };
     auto datagrams = encode(announcement);
     if (datagrams.empty()) datagrams = encode(whole_state());  // a change that is too large
     for (const announcement::Datagram& text : datagrams) {
-      const std::span<const std::byte> datagram = means_.seal.seal(text, interface.index, means_.env.now());
-      sent_.add(datagram);
-      means_.env.send(interface.index, datagram);
-      for (const std::string& address : means_.deaf_hosts.take(interface.index, datagram.size(), means_.env.now()))
-        means_.env.send_alone(interface.index, address, datagram);
+      outlet_.send(interface.index, text);
       if (announcement.kind < announcement::Kind::inquiry) ++sequence;
-      ++means_.counters.datagrams_sent;
-      ++means_.counters.interfaces[interface.index].sent;
-      means_.counters.bytes_sent += datagram.size();
     }
     most = std::max(most, datagrams.size());
   }

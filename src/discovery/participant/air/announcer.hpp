@@ -3,6 +3,7 @@
 #define GEMINGA_DISCOVERY_PARTICIPANT_AIR_ANNOUNCER_HPP
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -21,8 +22,8 @@
 #include "discovery/participant/air/deaf_hosts.hpp"
 #include "discovery/participant/air/dual_stack.hpp"
 #include "discovery/participant/air/introductions.hpp"
+#include "discovery/participant/air/outlet.hpp"
 #include "discovery/participant/air/presence.hpp"
-#include "discovery/participant/air/sent_datagrams.hpp"
 #include "discovery/sealing/seal.hpp"
 #include "env/env.hpp"
 
@@ -53,6 +54,8 @@ class Announcer {
     DeafHosts& deaf_hosts;
     Introductions& introductions;
     AirCounters& counters;
+    /// The testimony of a relay's presence about others on this interface; empty: it is no relay.
+    std::function<std::vector<announcement::Behind>(const env::Interface&)> behind{};
   };
   /// Draws its boot nonce and its seeds from Env.
   explicit Announcer(const Means& means);
@@ -75,6 +78,10 @@ class Announcer {
   /// Says an inquiry or a diagnosis at once, if we have an identifier. Its number is that of the next datagram, so that
   /// nobody counts it as lost.
   void exchange(announcement::Kind kind, ParticipantId partner, std::uint64_t token, std::vector<std::string> lines);
+  /// The way out of what is said, for words of others that are passed on.
+  [[nodiscard]] Outlet& outlet() { return outlet_; }
+  /// Whether an identifier is held, under which words of others can be passed on.
+  [[nodiscard]] bool is_held() const { return claim_.is_held() && !is_stopping_; }
   /// Makes our presence due, since something is to be said with it.
   void show();
   /// The deadlines of so many participants have passed that may come back into reach.
@@ -131,7 +138,7 @@ class Announcer {
   ChangeLog log_;
   std::vector<env::Interface> announced_on_;  ///< the interfaces on which the state was last announced
   std::map<env::InterfaceIndex, std::uint64_t> sequences_;
-  SentDatagrams sent_;
+  Outlet outlet_;
   Contest contest_;
   std::string clash_from_;  ///< where the last clash was heard
   std::optional<base::Instant>

@@ -25,6 +25,8 @@ struct TeamSettings {
   /// Time between two announcements of an unchanged state. Shorter: a lost participant is noticed sooner. Longer: fewer
   /// octets on the air. Within [announcement::min_interval, announcement::max_interval].
   base::Duration interval = std::chrono::seconds(2);
+  /// Whether what is heard on one link is passed on to the others.
+  bool relay = false;
   /// Whether other participants of the team are told, when they ask, what this one hears and how it is.
   bool diagnoses = false;
   /// The keys with which announcements are sealed at first, and how; Participant::set_sealing() changes it.

@@ -1,0 +1,64 @@
+// The part of the table that is about relays: testimony that it takes in from them, and ways that it tells one.
+#include "discovery/membership/neighbour_table.hpp"
+
+namespace geminga::membership {
+namespace {
+
+constexpr double lost_unit = 16;  // the loss is said in sixteenths
+
+/// The loss of two hops, one behind the other.
+double chained(double one, double other) { return 1 - (1 - one) * (1 - other); }
+
+}  // namespace
+
+void NeighbourTable::hear_behind(const announcement::Announcement& presence, const Passage& passage,
+                                 base::Instant now) {
+  for (const auto& said : presence.behind) {
+    if (said.participant == self_ || said.participant == presence.participant) continue;
+    const auto known = records_.find(said.participant);
+    if (known == records_.end()) {
+      lacks_and_doubts_.hear_stranger(said.participant, now);
+      continue;
+    }
+    auto& record = *known->second.record;
+    record.hear_of({.through = {presence.participant},
+                    .hops = said.hops,
+                    .interface = passage.interface,
+                    .age = said.age,
+                    .loss = chained(said.lost / lost_unit, passage.loss),
+                    .interval = passage.interval},
+                   said.revision, now);
+    admission_.update(*known->second.member, record.standing());
+    update(*known, now);
+  }
+}
+
+bool NeighbourTable::is_heard_directly(ParticipantId id, base::Instant now) const {
+  const auto* known = records_.record(id);
+  return known != nullptr && known->is_heard_directly(now);
+}
+
+void NeighbourTable::suspect(ParticipantId id, base::Instant now) {
+  const auto known = records_.find(id);
+  if (known == records_.end()) return;
+  known->second.record->suspect();
+  update(*known, now);
+}
+
+void NeighbourTable::doubt(ParticipantId id, base::Instant now) {
+  const auto known = records_.find(id);
+  if (known == records_.end()) return;
+  known->second.record->doubt();
+  update(*known, now);
+}
+
+std::optional<Reach> NeighbourTable::reach(ParticipantId id) const {
+  const auto* known = records_.record(id);
+  return known == nullptr ? std::nullopt : std::optional(known->reach());
+}
+
+void NeighbourTable::for_each_reach(const std::function<void(const Reach&)>& visit) const {
+  for (const auto& [id, known] : records_) visit(known.record->reach());
+}
+
+}  // namespace geminga::membership

@@ -1,0 +1,64 @@
+// The part of a record that others tell: relays that lead to the participant, and witnesses that have heard it.
+#include <algorithm>
+#include <utility>
+
+#include "discovery/announcement/limits.hpp"
+#include "discovery/membership/neighbour/neighbour_record.hpp"
+
+namespace geminga::membership {
+
+using base::Instant;
+
+bool NeighbourRecord::is_heard_directly(Instant now) const {
+  return heard_directly_ && now - *heard_directly_ < announcement::hold_intervals * lasting_interval(now);
+}
+
+void NeighbourRecord::take_passage(const Passage& passage, Instant now) {
+  // A longer way counts when the shorter one is no longer used.
+  const bool is_in_use = passage_ && now - passed_ < announcement::hold_intervals * passage_->interval;
+  if (is_in_use && passage.hops > passage_->hops) return;
+  const bool is_same = passage_ && passage_->through.back() == passage.through.back() && passage_->hops == passage.hops;
+  auto through = is_same && passage.through.size() < passage.hops ? std::move(passage_->through) : passage.through;
+  passage_ = passage;
+  passage_->through = std::move(through);
+  passed_ = now;
+}
+
+void NeighbourRecord::hear_of(const Passage& passage, std::uint64_t revision, Instant now) {
+  if (is_contested_ || is_heard_directly(now)) return;
+  take_passage(passage, now);
+  for (auto& way : ways_.all()) {
+    if (way.is_relayed()) way.set_loss(passage.loss);
+  }
+  if (revision > revision_) suspect();
+  const auto seen = now - passage.age;
+  const auto succeeded = signs_.succeeded();
+  if (seen <= signs_.heard() || (succeeded && seen <= *succeeded)) return;
+  standing_.hear(now);
+  signs_.hear(seen);
+  signs_.renew(lasting_interval(now), reception(now));
+  if (is_complete_ && revision == revision_) affirmed_ = seen;
+  for (auto& way : ways_.all()) way.deadline = std::max(way.deadline, signs_.deadline());
+}
+
+Reach NeighbourRecord::reach() const {
+  return {.id = id_,
+          .revision = held_revision(),
+          .heard = is_contested_ ? signs_.heard() : std::max(signs_.heard(), witnesses_.seen(id_)),
+          .interval = interval(),
+          .loss = ways_.loss(),
+          .hops = passage_ ? passage_->hops : 0,
+          .beyond = passage_ ? passage_->interface : env::InterfaceIndex{},
+          .ways = ways_.all()};
+}
+
+void NeighbourRecord::ask_witnesses(Instant now) {
+  // For a contested participant only its own datagrams count. Without a way we may not reach it, though others do.
+  if (is_contested_ || ways_.all().empty()) return;
+  if (!signs_.witness(witnesses_.seen(id_), now, lasting_interval(now), reception(now))) return;
+  // The way on which it was heard last is the best guess of how it can be reached.
+  const auto last = std::ranges::max_element(ways_.all(), {}, &NeighbourWay::heard);
+  if (last != ways_.all().end()) last->deadline = std::max(last->deadline, signs_.deadline());
+}
+
+}  // namespace geminga::membership

@@ -1,0 +1,128 @@
+#include "discovery/participant/air/beyond.hpp"
+
+#include "discovery/announcement/codec.hpp"
+#include "discovery/announcement/limits.hpp"
+
+namespace geminga::participant {
+namespace {
+
+using membership::Hearing;
+
+/// Whether the table has taken a word in, so that others are to hear it, too.
+bool is_taken(Hearing hearing) {
+  return hearing == Hearing::known || hearing == Hearing::newcomer || hearing == Hearing::claim ||
+         hearing == Hearing::goodbye || hearing == Hearing::returned;
+}
+
+}  // namespace
+
+Beyond::Beyond(const Means& means) : means_(means), voucher_(means.seal) {
+  if (means.settings.relay) relay_.emplace(means.env, means.neighbours);
+}
+
+const announcement::Announcement* Beyond::unwrap(const announcement::Announcement& relayed, bool is_believed) {
+  if (!is_believed) {
+    voucher_.refuse(relaying::Refusal::unvouched);
+    return nullptr;
+  }
+  const base::Instant now = means_.env.now();
+  const auto word = voucher_.unwrap(relayed, means_.announcer.id(), now);
+  if (!word) return nullptr;
+  if (!means_.neighbours.is_heard_directly((*word)->participant, now)) return *word;
+  voucher_.refuse(relaying::Refusal::near);
+  return nullptr;
+}
+
+membership::Passage Beyond::passage(const announcement::Announcement& relayed, const env::Interface& on) const {
+  membership::Passage passage{.through = relayed.relayed.through,
+                              .hops = relayed.relayed.through.size(),
+                              .interface = relaying::link_of(on),
+                              .age = relayed.relayed.age,
+                              .loss = 0,
+                              .interval = means_.settings.interval};
+  if (const auto relay = means_.neighbours.reach(relayed.participant)) {
+    passage.loss = relay->loss;
+    passage.interval = relay->interval;
+  }
+  return passage;
+}
+
+void Beyond::hear_presence(const announcement::Announcement& presence, const env::Interface& on, Hearing hearing,
+                           bool is_believed) {
+  if (!is_believed) return;
+  const base::Instant now = means_.env.now();
+  const env::InterfaceIndex link = relaying::link_of(on);
+  if (hearing == Hearing::known && !presence.behind.empty()) {
+    const auto relay = means_.neighbours.reach(presence.participant);
+    const membership::Passage passage{.through = {presence.participant},
+                                      .hops = 1,
+                                      .interface = link,
+                                      .age = {},
+                                      .loss = relay ? relay->loss : 0,
+                                      .interval = relay ? relay->interval : means_.settings.interval};
+    means_.neighbours.hear_behind(presence, passage, now);
+    if (relay_) relay_->hear_behind(link, presence, passage.interval);
+  }
+  if (!relay_) return;
+  hear_doubts(presence.doubts, link);
+  for (const ParticipantId id : relay_->elsewhere(link, presence.lacks)) means_.neighbours.suspect(id, now);
+}
+
+/// Those who doubt a participant on one link hear of it through us: we tell what we know, or ask on the other links.
+void Beyond::hear_doubts(const std::vector<ParticipantId>& doubts, env::InterfaceIndex link) {
+  const base::Instant now = means_.env.now();
+  relay_->hear_doubts(link, doubts);
+  for (const ParticipantId id : relay_->elsewhere(link, doubts)) {
+    const auto reach = means_.neighbours.reach(id);
+    if (now - reach->heard < reach->interval) {
+      means_.announcer.show();
+    } else {
+      means_.neighbours.doubt(id, now);
+    }
+  }
+}
+
+Beyond::Links Beyond::links_for(const sealing::Opened& opened, const announcement::Announcement& said,
+                                const env::Interface& on) {
+  if (!relay_ || !relaying::is_passed_on(said.kind) || said.group != means_.settings.group) return {};
+  if (!voucher_.note(opened, said, means_.env.now())) return {};
+  return links_for(said, on, opened.session.has_value());
+}
+
+Beyond::Links Beyond::links_for(const announcement::Announcement& word, const env::Interface& on,
+                                bool is_sealed) const {
+  if (!relay_ || !means_.announcer.is_held()) return {};
+  return relay_->links_for(word.participant, relaying::link_of(on), means_.announcer.id(), is_sealed);
+}
+
+void Beyond::pass_on(const relaying::Word& word, const Links& links, Hearing hearing) {
+  if (links.empty() || !is_taken(hearing)) return;
+  const auto relayed = voucher_.wrap(word, means_.announcer.id());
+  if (!relayed) return;
+  for (const env::InterfaceIndex link : links) {
+    if (!relay_->may_pass()) {
+      voucher_.refuse(relaying::Refusal::too_many);
+      return;
+    }
+    say(link, *relayed);
+    relay_->repeat(link, *relayed);
+  }
+}
+
+std::vector<announcement::Behind> Beyond::behind(const env::Interface& on) const {
+  if (!relay_) return {};
+  return relay_->behind(relaying::link_of(on), means_.announcer.id());
+}
+
+void Beyond::proceed() {
+  if (!relay_ || !means_.announcer.is_held()) return;
+  while (const auto repeat = relay_->take_repeat()) say(repeat->link, repeat->relayed);
+  if (relay_->takes_over()) means_.announcer.show();
+}
+
+void Beyond::say(env::InterfaceIndex link, const announcement::Announcement& relayed) {
+  for (const announcement::Datagram& text : announcement::encode(relayed)) means_.announcer.outlet().send(link, text);
+  relay_->count();
+}
+
+}  // namespace geminga::participant

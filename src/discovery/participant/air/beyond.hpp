@@ -1,0 +1,78 @@
+// The team beyond the links of a participant: words that relays bring, and, if it is a relay, those that it passes on.
+#ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_BEYOND_HPP
+#define GEMINGA_DISCOVERY_PARTICIPANT_AIR_BEYOND_HPP
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "discovery/announcement/announcement.hpp"
+#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/participant/air/announcer.hpp"
+#include "discovery/participant/air/presence.hpp"
+#include "discovery/relaying/relay.hpp"
+#include "discovery/relaying/voucher.hpp"
+#include "discovery/sealing/seal.hpp"
+#include "env/env.hpp"
+
+namespace geminga::participant {
+
+/// Joins the library of relaying to the air of one participant. Every participant believes relays; only one with
+/// TeamSettings::relay is one.
+class Beyond {
+ public:
+  /// The parts that it reads and changes. All are borrowed for its life.
+  struct Means {
+    const env::Env& env;
+    const TeamSettings& settings;
+    membership::NeighbourTable& neighbours;
+    sealing::Seal& seal;
+    Announcer& announcer;
+  };
+  explicit Beyond(const Means& means);
+
+  /// The word that a relay has wrapped, if it is to be heard; null otherwise. Valid until the next call. `is_believed`:
+  /// a seal proves the relay, or the owner has named it.
+  [[nodiscard]] const announcement::Announcement* unwrap(const announcement::Announcement& relayed, bool is_believed);
+  /// The way on which that word came.
+  [[nodiscard]] membership::Passage passage(const announcement::Announcement& relayed, const env::Interface& on) const;
+  /// Takes in what a presence says of others: testimony of a relay, and for a relay doubts and lacks. `hearing` is the
+  /// verdict of the table on it.
+  void hear_presence(const announcement::Announcement& presence, const env::Interface& on, membership::Hearing hearing,
+                     bool is_believed);
+
+  /// The links on which a word is to be passed on that came in on `on`. To be asked before the table takes it in, and
+  /// told to pass_on() then.
+  using Links = std::vector<env::InterfaceIndex>;
+  /// Of a word that was heard directly: `opened` is what the seal made of it.
+  [[nodiscard]] Links links_for(const sealing::Opened& opened, const announcement::Announcement& said,
+                                const env::Interface& on);
+  /// Of a word that a relay has brought.
+  [[nodiscard]] Links links_for(const announcement::Announcement& word, const env::Interface& on, bool is_sealed) const;
+  /// Passes a word on, unless the table has refused it.
+  void pass_on(const relaying::Word& word, const Links& links, membership::Hearing hearing);
+
+  /// The testimony of our presence on this interface about those who are not heard there.
+  [[nodiscard]] std::vector<announcement::Behind> behind(const env::Interface& on) const;
+  /// Says what is due, by the end of an event.
+  void proceed();
+  /// When proceed() has something to do, or base::never.
+  [[nodiscard]] base::Instant due() const { return relay_ ? relay_->due() : base::never; }
+
+  [[nodiscard]] bool is_relay() const { return relay_.has_value(); }
+  [[nodiscard]] const relaying::Voucher& voucher() const { return voucher_; }
+  /// Words that were passed on, counted once for each link.
+  [[nodiscard]] std::uint64_t words() const { return relay_ ? relay_->words() : 0; }
+
+ private:
+  void hear_doubts(const std::vector<ParticipantId>& doubts, env::InterfaceIndex link);
+  void say(env::InterfaceIndex link, const announcement::Announcement& relayed);
+
+  Means means_;
+  relaying::Voucher voucher_;
+  std::optional<relaying::Relay> relay_;
+};
+
+}  // namespace geminga::participant
+
+#endif

@@ -1,0 +1,38 @@
+// Real daemons on two links, and one between them that is a relay.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "support/lab.hpp"
+#include "system/folder.hpp"
+
+namespace geminga::system {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Relay, LetsTwoLinksMeetAndLoseEachOther) {
+  const Folder folder;
+  ASSERT_EQ(refused({"--generate-key", folder.path("team.key")}).status, 0);
+  Lab lab(3);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "namespaces may not be made here";
+  lab.add_link(1, {2});
+  const std::vector<std::string> flags{"--interval", "0.2", "--key-file", folder.path("team.key")};
+  lab.start(0, flags);
+  lab.start(1, {"--interval", "0.2", "--key-file", folder.path("team.key"), "--relay"});
+  lab.start(2, flags);
+  ASSERT_TRUE(lab.wait_for_participants(0, 3)) << lab.daemon(0).said();
+  Talk consumer = lab.talk(0);
+  consumer.say("1 sub create mode=otm/pubsub id=5");
+  Talk provider = lab.talk(2);
+  provider.say("1 pub create mode=otm/pubsub id=5 port=5000");
+  EXPECT_TRUE(consumer.line_with({"1 pub add", "name=robot2", "address=10.47.18.3"}));
+  EXPECT_TRUE(provider.line_with({"1 sub add", "name=robot0"}));
+  lab.daemon(2).signal(SIGKILL);
+  EXPECT_TRUE(consumer.line_with({"1 pub del", "reason=expired"}));
+  EXPECT_TRUE(lab.wait_for_participants(0, 2));
+}
+
+}  // namespace
+}  // namespace geminga::system
