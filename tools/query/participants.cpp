@@ -31,6 +31,7 @@ shell::Table table_of_participants(const std::vector<Record>& records) {
                record["ontology"],
                is_self                     ? "(this host)"
                : record["hears_us"] == "0" ? "(does not hear us)"
+               : !record["path"].empty()   ? "(through " + std::string(record["path"]) + ")"
                                            : " "});
   }
   return shown;

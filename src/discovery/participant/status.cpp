@@ -101,6 +101,13 @@ void append_tried(Line& line, const DeafHosts& deaf_hosts) {
   append_over_zero(line, "bytes_alone", deaf_hosts.octets_sent());
 }
 
+/// The words of others that were passed on, and those that were not believed or not passed on.
+void append_relayed(Line& line, const Beyond& beyond) {
+  if (beyond.is_relay()) append_flag(line, "relay", true);
+  append_over_zero(line, "relay_passed", beyond.words());
+  for (const auto& [reason, count] : beyond.refusals()) append_over_zero(line, "relay_" + std::string(reason), count);
+}
+
 }  // namespace
 
 Answer answer_status(const Settings& settings, Course course, const Knowledge& knowledge, const Air& air,
@@ -127,6 +134,7 @@ Answer answer_status(const Settings& settings, Course course, const Knowledge& k
   append_deaf(line, air.neighbours());
   append_tried(line, air.deaf_hosts());
   append_sealing(line, air.seal());
+  append_relayed(line, air.beyond());
   const Expressions::Counts& expressions = knowledge.expressions.counts();
   append_over_zero(line, "expressions_classified", expressions.classified);
   append_over_zero(line, "expressions_unknown", expressions.unknown);

@@ -16,12 +16,12 @@ bool VouchedWords::take(Session session, std::uint32_t counter, base::Instant no
   const auto known = sessions_.find(session);
   if (known == sessions_.end()) {
     if (sessions_.size() == max_sessions) forget_silent_half();
-    sessions_.emplace(session, Known{ReplayWindow(any, counter, now), now});
+    sessions_.emplace(session, Known{ReplayWindow(any, counter, now, false), now});
     return true;
   }
   auto& window = known->second.window;
   if (!window.is_open(any, counter, now)) return false;
-  window.take(any, counter, now);
+  window.take(any, counter, now, false);
   known->second.heard = now;
   return true;
 }

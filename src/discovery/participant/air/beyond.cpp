@@ -114,6 +114,15 @@ std::vector<announcement::Behind> Beyond::behind(const env::Interface& on) const
   return relay_->behind(relaying::link_of(on), means_.announcer.id());
 }
 
+std::vector<std::pair<std::string_view, std::uint64_t>> Beyond::refusals() const {
+  std::vector<std::pair<std::string_view, std::uint64_t>> refusals;
+  for (std::size_t i = 0; i < relaying::refusal_count; ++i) {
+    const auto refusal = static_cast<relaying::Refusal>(i);
+    refusals.emplace_back(to_string(refusal), voucher_.refused(refusal));
+  }
+  return refusals;
+}
+
 void Beyond::proceed() {
   if (!relay_ || !means_.announcer.is_held()) return;
   while (const auto repeat = relay_->take_repeat()) say(repeat->link, repeat->relayed);

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "discovery/announcement/announcement.hpp"
@@ -60,7 +62,8 @@ class Beyond {
   [[nodiscard]] base::Instant due() const { return relay_ ? relay_->due() : base::never; }
 
   [[nodiscard]] bool is_relay() const { return relay_.has_value(); }
-  [[nodiscard]] const relaying::Voucher& voucher() const { return voucher_; }
+  /// Each reason for which words were not believed or not passed on, and how many were not.
+  [[nodiscard]] std::vector<std::pair<std::string_view, std::uint64_t>> refusals() const;
   /// Words that were passed on, counted once for each link.
   [[nodiscard]] std::uint64_t words() const { return relay_ ? relay_->words() : 0; }
 

@@ -40,7 +40,17 @@ Line ourselves(const env::Env& env, const Self& self, base::Duration interval, s
   return line;
 }
 
-Line line_of(base::Instant now, const membership::Neighbour& neighbour) {
+/// The names of the relays on the way, the nearest to the participant first; an identifier where the name is not known.
+std::string path_of(const membership::Neighbour& neighbour, const membership::NeighbourTable& neighbours) {
+  std::vector<std::string> names;
+  for (const ParticipantId id : neighbour.through) {
+    const auto relay = neighbours.find(id);
+    names.push_back(relay ? relay->name : to_string(id));
+  }
+  return base::joined(names, "/");
+}
+
+Line line_of(base::Instant now, const membership::Neighbour& neighbour, const membership::NeighbourTable& neighbours) {
   Line line;
   append(line, "id", to_string(neighbour.id));
   append(line, "name", neighbour.name);
@@ -53,6 +63,7 @@ Line line_of(base::Instant now, const membership::Neighbour& neighbour) {
   append(line, "subscriptions", neighbour.subscriptions);
   append_flag(line, "self", false);
   if (neighbour.is_deaf) append_flag(line, "hears_us", false);
+  append_stated(line, "path", path_of(neighbour, neighbours));
   return line;
 }
 
@@ -61,7 +72,8 @@ Line line_of(base::Instant now, const membership::Neighbour& neighbour) {
 Answer answer_participants(const env::Env& env, const Self& self, base::Duration interval, std::uint64_t digest,
                            const Sessions& sessions, const membership::NeighbourTable& neighbours) {
   Answer answer{.kind = "participants", .lines = {ourselves(env, self, interval, digest, sessions)}, .end = {}};
-  neighbours.for_each([&](const membership::Neighbour& one) { answer.lines.push_back(line_of(env.now(), one)); });
+  neighbours.for_each(
+      [&](const membership::Neighbour& one) { answer.lines.push_back(line_of(env.now(), one, neighbours)); });
   // All identifiers have the same number of digits, so that they are in the order of their texts.
   std::ranges::sort(answer.lines, {}, [](const Line& line) { return *line.front().value; });
   return answer;
