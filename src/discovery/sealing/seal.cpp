@@ -121,7 +121,10 @@ std::expected<Opened, Rejection> Seal::open_sealed(std::span<const std::byte> da
 }
 
 std::expected<Opened, Rejection> Seal::open_vouched(std::span<const std::byte> word) {
-  if (!is_sealed(word)) return Opened{.text = word};
+  if (!is_sealed(word)) {
+    if (policy_.mode != Mode::plain) return std::unexpected(Rejection::plain);
+    return Opened{.text = word};
+  }
   const auto header = read_header(word);
   if (!header) return std::unexpected(header.error());
   const Key* key = policy_.keys.find(header->key);

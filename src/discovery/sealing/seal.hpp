@@ -82,9 +82,9 @@ class Seal {
   /// The text of a datagram, if it is to be heard. Takes bytes from anywhere; a forged datagram costs less than 1 us.
   [[nodiscard]] std::expected<Opened, Rejection> open(std::span<const std::byte> datagram, const Arrival& arrival);
   /// The text of a word that a relay has passed on (SEALING.md, "Relayed words"). The relay's own datagram was opened
-  /// before, so it vouches for the word's session, which need not have proved itself to us. Gives a plain word as it
-  /// is; the caller knows whether it hears such ones. Its greeting is not answered, and nothing is entered into the
-  /// ledger. Whether the word is new is for VouchedWords to say.
+  /// before, so it vouches for the word's session, which need not have proved itself to us. A plain word
+  /// is given only in mode plain: nobody can vouch for who said it. The greeting is not answered, and nothing is
+  /// entered into the ledger. Whether the word is new is for VouchedWords to say.
   [[nodiscard]] std::expected<Opened, Rejection> open_vouched(std::span<const std::byte> word);
   /// Tells which participant said what was opened last. False: it is not to be heard, since that participant seals, and
   /// this was not sealed.

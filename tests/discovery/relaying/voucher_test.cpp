@@ -90,6 +90,11 @@ TEST(Voucher, RefusesForgeriesOtherKindsAndWhatIsTooLarge) {
   Station c(3);
   const auto forged = c.voucher.wrap({.datagram = stranger.say(claim())}, first);
   EXPECT_EQ(c.voucher.unwrap(*forged, receiver, c.member.now).error(), Refusal::unreadable);
+  Station unsealed(4, {});
+  const auto plain = c.voucher.wrap({.datagram = unsealed.say(claim())}, first);
+  EXPECT_EQ(c.voucher.unwrap(*plain, receiver, c.member.now).error(), Refusal::unreadable)
+      << "a relay seals nothing up";
+  EXPECT_TRUE(unsealed.voucher.unwrap(*plain, receiver, c.member.now));
   auto presence = claim();
   presence.kind = announcement::Kind::presence;
   const auto other = c.voucher.wrap({.datagram = a.say(presence)}, first);

@@ -92,7 +92,8 @@ Beyond::Links Beyond::links_for(const sealing::Opened& opened, const announcemen
 Beyond::Links Beyond::links_for(const announcement::Announcement& word, const env::Interface& on,
                                 bool is_sealed) const {
   if (!relay_ || !means_.announcer.is_held()) return {};
-  return relay_->links_for(word.participant, relaying::link_of(on), means_.announcer.id(), is_sealed);
+  const bool is_vouched = is_sealed && seals();
+  return relay_->links_for(word.participant, relaying::link_of(on), means_.announcer.id(), is_vouched);
 }
 
 void Beyond::pass_on(const relaying::Word& word, const Links& links, Hearing hearing) {
@@ -110,7 +111,7 @@ void Beyond::pass_on(const relaying::Word& word, const Links& links, Hearing hea
 }
 
 std::vector<announcement::Behind> Beyond::behind(const env::Interface& on) const {
-  if (!relay_) return {};
+  if (!relay_ || (!seals() && !on.is_named_peer)) return {};
   return relay_->behind(relaying::link_of(on), means_.announcer.id());
 }
 

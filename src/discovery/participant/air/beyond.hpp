@@ -68,6 +68,8 @@ class Beyond {
   [[nodiscard]] std::uint64_t words() const { return relay_ ? relay_->words() : 0; }
 
  private:
+  /// Whether a seal vouches for what we say. Without one only hosts that name us believe it.
+  [[nodiscard]] bool seals() const { return means_.seal.policy().mode > sealing::Mode::prepared; }
   void hear_doubts(const std::vector<ParticipantId>& doubts, env::InterfaceIndex link);
   void say(env::InterfaceIndex link, const announcement::Announcement& relayed);
 
