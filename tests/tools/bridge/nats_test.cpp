@@ -29,5 +29,7 @@ TEST_F(Nats, JoinsDaemonsThatHaveNothingElseBetweenThem) {
   EXPECT_TRUE(link_.lab().wait_for_participants(0, 1));
 }
 
+TEST_F(Nats, JoinsASiteThroughItsRelay) { expect_site_over(link_); }
+
 }  // namespace
 }  // namespace geminga::system

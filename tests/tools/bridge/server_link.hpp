@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <memory>
 #include <string>
 #include <utility>
@@ -26,10 +27,13 @@ class ServerLink {
   [[nodiscard]] Lab& lab() { return lab_; }
   [[nodiscard]] Process& bridge(std::size_t host) { return *bridges_.at(host); }
 
-  void start_all() {
-    start_server();
+  void make_key() {
     key_ = folder_.path("team.key");
     EXPECT_EQ(run({.words = {program("gemingad"), "--generate-key", key_}, .environment = {}, .before = {}}).status, 0);
+  }
+  void start_all() {
+    start_server();
+    make_key();
     for (std::size_t host = 0; host < hosts; ++host) {
       start_bridge(host);
       start_daemon(host);
@@ -46,6 +50,12 @@ class ServerLink {
     EXPECT_TRUE(bridges_.at(host)->wait_for("carrying words by")) << bridges_.at(host)->said();
   }
   void kill_bridge(std::size_t host) { bridges_.at(host).reset(); }
+  /// Starts a daemon of the site that host 0 is the relay of, without a bridge of its own unless that is it.
+  void start_on_site(std::size_t host) {
+    std::vector<std::string> flags{"--interface", "wlan0", "--interval", "0.1", "--key-file", key_};
+    if (host == 0) flags.insert(flags.end(), {"--interface", "lo", "--peer", "127.0.0.1:4720", "--relay"});
+    lab_.start(host, flags);
+  }
   void start_daemon(std::size_t host) {
     const std::string file = folder_.write("daemon" + std::to_string(host) + ".toml",
                                            "announce-address = [\"lo=" + lab_.address_of(host) + "\"]\n");
@@ -88,6 +98,27 @@ inline void expect_team_over(ServerLink& link) {
   link.lab().daemon(1).signal(SIGKILL);
   EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=expired"})) << "the server keeps nobody alive";
   EXPECT_TRUE(link.lab().wait_for_participants(0, 2));
+}
+
+/// A host that has no bridge is found beyond the server, through the relay of its site.
+inline void expect_site_over(ServerLink& link) {
+  link.start_server();
+  link.make_key();
+  for (const std::size_t host : {0U, 2U}) link.start_bridge(host);
+  for (const std::size_t host : {0U, 1U}) link.start_on_site(host);
+  link.start_daemon(2);
+  for (std::size_t host = 0; host < ServerLink::hosts; ++host) {
+    EXPECT_TRUE(link.lab().wait_for_participants(host, 3)) << host;
+  }
+  Talk consumer = link.lab().talk(2);
+  consumer.say("7 sub create mode=otm/stream text=ball");
+  Talk provider = link.lab().talk(1);
+  provider.say("4 pub create mode=otm/stream text=ball port=5000");
+  const auto told = consumer.line_with({"7 pub add"});
+  ASSERT_TRUE(told);
+  EXPECT_EQ(field(*told, "address"), link.lab().address_of(1));
+  link.lab().daemon(1).signal(SIGKILL);
+  EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=expired"}));
 }
 
 }  // namespace geminga::system
