@@ -28,7 +28,7 @@ TEST(Compile, WritesWhatTheDaemonMaps) {
   const Outcome outcome = program.run({"compile", shipped(), "-o", "team.gmo"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, IsEmpty());
-  EXPECT_THAT(outcome.err, testing::StartsWith("geminga-ontology: read 3 files in 1 folder: 3 Turtle"));
+  EXPECT_THAT(outcome.err, testing::ContainsRegex("^geminga-ontology: read [0-9]+ files in 1 folder: [0-9]+ Turtle"));
   EXPECT_THAT(files_in(program), testing::ElementsAre("team.gmo"));
   const auto ontology = compiled::Ontology::map((program.folder() / "in" / "team.gmo").string());
   ASSERT_TRUE(ontology) << ontology.error().text;
