@@ -140,18 +140,33 @@ class Recording {
     const auto lines = recorder_.observe(seen, at(), time());
     if (!lines) return fail(lines.error());
     write(*lines);
-    if (asks_reasons) ask_why();
+    if (asks_reasons) ask_why(seen.requests);
     if (asks_status) ask_about_daemon();
   }
 
   void note(const recording::Answered& answered) { write(recorder_.answered(answered, at(), time())); }
 
-  void ask_why() {
+  void ask_why(const std::vector<Record>& requests) {
     for (const std::string& subscription : recorder_.requests_to_ask()) {
       if (auto answer = query("why", {{"subscription", subscription}})) {
         note({"why", subscription, std::move(*answer)});
       }
+      const auto request =
+          std::ranges::find(requests, subscription, [](const Record& one) { return one["subscription"]; });
+      if (request != requests.end() && !(*request)["concept"].empty()) ask_match(*request);
     }
+  }
+  /// Asks what the ontology finds for the concept of a request. Ages go by the signs of life.
+  void ask_match(const Record& request) {
+    std::vector<std::pair<std::string, std::string>> parameters;
+    for (const char* key : {"concept", "representation"}) {
+      if (!request[key].empty()) parameters.emplace_back(key, request[key]);
+    }
+    auto answer = query("match", parameters);
+    if (!answer) return;
+    for (Record& one : answer->records)
+      std::erase_if(one.fields, [](const auto& field) { return field.first == "age"; });
+    note({"match", std::string(request["subscription"]), std::move(*answer)});
   }
   void ask_about_daemon() {
     for (const char* kind : {"status", "ontology", "security", "interfaces", "peers"}) {

@@ -176,7 +176,9 @@ void add_replay(CLI::App& app, RunAlone& selected) {
       "  geminga-query replay field-test.jsonl --mcap field-test.mcap\n"
       "While it runs, a line of standard input moves it: pause, play (an empty line does either), speed X, seek TIME, "
       "+10, -10 (seconds).\n"
-      "A recording has no ontology: it knows why a request had no services, and compares concepts by their names.");
+      "A recording has no ontology: it knows why a request had its services or none, what matched the concepts of "
+      "requests, "
+      "and compares other concepts by their names.");
   command->callback(
       [flags, &selected] { selected = [flags](const Context& context) { return replay(context, *flags); }; });
 }

@@ -130,12 +130,40 @@ Record matched(const Record& service) {
   return line;
 }
 
+/// The answer to `match` that was recorded for a request for this concept; null where there is none.
+const Answer* recorded_matches(const State& state, const gcnp::QueryMatch& query) {
+  if (!query.identity || !std::holds_alternative<ConceptNames>(*query.identity)) return nullptr;
+  for (const auto& [key, request] : state.of("requests")) {
+    if (!has_identity(request, *query.identity)) continue;
+    const bool has_same_form = request["representation"] == std::get<ConceptNames>(*query.identity).representation_name;
+    if (const Answer* answer = state.matches(key); answer != nullptr && has_same_form) return answer;
+  }
+  return nullptr;
+}
+
+/// The recorded lines of services that are there at this moment, with their ages.
+Told told_matches(const State& state, std::uint32_t id, const gcnp::QueryMatch& query, const Answer& answer) {
+  Lines lines;
+  for (const Record& one : answer.records) {
+    const auto service = state.of("services").find(one["service"]);
+    if (service == state.of("services").end() || (query.limit != 0 && lines.size() == query.limit)) continue;
+    const gcnp::ListFilter filter{std::nullopt, query.mode, query.providers, ""};
+    if (!passes(filter, one, "provider")) continue;
+    Record line = one;
+    line.fields.emplace_back("age", state.aged(service->second)["age"]);
+    lines.push_back(statement_of(id, line));
+  }
+  append_end(lines, id);
+  return lines;
+}
+
 Told on(const State& state, std::uint32_t id, const gcnp::QueryMatch& query) {
   if (!query.where.empty() || query.convert != 0) {
     return refused(ErrorCode::impossible,
                    "a recording judges no conditions and conversions: leave out where and convert, or ask for "
                    "services and read their attributes");
   }
+  if (const Answer* answer = recorded_matches(state, query)) return told_matches(state, id, query, *answer);
   std::vector<const Record*> found;
   for (const auto& [key, record] : state.of("services")) {
     const gcnp::ListFilter filter{query.identity, query.mode, query.providers, ""};

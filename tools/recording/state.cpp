@@ -53,7 +53,8 @@ void State::finish_snapshot() {
   for (auto& [kind, records] : records_) {
     std::erase_if(records, [&](const auto& one) { return !named_->contains({kind, one.first}); });
   }
-  std::erase_if(whys_, [&](const auto& one) { return !of("requests").contains(one.first); });
+  for (auto* answers : {&whys_, &matches_})
+    std::erase_if(*answers, [&](const auto& one) { return !of("requests").contains(one.first); });
   std::erase_if(signs_, [&](const auto& one) { return !of("participants").contains(one.first); });
   named_.reset();
 }
@@ -61,7 +62,10 @@ void State::finish_snapshot() {
 void State::take(const Gone& gone) {
   named_.reset();
   records_[gone.kind].erase(gone.key);
-  if (gone.kind == "requests") whys_.erase(gone.key);
+  if (gone.kind == "requests") {
+    whys_.erase(gone.key);
+    matches_.erase(gone.key);
+  }
   if (gone.kind == "participants") signs_.erase(gone.key);
 }
 
@@ -73,10 +77,11 @@ void State::take(const Heard& heard) {
 }
 
 void State::take(const Answered& answered) {
-  if (answered.kind != "why") {
+  const bool is_of_request = answered.kind == "why" || answered.kind == "match";
+  if (!is_of_request) {
     answers_.insert_or_assign(answered.kind, answered.answer);
   } else if (of("requests").contains(answered.subscription)) {
-    whys_.insert_or_assign(answered.subscription, answered.answer);
+    (answered.kind == "why" ? whys_ : matches_).insert_or_assign(answered.subscription, answered.answer);
   }
 }
 
@@ -117,5 +122,7 @@ Record State::aged(const Record& record) const {
 const Answer* State::answer(std::string_view kind) const { return find(answers_, kind); }
 
 const Answer* State::why(std::string_view subscription) const { return find(whys_, subscription); }
+
+const Answer* State::matches(std::string_view subscription) const { return find(matches_, subscription); }
 
 }  // namespace geminga::recording

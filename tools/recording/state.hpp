@@ -31,6 +31,8 @@ class State {
   [[nodiscard]] const Answer* answer(std::string_view kind) const;
   /// The answer to `why` about this request, or null.
   [[nodiscard]] const Answer* why(std::string_view subscription) const;
+  /// The answer to `match` for the concept of this request, or null.
+  [[nodiscard]] const Answer* matches(std::string_view subscription) const;
 
   [[nodiscard]] const Snapshot& source() const { return source_; }
   /// The reason why the daemon could not be asked at this moment; empty: it could.
@@ -64,6 +66,7 @@ class State {
   std::map<std::string, Sign, std::less<>> signs_;
   std::map<std::string, Answer, std::less<>> answers_;
   std::map<std::string, Answer, std::less<>> whys_;
+  std::map<std::string, Answer, std::less<>> matches_;  ///< by request, as whys_
   std::string lost_;
   /// The kinds and keys that the present snapshot has named; nothing: there is none in progress.
   std::optional<std::set<std::pair<std::string, std::string>>> named_;

@@ -61,8 +61,10 @@ class RecordAndReplay : public testing::Test {
     peer.say("0 sys hello name=vision");
     peer.say("1 pub create mode=oto concept=soccer:BallInfo port=5000 rate=30");
     peer.say("2 sub create mode=oto text=nobody");
+    peer.say("3 sub create mode=oto concept=soccer:TrackedObject");
     ASSERT_TRUE(wait_for(file, "soccer:BallInfo")) << recorder->said();
     ASSERT_TRUE(wait_for(file, "\"kind\":\"why\"")) << recorder->said();
+    ASSERT_TRUE(wait_for(file, "\"kind\":\"match\"")) << recorder->said();
     peer.say("1 pub remove");
     ASSERT_TRUE(wait_for(file, "\"event\":\"del\"")) << recorder->said();
     recorder->signal(SIGINT);
@@ -110,6 +112,12 @@ TEST_F(RecordAndReplay, ShowYesterdaysTeamToTheToolsOfToday) {
   EXPECT_THAT(ask({"requests", "--unmatched"}).out, HasSubstr("nobody offers text=nobody"));
   const std::string request(parsed(ask({"--json", "requests"}).out).at(0).at("subscription").as_string());
   EXPECT_THAT(ask({"why", request}).out, HasSubstr("nobody offers text=nobody"));
+  player->signal(SIGTERM);
+  EXPECT_EQ(player->wait(), 0);
+  player = play({file, "--at", moment_of(file, "\"kind\":\"match\"")});
+  const auto matched = parsed(ask({"--json", "match", "soccer:TrackedObject"}).out);
+  EXPECT_EQ(matched.at(0).at("concept"), "soccer:BallInfo") << "by the ontology of that day";
+  EXPECT_EQ(matched.at(0).at("degree"), "narrower");
   EXPECT_EQ(ask({"status"}).status, 0);
   EXPECT_EQ(ask({"ontology"}).status, 0);
   EXPECT_EQ(ask({"security"}).status, 0);

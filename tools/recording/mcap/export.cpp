@@ -34,11 +34,12 @@ constexpr std::string_view of_recording =
     R"("participant":{"type":"string"},"name":{"type":"string"},"ontology":{"type":"string"},)"
     R"("rounds":{"type":"integer"},"text":{"type":"string"},"reason":{"type":"string"})";
 
-constexpr std::array<Topic, 11> topics{{{"participants", of_participant},
+constexpr std::array<Topic, 12> topics{{{"participants", of_participant},
                                         {"services", of_record},
                                         {"requests", of_record},
                                         {"heard", of_heard},
                                         {"why", of_answer},
+                                        {"match", of_answer},
                                         {"status", of_answer},
                                         {"ontology", of_answer},
                                         {"security", of_answer},
