@@ -137,8 +137,9 @@ Bytes make_units(const char* pitch) {
 }
 
 /// For class expressions: cameras that observe balls, and a lidar.
-Bytes make_sensors(bool has_ball, bool is_damaged = false) {
+Bytes make_sensors(bool has_ball, bool is_damaged = false, bool has_sonar = false) {
   Writer writer;
+  if (has_sonar) writer.sub("Sonar", "Sensor");
   writer.sub("Camera", "Sensor");
   writer.sub("Lidar", "Sensor");
   writer.disjoint("Camera", "Lidar");
@@ -168,6 +169,7 @@ Bytes make_unread() {
 
 std::optional<Bytes> compiled_small_ontology(std::string_view name) {
   if (name == "soccer" || name == "ballless") return make(name == "soccer");
+  if (name == "other-sensors") return make_sensors(true, false, true);
   if (name == "sensors" || name == "blind" || name == "damaged")
     return make_sensors(name != "blind", name == "damaged");
   if (name == "frames" || name == "other-frames") return make_frames(name == "other-frames");

@@ -12,7 +12,8 @@
 namespace geminga::sim {
 
 /// `soccer` (see small_ontology.cpp for its classes), or `ballless`: the same without soccer:Ball and everything below;
-/// `sensors`, for class expressions, or `blind`: the same without soccer:Ball; `misspelt`, with soccer:Bal;
+/// `sensors`, for class expressions, `other-sensors` with soccer:Sonar, or `blind`: without soccer:Ball;
+/// `misspelt`, with soccer:Bal;
 /// `deep`, for long proofs.
 /// `frames`, for conversions, or `other-frames`: over another chain of the same cost.
 /// `units`, with the unit `pitch` of 105 m, or `other-units`, where it is 50 m.

@@ -57,7 +57,8 @@ std::string conversion_fault(const std::string& text) {
 void add_to(CLI::App& app, Options& options) {
   app.add_option(
       "WORDS", options.words,
-      "The CONCEPT (prefix:Name, <IRI> or a label; left out with --id or --text), then attributes KEY=VALUE");
+      "The CONCEPT (prefix:Name, <IRI>, a label or a class expression; left out with --id or --text), then attributes "
+      "KEY=VALUE");
   options.shared.add_to(app, "How long to wait for the daemon (5 unless told)",
                         "When the daemon goes, wait for it and offer again");
   app.add_option("--port", options.publication.port, "Where the service can be reached")

@@ -135,15 +135,16 @@ Decoded<std::vector<std::string>> terms_of(const wire::Announcement& message) {
 
 template <typename Message>
 Decoded<Identity> identity_of(const Message& message, const std::vector<std::string>& terms) {
-  const auto representation = message.representation_term();
+  auto representation = message.representation_term();
+  if constexpr (requires { message.representation_of_expression(); }) {
+    if (message.is_expression()) representation = message.representation_of_expression();
+  }
   if (representation > terms.size()) return Failure(DecodeError::bad_table);
   const std::string representation_iri = representation == 0 ? std::string() : terms[representation - 1];
-  if constexpr (requires { message.is_expression(); }) {
-    if (message.is_expression()) {
-      SemanticIdentity identity{message.text(), representation_iri};
-      if (!has_expression(identity)) return Failure(DecodeError::bad_identity);  // a name would be a term
-      return identity;
-    }
+  if (message.is_expression()) {
+    SemanticIdentity identity{message.text(), representation_iri};
+    if (!has_expression(identity)) return Failure(DecodeError::bad_identity);  // a name would be a term
+    return identity;
   }
   if (message.identity_case() != Message::kConceptTerm && representation != 0) {
     return Failure(DecodeError::bad_identity);

@@ -183,9 +183,6 @@ bool is_valid_iri(std::string_view iri) {
 }
 
 std::optional<Fault> find_fault(const Publication& publication) {
-  if (has_expression(publication.identity)) {
-    return fault(DecodeError::bad_identity, ErrorCode::impossible, "an expression can be asked for, not offered");
-  }
   if (auto found = identity_fault(publication.identity)) return found;
   if (publication.port == 0) {
     return fault(DecodeError::bad_port, ErrorCode::malformed, "port 0: a service is reached at a port from 1 to 65535");

@@ -35,6 +35,18 @@ wire::Degree to_wire(Degree degree) {
   return wire::DEGREE_NARROWER;
 }
 
+/// A representation beside an offered expression has a field of its own.
+void write_representation(bool is_of_expression, std::uint32_t term, wire::Publication& message) {
+  if (is_of_expression) {
+    message.set_representation_of_expression(term);
+  } else {
+    message.set_representation_term(term);
+  }
+}
+void write_representation(bool, std::uint32_t term, wire::Subscription& message) {
+  message.set_representation_term(term);
+}
+
 /// The fields that publications and subscriptions share.
 template <typename Message, typename Service>
 void write_common(const Service& service, TermTable& terms, Message& message) {
@@ -44,15 +56,13 @@ void write_common(const Service& service, TermTable& terms, Message& message) {
   } else if (const auto* text = std::get_if<TextIdentity>(&service.identity)) {
     message.set_text(text->text);
   } else if (const auto* semantic = std::get_if<SemanticIdentity>(&service.identity)) {
-    if constexpr (requires { message.set_is_expression(true); }) {
-      message.set_is_expression(has_expression(*semantic));
-    }
     if (has_expression(*semantic)) {
+      message.set_is_expression(true);
       message.set_text(semantic->concept_iri);
     } else {
       message.set_concept_term(terms.number(semantic->concept_iri));
     }
-    message.set_representation_term(terms.number(semantic->representation_iri));
+    write_representation(has_expression(*semantic), terms.number(semantic->representation_iri), message);
   }
   message.set_port(service.port);
   message.set_address(address_octets(service.address));

@@ -21,6 +21,7 @@ FilingPlan::FilingPlan(const vocabulary::Place& place, bool is_below, const Edit
     own_ = std::to_underlying(*place.equivalent);
   } else {
     for (const vocabulary::ClassNumber child : place.children) further_own_.push_back(std::to_underlying(child));
+    further_own_.push_back(bucket_of_expressions(edition));
   }
   if (!is_below) return;
   for (const vocabulary::ClassNumber number : edition.vocabulary.subsumers(place)) {
@@ -29,12 +30,17 @@ FilingPlan::FilingPlan(const vocabulary::Place& place, bool is_below, const Edit
 }
 
 FilingPlan FilingPlan::of_publication(const Classes& classes, const Edition& edition) {
-  return {classes.concept_class, true, edition};
+  if (!classes.place) return {classes.concept_class, true, edition};
+  FilingPlan plan(classes.place->equivalent, false, edition);
+  if (!classes.place->equivalent) plan.own_ = bucket_of_expressions(edition);
+  for (const vocabulary::ClassNumber number : edition.vocabulary.subsumers(*classes.place)) {
+    plan.below_.push_back(std::to_underlying(number));
+  }
+  return plan;
 }
 
 FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const Edition& edition) {
-  const bool has_class = classes.place || classes.concept_class;
-  if (has_class && weakest == Degree::overlapping) return {edition.vocabulary.thing(), false, edition};
+  if (has_meaning(classes) && weakest == Degree::overlapping) return {edition.vocabulary.thing(), false, edition};
   if (classes.place) return {*classes.place, accepts_broader(weakest), edition};
   return {classes.concept_class, accepts_broader(weakest), edition};
 }
@@ -52,13 +58,24 @@ void add_subscriptions_for(const registry::Subscriptions& subscriptions, const r
     std::ranges::for_each(subscriptions.with_number(offer.identity), add_all);
   } else if (semantic == nullptr) {
     add_all(subscriptions.with_identity(offered, offer.identity));
-  } else if (!classes.concept_class) {
+  } else if (!has_meaning(classes)) {
     add_all(subscriptions.with_concept(semantic->concept_iri));
   } else {
     for (const registry::ClassedAt& filed : offer.classes[std::to_underlying(edition.generation)]) {
       if (filed.is_below()) add_all(subscriptions.own(filed.number(), edition.generation));
     }
-    add_all(subscriptions.below(std::to_underlying(*classes.concept_class), edition.generation));
+    // Those that accept what is broader: they ask for a class below the offer, or for an expression.
+    const auto add_below = [&](vocabulary::ClassNumber number) {
+      add_all(subscriptions.below(std::to_underlying(number), edition.generation));
+    };
+    if (classes.concept_class) {
+      add_below(*classes.concept_class);
+    } else if (classes.place->equivalent) {
+      add_below(*classes.place->equivalent);
+    } else {
+      std::ranges::for_each(classes.place->children, add_below);
+      add_all(subscriptions.own(bucket_of_expressions(edition), edition.generation));
+    }
   }
 }
 

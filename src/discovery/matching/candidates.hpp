@@ -19,7 +19,8 @@ namespace geminga::matching {
 /// The classes that an entry is filed under. Owns what its registry::Filing borrows.
 class FilingPlan {
  public:
-  /// The plan of a publication: below every subsumer of its concept, itself included.
+  /// The plan of a publication: below every subsumer of its concept, itself included. An expression is filed below its
+  /// subsumers, and among the expressions.
   [[nodiscard]] static FilingPlan of_publication(const Classes& classes, const Edition& edition);
   /// The plan of a subscription. It is filed below its subsumers only where it accepts broader concepts, since these
   /// may meet it then. One that accepts overlapping concepts is filed under owl:Thing, since every concept may meet it.
@@ -32,7 +33,8 @@ class FilingPlan {
 
  private:
   FilingPlan(std::optional<vocabulary::ClassNumber> own, bool is_below, const Edition& edition);
-  /// The plan of an expression: under the classes right below it, because narrower offers are below these.
+  /// The plan of a requested expression: under the classes right below it, because narrower offers are below these,
+  /// and among the expressions.
   FilingPlan(const vocabulary::Place& place, bool is_below, const Edition& edition);
 
   registry::Generation generation_;
@@ -41,8 +43,27 @@ class FilingPlan {
   std::vector<registry::ClassIndex> further_own_;
 };
 
+/// The bucket behind those of all classes: offered expressions, and requested ones, that are equivalent to no class.
+/// Between two of these there may be no class, so that each is compared with all of the other kind.
+[[nodiscard]] inline registry::ClassIndex bucket_of_expressions(const Edition& edition) {
+  return edition.vocabulary.class_count();
+}
+/// The number of buckets in the index of an edition.
+[[nodiscard]] inline std::size_t index_size(const Edition& edition) {
+  return std::size_t{edition.vocabulary.class_count()} + 1;
+}
+
 /// Whether broader concepts are accepted.
 [[nodiscard]] constexpr bool accepts_broader(Degree weakest) { return !is_weaker(Degree::broader, weakest); }
+
+/// Whether a publication is filed below a class.
+[[nodiscard]] inline bool is_filed_below(const registry::StoredPublication& stored, vocabulary::ClassNumber number,
+                                         const Edition& edition) {
+  return std::ranges::any_of(stored.classes[std::to_underlying(edition.generation)],
+                             [&](const registry::ClassedAt& filed) {
+                               return filed.is_below() && filed.number() == std::to_underlying(number);
+                             });
+}
 
 /// visit_publications() for an expression in a place.
 template <typename Visit>
@@ -59,6 +80,7 @@ void visit_publications_around(const registry::Publications& publications, const
     return visit_all(publications.below(std::to_underlying(number), edition.generation));
   };
   if (place.equivalent ? below(*place.equivalent) : std::ranges::any_of(place.children, below)) return;
+  if (visit_all(publications.own(bucket_of_expressions(edition), edition.generation))) return;
   if (!accepts_broader(weakest)) return;
   for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(place)) {
     if (visit_all(publications.own(std::to_underlying(wider), edition.generation))) return;
@@ -88,8 +110,7 @@ void visit_publications(const registry::Publications& publications, const Identi
     const NumericIdentity number{id32(requested)};
     if (visit_all(publications.with_identity(number, number.number))) return;
   }
-  const bool has_class = classes.place || classes.concept_class;
-  if (has_class && weakest == Degree::overlapping) {
+  if (has_meaning(classes) && weakest == Degree::overlapping) {
     visit_all(publications.below(std::to_underlying(edition.vocabulary.thing()), edition.generation));
   } else if (classes.place) {
     visit_publications_around(publications, *classes.place, weakest, edition, visit);
@@ -103,6 +124,9 @@ void visit_publications(const registry::Publications& publications, const Identi
     for (const vocabulary::ClassNumber wider : edition.vocabulary.subsumers(wanted)) {
       if (edition.vocabulary.is_subsumed(wider, wanted)) continue;  // visited already
       if (visit_all(publications.own(std::to_underlying(wider), edition.generation))) return;
+    }
+    for (const auto& one : publications.own(bucket_of_expressions(edition), edition.generation)) {
+      if (!is_filed_below(*one.stored, wanted, edition) && visit(*one.stored)) return;
     }
   }
 }

@@ -10,7 +10,10 @@ using registry::StoredPublication;
 using registry::StoredSubscription;
 using registry::SubscriptionEntry;
 
-Directory::Directory(const Editions& editions) : editions_(editions) { open_indexes(editions.in_force()); }
+Directory::Directory(const Editions& editions, const Preparation& preparation)
+    : editions_(editions), preparation_(preparation) {
+  open_indexes(editions.in_force());
+}
 
 const StoredPublication& Directory::add(PublicationEntry entry) {
   const StoredPublication& stored = publications_.insert(std::move(entry), {});
@@ -80,8 +83,8 @@ void Directory::erase(const StoredSubscription& stored) {
 }
 
 void Directory::open_indexes(const Edition& edition) {
-  publications_.set_class_count(edition.vocabulary.class_count(), edition.generation);
-  subscriptions_.set_class_count(edition.vocabulary.class_count(), edition.generation);
+  publications_.set_class_count(index_size(edition), edition.generation);
+  subscriptions_.set_class_count(index_size(edition), edition.generation);
 }
 
 void Directory::close_indexes(const Edition& edition) {
@@ -92,7 +95,7 @@ void Directory::close_indexes(const Edition& edition) {
 void Directory::file(const StoredPublication& stored, const Edition& edition) {
   KnownPublication& publication = known(stored);
   const auto generation = std::to_underlying(edition.generation);
-  publication.classes[generation] = classes_of(stored.entry.publication.identity, edition.vocabulary);
+  publication.classes[generation] = preparation_.classes(stored.entry, edition.vocabulary);
   const Attributes& attributes = stored.entry.publication.attributes;
   publication.signatures[generation] =
       has_signature(attributes) ? std::make_unique<const Signature>(signature_of(attributes, edition.vocabulary))

@@ -12,6 +12,7 @@
 #include "discovery/matching/arbitration/reason.hpp"
 #include "discovery/matching/candidates.hpp"
 #include "discovery/matching/editions.hpp"
+#include "discovery/matching/preparation.hpp"
 #include "discovery/matching/request.hpp"
 #include "discovery/registry/table.hpp"
 
@@ -27,7 +28,7 @@ struct ReplacedSubscription {
 /// The home of the registry. It files what comes and takes out what goes; it judges nothing and tells nobody.
 class Directory {
  public:
-  explicit Directory(const Editions& editions);
+  Directory(const Editions& editions, const Preparation& preparation);
   Directory(const Directory&) = delete;
   Directory& operator=(const Directory&) = delete;
 
@@ -169,6 +170,7 @@ class Directory {
   void unwatch(const registry::StoredSubscription& stored);
 
   const Editions& editions_;
+  const Preparation& preparation_;
   registry::Publications publications_;
   registry::Subscriptions subscriptions_;
   std::vector<KnownPublication> of_publication_;    ///< by slot

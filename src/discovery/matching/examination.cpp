@@ -30,7 +30,7 @@ Finding Examination::examine(const SubscriptionEntry& asked, const Request& requ
   if (stored != nullptr && &stored->entry == &offered) {
     return judge_.examine(asked, request, directory_.offer(*stored, edition), edition);
   }
-  return judge_.examine(asked, request, Imagined(offered, edition.vocabulary).offer, edition);
+  return judge_.examine(asked, request, Imagined(offered, edition.vocabulary, preparation_.placing()).offer, edition);
 }
 
 Finding Examination::examine(const StoredSubscription& stored, const Offer& offer) const {
@@ -40,12 +40,20 @@ Finding Examination::examine(const StoredSubscription& stored, const Offer& offe
   const Request& known = directory_.request(stored);
   const auto* requested = std::get_if<SemanticIdentity>(&asked.subscription.identity);
   const bool may_overlap = requested != nullptr && asked.subscription.weakest == Degree::overlapping;
-  if (is_current && !may_overlap) return judge_.examine(asked, known, offer, edition);
+  const bool may_compare = offer.classes.place && has_expression(asked.subscription.identity);
+  if (is_current && !may_overlap && !may_compare) return judge_.examine(asked, known, offer, edition);
   Request anew = is_current ? known : preparation_.prepare(asked, false);
-  if (may_overlap) {  // the question is that of the peer that examines, and takes nothing of the consumer's share
-    anew.overlaps = [this, requested, classes = anew.classes](const vocabulary::Vocabulary&,
-                                                              vocabulary::ClassNumber offered) {
-      return preparation_.overlap(offered, *requested, classes);
+  // Questions are those of the peer that examines, and take nothing of the consumer's share.
+  if (may_overlap) {
+    anew.overlaps = [this, requested, classes = anew.classes](
+                        const vocabulary::Vocabulary&, const SemanticIdentity& offered, const Classes& of_offer) {
+      return preparation_.overlap(offered, of_offer, *requested, classes);
+    };
+  }
+  if (may_compare && anew.classes.place) {
+    anew.compares = [this, requested, classes = anew.classes](
+                        const vocabulary::Vocabulary&, const SemanticIdentity& offered, const Classes& of_offer) {
+      return preparation_.compare(offered, of_offer, *requested, classes);
     };
   }
   return judge_.examine(asked, anew, offer, edition);
@@ -53,7 +61,7 @@ Finding Examination::examine(const StoredSubscription& stored, const Offer& offe
 
 bool Examination::examine_requests(const std::optional<ServiceKey>& after, const PublicationEntry& offered,
                                    const VisitFinding& visit) const {
-  const Imagined imagined(offered, editions_.in_force().vocabulary);
+  const Imagined imagined(offered, editions_.in_force().vocabulary, preparation_.placing());
   return directory_.subscriptions().visit_after(after, [&](const StoredSubscription& stored) {
     return directory_.is_going(stored) || visit(stored.entry, examine(stored, imagined.offer));
   });
@@ -109,7 +117,7 @@ std::expected<Match, std::string> Examination::why(const SubscriptionEntry& aske
         "identity: the number is that of two different services, and connects neither with whoever states the number");
   }
   const vocabulary::Vocabulary& vocabulary = editions_.in_force().vocabulary;
-  const Imagined imagined(offered, vocabulary);
+  const Imagined imagined(offered, vocabulary, preparation_.placing());
   Request prepared = preparation_.prepare(asked, true);
   if (chains) prepared.chains = chains;
   return explained(asked, prepared, imagined.offer, vocabulary);

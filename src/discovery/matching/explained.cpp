@@ -77,30 +77,32 @@ std::string conversion_misfit(const Classes& offered, const Request& request, st
 }
 
 /// The reason why concepts without a degree do not overlap either; empty where overlapping is not accepted.
-std::string overlap_misfit(const Classes& offered, const Classes& requested, const AskOverlap& overlaps,
-                           const vocabulary::Vocabulary& vocabulary) {
-  const bool has_classes = offered.concept_class && (requested.concept_class || requested.place);
-  if (!overlaps || !has_classes) return "";
-  const OverlapAnswer answer = answer_of_overlap(offered, requested, vocabulary, overlaps);
+std::string overlap_misfit(const SemanticIdentity& offer, const Classes& offered, const Classes& requested,
+                           const AskOverlap& overlaps, const vocabulary::Vocabulary& vocabulary) {
+  if (!overlaps || !has_meaning(offered) || !has_meaning(requested)) return "";
+  const OverlapAnswer answer = answer_of_overlap(offer, offered, requested, vocabulary, overlaps);
   if (answer == nullptr) return "; whether something can be both waits to be decided";
   if (answer->verdict == vocabulary::Overlap::Verdict::impossible) return "; nothing can be both";
   return "; it is undecided whether something can be both: " + base::printable(answer->reason, max_shown_expression);
 }
 
-/// The same for an expression, whose place may be incomplete.
+/// The same where one is an expression, whose place may be incomplete.
 std::string unrelated_expression(const SemanticIdentity& offer, const Classes& offered, const Subscription& asked,
                                  const Request& prepared, const vocabulary::Vocabulary& vocabulary) {
   const std::string& requested = std::get<SemanticIdentity>(asked.identity).concept_iri;
   const std::string both =
       named(vocabulary, offer.concept_iri) + " is offered, " + named(vocabulary, requested) + " is asked for, and ";
-  const std::string reason = without_class(vocabulary, offer.concept_iri);
-  if (!reason.empty()) return both + reason;
-  const bool is_missed = offered.concept_class && may_be_missed(*offered.concept_class, *prepared.classes.place,
-                                                                !is_weaker(Degree::broader, asked.weakest), vocabulary);
+  for (const std::string* iri : {&offer.concept_iri, &requested}) {
+    const bool is_expression = has_expression(SemanticIdentity{*iri, ""});
+    const std::string reason = is_expression ? "" : without_class(vocabulary, *iri);
+    if (!reason.empty()) return both + reason;
+  }
+  const bool is_missed =
+      may_be_missed(offered, prepared.classes, !is_weaker(Degree::broader, asked.weakest), vocabulary);
   if (!is_missed) return both + "neither subsumes the other";
   return both +
          "neither is known to subsume the other, but not all is found of an expression that no class is defined by: " +
-         gap_words(prepared.classes);
+         gap_words(offered, prepared.classes);
 }
 
 std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Subscription& asked,
@@ -122,13 +124,20 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
            named(vocabulary, request->concept_iri) +
            " is asked for, and that is unknown to the ontology, unsatisfiable, or waits to be classified";
   }
-  const bool fits = degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary) ||
-                    degree_of_overlap(offered_classes, requested_classes, vocabulary, overlaps);
+  const bool is_same = offer->concept_iri == request->concept_iri;
+  if (has_expression(*offer) && !offered_classes.place && !is_same) {
+    return "concept: " + named(vocabulary, offer->concept_iri) +
+           " is offered, and that is unknown to the ontology, unsatisfiable, or waits to be classified; " +
+           named(vocabulary, request->concept_iri) + " is asked for";
+  }
+  const bool fits =
+      degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary, prepared.compares) ||
+      degree_of_overlap(*offer, offered_classes, requested_classes, vocabulary, overlaps);
   if (!fits) {
-    const std::string neither = has_expression(*request)
+    const std::string neither = has_expression(*request) || has_expression(*offer)
                                     ? unrelated_expression(*offer, offered_classes, asked, prepared, vocabulary)
                                     : unrelated(vocabulary, offer->concept_iri, request->concept_iri);
-    return "concept: " + neither + overlap_misfit(offered_classes, requested_classes, overlaps, vocabulary);
+    return "concept: " + neither + overlap_misfit(*offer, offered_classes, requested_classes, overlaps, vocabulary);
   }
   if (offer->representation_iri.empty()) {
     return "representation: none is stated, " + named(vocabulary, request->representation_iri) + " is asked for";

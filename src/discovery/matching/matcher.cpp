@@ -14,17 +14,18 @@ using registry::StoredPublication;
 using registry::StoredSubscription;
 using registry::SubscriptionEntry;
 
-Matcher::Matcher(const vocabulary::Vocabulary& vocabulary, Placing placing, Overlapping overlapping)
+Matcher::Matcher(const vocabulary::Vocabulary& vocabulary, Placing placing, Overlapping overlapping,
+                 Comparing comparing)
     : editions_(vocabulary),
-      preparation_(editions_, std::move(placing), std::move(overlapping)),
-      directory_(editions_),
+      preparation_(editions_, std::move(placing), std::move(overlapping), std::move(comparing)),
+      directory_(editions_, preparation_),
       clashes_(directory_.publications(), directory_.subscriptions()),
       judge_(directory_, clashes_),
       events_(directory_),
       pairs_(directory_, judge_, events_),
       agenda_(editions_, directory_, judge_, pairs_),
       departures_(directory_, clashes_, pairs_, agenda_),
-      change_(editions_, preparation_, directory_, judge_, pairs_),
+      change_(editions_, preparation_, directory_, judge_, pairs_, agenda_),
       examination_(editions_, preparation_, directory_, judge_) {}
 
 template <typename Entry>

@@ -43,7 +43,9 @@ namespace geminga::matching {
 /// A subscription may ask for a class expression. It is filed under the classes right below the place of the expression
 /// in the taxonomy, so that a new publication finds it as it finds any other request above its concept. No class is
 /// added to the ontology and no index is rebuilt: a request costs what it is filed under. Its degree is that of a class
-/// in its place.
+/// in its place. A publication may offer an expression. It is filed below all classes above its place, so that a
+/// request for a class finds it. Two expressions are compared with each other, since there may be no class between
+/// them.
 ///
 /// Providers are told of consumers in the modes oto and otm/pubsub only (paper section 3), and only of those that have
 /// chosen them. The host of a consumer that had to choose announces what it has chosen (Subscription::chosen), and the
@@ -60,9 +62,10 @@ class Matcher {
   };
 
   /// Without an ontology semantic identities match exactly or not at all. `placing` gives the places of expressions
-  /// that are asked for; without it expressions meet nothing. `overlapping` says which concepts overlap; without it the
-  /// reasoner is asked whenever a pair is judged.
-  explicit Matcher(const vocabulary::Vocabulary& vocabulary = {}, Placing placing = {}, Overlapping overlapping = {});
+  /// that are asked for or offered; without it expressions meet nothing. `overlapping` says which concepts overlap, and
+  /// `comparing` how two expressions relate; without them the reasoner is asked whenever a pair is judged.
+  explicit Matcher(const vocabulary::Vocabulary& vocabulary = {}, Placing placing = {}, Overlapping overlapping = {},
+                   Comparing comparing = {});
   Matcher(const Matcher&) = delete;
   Matcher& operator=(const Matcher&) = delete;
 
@@ -126,8 +129,9 @@ class Matcher {
   /// Takes the vocabulary in force prepared for expressions; place_again() makes use of that. False where this is of
   /// another ontology or the one in force is prepared already: then it is dropped.
   bool take_prepared(vocabulary::Vocabulary prepared) { return editions_.take_prepared(std::move(prepared)); }
-  /// Has rematch_next() ask again for the place of each subscription whose expression has none, and judge those again
-  /// for which `overlapping` gave no answer. A local one is judged when it has all of them.
+  /// Has rematch_next() ask again for the place of each subscription and publication whose expression has none, and
+  /// judge those again for which `overlapping` or `comparing` gave no answer. A local subscription is judged when it
+  /// has all of them.
   void place_again() { change_.place_again(); }
 
   // Events and choices.
@@ -195,11 +199,15 @@ class Matcher {
   /// Up to `most` of them: the first that are found.
   [[nodiscard]] std::vector<ServiceKey> some_candidates(const Subscription& asked, const Request& request,
                                                         std::size_t most) const;
-  /// Whether the class of an offer can have instances in common with what a request asks for, for a peer of our own;
-  /// null: that waits to be decided. One of the request's classes must be known.
-  [[nodiscard]] OverlapAnswer overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
-                                      const Classes& requested_classes) const {
-    return preparation_.overlap(offered, requested, requested_classes);
+  /// The classes of an offer, which may be one that nobody has stated, with the place of an expression.
+  [[nodiscard]] Classes classes(const registry::PublicationEntry& offer) const {
+    return preparation_.classes(offer, vocabulary());
+  }
+  /// Whether what an offer is can have instances in common with what a request asks for, for a peer of our own; null:
+  /// that waits to be decided. Something must be known of both.
+  [[nodiscard]] OverlapAnswer overlap(const SemanticIdentity& offered, const Classes& offered_classes,
+                                      const SemanticIdentity& requested, const Classes& requested_classes) const {
+    return preparation_.overlap(offered, offered_classes, requested, requested_classes);
   }
   /// The finding about an offer and `asked`, from which `request` was prepared. Either may be one that nobody has
   /// stated.

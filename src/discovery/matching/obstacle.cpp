@@ -45,8 +45,9 @@ constexpr std::string_view words[] = {"none",
                                       "incumbent",
                                       "nobody",
                                       "ontology_differs",
-                                      "incomplete"};
-static_assert(std::size(words) == std::to_underlying(Obstacle::incomplete) + 1U);
+                                      "incomplete",
+                                      "unclassified_offer"};
+static_assert(std::size(words) == std::to_underlying(Obstacle::unclassified_offer) + 1U);
 
 bool is_similar(const std::string& a, const std::string& b) {
   const std::size_t limit = base::tolerated_slips(a);
@@ -70,13 +71,14 @@ Obstacle of_names(const std::string& offered, const std::string& requested, cons
 /// The obstacle between two semantic identities that do not match at all.
 Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, const SemanticIdentity& request,
                       const Classes& requested, Degree weakest, const AskOverlap& overlaps,
-                      const vocabulary::Vocabulary& vocabulary) {
-  const bool is_expression = has_expression(request) && offer.concept_iri != request.concept_iri;
-  auto by_concept = degree_of_concept(offer, offered, request, requested, vocabulary);
-  const bool may_overlap = overlaps && offered.concept_class && (requested.concept_class || requested.place);
+                      const AskComparison& compares, const vocabulary::Vocabulary& vocabulary) {
+  const bool is_expression =
+      (has_expression(offer) || has_expression(request)) && offer.concept_iri != request.concept_iri;
+  auto by_concept = degree_of_concept(offer, offered, request, requested, vocabulary, compares);
+  const bool may_overlap = overlaps && has_meaning(offered) && has_meaning(requested);
   if (!by_concept && may_overlap) {
-    by_concept = degree_of_overlap(offered, requested, vocabulary, overlaps);
-    const OverlapAnswer answer = answer_of_overlap(offered, requested, vocabulary, overlaps);
+    by_concept = degree_of_overlap(offer, offered, requested, vocabulary, overlaps);
+    const OverlapAnswer answer = answer_of_overlap(offer, offered, requested, vocabulary, overlaps);
     if (!by_concept) {
       const bool is_disjoint = answer && answer->verdict == vocabulary::Overlap::Verdict::impossible;
       return is_disjoint ? Obstacle::disjoint : Obstacle::undecided;
@@ -92,24 +94,25 @@ Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, con
                     Obstacle::unknown_offer, Obstacle::unrelated);
   }
   if (!vocabulary.is_loaded()) return Obstacle::no_ontology;
-  if (!requested.place) return Obstacle::unclassified;
-  if (!vocabulary.find_iri(offer.concept_iri)) return Obstacle::unknown_offer;
-  const bool is_missed = offered.concept_class && may_be_missed(*offered.concept_class, *requested.place,
-                                                                !is_weaker(Degree::broader, weakest), vocabulary);
+  if (has_expression(request) && !requested.place) return Obstacle::unclassified;
+  if (!has_expression(request) && !vocabulary.find_iri(request.concept_iri)) return Obstacle::unknown_concept;
+  if (has_expression(offer) && !offered.place) return Obstacle::unclassified_offer;
+  if (!has_expression(offer) && !vocabulary.find_iri(offer.concept_iri)) return Obstacle::unknown_offer;
+  const bool is_missed = may_be_missed(offered, requested, !is_weaker(Degree::broader, weakest), vocabulary);
   return is_missed ? Obstacle::incomplete : Obstacle::unrelated;
 }
 
 /// The obstacle between two identities that do not match at all.
 Obstacle of_identities(const Identity& offered, const Classes& offered_classes, const Identity& requested,
                        const Classes& requested_classes, Degree weakest, const AskOverlap& overlaps,
-                       const vocabulary::Vocabulary& vocabulary) {
+                       const AskComparison& compares, const vocabulary::Vocabulary& vocabulary) {
   if (offered.index() != requested.index()) return Obstacle::kind;
   if (std::holds_alternative<NumericIdentity>(offered)) return Obstacle::number;
   if (const auto* text = std::get_if<TextIdentity>(&offered)) {
     return is_similar(std::get<TextIdentity>(requested).text, text->text) ? Obstacle::similar_text : Obstacle::text;
   }
   return of_semantics(std::get<SemanticIdentity>(offered), offered_classes, std::get<SemanticIdentity>(requested),
-                      requested_classes, weakest, overlaps, vocabulary);
+                      requested_classes, weakest, overlaps, compares, vocabulary);
 }
 
 /// How far apart two identities are. Below `first_far` the concept fits.
@@ -135,6 +138,7 @@ unsigned stage_of(Obstacle identity) {
       return 6;
     case Obstacle::disjoint:
     case Obstacle::unclassified:
+    case Obstacle::unclassified_offer:
     case Obstacle::unsatisfiable:
       return first_far;
     case Obstacle::unrelated:
@@ -198,7 +202,7 @@ Finding compared(const registry::SubscriptionEntry& subscription, const Request&
     finding.is_signature_met = by_signature.has_value();
   }
   finding.by_identity = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
-                                           asked.convert, request.overlaps, request.chains);
+                                           asked.convert, request.overlaps, request.chains, request.compares);
   finding.match = finding.by_identity;
   if (finding.match && by_signature) finding.match = combined(*finding.match, *by_signature);
   return finding;
@@ -213,7 +217,7 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
     finding.by_identity = finding.match = std::nullopt;
   } else if (!finding.by_identity) {
     finding.identity = of_identities(offer.entry.publication.identity, offer.classes, asked.identity, request.classes,
-                                     asked.weakest, request.overlaps, vocabulary);
+                                     asked.weakest, request.overlaps, request.compares, vocabulary);
   } else if (!is_accepted_degree(asked, request, offer, *finding.by_identity, vocabulary)) {
     finding.identity = finding.by_identity->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
   }

@@ -45,11 +45,12 @@ enum class Obstacle : std::uint8_t {
   signature,   ///< inputs or outputs
   unreadable,  ///< a scope or a condition cannot be read
   // Of a pair that meets, or of a request as a whole.
-  outranked,         ///< better ones take the places that the limit leaves
-  incumbent,         ///< one that is no better was there first
-  nobody,            ///< no offer comes near
-  ontology_differs,  ///< the consumer's host has another ontology, and the name is unknown here
-  incomplete,        ///< neither is known to subsume the other, and the place of the expression may be incomplete
+  outranked,           ///< better ones take the places that the limit leaves
+  incumbent,           ///< one that is no better was there first
+  nobody,              ///< no offer comes near
+  ontology_differs,    ///< the consumer's host has another ontology, and the name is unknown here
+  incomplete,          ///< neither is known to subsume the other, and the place of an expression may be incomplete
+  unclassified_offer,  ///< the same as unclassified, of the offered expression
 };
 
 /// The word of GCNP. Static storage.

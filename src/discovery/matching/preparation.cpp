@@ -5,12 +5,13 @@
 namespace geminga::matching {
 
 Request Preparation::prepare(const Subscription& asked) const {
-  return prepared(asked, editions_.in_force().vocabulary, placing_, {}, overlapping_);
+  return prepared(asked, editions_.in_force().vocabulary, placing_, {}, overlapping_, comparing_);
 }
 
 Request Preparation::prepare(const registry::SubscriptionEntry& entry, bool must_convert) const {
   const Edition& edition = editions_.in_force();
-  Request request = prepared(entry.subscription, edition.vocabulary, placing_, entry.key.participant, overlapping_);
+  Request request =
+      prepared(entry.subscription, edition.vocabulary, placing_, entry.key.participant, overlapping_, comparing_);
   if (!request.classes.representation_class || (!must_convert && entry.subscription.convert == 0)) return request;
   const auto asking = [&](std::shared_ptr<const Consumer> consumer) -> AskChain {
     return [converters = edition.converters, consumer = std::move(consumer)](vocabulary::ClassNumber offered,
@@ -31,11 +32,18 @@ Request Preparation::prepare(const registry::SubscriptionEntry& entry, bool must
   return request;
 }
 
-OverlapAnswer Preparation::overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
-                                   const Classes& requested_classes) const {
+OverlapAnswer Preparation::overlap(const SemanticIdentity& offered, const Classes& offered_classes,
+                                   const SemanticIdentity& requested, const Classes& requested_classes) const {
   const vocabulary::Vocabulary& vocabulary = editions_.in_force().vocabulary;
-  return overlapping_ ? overlapping_(vocabulary, offered, requested, requested_classes, {})
-                      : decided_at_once(vocabulary, offered, requested, requested_classes);
+  return overlapping_ ? overlapping_(vocabulary, offered, offered_classes, requested, requested_classes, {})
+                      : decided_at_once(vocabulary, offered, offered_classes, requested, requested_classes);
+}
+
+ComparisonAnswer Preparation::compare(const SemanticIdentity& offered, const Classes& offered_classes,
+                                      const SemanticIdentity& requested, const Classes& requested_classes) const {
+  const vocabulary::Vocabulary& vocabulary = editions_.in_force().vocabulary;
+  return comparing_ ? comparing_(vocabulary, offered, offered_classes, requested, requested_classes, {})
+                    : compared_at_once(vocabulary, offered, offered_classes, requested, requested_classes);
 }
 
 }  // namespace geminga::matching

@@ -1,4 +1,4 @@
-// Makes requests of subscriptions by the vocabulary in force.
+// Makes requests of subscriptions by the vocabulary in force, and gives the classes of offers.
 #ifndef GEMINGA_DISCOVERY_MATCHING_PREPARATION_HPP
 #define GEMINGA_DISCOVERY_MATCHING_PREPARATION_HPP
 
@@ -12,9 +12,12 @@ namespace geminga::matching {
 /// Immutable. Requests borrow from it, so it must outlive them.
 class Preparation {
  public:
-  /// `placing` and `overlapping` as in Matcher; both may be empty.
-  Preparation(const Editions& editions, Placing placing, Overlapping overlapping)
-      : editions_(editions), placing_(std::move(placing)), overlapping_(std::move(overlapping)) {}
+  /// `placing`, `overlapping` and `comparing` as in Matcher; each may be empty.
+  Preparation(const Editions& editions, Placing placing, Overlapping overlapping, Comparing comparing = {})
+      : editions_(editions),
+        placing_(std::move(placing)),
+        overlapping_(std::move(overlapping)),
+        comparing_(std::move(comparing)) {}
   Preparation(const Preparation&) = delete;
   Preparation& operator=(const Preparation&) = delete;
 
@@ -24,15 +27,26 @@ class Preparation {
   /// The request of nobody in particular: nobody converts for it.
   [[nodiscard]] Request prepare(const Subscription& asked) const;
 
-  /// Whether an offered class overlaps with what is asked for, by the vocabulary in force, for a peer of this host;
+  /// The classes of an offer in a vocabulary, with the place of an expression.
+  [[nodiscard]] Classes classes(const registry::PublicationEntry& entry,
+                                const vocabulary::Vocabulary& vocabulary) const {
+    return placed_classes(entry.publication.identity, vocabulary, placing_, entry.key.participant);
+  }
+  [[nodiscard]] const Placing& placing() const { return placing_; }
+
+  /// Whether an offered concept overlaps with what is asked for, by the vocabulary in force, for a peer of this host;
   /// null: that waits to be decided.
-  [[nodiscard]] OverlapAnswer overlap(vocabulary::ClassNumber offered, const SemanticIdentity& requested,
-                                      const Classes& requested_classes) const;
+  [[nodiscard]] OverlapAnswer overlap(const SemanticIdentity& offered, const Classes& offered_classes,
+                                      const SemanticIdentity& requested, const Classes& requested_classes) const;
+  /// The same about how an offered expression relates to a requested one.
+  [[nodiscard]] ComparisonAnswer compare(const SemanticIdentity& offered, const Classes& offered_classes,
+                                         const SemanticIdentity& requested, const Classes& requested_classes) const;
 
  private:
   const Editions& editions_;
   Placing placing_;
   Overlapping overlapping_;
+  Comparing comparing_;
 };
 
 }  // namespace geminga::matching

@@ -16,23 +16,38 @@ AskOverlap asking(const Subscription& subscription, const Classes& classes, Part
                   const Overlapping& overlapping) {
   const auto* requested = std::get_if<SemanticIdentity>(&subscription.identity);
   if (subscription.weakest != Degree::overlapping || requested == nullptr) return {};
-  return [requested = *requested, classes, from, ask = overlapping ? &overlapping : nullptr](
-             const vocabulary::Vocabulary& vocabulary, vocabulary::ClassNumber offered) {
-    return ask == nullptr ? decided_at_once(vocabulary, offered, requested, classes)
-                          : (*ask)(vocabulary, offered, requested, classes, from);
+  return
+      [requested = *requested, classes, from, ask = overlapping ? &overlapping : nullptr](
+          const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes) {
+        return ask == nullptr ? decided_at_once(vocabulary, offered, offered_classes, requested, classes)
+                              : (*ask)(vocabulary, offered, offered_classes, requested, classes, from);
+      };
+}
+
+/// The function by which a request asks about offered expressions; empty where it is for none.
+AskComparison asking(const Subscription& subscription, const Classes& classes, ParticipantId from,
+                     const Comparing& comparing) {
+  if (!classes.place) return {};
+  return [requested = std::get<SemanticIdentity>(subscription.identity), classes, from,
+          ask = comparing ? &comparing : nullptr](const vocabulary::Vocabulary& vocabulary,
+                                                  const SemanticIdentity& offered, const Classes& offered_classes) {
+    return ask == nullptr ? compared_at_once(vocabulary, offered, offered_classes, requested, classes)
+                          : (*ask)(vocabulary, offered, offered_classes, requested, classes, from);
   };
 }
 
-/// The match of a pair; nothing where it does not meet. `overlaps` is asked in the place of the request's own.
+/// The match of a pair; nothing where it does not meet. `overlaps` and `compares` are asked in the place of the
+/// request's own.
 std::optional<Match> match_of(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
-                              const vocabulary::Vocabulary& vocabulary, const AskOverlap& overlaps) {
+                              const vocabulary::Vocabulary& vocabulary, const AskOverlap& overlaps,
+                              const AskComparison& compares) {
   const Subscription& asked = subscription.subscription;
   const PublicationEntry& entry = offer.entry;
   if (asked.mode != entry.publication.mode || !request.where) return std::nullopt;
   if (!is_accepted_provider(asked, entry) || !is_accepted_protocol(asked, entry)) return std::nullopt;
   if (!is_in_scope(subscription, request, offer)) return std::nullopt;
   const auto match = degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes,
-                                        vocabulary, asked.convert, overlaps, request.chains);
+                                        vocabulary, asked.convert, overlaps, request.chains, compares);
   if (!match || !is_accepted_degree(asked, request, offer, *match, vocabulary)) return std::nullopt;
   if (!request.where->accepts(entry, vocabulary.units())) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription, vocabulary.units()))
@@ -47,8 +62,9 @@ std::optional<Match> match_of(const SubscriptionEntry& subscription, const Reque
 bool is_accepted_degree(const Subscription& asked, const Request& request, const Offer& offer, const Match& match,
                         const vocabulary::Vocabulary& vocabulary) {
   if (match.cost == 0 || match.degree == Degree::overlapping) return !is_weaker(match.degree, asked.weakest);
-  const auto by_concept = degree_of_concept(std::get<SemanticIdentity>(offer.entry.publication.identity), offer.classes,
-                                            std::get<SemanticIdentity>(asked.identity), request.classes, vocabulary);
+  const auto by_concept =
+      degree_of_concept(std::get<SemanticIdentity>(offer.entry.publication.identity), offer.classes,
+                        std::get<SemanticIdentity>(asked.identity), request.classes, vocabulary, request.compares);
   return by_concept && !is_weaker(by_concept->degree, asked.weakest);
 }
 
@@ -62,33 +78,43 @@ bool is_in_scope(const SubscriptionEntry& subscription, const Request& request, 
          offer.audience.scope->admits(provider, consumer);
 }
 
+Classes placed_classes(const Identity& identity, const vocabulary::Vocabulary& vocabulary, const Placing& placing,
+                       ParticipantId from) {
+  Classes classes = classes_of(identity, vocabulary);
+  if (!placing || !vocabulary.is_loaded() || !has_expression(identity)) return classes;
+  classes.place = placing(vocabulary, std::get<SemanticIdentity>(identity).concept_iri, from);
+  if (classes.place && !classes.place->is_satisfiable) classes.place = nullptr;
+  return classes;
+}
+
 Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary, const Placing& placing,
-                 ParticipantId from, const Overlapping& overlapping) {
-  Request request{classes_of(subscription.identity, vocabulary), std::nullopt};
-  if (placing && vocabulary.is_loaded() && has_expression(subscription.identity)) {
-    request.classes.place = placing(vocabulary, std::get<SemanticIdentity>(subscription.identity).concept_iri, from);
-    if (request.classes.place && !request.classes.place->is_satisfiable) request.classes.place = nullptr;
-  }
+                 ParticipantId from, const Overlapping& overlapping, const Comparing& comparing) {
+  Request request{placed_classes(subscription.identity, vocabulary, placing, from), std::nullopt};
   if (auto where = Where::parse(subscription.where, vocabulary.units())) request.where = std::move(*where);
   if (auto preferences = Preferences::parse(subscription, vocabulary.units()))
     request.preferences = std::move(*preferences);
   auto scope = Scope::parse(subscription.scope);
   request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
   request.overlaps = asking(subscription, request.classes, from, overlapping);
+  request.compares = asking(subscription, request.classes, from, comparing);
   if (has_signature(subscription.attributes)) request.signature = signature_of(subscription.attributes, vocabulary);
   return request;
 }
 
 Judgement judgement_of(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
                        const vocabulary::Vocabulary& vocabulary) {
-  if (!request.overlaps) return {match_of(subscription, request, offer, vocabulary, request.overlaps)};
+  const bool may_ask = request.overlaps || (request.compares && offer.classes.place);
+  if (!may_ask) return {match_of(subscription, request, offer, vocabulary, request.overlaps, request.compares)};
   bool waits = false;
-  const AskOverlap noting = [&](const vocabulary::Vocabulary& asked, vocabulary::ClassNumber offered) {
-    OverlapAnswer answer = request.overlaps(asked, offered);
-    waits = waits || answer == nullptr;
-    return answer;
+  const auto noting = [&waits](const auto& ask) -> std::decay_t<decltype(ask)> {
+    if (!ask) return {};
+    return [&](const vocabulary::Vocabulary& asked, const SemanticIdentity& offered, const Classes& classes) {
+      auto answer = ask(asked, offered, classes);
+      waits = waits || answer == nullptr;
+      return answer;
+    };
   };
-  auto match = match_of(subscription, request, offer, vocabulary, noting);
+  auto match = match_of(subscription, request, offer, vocabulary, noting(request.overlaps), noting(request.compares));
   return {match, waits};
 }
 

@@ -12,6 +12,7 @@
 #include "discovery/matching/conditions/scope.hpp"
 #include "discovery/matching/conditions/where.hpp"
 #include "discovery/matching/conversions/consumer.hpp"
+#include "discovery/matching/degrees/comparison.hpp"
 #include "discovery/matching/degrees/degree.hpp"
 #include "discovery/matching/degrees/overlap.hpp"
 #include "discovery/matching/degrees/signature.hpp"
@@ -29,6 +30,7 @@ struct Request {
   std::optional<Signature> signature{};  ///< nothing: none is stated
   std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and admits nobody
   AskOverlap overlaps{};                 ///< empty: it accepts no overlapping concepts
+  AskComparison compares{};              ///< empty: it asks for no expression
   AskChain chains{};                     ///< empty: declared conversions alone, or it asks for no representation
   AskChain chains_of_all{};              ///< of all converters, also those that it takes no part with; may be empty
   std::shared_ptr<const Consumer> consumer{};  ///< the consumer that asks `chains`; null where that is empty
@@ -39,11 +41,16 @@ struct Request {
   }
 };
 
+/// The classes of an identity that the participant `from` states, with the place of an expression; without that where
+/// `placing` is empty.
+[[nodiscard]] Classes placed_classes(const Identity& identity, const vocabulary::Vocabulary& vocabulary,
+                                     const Placing& placing, ParticipantId from);
+
 /// Prepares a subscription of the participant `from`. Where `placing` is empty, expressions meet nothing. Where
-/// `overlapping` is empty, the reasoner decides at once; else it must live as long as the request.
+/// `overlapping` or `comparing` is empty, the reasoner decides at once; else it must live as long as the request.
 [[nodiscard]] Request prepared(const Subscription& subscription, const vocabulary::Vocabulary& vocabulary,
                                const Placing& placing = {}, ParticipantId from = {},
-                               const Overlapping& overlapping = {});
+                               const Overlapping& overlapping = {}, const Comparing& comparing = {});
 
 /// A publication with its parsed audience, classes and signature. Borrows all.
 struct Offer {
@@ -55,9 +62,10 @@ struct Offer {
 
 /// An offer of a publication that is not stored. Borrows the entry.
 struct Imagined {
-  Imagined(const registry::PublicationEntry& entry, const vocabulary::Vocabulary& vocabulary)
+  Imagined(const registry::PublicationEntry& entry, const vocabulary::Vocabulary& vocabulary,
+           const Placing& placing = {})
       : audience(Audience::parse(entry.publication)),
-        classes(classes_of(entry.publication.identity, vocabulary)),
+        classes(placed_classes(entry.publication.identity, vocabulary, placing, entry.key.participant)),
         signature(signature_of(entry.publication.attributes, vocabulary)),
         offer{entry, audience, classes, &signature} {}
   Imagined(const Imagined&) = delete;

@@ -72,8 +72,8 @@ void VocabularyChange::catch_up(const StoredSubscription& subscription) {
   rematch(subscription, preparation_.prepare(subscription.entry, false));
 }
 
-bool VocabularyChange::asks_overlaps(const StoredSubscription& subscription, const Request& request) const {
-  if (!request.overlaps) return true;
+bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Request& request) const {
+  if (!request.overlaps && !request.compares) return true;
   bool waits = false;
   directory_.visit_publications_for(
       subscription.entry.subscription, request, [&](const StoredPublication& publication) {
@@ -87,7 +87,7 @@ bool VocabularyChange::asks_overlaps(const StoredSubscription& subscription, con
 bool VocabularyChange::rematch_if_answered(const StoredSubscription& subscription) {
   Request request = preparation_.prepare(subscription.entry, false);
   const bool may_wait = subscription.entry.is_local && !directory_.is_going(subscription);
-  if (may_wait && !asks_overlaps(subscription, request)) return false;
+  if (may_wait && !asks_all(subscription, request)) return false;
   rematch(subscription, std::move(request));
   return true;
 }
@@ -122,6 +122,39 @@ void VocabularyChange::place_again() {
 
 bool VocabularyChange::place_next() {
   if (!place_walk_) return false;
+  if (!place_walk_->is_among_subscriptions) {
+    if (place_publications()) {
+      place_walk_->at.reset();
+      place_walk_->is_among_subscriptions = true;
+    }
+  } else if (place_subscriptions()) {
+    const bool must_repeat = place_walk_->must_repeat;
+    place_walk_ = must_repeat ? std::optional(PlaceWalk()) : std::nullopt;
+  }
+  return true;
+}
+
+bool VocabularyChange::place_publications() {
+  const Edition& edition = editions_.in_force();
+  const StoredPublication* waiting = nullptr;
+  std::size_t passed = 0;
+  const bool is_over = directory_.publications().visit_after(place_walk_->at, [&](const StoredPublication& stored) {
+    place_walk_->at = stored.entry.key;
+    const bool is_due = has_expression(stored.entry.publication.identity) &&
+                        directory_.classes(stored, edition).place == nullptr && !directory_.is_going(stored);
+    if (is_due) waiting = &stored;
+    return waiting == nullptr && ++passed < entries_in_step;
+  });
+  passed_ += passed;
+  if (waiting == nullptr) return is_over;
+  directory_.file(*waiting, edition);
+  if (directory_.classes(*waiting, edition).place) {
+    agenda_.judge(*waiting, nullptr, directory_.subscriptions_found_for(*waiting), false);
+  }
+  return false;
+}
+
+bool VocabularyChange::place_subscriptions() {
   const StoredSubscription* waiting = nullptr;
   std::size_t passed = 0;
   std::optional<ServiceKey> before;
@@ -134,13 +167,9 @@ bool VocabularyChange::place_next() {
     return waiting == nullptr && ++passed < entries_in_step;
   });
   passed_ += passed;
-  if (waiting != nullptr) {
-    if (!rematch_if_answered(*waiting)) place_walk_->at = before;
-  } else if (is_over) {
-    const bool must_repeat = place_walk_->must_repeat;
-    place_walk_ = must_repeat ? std::optional(PlaceWalk()) : std::nullopt;
-  }
-  return true;
+  if (waiting == nullptr) return is_over;
+  if (!rematch_if_answered(*waiting)) place_walk_->at = before;
+  return false;
 }
 
 }  // namespace geminga::matching

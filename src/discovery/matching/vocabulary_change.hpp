@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "discovery/matching/agenda.hpp"
 #include "discovery/matching/directory.hpp"
 #include "discovery/matching/editions.hpp"
 #include "discovery/matching/judge.hpp"
@@ -17,8 +18,13 @@ namespace geminga::matching {
 class VocabularyChange {
  public:
   VocabularyChange(Editions& editions, const Preparation& preparation, Directory& directory, const Judge& judge,
-                   Pairs& pairs)
-      : editions_(editions), preparation_(preparation), directory_(directory), judge_(judge), pairs_(pairs) {}
+                   Pairs& pairs, Agenda& agenda)
+      : editions_(editions),
+        preparation_(preparation),
+        directory_(directory),
+        judge_(judge),
+        pairs_(pairs),
+        agenda_(agenda) {}
 
   void begin(const vocabulary::Vocabulary& next);
   bool file_next();
@@ -38,13 +44,19 @@ class VocabularyChange {
   /// it has. Whether it was done.
   bool rematch_if_answered(const registry::StoredSubscription& subscription);
   /// Asks the reasoner whatever judging this subscription will ask it. False: some of it waits to be decided.
-  [[nodiscard]] bool asks_overlaps(const registry::StoredSubscription& subscription, const Request& request) const;
+  [[nodiscard]] bool asks_all(const registry::StoredSubscription& subscription, const Request& request) const;
   void unfile_next();
   bool place_next();
 
-  /// The walk over the subscriptions whose expressions have no place, and those that wait for the reasoner.
+  /// Asks again for the places of offered expressions that have none. Whether all publications were passed.
+  bool place_publications();
+  bool place_subscriptions();
+
+  /// The walk over the publications and then the subscriptions whose expressions have no place, and those that wait for
+  /// the reasoner.
   struct PlaceWalk {
     std::optional<ServiceKey> at;  ///< the last one that it passed
+    bool is_among_subscriptions = false;
     bool must_repeat = false;
   };
 
@@ -53,6 +65,7 @@ class VocabularyChange {
   Directory& directory_;
   const Judge& judge_;
   Pairs& pairs_;
+  Agenda& agenda_;
   std::optional<ServiceKey> at_;  ///< the last entry that the change has dealt with; nothing: none yet
   std::optional<PlaceWalk> place_walk_;
   std::uint64_t passed_ = 0;

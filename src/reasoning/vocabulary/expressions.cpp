@@ -67,4 +67,17 @@ Place Vocabulary::place(const Expression& expression) const {
   return reader_->parts->classifier.classify(expression.parsed_.source, expression.parsed_.term);
 }
 
+Vocabulary::Subsumed Vocabulary::is_subsumed(const Expression& sub, const Expression& super) const {
+  owl::Ontology query;  // the classifier asks about two terms of one source
+  const owl::TermId below = query.copy(sub.parsed_.source, sub.parsed_.term);
+  const owl::TermId above = query.copy(super.parsed_.source, super.parsed_.term);
+  auto found = reader_->parts->classifier.is_subsumed(query, below, above);
+  return {.holds = found.holds, .gaps = std::move(found.gaps)};
+}
+
+std::expected<Expression, Error> Vocabulary::both(const Expression& one, const Expression& other) const {
+  const std::string text = "(" + one.canonical() + ") and (" + other.canonical() + ")";
+  return read(text, text.size());
+}
+
 }  // namespace geminga::vocabulary

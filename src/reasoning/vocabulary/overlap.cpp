@@ -58,6 +58,29 @@ Overlap Vocabulary::overlap(ClassNumber one, const Expression& other, const Plac
   });
 }
 
+// Two expressions have a common instance if something is an instance of both together.
+Overlap Vocabulary::overlap(const Expression& one, const Place& place, const Expression& other,
+                            const Place& place_of_other) const {
+  const auto together = both(one, other);
+  if (!together) return {.reason = together.error().text};
+  const explanation::WrittenClass written{together->parsed_.source, together->parsed_.term};
+  return overlap_of(explanation::find_overlap(*ontology_, thing(), written, explanation::Patience::of_a_daemon), [&] {
+    auto least = std::numeric_limits<std::uint32_t>::max();
+    for (const ClassNumber above : subsumers(place)) {
+      const auto down = distance_up(place_of_other, above);
+      if (down) least = std::min(least, distance_up(place, above).value_or(0) + *down);
+    }
+    return least;
+  });
+}
+
+std::vector<std::string> Vocabulary::exclusion(const Expression& one, const Expression& other) const {
+  const auto together = both(one, other);
+  if (!together) return {};
+  const explanation::WrittenClass written{together->parsed_.source, together->parsed_.term};
+  return texts(explanation::explain_exclusion(*ontology_, thing(), written, explanation::Patience::of_a_daemon));
+}
+
 std::vector<std::string> Vocabulary::exclusion(ClassNumber one, ClassNumber other) const {
   return texts(explanation::explain_exclusion(*ontology_, one, other, explanation::Patience::of_a_daemon));
 }
@@ -65,6 +88,13 @@ std::vector<std::string> Vocabulary::exclusion(ClassNumber one, ClassNumber othe
 std::vector<std::string> Vocabulary::exclusion(ClassNumber one, const Expression& other) const {
   const explanation::WrittenClass written{other.parsed_.source, other.parsed_.term};
   return texts(explanation::explain_exclusion(*ontology_, one, written, explanation::Patience::of_a_daemon));
+}
+
+// All of one are of another if nothing is one without being the other.
+std::vector<std::string> Vocabulary::proof(const Expression& sub, const Expression& super) const {
+  const std::string text = "not (" + super.canonical() + ")";
+  const auto outside = read(text, text.size());
+  return outside ? exclusion(sub, *outside) : std::vector<std::string>();
 }
 
 }  // namespace geminga::vocabulary

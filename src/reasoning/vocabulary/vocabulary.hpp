@@ -14,6 +14,7 @@
 #include "geminga/error.hpp"
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
+#include "reasoning/vocabulary/comparison.hpp"
 #include "reasoning/vocabulary/overlap.hpp"
 #include "reasoning/vocabulary/step_graph.hpp"
 #include "reasoning/vocabulary/units.hpp"
@@ -124,6 +125,12 @@ class Vocabulary {
   [[nodiscard]] std::expected<Expression, Error> read(std::string_view text, std::size_t max_bytes) const;
   /// The cost depends on what the expression leads to and what is below it.
   [[nodiscard]] Place place(const Expression& expression) const;
+  /// How two satisfiable expressions relate, as far as their places decide it: nothing where the expressions themselves
+  /// have to be compared. Needs no preparation.
+  [[nodiscard]] std::optional<Comparison> compare(const Place& one, const Place& other) const;
+  /// The same by the expressions. Costs as much as placing both where their places do not decide it.
+  [[nodiscard]] Comparison compare(const Expression& one, const Place& place, const Expression& other,
+                                   const Place& place_of_other) const;
 
   // Explanations. These read the axioms and search, which takes milliseconds. 422 if the axioms are damaged.
 
@@ -132,10 +139,17 @@ class Vocabulary {
   [[nodiscard]] Overlap overlap(ClassNumber one, ClassNumber other) const;
   /// The same for an expression and its place.
   [[nodiscard]] Overlap overlap(ClassNumber one, const Expression& other, const Place& place) const;
+  /// The same for two expressions and their places. The vocabulary must be able to read expressions.
+  [[nodiscard]] Overlap overlap(const Expression& one, const Place& place, const Expression& other,
+                                const Place& place_of_other) const;
   /// A minimal set of axioms by which nothing is an instance of both, one line each, in the order of the argument.
   /// Empty if something can be one, or if no engine finds the axioms within its limits.
   [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, ClassNumber other) const;
   [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, const Expression& other) const;
+  [[nodiscard]] std::vector<std::string> exclusion(const Expression& one, const Expression& other) const;
+  /// A minimal set of axioms by which every instance of one expression is one of another, in the same form. Empty if
+  /// that does not follow, or if no engine finds the axioms within its limits.
+  [[nodiscard]] std::vector<std::string> proof(const Expression& sub, const Expression& super) const;
   /// The reason why a class is not below another, in one short line: the nearest class, and what is missing.
   [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
 
@@ -154,6 +168,15 @@ class Vocabulary {
 
  private:
   friend class OntologyMark;
+
+  /// Whether every instance of one expression is one of another; `gaps` says why a no may be wrong.
+  struct Subsumed {
+    bool holds = false;
+    std::vector<std::string> gaps{};
+  };
+  [[nodiscard]] Subsumed is_subsumed(const Expression& sub, const Expression& super) const;
+  /// The conjunction of two expressions.
+  [[nodiscard]] std::expected<Expression, Error> both(const Expression& one, const Expression& other) const;
 
   std::shared_ptr<const compiled::Ontology> ontology_;
   std::shared_ptr<const Conversions> conversions_;  ///< null: without an ontology

@@ -49,7 +49,7 @@ std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const P
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   const bool is_former = former.contains(subscription.key);
   const vocabulary::Vocabulary& by = is_former ? former_ontology : ontology;
-  return matching::meets(subscription, requests_.at(subscription.key), Imagined(publication, by).offer, by);
+  return matching::meets(subscription, requests_.at(subscription.key), Imagined(publication, by, placing_).offer, by);
 }
 
 std::optional<Match> Model::would_meet(const SubscriptionEntry& subscription,
@@ -57,7 +57,7 @@ std::optional<Match> Model::would_meet(const SubscriptionEntry& subscription,
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   Request request = prepared(subscription.subscription, ontology, placing_, subscription.key.participant, overlapping);
   request.chains = requests_.at(subscription.key).chains;
-  return matching::meets(subscription, request, Imagined(publication, ontology).offer, ontology);
+  return matching::meets(subscription, request, Imagined(publication, ontology, placing_).offer, ontology);
 }
 
 void Model::work_out() {

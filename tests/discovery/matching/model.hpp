@@ -40,10 +40,11 @@ class Model {
   std::set<ServiceKey> former;
   vocabulary::Vocabulary former_ontology;
   /// Says which concepts overlap. Answers are remembered, since the reasoner has to search.
-  Overlapping overlapping = [this](const vocabulary::Vocabulary& by, vocabulary::ClassNumber offered,
-                                   const SemanticIdentity& requested, const Classes& classes, ParticipantId) {
-    auto& answer = overlaps_[{by.digest(), offered, requested.concept_iri}];
-    if (answer == nullptr) answer = decided_at_once(by, offered, requested, classes);
+  Overlapping overlapping = [this](const vocabulary::Vocabulary& by, const SemanticIdentity& offered,
+                                   const Classes& of_offer, const SemanticIdentity& requested, const Classes& classes,
+                                   ParticipantId) {
+    auto& answer = overlaps_[{by.digest(), offered.concept_iri, requested.concept_iri}];
+    if (answer == nullptr) answer = decided_at_once(by, offered, of_offer, requested, classes);
     return answer;
   };
 
@@ -64,7 +65,7 @@ class Model {
 
  private:
   Placing placing_;
-  std::map<std::tuple<std::uint64_t, vocabulary::ClassNumber, std::string>, OverlapAnswer> overlaps_;
+  std::map<std::tuple<std::uint64_t, std::string, std::string>, OverlapAnswer> overlaps_;
   std::map<ServiceKey, Request> requests_;
   std::uint64_t arrivals_ = 0;
   std::map<ServiceKey, std::uint64_t> arrival_;  ///< of publications, in the order in which they came

@@ -92,7 +92,7 @@ std::string complaint_about_identity(const Model& model, Pair pair, Obstacle obs
   }
   if (!is_of_one_kind) return "they are of different kinds";
   if (offered == nullptr || requested == nullptr) return "";
-  if (has_expression(*requested)) return "";
+  if (has_expression(*requested) || has_expression(*offered)) return "";
   const auto& ontology = model.ontology;
   const auto of_asked = ontology.find_iri(requested->concept_iri);
   const auto of_offered = ontology.find_iri(offered->concept_iri);

@@ -21,7 +21,7 @@ struct Owners {
   explicit Owners(const vocabulary::Vocabulary& vocabulary = {})
       : editions(vocabulary),
         preparation(editions, {}, {}),
-        directory(editions),
+        directory(editions, preparation),
         clashes(directory.publications(), directory.subscriptions()),
         judge(directory, clashes),
         events(directory),

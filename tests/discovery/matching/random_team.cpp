@@ -69,7 +69,7 @@ class RandomTeam {
     const ServiceKey one = words_.some_key(false);
     const auto known = model_.publications.find(one);
     PublicationEntry entry =
-        known == model_.publications.end() ? offer(one, words_.identity(), 0, words_.mode()) : known->second;
+        known == model_.publications.end() ? offer(one, words_.wish(), 0, words_.mode()) : known->second;
     if (words_.random().chance(words_.is(Crowd::converting) ? 0.25 : 0.02))
       words_.state_conversion(entry.publication.attributes);
     switch (words_.random().below(10)) {
@@ -81,7 +81,7 @@ class RandomTeam {
         entry.publication.for_whom = words_.one_of<4>({"", "priority >= 1", "participant_name = *3", "peer"});
         break;
       case 0:
-        entry.publication.identity = words_.identity();
+        entry.publication.identity = words_.wish();
         break;
       case 5:
         entry.publication.protocol = words_.one_of<2>({"udp", "tcp"});

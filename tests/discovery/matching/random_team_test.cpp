@@ -82,9 +82,14 @@ TEST(RandomTeam, ComesToAllThatMatchingKnows) {
     const auto* asked = std::get_if<1>(&event.about);
     return asked != nullptr && has_expression((*asked)->subscription.identity);
   };
+  const auto is_offered_expression = [](const Event& event) {
+    const auto* offered = std::get_if<0>(&event.about);
+    return offered != nullptr && has_expression((*offered)->publication.identity);
+  };
   const std::map<std::string, std::function<bool(const Event&)>> rules{
       {"numbers of concepts", is_numeric},
       {"expressions", is_expression},
+      {"offered expressions", is_offered_expression},
       {"overlapping", [](const Event& event) { return event.match.degree == Degree::overlapping; }},
       {"conversions", [](const Event& event) { return event.match.cost != 0; }},
       {"converters", [](const Event& event) { return event.chain != nullptr && !event.chain->via.empty(); }}};

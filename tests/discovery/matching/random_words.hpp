@@ -45,7 +45,7 @@ class RandomWords {
     return semantic(concept_name, one_of<7>({"", "", "Frame", "FieldFrame", "Pitch", "PolarFieldFrame", "NewFrame"}));
   }
 
-  /// The identity of a request, which may also be a class expression.
+  /// The identity of a request or an offer, which may also be a class expression.
   Identity wish() {
     if (crowd_ == Crowd::packed || random_.chance(0.7)) return identity();
     const char* text = one_of<6>({"<Ball> or <Robot>", "<Round> and <Tracked>", "<has> some <Ball>", "not <Ball>",

@@ -35,21 +35,29 @@ struct Match {
 /// unsatisfiable class counts as none: it is below every other class, but has no instance that could be given or
 /// taken. Identities without classes match exactly or not at all.
 struct Classes {
-  std::optional<vocabulary::ClassNumber> concept_class;
-  std::optional<vocabulary::ClassNumber> representation_class;
-  /// The place of an expression that is asked for instead of a concept; null: it is no expression, or has no place.
+  std::optional<vocabulary::ClassNumber> concept_class{};
+  std::optional<vocabulary::ClassNumber> representation_class{};
+  /// The place of an expression that stands for a concept; null: it is no expression, or has no place.
   std::shared_ptr<const vocabulary::Place> place{};
 };
 
+/// Whether something is known of the concept, a class or the place of an expression.
+[[nodiscard]] inline bool has_meaning(const Classes& classes) { return classes.concept_class || classes.place; }
+
 /// Gives the place of a canonical expression in a vocabulary; null where it is not known (yet) or has no instances.
-/// `from` is the participant that asks.
+/// `from` is the participant that states it.
 using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
     const vocabulary::Vocabulary& vocabulary, const std::string& expression, ParticipantId from)>;
 
-/// Says for one request whether an offered class overlaps with what it asks for; null: that waits to be decided. Empty
-/// where the request does not accept overlapping concepts (overlap.hpp).
-using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(const vocabulary::Vocabulary& vocabulary,
-                                                                            vocabulary::ClassNumber offered)>;
+/// Says for one request whether an offered concept overlaps with what it asks for; null: that waits to be decided.
+/// Empty where the request does not accept overlapping concepts (overlap.hpp).
+using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(
+    const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes)>;
+
+/// Says for a request for an expression how an offered expression, the first, relates to it; null: that waits to be
+/// decided. Empty where the request is for no expression. Asked only about two that have places (comparison.hpp).
+using AskComparison = std::function<std::shared_ptr<const vocabulary::Comparison>(
+    const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes)>;
 
 /// Gives for one request the cheapest chain from an offered representation to a requested one; null where there is
 /// none. Empty: chains of declared conversions alone.
@@ -67,19 +75,24 @@ using AskChain = std::function<std::shared_ptr<const vocabulary::Chain>(vocabula
                                                   std::optional<vocabulary::ClassNumber> requested,
                                                   const vocabulary::Vocabulary& vocabulary);
 
-/// The degree and distance of a concept against an expression: those against a class in the expression's place
-/// (reasoning/placement/expression.hpp).
+/// The degree and distance of an offered class against an expression that is asked for, and of an offered expression
+/// against a class: those of a class in the expression's place (reasoning/placement/expression.hpp).
 [[nodiscard]] std::optional<Match> degree_of_expression(std::optional<vocabulary::ClassNumber> offered,
                                                         const vocabulary::Place* requested,
                                                         const vocabulary::Vocabulary& vocabulary);
+[[nodiscard]] std::optional<Match> degree_of_expression(const vocabulary::Place* offered,
+                                                        std::optional<vocabulary::ClassNumber> requested,
+                                                        const vocabulary::Vocabulary& vocabulary);
 
-/// Whether a class without a degree against an expression may be below it all the same, because the place has gaps: the
-/// class is below every known superclass of the expression. With `is_broader_enough` also whether it may be above it.
-[[nodiscard]] bool may_be_missed(vocabulary::ClassNumber offered, const vocabulary::Place& requested,
-                                 bool is_broader_enough, const vocabulary::Vocabulary& vocabulary);
+/// Whether concepts without a degree, one of them an expression, may be related all the same, because a place has gaps:
+/// the offered one may be below the requested one, or with `is_broader_enough` above it, for all that is known.
+[[nodiscard]] bool may_be_missed(const Classes& offered, const Classes& requested, bool is_broader_enough,
+                                 const vocabulary::Vocabulary& vocabulary);
 
-/// The reasons in words why the place of a requested expression may be incomplete; empty where it is complete.
-[[nodiscard]] std::string gap_words(const Classes& requested);
+/// The reasons in words why the place of an expression may be incomplete; empty where it is complete.
+[[nodiscard]] std::string gap_words(const Classes& classes);
+/// Those of either.
+[[nodiscard]] std::string gap_words(const Classes& offered, const Classes& requested);
 
 /// Whether the first is a number and the second a concept with that 32-bit identity.
 [[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
@@ -88,18 +101,19 @@ using AskChain = std::function<std::shared_ptr<const vocabulary::Chain>(vocabula
 [[nodiscard]] std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Classes& offered_classes,
                                                      const SemanticIdentity& requested,
                                                      const Classes& requested_classes,
-                                                     const vocabulary::Vocabulary& vocabulary);
+                                                     const vocabulary::Vocabulary& vocabulary,
+                                                     const AskComparison& compares);
 
 /// The degree of the whole identity, however weak: the caller compares it with the weakest that the subscription
 /// allows. Numbers and texts match only when they are equal. Identities of different kinds never match, but for one
 /// exception: a number matches exactly the concept whose 32-bit identity it is. `convert` is the largest cost of a
 /// conversion that is accepted. `overlaps` is asked about concepts that have no other degree, `chains` about
-/// representations that have to be converted.
+/// representations that have to be converted, `compares` about two expressions.
 [[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
                                                       const Identity& requested, const Classes& requested_classes,
                                                       const vocabulary::Vocabulary& vocabulary,
                                                       std::uint32_t convert = 0, const AskOverlap& overlaps = {},
-                                                      const AskChain& chains = {});
+                                                      const AskChain& chains = {}, const AskComparison& compares = {});
 
 }  // namespace geminga::matching
 

@@ -159,8 +159,7 @@ bool OwnServices::restate_next() {
 template <typename Stated>
 bool OwnServices::resolve_again(Session& session, std::uint32_t number, Stated& stated) {
   const bool must_tell = stated.is_in_force || stated.is_awaited;
-  auto identity = std::is_same_v<Stated, StatedSubscription> ? resolver_.resolve_asked(stated.named)
-                                                             : resolver_.resolve_offered(stated.named);
+  auto identity = resolver_.resolve(stated.named);
   Refusal refusal;
   if (identity) {
     stated.service.identity = std::move(*identity);

@@ -122,7 +122,7 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
 template <typename Stated>
 Refusal Statements::resolve_and_check(Stated& stated) {
   constexpr bool is_offer = std::is_same_v<Stated, StatedPublication>;
-  auto identity = is_offer ? resolver_.resolve_offered(stated.named) : resolver_.resolve_asked(stated.named);
+  auto identity = resolver_.resolve(stated.named);
   stated.is_awaited = resolver_.is_awaited(identity);
   if (!identity && !stated.is_awaited) return identity.error();
   if (identity) stated.service.identity = std::move(*identity);

@@ -56,13 +56,15 @@ Knowledge::Knowledge(env::Env& env, std::string stated_name, vocabulary::Vocabul
       matcher(
           std::move(vocabulary),
           [this](const vocabulary::Vocabulary& by, const std::string& expression, ParticipantId from) {
-            return expressions.place(by, expression, self.is_ours(from) ? std::nullopt : std::optional(from),
-                                     env_.now());
+            return expressions.place(by, expression, other_participant(from), env_.now());
           },
-          [this](const vocabulary::Vocabulary& by, vocabulary::ClassNumber offered, const SemanticIdentity& requested,
-                 const matching::Classes& classes, ParticipantId from) {
-            return overlaps.answer(by, offered, requested, classes,
-                                   self.is_ours(from) ? std::nullopt : std::optional(from), env_.now());
+          [this](const vocabulary::Vocabulary& by, const SemanticIdentity& offered, const matching::Classes& of_offer,
+                 const SemanticIdentity& requested, const matching::Classes& classes, ParticipantId from) {
+            return overlaps.answer(by, offered, of_offer, requested, classes, other_participant(from), env_.now());
+          },
+          [this](const vocabulary::Vocabulary& by, const SemanticIdentity& offered, const matching::Classes& of_offer,
+                 const SemanticIdentity& requested, const matching::Classes& classes, ParticipantId from) {
+            return overlaps.compare(by, offered, of_offer, requested, classes, other_participant(from), env_.now());
           }),
       ontology_change(matcher, reading, env.log()),
       resolver(env, matcher, expressions, reading),

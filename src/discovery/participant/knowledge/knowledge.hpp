@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_KNOWLEDGE_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_KNOWLEDGE_HPP
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,11 @@ class Knowledge {
   void resume_postponed_overlaps();
 
  private:
+  /// Nothing for one of ours, whose questions no quota bounds.
+  [[nodiscard]] std::optional<ParticipantId> other_participant(ParticipantId from) const {
+    return self.is_ours(from) ? std::nullopt : std::optional(from);
+  }
+
   env::Env& env_;
   NeighbourQueue neighbours_;
 };

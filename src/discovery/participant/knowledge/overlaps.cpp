@@ -1,22 +1,14 @@
 // Asking, remembering, and letting wait.
 #include "discovery/participant/knowledge/overlaps.hpp"
 
-#include <algorithm>
+#include <memory>
+#include <string>
 #include <utility>
 
 namespace geminga::participant {
 
+using matching::ComparisonAnswer;
 using matching::OverlapAnswer;
-
-Overlaps::Memory& Overlaps::memory_of(const Vocabulary& vocabulary) {
-  if (!memories_[last_].ontology.is_of(vocabulary)) {
-    last_ = 1 - last_;
-    if (!memories_[last_].ontology.is_of(vocabulary)) {
-      memories_[last_] = {.ontology = vocabulary::OntologyMark(vocabulary), .by_request = {}, .size = 0};
-    }
-  }
-  return memories_[last_];
-}
 
 bool Overlaps::take_quota(std::optional<ParticipantId> from, base::Instant now) {
   if (left_ == 0) {
@@ -37,37 +29,35 @@ bool Overlaps::take_waiting(base::Instant now) {
   return std::exchange(is_waiting_, false) || is_second_over;
 }
 
-void Overlaps::remember(Memory& memory, const std::string& requested, vocabulary::ClassNumber offered,
-                        OverlapAnswer answer) {
-  Answers& answers = memory.by_request[requested];
-  answers.used = ++uses_;
-  answers.by_offer.emplace(offered, std::move(answer));
-  if (++memory.size <= max_remembered_overlaps) return;
-  const auto oldest =
-      std::ranges::min_element(memory.by_request, {}, [](const auto& entry) { return entry.second.used; });
-  memory.size -= oldest->second.by_offer.size();
-  memory.by_request.erase(oldest);
-}
-
-OverlapAnswer Overlaps::answer(const Vocabulary& vocabulary, vocabulary::ClassNumber offered,
-                               const SemanticIdentity& requested, const matching::Classes& classes,
-                               std::optional<ParticipantId> from, base::Instant now) {
-  Memory& memory = memory_of(vocabulary);
-  if (const auto about = memory.by_request.find(requested.concept_iri); about != memory.by_request.end()) {
-    about->second.used = ++uses_;
-    const auto& known = about->second.by_offer;
-    if (const auto found = known.find(offered); found != known.end()) return found->second;
-    if (known.size() == max_overlaps_of_request) {
-      static const auto too_many = std::make_shared<const vocabulary::Overlap>(vocabulary::Overlap{
-          .reason = "more than " + std::to_string(max_overlaps_of_request) + " concepts are offered"});
-      return too_many;
-    }
+OverlapAnswer Overlaps::answer(const Vocabulary& vocabulary, const SemanticIdentity& offered,
+                               const matching::Classes& offered_classes, const SemanticIdentity& requested,
+                               const matching::Classes& classes, std::optional<ParticipantId> from, base::Instant now) {
+  if (auto known = overlaps_.find(vocabulary, offered, offered_classes, requested)) return known;
+  if (overlaps_.count(vocabulary, requested) >= max_overlaps_of_request) {
+    static const auto too_many = std::make_shared<const vocabulary::Overlap>(vocabulary::Overlap{
+        .reason = "more than " + std::to_string(max_overlaps_of_request) + " concepts are offered"});
+    return too_many;
   }
   if (!take_quota(from, now)) return nullptr;
-  OverlapAnswer found = matching::decided_at_once(vocabulary, offered, requested, classes);
+  OverlapAnswer found = matching::decided_at_once(vocabulary, offered, offered_classes, requested, classes);
   ++counts_.decided;
   if (found->verdict == vocabulary::Overlap::Verdict::undecided) ++counts_.undecided;
-  remember(memory, requested.concept_iri, offered, found);
+  overlaps_.put(vocabulary, offered, offered_classes, requested, found);
+  return found;
+}
+
+ComparisonAnswer Overlaps::compare(const Vocabulary& vocabulary, const SemanticIdentity& offered,
+                                   const matching::Classes& offered_classes, const SemanticIdentity& requested,
+                                   const matching::Classes& classes, std::optional<ParticipantId> from,
+                                   base::Instant now) {
+  if (const auto by_place = vocabulary.compare(*offered_classes.place, *classes.place)) {
+    return std::make_shared<const vocabulary::Comparison>(*by_place);
+  }
+  if (auto known = comparisons_.find(vocabulary, offered, offered_classes, requested)) return known;
+  if (!take_quota(from, now)) return nullptr;
+  ComparisonAnswer found = matching::compared_at_once(vocabulary, offered, offered_classes, requested, classes);
+  ++counts_.decided;
+  comparisons_.put(vocabulary, offered, offered_classes, requested, found);
   return found;
 }
 

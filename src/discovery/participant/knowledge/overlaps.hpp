@@ -1,17 +1,16 @@
-// Overlaps: which concepts can have instances in common with what is asked for. The reasoner decides; a few questions
-// are asked at a time, and the answers remembered.
+// Overlaps: which concepts can have instances in common with what is asked for, and how two expressions relate. The
+// reasoner decides; a few questions are asked at a time, and the answers remembered.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_OVERLAPS_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_KNOWLEDGE_OVERLAPS_HPP
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <string>
 
 #include "base/time.hpp"
+#include "discovery/matching/degrees/comparison.hpp"
 #include "discovery/matching/degrees/overlap.hpp"
+#include "discovery/participant/knowledge/remembered_answers.hpp"
 #include "discovery/participant/knowledge/remote_quota.hpp"
 #include "geminga/service.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
@@ -23,6 +22,9 @@ namespace geminga::participant {
 inline constexpr std::size_t max_remembered_overlaps = 32'768;
 /// Answers about one request. Whether further concepts overlap with it is undecided.
 inline constexpr std::size_t max_overlaps_of_request = 8'192;
+/// Comparisons of an offered expression and a requested one that are remembered, like max_remembered_overlaps. Those
+/// that the places of both decide are not among them.
+inline constexpr std::size_t max_remembered_comparisons = 32'768;
 /// Questions that are decided in one step, between which others have their turns. Questions over it wait, unmatched.
 inline constexpr std::size_t max_overlaps_in_step = 4;
 /// Questions because of requests of one other participant, and of all of them together, in one second. Questions over
@@ -38,9 +40,15 @@ class Overlaps {
   using Vocabulary = vocabulary::Vocabulary;
 
   /// As matching::Overlapping. `from` is null for our own.
-  [[nodiscard]] matching::OverlapAnswer answer(const Vocabulary& vocabulary, vocabulary::ClassNumber offered,
+  [[nodiscard]] matching::OverlapAnswer answer(const Vocabulary& vocabulary, const SemanticIdentity& offered,
+                                               const matching::Classes& offered_classes,
                                                const SemanticIdentity& requested, const matching::Classes& classes,
                                                std::optional<ParticipantId> from, base::Instant now);
+  /// As matching::Comparing. `from` is null for our own.
+  [[nodiscard]] matching::ComparisonAnswer compare(const Vocabulary& vocabulary, const SemanticIdentity& offered,
+                                                   const matching::Classes& offered_classes,
+                                                   const SemanticIdentity& requested, const matching::Classes& classes,
+                                                   std::optional<ParticipantId> from, base::Instant now);
   /// Allows another max_overlaps_in_step questions.
   void begin_step() { left_ = max_overlaps_in_step; }
   /// Whether a question waits that may be asked again now.
@@ -54,26 +62,10 @@ class Overlaps {
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
  private:
-  /// Answers about one request.
-  struct Answers {
-    std::map<vocabulary::ClassNumber, matching::OverlapAnswer> by_offer;
-    std::uint64_t used = 0;
-  };
-  /// Answers by one ontology. While one takes the place of another, both are at work.
-  struct Memory {
-    vocabulary::OntologyMark ontology;
-    std::map<std::string, Answers, std::less<>> by_request;
-    std::size_t size = 0;
-  };
-
-  [[nodiscard]] Memory& memory_of(const Vocabulary& vocabulary);
   [[nodiscard]] bool take_quota(std::optional<ParticipantId> from, base::Instant now);
-  void remember(Memory& memory, const std::string& requested, vocabulary::ClassNumber offered,
-                matching::OverlapAnswer answer);
 
-  std::array<Memory, 2> memories_;
-  std::size_t last_ = 0;  ///< the memory that was asked last
-  std::uint64_t uses_ = 0;
+  RememberedAnswers<vocabulary::Overlap, max_remembered_overlaps> overlaps_;
+  RememberedAnswers<vocabulary::Comparison, max_remembered_comparisons> comparisons_;
   std::size_t left_ = max_overlaps_in_step;
   bool is_waiting_ = false;
   std::optional<base::Instant> waiting_since_;  ///< since when a question from the air waits for a later second

@@ -14,9 +14,7 @@ std::expected<std::string, Error> resolve_class(const vocabulary::Vocabulary& vo
   const auto impossible = [&](const std::string& why) {
     return std::unexpected(Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + why});
   };
-  if (vocabulary.is_expression(name)) {
-    return impossible("a class expression can be asked for, not offered, and is no representation: name a class");
-  }
+  if (vocabulary.is_expression(name)) return impossible("a class expression is no representation: name a class");
   const auto found = vocabulary.find(name);
   if (!found) return impossible(found.error());
   if (!vocabulary.is_consistent()) {
@@ -74,7 +72,7 @@ std::unexpected<Error> Resolver::without_ontology(const std::string& concept_nam
   return std::unexpected(std::move(error));
 }
 
-std::expected<Identity, Error> Resolver::resolve_offered(const NamedIdentity& named) const {
+std::expected<Identity, Error> Resolver::resolve_name(const NamedIdentity& named) const {
   if (const auto* number = std::get_if<NumericIdentity>(&named)) return *number;
   if (const auto* text = std::get_if<TextIdentity>(&named)) return *text;
   const auto& names = std::get<ConceptNames>(named);
@@ -84,11 +82,11 @@ std::expected<Identity, Error> Resolver::resolve_offered(const NamedIdentity& na
   return with_representation(vocabulary(), std::move(*concept_iri), names.representation_name);
 }
 
-std::expected<Identity, Error> Resolver::resolve_asked(const NamedIdentity& named) {
+std::expected<Identity, Error> Resolver::resolve(const NamedIdentity& named) {
   const auto* names = std::get_if<ConceptNames>(&named);
   const bool is_expression =
       names != nullptr && vocabulary().is_loaded() && vocabulary().is_expression(names->concept_name);
-  if (!is_expression) return resolve_offered(named);
+  if (!is_expression) return resolve_name(named);
   auto resolved = expressions_.resolve(vocabulary(), names->concept_name);
   if (!resolved) {
     return std::unexpected(

@@ -33,16 +33,21 @@ class Resolver {
            const OntologyReading& reading)
       : env_(env), matcher_(matcher), expressions_(expressions), reading_(reading) {}
 
-  /// The identity of what is offered, with full IRIs. Numbers and texts need no ontology. 422 where a name is unknown
-  /// or ambiguous, or a class can have no instance. Where no ontology is in force, a concept gets 503 while the first
-  /// one is being read, and 422 otherwise.
-  [[nodiscard]] std::expected<Identity, Error> resolve_offered(const NamedIdentity& named) const;
-  /// The same for what is asked for, whose concept may be a class expression
+  /// The identity of what is offered or asked for, with full IRIs. Numbers and texts need no ontology. 422 where a name
+  /// is unknown or ambiguous, or a class can have no instance. Where no ontology is in force, a concept gets 503 while
+  /// the first one is being read, and 422 otherwise. The concept may be a class expression
   /// (src/reasoning/syntax/manchester/MANCHESTER.md). An expression that is equivalent to a class becomes that class;
   /// of any other the canonical text is the concept. 503 until the ontology is prepared for expressions.
-  [[nodiscard]] std::expected<Identity, Error> resolve_asked(const NamedIdentity& named);
-  /// The place of an expression that resolve_asked() gave for one of our peers.
+  [[nodiscard]] std::expected<Identity, Error> resolve(const NamedIdentity& named);
+  /// The place of an expression that resolve() gave for one of our peers.
   [[nodiscard]] Expressions::Place place(const std::string& canonical);
+  /// The place of an expression that anybody has stated, where it has been placed, and why it has none.
+  [[nodiscard]] Expressions::Place known_place(const std::string& canonical) const {
+    return expressions_.known_place(vocabulary(), canonical);
+  }
+  [[nodiscard]] std::string problem(const std::string& canonical) const {
+    return expressions_.problem(vocabulary(), canonical);
+  }
 
   /// Whether an identity is missing only because no ontology is in force yet. Then its statement is kept, and comes
   /// into force with the ontology. (A statement that only waits until the ontology is prepared is handled again
@@ -60,6 +65,7 @@ class Resolver {
 
  private:
   [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return matcher_.vocabulary(); }
+  [[nodiscard]] std::expected<Identity, Error> resolve_name(const NamedIdentity& named) const;
   [[nodiscard]] std::unexpected<Error> without_ontology(const std::string& concept_name) const;
   [[nodiscard]] Refusal unless_awaited(Refusal refusal) const;
   [[nodiscard]] Refusal check_condition(std::string_view condition, std::string_view key) const;

@@ -99,14 +99,35 @@ void add_proof(const matching::Matcher& matcher, const std::string& sub_iri, con
   for (const auto& axiom : explanation->axioms) append_axiom(axiom.text, proof);
 }
 
+/// The same where one of the two is an expression.
+void add_proof_of_expression(const matching::Matcher& matcher, const std::string& sub, const std::string& super,
+                             std::string& proof) {
+  const auto& vocabulary = matcher.vocabulary();
+  if (sub == super || !vocabulary.check_expressions()) return;
+  const auto text = [](const std::string& name) {
+    return has_expression(SemanticIdentity{name, ""}) ? name : "<" + name + ">";
+  };
+  const auto below = vocabulary.read(text(sub), vocabulary::max_expression_bytes);
+  const auto above = vocabulary.read(text(super), vocabulary::max_expression_bytes);
+  if (!below || !above) return;
+  for (const std::string& axiom : vocabulary.proof(*below, *above)) append_axiom(axiom, proof);
+}
+
 /// The axioms that prove the degree: that the offer is below the request, or above it where the degree is broader.
-std::string proof_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested) {
+std::string proof_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
+                     const std::optional<matching::Match>& match) {
   const auto* offer = semantic(offered);
   const auto* request = semantic(requested);
   std::string proof;
   if (offer == nullptr || request == nullptr || !matcher.vocabulary().is_loaded()) return proof;
+  const bool has_expressions = has_expression(*offer) || has_expression(*request);
   const auto add = [&](const std::string& one, const std::string& other) {
     const std::size_t before = proof.size();
+    if (has_expressions && &one == &offer->concept_iri) {
+      const bool is_broader = match && match->degree == Degree::broader;
+      if (match) add_proof_of_expression(matcher, is_broader ? other : one, is_broader ? one : other, proof);
+      return;
+    }
     add_proof(matcher, one, other, proof);
     if (proof.size() == before) add_proof(matcher, other, one, proof);
   };
@@ -118,16 +139,22 @@ std::string proof_of(const matching::Matcher& matcher, const Identity& offered, 
 }
 
 /// The axioms that prove that nothing can be both.
-std::string exclusion_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
+std::string exclusion_of(const matching::Matcher& matcher, const PublicationEntry& offered, const Identity& requested,
                          const matching::Request& request) {
   const auto& vocabulary = matcher.vocabulary();
-  const auto offer = matching::classes_of(offered, vocabulary).concept_class;
+  const matching::Classes offer = matcher.classes(offered);
+  const auto read = [&](const Identity& identity) {
+    return vocabulary.read(semantic(identity)->concept_iri, vocabulary::max_expression_bytes);
+  };
   std::vector<std::string> axioms;
-  if (offer && request.classes.concept_class) {
-    axioms = vocabulary.exclusion(*offer, *request.classes.concept_class);
-  } else if (offer && request.classes.place && vocabulary.check_expressions()) {
-    const auto expression = vocabulary.read(semantic(requested)->concept_iri, vocabulary::max_expression_bytes);
-    if (expression) axioms = vocabulary.exclusion(*offer, *expression);
+  if (offer.concept_class && request.classes.concept_class) {
+    axioms = vocabulary.exclusion(*offer.concept_class, *request.classes.concept_class);
+  } else if (has_meaning(offer) && has_meaning(request.classes) && vocabulary.check_expressions()) {
+    const bool is_offered = offer.place != nullptr;
+    const auto named = is_offered ? request.classes.concept_class : offer.concept_class;
+    const auto one = read(is_offered ? offered.publication.identity : requested);
+    const auto other = named ? one : read(requested);
+    if (one && other) axioms = named ? vocabulary.exclusion(*named, *one) : vocabulary.exclusion(*one, *other);
   }
   std::string proof;
   for (const std::string& axiom : axioms) append_axiom(axiom, proof);
@@ -135,11 +162,12 @@ std::string exclusion_of(const matching::Matcher& matcher, const Identity& offer
 }
 
 /// Whether a request that does not ask for overlapping concepts would be met if it did.
-bool may_overlap(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
+bool may_overlap(const matching::Matcher& matcher, const PublicationEntry& offered, const Identity& requested,
                  const matching::Request& request) {
-  const auto offer = matching::classes_of(offered, matcher.vocabulary()).concept_class;
-  if (!offer || (!request.classes.concept_class && !request.classes.place)) return false;
-  const auto answer = matcher.overlap(*offer, *semantic(requested), request.classes);
+  const matching::Classes offer = matcher.classes(offered);
+  if (!has_meaning(offer) || !has_meaning(request.classes)) return false;
+  const auto answer =
+      matcher.overlap(*semantic(offered.publication.identity), offer, *semantic(requested), request.classes);
   return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
@@ -174,7 +202,7 @@ Check check_identity(const matching::Matcher& matcher, const Asked& asked, const
     return {"identity", Obstacle::none,
             pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance) +
                 conversion_of(matcher, chain.get(), *match) + with_signature(matcher, asked, offer),
-            "", depth == Depth::search ? proof_of(matcher, offered, requested) : ""};
+            "", depth == Depth::search ? proof_of(matcher, offered, requested, *match) : ""};
   }
   const auto finding = matcher.examine(one, *asked.request, offer);
   // An expression may have found its place since.
@@ -191,10 +219,10 @@ Check check_identity(const matching::Matcher& matcher, const Asked& asked, const
   if (depth == Depth::search) {
     const bool is_told = obstacle == Obstacle::disjoint || obstacle == Obstacle::undecided;
     if (!is_told) check.text += nearest(matcher, asked.entry, offer);
-    check.proof = obstacle == Obstacle::disjoint ? exclusion_of(matcher, offered, requested, *asked.request)
-                                                 : proof_of(matcher, offered, requested);
+    check.proof = obstacle == Obstacle::disjoint ? exclusion_of(matcher, offer, requested, *asked.request)
+                                                 : proof_of(matcher, offered, requested, finding.match);
     const bool is_apart = obstacle == Obstacle::unrelated || obstacle == Obstacle::incomplete;
-    if (is_apart && may_overlap(matcher, offered, requested, *asked.request)) {
+    if (is_apart && may_overlap(matcher, offer, requested, *asked.request)) {
       check.mend += ", or ask with match=overlapping: something can be both";
     }
   }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/text.hpp"
+#include "discovery/matching/degrees/comparison.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -23,22 +24,21 @@ bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const std::st
   return sub_class && super_class && vocabulary.is_subsumed(*sub_class, *super_class);
 }
 
-/// `place` is that of the wanted concept where it is an expression.
-bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const std::string& sub, const std::string& super,
-                         const vocabulary::Place* place) {
-  if (sub == super || place == nullptr) return is_same_or_narrower(vocabulary, sub, super);
-  const auto sub_class = vocabulary.find_iri(sub);
-  return sub_class && vocabulary.is_above(*place, *sub_class);
-}
-
-bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const Identity& identity, const Identity& wanted,
-                         const vocabulary::Place* place) {
-  const auto* sub = std::get_if<SemanticIdentity>(&identity);
-  const auto* super = std::get_if<SemanticIdentity>(&wanted);
-  if (sub == nullptr || super == nullptr) return identity == wanted;
-  return is_same_or_narrower(vocabulary, sub->concept_iri, super->concept_iri, place) &&
-         (super->representation_iri.empty() ||
-          is_same_or_narrower(vocabulary, sub->representation_iri, super->representation_iri));
+/// Whether a concept is the same as a wanted one or narrower. The places are those of expressions.
+bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& sub,
+                         const Expressions::Place& place_of_sub, const SemanticIdentity& super,
+                         const Expressions::Place& place) {
+  if (sub.concept_iri == super.concept_iri || (!place && !place_of_sub)) {
+    return is_same_or_narrower(vocabulary, sub.concept_iri, super.concept_iri);
+  }
+  if (place && place_of_sub) {
+    const auto found = matching::compared_at_once(vocabulary, sub, {.place = place_of_sub}, super, {.place = place});
+    const auto match = matching::degree_of_comparison(*found);
+    return match && !is_weaker(match->degree, Degree::narrower);
+  }
+  const auto named = vocabulary.find_iri(place ? sub.concept_iri : super.concept_iri);
+  if (!named) return false;
+  return place ? vocabulary.is_above(*place, *named) : vocabulary.distance_up(*place_of_sub, *named).has_value();
 }
 
 template <typename Entry>
@@ -79,9 +79,9 @@ void append_channel(Line& line, const Publication& publication) {
 }
 
 std::expected<Sieve, Error> Sieve::make(Resolver& resolver, const gcnp::ListFilter& filter) {
-  Sieve sieve(filter);
+  Sieve sieve(resolver, filter);
   if (filter.identity) {
-    auto identity = resolver.resolve_asked(*filter.identity);
+    auto identity = resolver.resolve(*filter.identity);
     if (!identity) return std::unexpected(identity.error());
     sieve.identity_ = std::move(*identity);
     if (has_expression(*sieve.identity_)) {
@@ -91,10 +91,20 @@ std::expected<Sieve, Error> Sieve::make(Resolver& resolver, const gcnp::ListFilt
   return sieve;
 }
 
+bool Sieve::is_wanted(const vocabulary::Vocabulary& vocabulary, const Identity& identity) const {
+  const auto* sub = std::get_if<SemanticIdentity>(&identity);
+  const auto* super = std::get_if<SemanticIdentity>(&*identity_);
+  if (sub == nullptr || super == nullptr) return identity == *identity_;
+  const auto place = has_expression(*sub) ? resolver_->known_place(sub->concept_iri) : nullptr;
+  return is_same_or_narrower(vocabulary, *sub, place, *super, place_) &&
+         (super->representation_iri.empty() ||
+          is_same_or_narrower(vocabulary, sub->representation_iri, super->representation_iri));
+}
+
 bool Sieve::passes(const vocabulary::Vocabulary& vocabulary, const ServiceKey& key, const std::string& participant_name,
                    const std::string& peer_name, const Identity& identity, ChannelMode mode) const {
   if (filter_.mode && *filter_.mode != mode) return false;
-  if (identity_ && !is_same_or_narrower(vocabulary, identity, *identity_, place_.get())) return false;
+  if (identity_ && !is_wanted(vocabulary, identity)) return false;
   return filter_.providers.empty() || std::ranges::any_of(filter_.providers, [&](const ProviderFilter& one) {
            return is_accepted(one, key, participant_name, peer_name);
          });

@@ -39,19 +39,30 @@ void append_party(Line& line, const registry::SubscriptionEntry& entry);
 /// `mode address port protocol priority`, as in events.
 void append_channel(Line& line, const Publication& publication);
 
+/// The work of comparing two expressions, in entries.
+inline constexpr std::size_t cost_of_compared_expressions = 16;
+
 /// Decides which entries pass a FILTER. Its names are resolved by the vocabulary in force when it is made.
 class Sieve {
  public:
   [[nodiscard]] static std::expected<Sieve, Error> make(Resolver& resolver, const gcnp::ListFilter& filter);
-  /// Whether an entry by this peer, with this identity and mode, is let through.
+  /// Whether an entry by this peer, with this identity and mode, is let through. The reasoner compares two expressions.
   [[nodiscard]] bool passes(const vocabulary::Vocabulary& vocabulary, const ServiceKey& key,
                             const std::string& participant_name, const std::string& peer_name, const Identity& identity,
                             ChannelMode mode) const;
+  /// The work that comparing with an identity takes beside looking at one entry, in entries.
+  [[nodiscard]] std::size_t cost_of(const Identity& identity) const {
+    return place_ && has_expression(identity) ? cost_of_compared_expressions : 0;
+  }
   /// Whether the finished line is let through.
   [[nodiscard]] bool passes(const Line& line) const;
 
  private:
-  explicit Sieve(gcnp::ListFilter filter) : filter_(std::move(filter)) {}
+  [[nodiscard]] bool is_wanted(const vocabulary::Vocabulary& vocabulary, const Identity& identity) const;
+
+  Sieve(const Resolver& resolver, gcnp::ListFilter filter) : resolver_(&resolver), filter_(std::move(filter)) {}
+
+  const Resolver* resolver_;
   gcnp::ListFilter filter_;
   std::optional<Identity> identity_;
   Expressions::Place place_;  ///< of the identity where it is an expression

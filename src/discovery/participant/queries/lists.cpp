@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
@@ -11,6 +12,9 @@
 
 namespace geminga::participant {
 namespace {
+
+/// Octets of the reason why an offered expression has no place.
+constexpr std::size_t max_problem_bytes = 400;
 
 const Publication& service_of(const registry::PublicationEntry& entry) { return entry.publication; }
 const Subscription& service_of(const registry::SubscriptionEntry& entry) { return entry.subscription; }
@@ -27,6 +31,10 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, bool is_
   append_stated(line, "scope", entry.publication.scope);
   append_stated(line, "for", entry.publication.for_whom);
   if (reason != nullptr) append_because(line, *reason);
+  const auto* semantic = std::get_if<SemanticIdentity>(&entry.publication.identity);
+  if (semantic != nullptr && has_expression(*semantic)) {
+    append_stated(line, "unplaced", base::printable(by.resolver.problem(semantic->concept_iri), max_problem_bytes));
+  }
   gcnp::append_attributes(line, entry.publication.attributes);
   return line;
 }
@@ -68,6 +76,7 @@ auto listing(const Listed& by, Sieve sieve, bool is_unanswered_only, IsAnswered 
                                                         const Entry& entry) mutable {
     last = entry.key;
     piece.look_at_one();
+    if (const std::size_t cost = sieve.cost_of(service_of(entry).identity); cost > 0) piece.look_at(cost);
     if (sieve.passes(by.matcher.vocabulary(), entry.key, entry.participant_name, entry.peer_name,
                      service_of(entry).identity, service_of(entry).mode)) {
       const bool is_answered_here = is_answered(entry);

@@ -61,6 +61,11 @@ class Ranking {
     // Each may be a question to the reasoner: then all are walked, a few at a time.
     if (!is_any_identity_ && asked_.subscription.weakest != Degree::overlapping)
       candidates_ = by.matcher.candidates(asked_.subscription, *request_, max_candidates);
+    const auto is_question = [&](const ServiceKey& key) {
+      const auto* entry = by.matcher.find_publication(key);
+      return entry != nullptr && has_expression(entry->publication.identity);
+    };
+    if (request_->compares && candidates_ && std::ranges::any_of(*candidates_, is_question)) candidates_.reset();
   }
 
   bool operator()(Piece& piece) {
@@ -140,7 +145,7 @@ std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& ov
   asked.where = query.where;
   asked.convert = query.convert;
   if (query.identity) {
-    auto identity = by.resolver.resolve_asked(*query.identity);
+    auto identity = by.resolver.resolve(*query.identity);
     if (!identity) return std::unexpected(identity.error());
     asked.identity = std::move(*identity);
   }

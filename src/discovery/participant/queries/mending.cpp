@@ -24,10 +24,9 @@ std::string asked_name(const matching::Matcher& matcher, const std::string& name
 
 /// The rest of the advice once the representation fits: " and match=broader" where the concept needs it, or nothing.
 std::string match_beside(const matching::Matcher& matcher, const Asked& asked, const SemanticIdentity& offer,
-                         const SemanticIdentity& request) {
-  const auto classes = matching::classes_of(offer, matcher.vocabulary());
-  const auto degree =
-      matching::degree_of_concept(offer, classes, request, asked.request->classes, matcher.vocabulary());
+                         const matching::Classes& classes, const SemanticIdentity& request) {
+  const auto degree = matching::degree_of_concept(offer, classes, request, asked.request->classes, matcher.vocabulary(),
+                                                  asked.request->compares);
   const bool is_met = !degree || !is_weaker(degree->degree, asked.entry.subscription.weakest);
   return is_met ? "" : " and match=" + std::string(to_string(degree->degree));
 }
@@ -42,15 +41,16 @@ std::string narrowed_by(const Subscription& asked) {
 }
 
 std::string mend_of_representation(const matching::Matcher& matcher, const Asked& asked, const SemanticIdentity& offer,
-                                   const SemanticIdentity& request, const vocabulary::Chain* chain) {
-  const std::string beside = match_beside(matcher, asked, offer, request);
+                                   const matching::Classes& classes, const SemanticIdentity& request,
+                                   const vocabulary::Chain* chain) {
+  const std::string beside = match_beside(matcher, asked, offer, classes, request);
   if (chain != nullptr) {
     return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for" +
            (beside.empty() ? "" : "," + beside);
   }
   const std::string other = asked_name(matcher, offer.representation_iri);
   const std::string as_it_is = "ask with representation=" + other + beside + ", or without";
-  const auto offered = matching::classes_of(offer, matcher.vocabulary()).representation_class;
+  const auto offered = classes.representation_class;
   const auto requested = asked.request->classes.representation_class;
   const auto of_others = offered && requested && asked.request->chains_of_all
                              ? asked.request->chains_of_all(*offered, *requested)
@@ -138,6 +138,10 @@ std::string mend_of_identity(const matching::Matcher& matcher, const Asked& aske
       return "mend the ontology: geminga-ontology check says why nothing can be one";
     case Obstacle::unclassified:
       return "ask for a named concept, or load an ontology that knows all names of the expression";
+    case Obstacle::unclassified_offer:
+      return "offer a named concept, or load an ontology that knows all names of the expression: geminga-query "
+             "services "
+             "says what is wrong with it";
     case Obstacle::disjoint:
       return "ask for something else, or mend the ontology if something can be both";
     case Obstacle::undecided:
@@ -151,8 +155,9 @@ std::string mend_of_identity(const matching::Matcher& matcher, const Asked& aske
       return "state representation=" + (request == nullptr ? "" : asked_name(matcher, request->representation_iri)) +
              " in the offer, or ask without a representation";
     case Obstacle::representation:
-      return offer == nullptr || request == nullptr ? ""
-                                                    : mend_of_representation(matcher, asked, *offer, *request, chain);
+      return offer == nullptr || request == nullptr
+                 ? ""
+                 : mend_of_representation(matcher, asked, *offer, matcher.classes(offered), *request, chain);
     case Obstacle::broader:
     case Obstacle::degree:
       // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.

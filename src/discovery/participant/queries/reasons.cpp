@@ -254,6 +254,14 @@ std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& of
     return Reason{Obstacle::no_ontology, "no ontology is loaded here, and nobody asks for the very same names",
                   "start gemingad with --ontology"};
   }
+  if (has_expression(*semantic)) {
+    if (matcher_.classes(offer).place) return std::nullopt;
+    Reason reason{Obstacle::unclassified_offer,
+                  "the expression is unknown to the ontology, unsatisfiable, or waits to be classified",
+                  "look again in a second, or offer a named concept"};
+    reason.text += beside_other_ontology(offer.key.participant);
+    return reason;
+  }
   const auto concept_class = vocabulary.find_iri(semantic->concept_iri);
   if (!concept_class) {
     return of_unknown_name(piece, offer.key.participant, semantic->concept_iri, Obstacle::unknown_offer);

@@ -22,7 +22,7 @@ std::expected<Asked, Error> stated(const matching::Matcher& matcher, const Servi
 
 /// As if a peer of this participant asked for it.
 std::expected<Asked, Error> imagined(const Stating& by, const gcnp::HypotheticalRequest& request) {
-  auto identity = by.resolver.resolve_asked(request.subscription.identity);
+  auto identity = by.resolver.resolve(request.subscription.identity);
   if (!identity) return std::unexpected(identity.error());
   Asked asked{.entry = {}, .request = {}, .is_any_mode = request.is_any_mode, .is_living = false};
   NamedSubscription named = request.subscription;
@@ -44,7 +44,7 @@ std::expected<Asked, Error> imagined(const Stating& by, const gcnp::Hypothetical
 /// As if the provider that it names offered it, else a peer of this participant.
 std::expected<Offered, Error> imagined(const Stating& by, const gcnp::HypotheticalOffer& offer,
                                        const std::optional<Asked>& asked) {
-  auto identity = by.resolver.resolve_offered(offer.publication.identity);
+  auto identity = by.resolver.resolve(offer.publication.identity);
   if (!identity) return std::unexpected(Error{identity.error().code, "offer: " + identity.error().text});
   if (auto error = matching::check_scope(offer.publication.scope)) return std::unexpected(std::move(*error));
   if (auto error = matching::check_where(offer.publication.for_whom, "for", by.matcher.vocabulary().units()))

@@ -124,15 +124,15 @@ TEST(Overlap, FollowsTheOntology) {
 
 /// Answers about overlaps, of which one comes in each step.
 TEST(Overlap, WaitsForTheReasonerAndLosesNothingMeanwhile) {
-  std::set<std::pair<std::uint64_t, vocabulary::ClassNumber>> known;
+  std::set<std::pair<std::uint64_t, std::string>> known;
   bool may_ask = true;
   Matcher matcher(movers(), {},
-                  [&](const vocabulary::Vocabulary& by, vocabulary::ClassNumber offered,
+                  [&](const vocabulary::Vocabulary& by, const SemanticIdentity& offered, const Classes& of_offer,
                       const SemanticIdentity& requested, const Classes& classes, ParticipantId) -> OverlapAnswer {
-                    const auto question = std::pair(by.digest(), offered);
+                    const auto question = std::pair(by.digest(), offered.concept_iri);
                     if (!known.contains(question) && !std::exchange(may_ask, false)) return nullptr;
                     known.insert(question);
-                    return decided_at_once(by, offered, requested, classes);
+                    return decided_at_once(by, offered, of_offer, requested, classes);
                   });
   const auto finish = [&] {
     matcher.place_again();

@@ -42,8 +42,10 @@ class OverlapsTest : public testing::Test {
     const SemanticIdentity identity{"http://example.org/" + requested, ""};
     matching::Classes classes;
     classes.concept_class = ontology.find_iri(identity.concept_iri);
-    return overlaps.answer(ontology, ontology.find_iri("http://example.org/C" + std::to_string(offered)).value(),
-                           identity, classes, from, now);
+    const SemanticIdentity offer{"http://example.org/C" + std::to_string(offered), ""};
+    const matching::Classes of_offer{.concept_class = ontology.find_iri(offer.concept_iri),
+                                     .representation_class = std::nullopt};
+    return overlaps.answer(ontology, offer, of_offer, identity, classes, from, now);
   }
 
   vocabulary::Vocabulary ontology = flat(400);
@@ -113,7 +115,8 @@ TEST(Overlaps, AreLimitedForOneRequestAndInAll) {
     matching::Classes classes;
     classes.concept_class = ontology.find_iri(identity.concept_iri);
     overlaps.begin_step();
-    return overlaps.answer(ontology, ClassNumber{offered}, identity, classes, std::nullopt, now);
+    const matching::Classes of_offer{.concept_class = ClassNumber{offered}, .representation_class = std::nullopt};
+    return overlaps.answer(ontology, {}, of_offer, identity, classes, std::nullopt, now);
   };
   using enum vocabulary::Overlap::Verdict;
   for (std::uint32_t at = 0; at < most; ++at) ASSERT_EQ(answer(at, "0")->verdict, possible) << at;
