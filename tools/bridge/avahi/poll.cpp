@@ -33,6 +33,7 @@ namespace geminga::bridge {
 namespace {
 
 AvahiWatchEvent events(bool reads, bool writes) {
+  // NOLINTNEXTLINE(clang-analyzer-optin.core.EnumCastOutOfRange): Avahi's enumeration names the bits of a set.
   return static_cast<AvahiWatchEvent>((reads ? AVAHI_WATCH_IN : 0) | (writes ? AVAHI_WATCH_OUT : 0));
 }
 
