@@ -2,20 +2,9 @@
 
 #include <algorithm>
 
+#include "discovery/announcement/varint.hpp"
+
 namespace geminga::announcement {
-namespace {
-
-std::size_t varint_bytes(std::size_t value) {
-  std::size_t bytes = 1;
-  while (value >= 0x80) {
-    value >>= 7;
-    ++bytes;
-  }
-  return bytes;
-}
-
-}  // namespace
-
 SplitIri split_iri(std::string_view iri) {
   const auto last = iri.find_last_of("#/");
   const auto begin = last == std::string_view::npos ? 0 : last + 1;

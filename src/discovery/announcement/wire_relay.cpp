@@ -6,6 +6,7 @@
 
 #include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/announcement/varint.hpp"
 #include "discovery/announcement/wire_entry.hpp"
 
 namespace geminga::announcement {
@@ -25,12 +26,6 @@ std::uint32_t age_ms(base::Duration age) {
 }
 
 bool is_age(std::uint32_t ms) { return milliseconds(ms) <= max_relayed_age; }
-
-std::size_t varint_bytes(std::uint64_t value) {
-  std::size_t bytes = 1;
-  while (value >>= 7U) ++bytes;
-  return bytes;
-}
 
 /// The octets of the four lists beside their entries: a tag of two octets and a length of up to two each.
 constexpr std::size_t lists_bytes = 16;
