@@ -45,6 +45,7 @@ void add_explain(CLI::App& app, Run& selected);
 void add_why(CLI::App& app, Run& selected);
 void add_ontology(CLI::App& app, Run& selected);
 void add_security(CLI::App& app, Run& selected);
+void add_export(CLI::App& app, Run& selected);
 void add_status(CLI::App& app, Run& selected);
 /// Ends without a word where there is no daemon, or none that answers in two seconds.
 void add_complete(CLI::App& app, RunEvenAlone& selected);

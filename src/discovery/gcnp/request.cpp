@@ -121,6 +121,7 @@ ListFilter read_list_filter(KeyReader& keys) {
   filter.mode = keys.mode();
   filter.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
   filter.text = keys.text("filter", max_filter_bytes).value_or("");
+  filter.with_iris = keys.flag("iris");
   return filter;
 }
 

@@ -64,7 +64,8 @@ struct ListFilter {
   std::optional<NamedIdentity> identity;
   std::optional<ChannelMode> mode;
   std::vector<ProviderFilter> providers;
-  std::string text;  ///< `filter=TEXT`: occurs in a value of the line (matches_text())
+  std::string text;        ///< `filter=TEXT`: occurs in a value of the line (matches_text())
+  bool with_iris = false;  ///< names of concepts and representations are told as full IRIs
   friend bool operator==(const ListFilter&, const ListFilter&) = default;
 };
 

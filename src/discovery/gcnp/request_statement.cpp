@@ -34,6 +34,7 @@ void append_filter(Parameters& parameters, const ListFilter& filter) {
   if (filter.mode) append(parameters, "mode", std::string(to_string(*filter.mode)));
   append_stated(parameters, "provider", provider_list(filter.providers));
   append_stated(parameters, "filter", filter.text);
+  if (filter.with_iris) append(parameters, "iris", "1");
 }
 
 template <typename Change>

@@ -102,6 +102,27 @@ std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, con
   return bytes;
 }
 
+std::expected<FileBytes, LoadError> FileBytes::read_standard_input(const FileLimits& limits) {
+  const std::string path(standard_input_name);
+  FileBytes bytes;
+  for (;;) {
+    char* const room = bytes.room_for(read_at_once);
+    if (room == nullptr) return refuse(path, "is too large for the memory");
+    const ssize_t count = ::read(STDIN_FILENO, room, read_at_once);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return refuse(path, "cannot be read: " + kernel_words(errno));
+    if (count == 0) break;
+    bytes.take_room(static_cast<std::size_t>(count));
+    if (bytes.view().size() > limits.file_bytes) {
+      return refuse(path, "is larger than " + std::to_string(limits.file_bytes) + " bytes: split it");
+    }
+  }
+  bytes.give_back_room();
+  LongTextWatch watch(path, bytes.view().size(), limits);
+  if (auto error = watch.look_at(bytes.view())) return std::unexpected(std::move(*error));
+  return bytes;
+}
+
 std::optional<FileBytes> FileBytes::copy_of(std::string_view text) {
   FileBytes bytes;
   char* const room = bytes.room_for(text.size());

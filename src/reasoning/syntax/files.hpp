@@ -13,6 +13,9 @@
 
 namespace geminga::syntax {
 
+/// The name by which a user means standard input.
+inline constexpr std::string_view standard_input_name = "-";
+
 /// The octets of one file in memory of their own, which goes back to the kernel piece by piece as they are used.
 class FileBytes {
  public:
@@ -23,6 +26,9 @@ class FileBytes {
 
   /// Reads a regular file as a whole. Never blocks on a FIFO or a device, and never opens one.
   [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const FileLimits& limits);
+
+  /// Reads standard input to its end. Waits for it.
+  [[nodiscard]] static std::expected<FileBytes, LoadError> read_standard_input(const FileLimits& limits);
 
   /// The octets of a text; nothing if there is no memory.
   [[nodiscard]] static std::optional<FileBytes> copy_of(std::string_view text);

@@ -39,6 +39,12 @@ void append_party(Line& line, const registry::SubscriptionEntry& entry);
 /// `mode address port protocol priority`, as in events.
 void append_channel(Line& line, const Publication& publication);
 
+/// How a line tells names of the ontology.
+enum class Names : std::uint8_t {
+  with_prefixes,
+  full,  ///< as IRIs in angle brackets
+};
+
 /// The work of comparing two expressions, in entries.
 inline constexpr std::size_t cost_of_compared_expressions = 16;
 
@@ -50,6 +56,7 @@ class Sieve {
   [[nodiscard]] bool passes(const vocabulary::Vocabulary& vocabulary, const ServiceKey& key,
                             const std::string& participant_name, const std::string& peer_name, const Identity& identity,
                             ChannelMode mode) const;
+  [[nodiscard]] Names names() const { return filter_.with_iris ? Names::full : Names::with_prefixes; }
   /// The work that comparing with an identity takes beside looking at one entry, in entries.
   [[nodiscard]] std::size_t cost_of(const Identity& identity) const {
     return place_ && has_expression(identity) ? cost_of_compared_expressions : 0;

@@ -16,14 +16,20 @@ namespace {
 /// Octets of the reason why an offered expression has no place.
 constexpr std::size_t max_problem_bytes = 400;
 
+/// The names in which a line tells an identity: a vocabulary without an ontology gives full IRIs.
+vocabulary::Vocabulary names_of(const Listed& by, Names names) {
+  return names == Names::full ? vocabulary::Vocabulary() : by.matcher.vocabulary();
+}
+
 const Publication& service_of(const registry::PublicationEntry& entry) { return entry.publication; }
 const Subscription& service_of(const registry::SubscriptionEntry& entry) { return entry.subscription; }
 
 /// `reason` says why nobody asks for it, where that was asked for.
-Line line_of(const Listed& by, const registry::PublicationEntry& entry, bool is_used, const Reason* reason) {
+Line line_of(const Listed& by, const registry::PublicationEntry& entry, Names names, bool is_used,
+             const Reason* reason) {
   Line line;
   append_party(line, entry);
-  gcnp::append_identity(line, named(by.matcher.vocabulary(), entry.publication.identity));
+  gcnp::append_identity(line, named(names_of(by, names), entry.publication.identity));
   append_channel(line, entry.publication);
   append(line, "age", age(by.neighbours, by.env.now(), entry));
   append_flag(line, "local", entry.is_local);
@@ -40,11 +46,12 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, bool is_
 }
 
 /// `reason` says why nobody serves it, where that was asked for.
-Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, bool is_served, const Reason* reason) {
+Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, Names names, bool is_served,
+             const Reason* reason) {
   const Subscription& subscription = entry.subscription;
   Line line;
   append_party(line, entry);
-  gcnp::append_identity(line, named(by.matcher.vocabulary(), subscription.identity));
+  gcnp::append_identity(line, named(names_of(by, names), subscription.identity));
   append(line, "match", std::string(to_string(subscription.weakest)));
   append(line, "mode", std::string(to_string(subscription.mode)));
   append_stated(line, "provider", gcnp::provider_list(subscription.providers));
@@ -81,11 +88,11 @@ auto listing(const Listed& by, Sieve sieve, bool is_unanswered_only, IsAnswered 
                      service_of(entry).identity, service_of(entry).mode)) {
       const bool is_answered_here = is_answered(entry);
       Line line;
-      if (!is_unanswered_only || !is_answered_here) line = line_of(by, entry, is_answered_here, nullptr);
+      if (!is_unanswered_only || !is_answered_here) line = line_of(by, entry, sieve.names(), is_answered_here, nullptr);
       if (!line.empty() && sieve.passes(line)) {
         if (is_unanswered_only) {
           const Reason reason = reasons.likely(piece, entry);
-          line = line_of(by, entry, is_answered_here, &reason);
+          line = line_of(by, entry, sieve.names(), is_answered_here, &reason);
         }
         piece.tell(std::move(line));
       }

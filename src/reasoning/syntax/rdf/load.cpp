@@ -151,13 +151,15 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
   const auto refuse = [&](std::uint32_t line, std::string text) {
     return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
   };
-  auto bytes = syntax::FileBytes::read(path, limits);
+  auto bytes = path == syntax::standard_input_name ? syntax::FileBytes::read_standard_input(limits)
+                                                   : syntax::FileBytes::read(path, limits);
   if (!bytes) return std::unexpected(std::move(bytes.error()));
   const auto content = owl::fingerprint_of(bytes->view());
   if (syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
   if (bytes) bytes = decoded(path, std::move(*bytes));
   if (!bytes) return std::unexpected(std::move(bytes.error()));
-  const auto syntax = syntax::detect_syntax(path, bytes->view());
+  // Standard input has no name: it is Turtle, which N-Triples are, too, unless its content says another syntax.
+  const auto syntax = syntax::detect_syntax(path == syntax::standard_input_name ? "-.ttl" : path, bytes->view());
   if (!syntax) return std::unexpected(syntax::LoadError{base::printable(path, 4096), 0, syntax.error(), true});
   auto layout = scan(*syntax, bytes->view(), limits);
   std::uint32_t id_line = 0;
