@@ -43,6 +43,9 @@ void Flags::add_to(CLI::App& app) {
   app.add_option("--participants", participants, "How many there are")
       ->type_name("N")
       ->check(CLI::Range(1UL, most_participants));
+  app.add_option("--sites", sites, "A world of so many sites that know of each other by summaries, instead of one team")
+      ->type_name("N")
+      ->check(CLI::Range(1UL, 10'000UL));
   app.add_option("--minutes", minutes, "Simulated time")->type_name("M")->check(CLI::Range(0.1, most_minutes));
   app.add_option("--seed", seed, "Everything that chance decides (1)")->type_name("N");
   app.add_option("--seeds", seeds, "Run all of these seeds until one finds something")->type_name("A..B");

@@ -19,6 +19,7 @@ struct Flags {
   std::string scenario;
   std::optional<std::size_t> participants;
   std::optional<double> minutes;
+  std::optional<std::size_t> sites;
   std::uint64_t seed = 1;
   std::string seeds;
   std::size_t threads = 0;

@@ -10,10 +10,12 @@
 
 #include "scenarios/command_line.hpp"
 #include "scenarios/moment.hpp"
+#include "scenarios/progress_line.hpp"
 #include "scenarios/report.hpp"
 #include "scenarios/scenarios.hpp"
 #include "scenarios/seeds.hpp"
 #include "scenarios/simulation.hpp"
+#include "scenarios/sites.hpp"
 #include "scenarios/starts.hpp"
 #include "shell/options.hpp"
 #include "shell/report.hpp"
@@ -28,6 +30,7 @@ constexpr const char* examples = R"(Examples:
   tools/simulate --participants 12 --minutes 20 --loss 30% --burst 10%x300 --restarts 5 --partitions 2
   tools/simulate --seeds 1..10000 --faults
   tools/simulate --seeds 1..200 --start --loss 30%
+  tools/simulate --sites 1000
 
 The same command prints the same trace on every machine. Each run is watched by checkers (tests/scenarios/README.md); what one
 of them finds is printed, and with the command that runs the seed again.
@@ -53,9 +56,15 @@ int run_one(const Flags& flags) {
   const Conditions conditions = flags.conditions();
   const bool is_told = !flags.is_json && !flags.is_quiet;
   const auto began = RealClock::now();
-  const Result result = simulate(conditions, [&](const std::string& line) {
-    if (is_told) std::cout << line << std::endl;
-  });
+  ProgressLine progress(conditions);
+  const Result result = simulate(
+      conditions,
+      [&](const std::string& line) {
+        progress.clear();
+        if (is_told) std::cout << line << std::endl;
+      },
+      progress.on_terminal());
+  progress.clear();
   const Cost cost = cost_since(began);
   if (flags.is_json) {
     print_json(std::cout, conditions, result, cost);
@@ -124,6 +133,23 @@ int run_starts(const Flags& flags, const Seeds& seeds) {
   return 0;
 }
 
+int run_sites(const Flags& flags) {
+  SiteConditions conditions{.seed = flags.seed, .sites = *flags.sites};
+  if (flags.minutes) conditions.time = std::chrono::milliseconds(static_cast<std::int64_t>(*flags.minutes * 60'000));
+  Conditions shown;
+  shown.participants = conditions.sites;
+  shown.time = conditions.time;
+  ProgressLine progress(shown);
+  const auto began = RealClock::now();
+  const OnProgress on_terminal = progress.on_terminal();
+  const SiteResult result = simulate_sites(conditions, [&](base::Duration simulated, std::uint64_t messages) {
+    if (on_terminal) on_terminal(simulated, messages);
+  });
+  progress.clear();
+  print_sites(std::cout, conditions, result, cost_since(began));
+  return result.missing == 0 ? 0 : 1;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Simulates teams of Geminga participants on bad air, in virtual time.", program);
   app.footer(examples);
@@ -135,6 +161,7 @@ int run(int argc, char** argv) {
     return 0;
   }
   try {
+    if (flags.sites) return run_sites(flags);
     const auto seeds = flags.range();
     if (flags.is_start) return run_starts(flags, seeds.value_or(Seeds{.first = flags.seed, .last = flags.seed}));
     return seeds ? run_many(flags, *seeds) : run_one(flags);

@@ -59,6 +59,27 @@ void print_report(std::ostream& out, const Conditions& conditions, const Result&
   row("trace, seed " + std::to_string(conditions.seed), base::to_hex(result.trace_hash, 16));
 }
 
+void print_sites(std::ostream& out, const SiteConditions& conditions, const SiteResult& result, const Cost& cost) {
+  const auto row = [&](const std::string& name, const std::string& figure) {
+    out << "  " << name << std::string(name.size() < 58 ? 58 - name.size() : 1, ' ') << figure << "\n";
+  };
+  row("sites, clusters, minutes", std::to_string(conditions.sites) + ", " + std::to_string(conditions.clusters) + ", " +
+                                      decimal(seconds(conditions.time) / 60));
+  row("questions, answers sent", std::to_string(result.questions) + ", " + std::to_string(result.answers));
+  row("octets a second that a site receives (formula)",
+      decimal(result.received_octets) + " (" + decimal(result.expected_received) + ")");
+  row("octets a second that a site sends", decimal(result.sent_octets));
+  row("octets a second between clusters, all together", decimal(result.gateway_octets));
+  row("answers that a site remembers (formula)",
+      decimal(result.remembered) + " (" + decimal(result.expected_remembered) + ")");
+  row("told after an interest began, p50 / p95 / max", quantiles(result.told));
+  row("told of a change of magnitude, p50 / p95 / max", quantiles(result.changed));
+  row("offerers of interests; unknown; known and gone",
+      std::to_string(result.pairs) + "; " + std::to_string(result.missing) + "; " + std::to_string(result.surplus));
+  row("peak memory of all", decimal(static_cast<double>(cost.peak_octets) / (1 << 20)) + " MiB");
+  row("seconds", decimal(cost.real_seconds));
+}
+
 void print_json(std::ostream& out, const Conditions& conditions, const Result& result, const Cost& cost) {
   boost::json::array violations;
   for (const std::string& violation : result.violations) violations.emplace_back(violation);

@@ -7,6 +7,7 @@
 
 #include "scenarios/conditions.hpp"
 #include "scenarios/simulation.hpp"
+#include "scenarios/sites.hpp"
 
 namespace geminga::scenarios {
 
@@ -18,7 +19,9 @@ struct Cost {
 
 /// The table at the end of a run.
 void print_report(std::ostream& out, const Conditions& conditions, const Result& result, const Cost& cost);
-/// One JSON document with the same figures; times in seconds.
+/// The table of a world of sites.
+void print_sites(std::ostream& out, const SiteConditions& conditions, const SiteResult& result, const Cost& cost);
+/// One JSON document with the figures of print_report(); times in seconds.
 void print_json(std::ostream& out, const Conditions& conditions, const Result& result, const Cost& cost);
 
 }  // namespace geminga::scenarios

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t most_violations = 100;
 constexpr base::Duration step = std::chrono::milliseconds(100);
+constexpr base::Duration progress_step = std::chrono::milliseconds(5);
 
 base::Duration intervals(const Conditions& conditions, double count) {
   return std::chrono::duration_cast<base::Duration>(conditions.interval * count);
@@ -77,7 +78,7 @@ class Narrator {
 
 class Simulation {
  public:
-  Simulation(const Conditions& conditions, const Tell& tell)
+  Simulation(const Conditions& conditions, const Tell& tell, const OnProgress& progress)
       : conditions_(conditions),
         script_(conditions.participants),
         world_(conditions.seed, conditions.air, [this](const std::string& complaint) { complain(complaint); }),
@@ -88,7 +89,9 @@ class Simulation {
         tables_(world_, team_),
         narrator_(world_, team_, workload_, tell),
         stage_{
-            .world = world_, .team = team_, .liar = liar_, .usual = conditions.air, .interval = conditions.interval} {}
+            .world = world_, .team = team_, .liar = liar_, .usual = conditions.air, .interval = conditions.interval} {
+    if (progress) world_.every(progress_step, [&] { progress(world_.now().time_since_epoch(), world_.datagrams()); });
+  }
 
   Result run() {
     base::Random random(conditions_.seed ^ 0x7363726970740000U);
@@ -198,6 +201,8 @@ base::Duration agreement_bound(const Conditions& conditions) {
   return intervals(conditions, 8) + std::chrono::milliseconds(50) * static_cast<std::int64_t>(conditions.participants);
 }
 
-Result simulate(const Conditions& conditions, const Tell& tell) { return Simulation(conditions, tell).run(); }
+Result simulate(const Conditions& conditions, const Tell& tell, const OnProgress& progress) {
+  return Simulation(conditions, tell, progress).run();
+}
 
 }  // namespace geminga::scenarios

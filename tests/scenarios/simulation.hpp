@@ -34,8 +34,11 @@ struct Result {
 /// Where the run tells what happens, a line each; may be empty.
 using Tell = std::function<void(const std::string& line)>;
 
+/// Called each few simulated milliseconds with the simulated time and the datagrams that were sent; may be empty.
+using OnProgress = std::function<void(base::Duration simulated, std::uint64_t datagrams)>;
+
 /// Runs to its end: the time of its conditions, or until the script is over and all agree, if that takes longer.
-[[nodiscard]] Result simulate(const Conditions& conditions, const Tell& tell = {});
+[[nodiscard]] Result simulate(const Conditions& conditions, const Tell& tell = {}, const OnProgress& progress = {});
 
 /// How long after the last fault all views are right. See tests/scenarios/README.md for the argument.
 [[nodiscard]] base::Duration agreement_bound(const Conditions& conditions);

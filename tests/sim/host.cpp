@@ -36,6 +36,8 @@ Host::Host(World& world, std::string name, std::uint32_t number, std::uint64_t s
       clock_(random_.between(std::chrono::seconds(1), std::chrono::hours(1000))),
       log_(std::make_unique<Log>(world_, name_, logged)) {
   settings.name = name_;
+  settings.shared = world_.shared;
+  settings.shared_entries = world_.shared_entries;
 }
 
 Host::~Host() = default;

@@ -165,6 +165,17 @@ Bytes make_unread() {
   return writer.finish();
 }
 
+/// 1111 classes: C0 above C1 to C10, each of these above ten, and each of those above ten.
+Bytes make_tree(bool is_other) {
+  constexpr int classes = 1111;
+  Writer writer;
+  for (int i = 1; i < classes; ++i) {
+    writer.sub(("C" + std::to_string(i)).c_str(), ("C" + std::to_string((i - 1) / 10)).c_str());
+  }
+  if (is_other) writer.sub("Further", "C0");
+  return writer.finish();
+}
+
 }  // namespace
 
 std::optional<Bytes> compiled_small_ontology(std::string_view name) {
@@ -177,6 +188,7 @@ std::optional<Bytes> compiled_small_ontology(std::string_view name) {
   if (name == "unread") return make_unread();
   if (name == "misspelt") return make_misspelt();
   if (name == "deep") return make_deep();
+  if (name == "tree" || name == "other-tree") return make_tree(name == "other-tree");
   return std::nullopt;
 }
 

@@ -11,6 +11,8 @@
 
 #include "base/random.hpp"
 #include "base/time.hpp"
+#include "discovery/participant/air/shared.hpp"
+#include "discovery/registry/stored.hpp"
 #include "env/env.hpp"
 #include "sim/agenda.hpp"
 #include "sim/air.hpp"
@@ -43,6 +45,9 @@ class World {
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
   Air air;
+  /// What hosts that are added from now on share; null: each decodes and keeps everything for itself.
+  std::shared_ptr<participant::Shared> shared = std::make_shared<participant::Shared>();
+  std::shared_ptr<registry::SharedEntries> shared_entries = std::make_shared<registry::SharedEntries>();
 
   /// Something is that must not be. The complaint begins with a word for the checker, and gets seed and time.
   void complain(const std::string& complaint) { complain_(complaint + " " + when()); }

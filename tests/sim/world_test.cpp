@@ -127,5 +127,25 @@ TEST(World, TurnsBitsOver) {
   EXPECT_TRUE(was_wrong) << "nothing comes through as it was sent";
 }
 
+TEST(World, RunsTheSameWhetherItsHostsShareWhatIsEqualOrNot) {
+  const auto trace = [](bool is_shared) {
+    Robots robots(World::seed_or(61), 5, {.loss = 0.3, .flip = 0.01});
+    robots.team.is_excused = true;
+    robots.team.ledger().tampered_until(base::never);
+    for (const auto& host : robots.world.hosts()) {
+      if (is_shared) continue;
+      host->settings.shared = nullptr;
+      host->settings.shared_entries = nullptr;
+    }
+    robots.start();
+    robots.world.run_for(seconds(20));
+    robots.module(0).offer("news", stream);
+    robots.host(1).crash();
+    robots.world.run_for(seconds(20));
+    return robots.world.trace_hash();
+  };
+  EXPECT_EQ(trace(true), trace(false));
+}
+
 }  // namespace
 }  // namespace geminga::sim

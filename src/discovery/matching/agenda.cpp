@@ -119,7 +119,6 @@ void Agenda::relieve() {
 
 void Agenda::proceed(Spread& spread) {
   Step step(judge_, passed_);
-  if (spread.cause != nullptr) spread.cause->forget_copies();
   while (!spread.left.empty() && step.has_room()) {
     const StoredSubscription* subscription = spread.left.back();
     spread.left.pop_back();
@@ -160,7 +159,6 @@ void Agenda::proceed(Review& review) {
   }
   Cause nothing;
   Cause& cause = review.cause == nullptr ? nothing : *review.cause;
-  cause.forget_copies();
   // They are at most as many as a subscription may have, and each is looked at in this step, so that none goes
   // meanwhile.
   for (const auto* candidate : std::exchange(review.candidates, {})) {

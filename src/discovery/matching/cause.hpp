@@ -11,14 +11,13 @@
 
 namespace geminga::matching {
 
-/// Says what a put() has replaced and which consumer is not told, and keeps the copies of entries that its events
-/// share. An empty cause is that of a change that replaces nothing. It must end before an entry that it told of is
-/// erased or replaced, because copies are found again by the address of the entry.
+/// Says what a put() has replaced and which consumer is not told. An empty cause is that of a change that replaces
+/// nothing.
 class Cause {
  public:
   struct PublicationBefore {
     const registry::StoredPublication* stored = nullptr;
-    registry::PublicationEntry before;
+    std::shared_ptr<const registry::PublicationEntry> before;
     bool is_silent = false;  ///< nothing changed that is told
   };
   struct SubscriptionBefore {
@@ -36,12 +35,12 @@ class Cause {
   Cause& operator=(Cause&&) = delete;
 
   /// Says what an entry was until it was replaced.
-  void replace(const registry::StoredPublication& stored, registry::PublicationEntry&& before) {
-    const bool is_silent = is_told_alike(before, stored.entry);
+  void replace(const registry::StoredPublication& stored, std::shared_ptr<const registry::PublicationEntry> before) {
+    const bool is_silent = is_told_alike(*before, stored.entry);
     publication_.emplace(&stored, std::move(before), is_silent);
   }
   void replace(const registry::StoredSubscription& stored, ReplacedSubscription&& before, bool was_clashing) {
-    const bool is_silent = is_told_alike(before.entry, stored.entry);
+    const bool is_silent = is_told_alike(*before.entry, stored.entry);
     subscription_.emplace(&stored, std::move(before), was_clashing, is_silent);
   }
   /// The subscription whose consumer gets no events; null: all consumers get them.
@@ -62,42 +61,18 @@ class Cause {
     return replaces(stored) && !subscription_->is_silent;
   }
   /// The entry as its peers were told of it.
-  [[nodiscard]] const registry::PublicationEntry& as_told(const registry::StoredPublication& stored) const {
-    return publication_ && publication_->stored == &stored ? publication_->before : stored.entry;
+  [[nodiscard]] const std::shared_ptr<const registry::PublicationEntry>& as_told(
+      const registry::StoredPublication& stored) const {
+    return publication_ && publication_->stored == &stored ? publication_->before : stored.kept;
   }
-  [[nodiscard]] const registry::SubscriptionEntry& as_told(const registry::StoredSubscription& stored) const {
-    return replaces(stored) ? subscription_->before.entry : stored.entry;
-  }
-
-  /// Entries may have changed since the last copies were made.
-  void forget_copies() {
-    last_publication_ = {};
-    last_subscription_ = {};
-  }
-  /// A copy of an entry. Many events about it, one after the other, share one copy.
-  [[nodiscard]] std::shared_ptr<const registry::PublicationEntry> copy(const registry::PublicationEntry& entry) {
-    return last_publication_.copy_of(entry);
-  }
-  [[nodiscard]] std::shared_ptr<const registry::SubscriptionEntry> copy(const registry::SubscriptionEntry& entry) {
-    return last_subscription_.copy_of(entry);
+  [[nodiscard]] const std::shared_ptr<const registry::SubscriptionEntry>& as_told(
+      const registry::StoredSubscription& stored) const {
+    return replaces(stored) ? subscription_->before.entry : stored.kept;
   }
 
  private:
-  template <typename Entry>
-  struct LastCopy {
-    const Entry* original = nullptr;
-    std::shared_ptr<const Entry> copied;
-
-    const std::shared_ptr<const Entry>& copy_of(const Entry& entry) {
-      if (original != &entry) *this = {&entry, std::make_shared<const Entry>(entry)};
-      return copied;
-    }
-  };
-
   std::optional<PublicationBefore> publication_;
   std::optional<SubscriptionBefore> subscription_;
-  LastCopy<registry::PublicationEntry> last_publication_;
-  LastCopy<registry::SubscriptionEntry> last_subscription_;
 };
 
 }  // namespace geminga::matching

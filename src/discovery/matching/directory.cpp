@@ -24,8 +24,8 @@ const StoredPublication& Directory::add(PublicationEntry entry) {
   return stored;
 }
 
-PublicationEntry Directory::replace(const StoredPublication& stored, PublicationEntry entry) {
-  PublicationEntry before = publications_.replace(stored, std::move(entry), {});
+std::shared_ptr<const PublicationEntry> Directory::replace(const StoredPublication& stored, PublicationEntry entry) {
+  auto before = publications_.replace(stored, std::move(entry), {});
   take_in(stored);
   return before;
 }
@@ -42,7 +42,8 @@ const StoredSubscription& Directory::add(SubscriptionEntry entry, Request reques
   const FilingPlan plan = this->plan(entry, request);
   const StoredSubscription& stored = subscriptions_.insert(std::move(entry), plan.filing());
   if (stored.slot >= of_subscription_.size()) of_subscription_.resize(stored.slot + 1);
-  known(stored) = {.stored = &stored, .request = std::move(request), .generation = editions_.in_force().generation};
+  known(stored) = {
+      .stored = &stored, .request = kept(std::move(request)), .generation = editions_.in_force().generation};
   watch(stored);
   return stored;
 }
@@ -52,10 +53,14 @@ ReplacedSubscription Directory::replace(const StoredSubscription& stored, Subscr
   unwatch(stored);
   KnownSubscription& subscription = known(stored);
   ReplacedSubscription before{subscriptions_.replace(stored, std::move(entry), plan.filing()),
-                              std::exchange(subscription.request, std::move(request)),
+                              *std::exchange(subscription.request, kept(std::move(request))),
                               std::exchange(subscription.generation, editions_.in_force().generation)};
   watch(stored);
   return before;
+}
+
+std::shared_ptr<const Request> Directory::kept(Request request) const {
+  return request.is_plain() ? plain_ : std::make_shared<const Request>(std::move(request));
 }
 
 void Directory::retire(const std::vector<const StoredPublication*>& publications, Reason reason) {
@@ -126,13 +131,13 @@ Request Directory::file(const StoredSubscription& stored, Request request) {
   const FilingPlan plan = this->plan(stored.entry, request);
   subscriptions_.refile(stored, plan.filing());
   filed_ += 1 + plan.size();
-  Request before = std::exchange(known(stored).request, std::move(request));
+  Request before = *std::exchange(known(stored).request, kept(std::move(request)));
   watch(stored);
   return before;
 }
 
 void Directory::watch(const StoredSubscription& stored) {
-  const Request& request = known(stored).request;
+  const Request& request = this->request(stored);
   if (request.consumer == nullptr) return;
   edition_of(stored).converters->watch(request.consumer, *request.classes.representation_class);
 }

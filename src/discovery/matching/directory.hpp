@@ -20,7 +20,7 @@ namespace geminga::matching {
 
 /// A subscription as it was until another one with its key took its place.
 struct ReplacedSubscription {
-  registry::SubscriptionEntry entry;
+  std::shared_ptr<const registry::SubscriptionEntry> entry;
   Request request;
   registry::Generation generation = registry::Generation::even;  ///< of the edition of the request
 };
@@ -32,11 +32,17 @@ class Directory {
   Directory(const Directory&) = delete;
   Directory& operator=(const Directory&) = delete;
 
+  void share(const std::shared_ptr<registry::SharedEntries>& entries) {
+    publications_.share(entries);
+    subscriptions_.share(entries);
+  }
+
   /// Adds an entry whose key is not there yet. A request is made of its subscription by the vocabulary in force.
   const registry::StoredPublication& add(registry::PublicationEntry entry);
   const registry::StoredSubscription& add(registry::SubscriptionEntry entry, Request request);
   /// Puts an entry with the same key into the place of one, and gives what was there.
-  registry::PublicationEntry replace(const registry::StoredPublication& stored, registry::PublicationEntry entry);
+  std::shared_ptr<const registry::PublicationEntry> replace(const registry::StoredPublication& stored,
+                                                            registry::PublicationEntry entry);
   ReplacedSubscription replace(const registry::StoredSubscription& stored, registry::SubscriptionEntry entry,
                                Request request);
   /// Says that an entry was heard of again, as it is.
@@ -82,7 +88,7 @@ class Directory {
   }
 
   [[nodiscard]] const Request& request(const registry::StoredSubscription& stored) const {
-    return known(stored).request;
+    return *known(stored).request;
   }
   /// The edition that a subscription is judged by.
   [[nodiscard]] const Edition& edition_of(const registry::StoredSubscription& stored) const {
@@ -140,7 +146,7 @@ class Directory {
   };
   struct KnownSubscription {
     const registry::StoredSubscription* stored = nullptr;
-    Request request;
+    std::shared_ptr<const Request> request;
     registry::Generation generation = registry::Generation::even;  ///< of the edition that it is judged by
     bool is_leaving = false;                                       ///< it is about to be erased
   };
@@ -163,6 +169,8 @@ class Directory {
   [[nodiscard]] FilingPlan plan(const registry::SubscriptionEntry& entry, const Request& request) const {
     return FilingPlan::of_subscription(request.classes, entry.subscription.weakest, editions_.in_force());
   }
+  /// A request as it is kept: all that state nothing are one.
+  [[nodiscard]] std::shared_ptr<const Request> kept(Request request) const;
   /// Looks up and files a publication that was just stored.
   void take_in(const registry::StoredPublication& stored);
   /// Converters that come or go make the subscription stale from here on, or do so no more.
@@ -171,6 +179,7 @@ class Directory {
 
   const Editions& editions_;
   const Preparation& preparation_;
+  const std::shared_ptr<const Request> plain_ = std::make_shared<const Request>(Request::plain());
   registry::Publications publications_;
   registry::Subscriptions subscriptions_;
   std::vector<KnownPublication> of_publication_;    ///< by slot

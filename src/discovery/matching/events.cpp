@@ -2,12 +2,10 @@
 
 namespace geminga::matching {
 
-using registry::PublicationEntry;
 using registry::StoredPublication;
 using registry::StoredSubscription;
-using registry::SubscriptionEntry;
 
-void Events::tell(const StoredSubscription& subscription, const Verdict& verdict, Cause& cause) {
+void Events::tell(const StoredSubscription& subscription, const Verdict& verdict, const Cause& cause) {
   const auto tell_gone = [&](const Verdict::Gone& gone) {
     tell_consumer(Change::del, subscription, *gone.publication, gone.told, gone.reason, cause);
     tell_provider(Change::del, subscription, *gone.publication, gone.told, gone.reason, cause);
@@ -32,29 +30,29 @@ void Events::tell(const StoredSubscription& subscription, const Verdict& verdict
 }
 
 void Events::tell_end(const StoredSubscription& subscription, const std::vector<Verdict::Come>& chosen, Reason reason,
-                      Cause& cause) {
+                      const Cause& cause) {
   for (const auto& one : chosen) {
     tell_provider(Change::del, subscription, *one.publication, one.match, reason, cause);
   }
 }
 
 void Events::tell_consumer(Change change, const StoredSubscription& subscription, const StoredPublication& publication,
-                           Match match, Reason reason, Cause& cause) {
+                           Match match, Reason reason, const Cause& cause) {
   if (!subscription.entry.is_local || cause.untold == &subscription) return;
   const bool is_over = change == Change::del;
-  const PublicationEntry& about = is_over ? cause.as_told(publication) : publication.entry;
+  const auto& about = is_over ? cause.as_told(publication) : publication.kept;
   auto chain = is_over || match.cost == 0 ? nullptr : directory_.chain(subscription, publication);
-  events_.push_back({change, subscription.entry.key, cause.copy(about), match, reason, std::move(chain)});
+  events_.push_back({change, subscription.entry.key, about, match, reason, std::move(chain)});
 }
 
 void Events::tell_provider(Change change, const StoredSubscription& subscription, const StoredPublication& publication,
-                           Match match, Reason reason, Cause& cause) {
+                           Match match, Reason reason, const Cause& cause) {
   if (!publication.entry.is_local || directory_.is_going(publication)) return;
   const bool is_over = change == Change::del;
-  const ChannelMode mode = is_over ? cause.as_told(publication).publication.mode : publication.entry.publication.mode;
+  const ChannelMode mode = is_over ? cause.as_told(publication)->publication.mode : publication.entry.publication.mode;
   if (mode == ChannelMode::one_to_many_stream) return;
-  const SubscriptionEntry& about = is_over ? cause.as_told(subscription) : subscription.entry;
-  events_.push_back({change, publication.entry.key, cause.copy(about), match, reason, {}});
+  const auto& about = is_over ? cause.as_told(subscription) : subscription.kept;
+  events_.push_back({change, publication.entry.key, about, match, reason, {}});
 }
 
 }  // namespace geminga::matching

@@ -17,19 +17,19 @@ class Events {
   explicit Events(const Directory& directory) : directory_(directory) {}
 
   /// Tells both sides of each pair what a verdict on the subscription changed.
-  void tell(const registry::StoredSubscription& subscription, const Verdict& verdict, Cause& cause);
+  void tell(const registry::StoredSubscription& subscription, const Verdict& verdict, const Cause& cause);
   /// Tells the providers that a subscription ends. Its consumer knows.
   void tell_end(const registry::StoredSubscription& subscription, const std::vector<Verdict::Come>& chosen,
-                Reason reason, Cause& cause);
+                Reason reason, const Cause& cause);
 
   /// The events since the last call, in the order in which they must be written.
   [[nodiscard]] std::vector<Event> take() { return std::exchange(events_, {}); }
 
  private:
   void tell_consumer(Change change, const registry::StoredSubscription& subscription,
-                     const registry::StoredPublication& publication, Match match, Reason reason, Cause& cause);
+                     const registry::StoredPublication& publication, Match match, Reason reason, const Cause& cause);
   void tell_provider(Change change, const registry::StoredSubscription& subscription,
-                     const registry::StoredPublication& publication, Match match, Reason reason, Cause& cause);
+                     const registry::StoredPublication& publication, Match match, Reason reason, const Cause& cause);
 
   const Directory& directory_;
   std::vector<Event> events_;

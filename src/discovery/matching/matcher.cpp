@@ -219,6 +219,16 @@ const SubscriptionEntry* Matcher::find_subscription(const ServiceKey& key) const
   return stored == nullptr ? nullptr : &stored->entry;
 }
 
+base::Instant Matcher::updated(const PublicationEntry& entry) const {
+  const StoredPublication* stored = directory_.publications().find(entry.key);
+  return stored == nullptr ? base::Instant() : stored->updated;
+}
+
+base::Instant Matcher::updated(const SubscriptionEntry& entry) const {
+  const StoredSubscription* stored = directory_.subscriptions().find(entry.key);
+  return stored == nullptr ? base::Instant() : stored->updated;
+}
+
 bool Matcher::walk_publications(const std::optional<ServiceKey>& after,
                                 const std::function<bool(const PublicationEntry&)>& visit) const {
   return directory_.publications().visit_after(after,

@@ -69,6 +69,9 @@ class Matcher {
   Matcher(const Matcher&) = delete;
   Matcher& operator=(const Matcher&) = delete;
 
+  /// Keeps entries that matchers of the same process know, too, once. Call before the first one is put.
+  void share(const std::shared_ptr<registry::SharedEntries>& entries) { directory_.share(entries); }
+
   // Publications and subscriptions.
 
   /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
@@ -162,6 +165,9 @@ class Matcher {
   [[nodiscard]] std::size_t subscription_count() const { return directory_.subscriptions().size(); }
   [[nodiscard]] const registry::PublicationEntry* find_publication(const ServiceKey& key) const;
   [[nodiscard]] const registry::SubscriptionEntry* find_subscription(const ServiceKey& key) const;
+  /// When an entry that is known was last stated.
+  [[nodiscard]] base::Instant updated(const registry::PublicationEntry& entry) const;
+  [[nodiscard]] base::Instant updated(const registry::SubscriptionEntry& entry) const;
   /// Visit the entries behind `after`, or all, in ascending order of key, until `visit` gives false. Whether all were
   /// visited.
   bool walk_publications(const std::optional<ServiceKey>& after,

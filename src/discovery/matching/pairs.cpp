@@ -17,21 +17,34 @@ void Pairs::add(const StoredPublication& publication) {
 
 void Pairs::prepare(const StoredSubscription& subscription, const Request* former) {
   if (subscription.slot >= choosers_.size()) choosers_.resize(subscription.slot + 1);
-  Chooser& chooser = chooser_of(subscription);
-  const Request& request = directory_.request(subscription);
-  if (former != nullptr && former->preferences != request.preferences) {
-    chooser.choice.release_waiting();
+  Chooser* chooser = find_chooser(subscription);
+  if (chooser == nullptr) return;
+  if (former != nullptr && former->preferences != directory_.request(subscription).preferences) {
+    chooser->choice.release_waiting();
     forget_dropped(subscription);
   }
-  chooser.choice.set_margins(request.preferences.margins());
+  set_terms(subscription, *chooser);
+  chooser->is_waiting = false;
+}
+
+void Pairs::set_terms(const StoredSubscription& subscription, Chooser& chooser) const {
+  chooser.choice.set_margins(directory_.request(subscription).preferences.margins());
   chooser.choice.set_limit(arbitrated_limit(subscription.entry));
-  chooser.is_waiting = false;
+}
+
+Pairs::Chooser& Pairs::chooser_of(const StoredSubscription& subscription) {
+  auto& chooser = choosers_[subscription.slot];
+  if (!chooser) {
+    chooser = std::make_unique<Chooser>();
+    set_terms(subscription, *chooser);
+  }
+  return *chooser;
 }
 
 bool Pairs::was_chosen_unseen(const StoredPublication& publication, const Cause& cause) const {
   const auto* replaced = cause.replaced_subscription();
   if (replaced == nullptr) return false;
-  const SubscriptionEntry& before = replaced->before.entry;
+  const SubscriptionEntry& before = *replaced->before.entry;
   const Edition& edition = directory_.edition_of(replaced->before);
   const bool was_kept_apart =
       replaced->was_clashing && before.subscription.identity.index() != publication.entry.publication.identity.index();
@@ -54,10 +67,10 @@ bool Pairs::is_hopeless(const StoredSubscription& subscription, const StoredPubl
 
 void Pairs::judge(const StoredSubscription& subscription, const StoredPublication& publication, const Cause& cause) {
   auto& considered = considered_by_[publication.slot];
-  auto& choice = chooser_of(subscription).choice;
   const bool is_interesting = is_of_interest(subscription.entry, publication.entry);
   const auto known = considered.find(subscription.slot);
   if (!is_interesting && known == considered.end()) return;
+  auto& choice = chooser_of(subscription).choice;
   if (known == considered.end() && is_hopeless(subscription, publication, cause)) return;
   const auto [match, waits] = judge_.judge(subscription, publication);
   if (waits) chooser_of(subscription).is_waiting = true;
@@ -111,23 +124,25 @@ void Pairs::refill(const StoredSubscription& subscription, const Cause& cause) {
 }
 
 void Pairs::forget_dropped(const StoredSubscription& subscription) {
-  for (const auto* dropped : chooser_of(subscription).choice.take_dropped())
-    considered_by_[dropped->slot].erase(subscription.slot);
+  Chooser* chooser = find_chooser(subscription);
+  if (chooser == nullptr) return;
+  for (const auto* dropped : chooser->choice.take_dropped()) considered_by_[dropped->slot].erase(subscription.slot);
 }
 
 void Pairs::settle(const StoredSubscription& subscription, Cause& cause) {
-  Choice& choice = chooser_of(subscription).choice;
+  Chooser* chooser = find_chooser(subscription);
   const auto refill_choice = [&] { refill(subscription, cause); };
-  const Verdict verdict = choice.settle(std::ref(refill_choice));
+  const Verdict verdict = chooser == nullptr ? Verdict() : chooser->choice.settle(std::ref(refill_choice));
   forget_dropped(subscription);
   events_.tell(subscription, verdict, cause);
   if (!subscription.entry.is_local) return;
   const bool is_same = verdict.gone.empty() && verdict.come.empty() && verdict.outranked.empty();
-  announced_.update(subscription, choice, !is_same || cause.replaces(subscription));
+  announced_.update(subscription, choice(subscription), !is_same || cause.replaces(subscription));
 }
 
 void Pairs::settle_all(const StoredSubscription& subscription, Cause& cause) {
-  if (cause.replaces(subscription)) chooser_of(subscription).choice.touch_all();
+  Chooser* chooser = find_chooser(subscription);
+  if (chooser != nullptr && cause.replaces(subscription)) chooser->choice.touch_all();
   settle(subscription, cause);
 }
 
@@ -170,7 +185,7 @@ std::vector<const StoredSubscription*> Pairs::withdraw(const std::vector<const S
   std::vector<const StoredSubscription*> concerned;
   for (const auto* publication : publications) {
     for (const auto& [slot, rank] : considered_by(*publication)) {
-      choosers_[slot].choice.withdraw(rank, reason);
+      choosers_[slot]->choice.withdraw(rank, reason);
       concerned.push_back(&directory_.subscription_at(slot));
     }
     considered_by_[publication->slot].clear();
@@ -181,13 +196,13 @@ std::vector<const StoredSubscription*> Pairs::withdraw(const std::vector<const S
 }
 
 void Pairs::end(const StoredSubscription& subscription, Reason reason, Cause& cause) {
-  Chooser& chooser = chooser_of(subscription);
-  events_.tell_end(subscription, chooser.choice.chosen(), reason, cause);
-  for (const auto& [rank, publication] : chooser.choice.candidates()) {
+  const Choice& choice = this->choice(subscription);
+  events_.tell_end(subscription, choice.chosen(), reason, cause);
+  for (const auto& [rank, publication] : choice.candidates()) {
     considered_by_[publication->slot].erase(subscription.slot);
     ++passed_;
   }
-  chooser = {};
+  choosers_[subscription.slot].reset();
   announced_.erase(subscription);
 }
 

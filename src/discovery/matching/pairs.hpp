@@ -71,7 +71,9 @@ class Pairs {
     return std::exchange(postponed_, {});
   }
   [[nodiscard]] bool has_postponed() const { return !postponed_.empty(); }
-  void end_refill(const registry::StoredSubscription& subscription) { chooser_of(subscription).choice.end_refill(); }
+  void end_refill(const registry::StoredSubscription& subscription) {
+    if (Chooser* chooser = find_chooser(subscription)) chooser->choice.end_refill();
+  }
   void forget_postponed(const registry::StoredSubscription& subscription) { std::erase(postponed_, &subscription); }
 
   /// Ends all pairs of publications that are about to be erased. Gives the subscriptions that must be settled, in
@@ -86,11 +88,14 @@ class Pairs {
     return considered_by_[publication.slot];
   }
   [[nodiscard]] const Choice& choice(const registry::StoredSubscription& subscription) const {
-    return choosers_[subscription.slot].choice;
+    static const Choice none;
+    const auto& chooser = choosers_[subscription.slot];
+    return chooser ? chooser->choice : none;
   }
   /// Whether the reasoner has still to decide about a pair of the subscription.
   [[nodiscard]] bool is_waiting(const registry::StoredSubscription& subscription) const {
-    return choosers_[subscription.slot].is_waiting;
+    const auto& chooser = choosers_[subscription.slot];
+    return chooser && chooser->is_waiting;
   }
   /// The match of a pair that is chosen.
   [[nodiscard]] std::optional<Match> chosen_match(const registry::StoredSubscription& subscription,
@@ -107,9 +112,14 @@ class Pairs {
     bool is_waiting = false;
   };
 
-  [[nodiscard]] Chooser& chooser_of(const registry::StoredSubscription& subscription) {
-    return choosers_[subscription.slot];
+  /// Null: no pair of the subscription was ever of interest.
+  [[nodiscard]] Chooser* find_chooser(const registry::StoredSubscription& subscription) {
+    return choosers_[subscription.slot].get();
   }
+  /// The chooser of a subscription, which is made where there is none.
+  [[nodiscard]] Chooser& chooser_of(const registry::StoredSubscription& subscription);
+  /// Sets what the request and the subscription say of choosing.
+  void set_terms(const registry::StoredSubscription& subscription, Chooser& chooser) const;
   /// Offers every candidate that the choice does not hold, or has that done in steps.
   void refill(const registry::StoredSubscription& subscription, const Cause& cause);
   void forget_dropped(const registry::StoredSubscription& subscription);
@@ -127,8 +137,9 @@ class Pairs {
   Events& events_;
   AnnouncedChoices announced_;
   std::vector<ConsideredBy> considered_by_;  ///< by slot of the publication
-  std::vector<Chooser> choosers_;            ///< by slot
-  std::set<ServiceKey> crowded_;             ///< publications that somebody waits for
+  /// By slot. Most subscriptions of a large team are of no interest here, and have none.
+  std::vector<std::unique_ptr<Chooser>> choosers_;
+  std::set<ServiceKey> crowded_;  ///< publications that somebody waits for
   std::vector<const registry::StoredSubscription*> postponed_;
   const registry::StoredPublication* watched_ = nullptr;
   std::set<std::uint32_t> takers_;  ///< slots of those that have taken up `watched_`

@@ -35,6 +35,14 @@ struct Request {
   AskChain chains_of_all{};              ///< of all converters, also those that it takes no part with; may be empty
   std::shared_ptr<const Consumer> consumer{};  ///< the consumer that asks `chains`; null where that is empty
 
+  /// The request of a subscription that states nothing but an identity without a class.
+  [[nodiscard]] static Request plain() { return {.classes = {}, .where = Where()}; }
+  [[nodiscard]] bool is_plain() const {
+    const bool has_class = classes.concept_class || classes.representation_class || classes.place;
+    const bool is_unconditional = where && where->is_empty() && scope && scope->is_everybody() && !signature;
+    return !has_class && is_unconditional && preferences.is_usual() && !overlaps && !chains && !chains_of_all &&
+           consumer == nullptr;
+  }
   /// The rank of a publication that matches among all that do.
   [[nodiscard]] Rank rank(const registry::PublicationEntry& publication, const Match& match) const {
     return {publication.publication.priority, match, publication.key, preferences.score(publication, match)};

@@ -42,6 +42,7 @@ Hearing NeighbourTable::hear(const announcement::Announcement& announcement, con
 
 std::size_t NeighbourTable::expire(Instant now) {
   std::size_t lost = 0;
+  claims_.prune(now);
   if (timetable_.next() > now) return lost;
   std::size_t count = 0;
   for (const auto id : timetable_.due(now)) {

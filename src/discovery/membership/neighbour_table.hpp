@@ -59,6 +59,9 @@ class NeighbourTable final : private ServiceRoom {
   /// is heard.
   void set_secret(std::uint64_t secret) { admission_.set_secret(secret); }
 
+  /// Shares the offers of neighbours with other tables of this process. Call before anything is heard.
+  using ServiceRoom::set_offers;
+
   /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and when something has
   /// changed (or a sixteenth of an interval has gone by) all entries of its sender. While the room for services is
   /// full, it also looks at every participant for each service that others make room for.

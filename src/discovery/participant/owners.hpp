@@ -45,7 +45,9 @@ struct Participant::Owners {
         air(env, settings,
             {.ontology_digest = [this] { return knowledge.vocabulary().digest(); },
              .peers = [this] { return clients.own().announced(); },
-             .diagnosis = [this](ParticipantId asker) { return own_diagnosis(asker); }}) {}
+             .diagnosis = [this](ParticipantId asker) { return own_diagnosis(asker); }}) {
+    if (settings.shared_entries) knowledge.matcher.share(settings.shared_entries);
+  }
 
   env::Env& env;
   const Settings settings;

@@ -16,7 +16,8 @@ struct PublicationEntry {
   std::string peer_name;
   std::string participant_name;
   bool is_local = false;  ///< offered by a peer of this very participant
-  /// When it was last stated. The neighbour table knows when it was last affirmed and when it expires.
+  /// When it was last stated. The neighbour table knows when it was last affirmed and when it expires. A table keeps
+  /// this beside the entry (Stored::updated), so that equal entries of several tables can be one.
   base::Instant updated;
   /// Whether the two are equal for consumers. Times do not count.
   [[nodiscard]] bool same_as(const PublicationEntry& other) const {

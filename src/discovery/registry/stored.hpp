@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/shared_values.hpp"
+#include "base/time.hpp"
 #include "discovery/registry/entry.hpp"
 #include "geminga/identity.hpp"
 
@@ -54,7 +56,12 @@ struct ClassedAt {
 /// An entry in the registry. Its address stays the same until it is erased. Only the registry changes it.
 template <typename Entry>
 struct Stored {
-  Entry entry;
+  explicit Stored(std::shared_ptr<const Entry> known) : kept(std::move(known)), entry(*kept) {}
+
+  /// Owned by the table, by events about it, and by all tables of the process that share it (SharedEntries).
+  std::shared_ptr<const Entry> kept;
+  const Entry& entry;       ///< what is kept
+  base::Instant updated{};  ///< when it was last stated
   /// The 32-bit identity: candidates, never proof.
   Id32 identity = 0;
   /// A small number that no other entry of the same table has. It is used again after the entry was erased. Others can
@@ -124,6 +131,12 @@ class Bucket {
 
 template <typename Entry>
 using Filed = typename Bucket<Entry>::Filed;
+
+/// The entries that the tables of several participants in one process have, each once.
+struct SharedEntries {
+  base::SharedValues<ServiceKey, PublicationEntry> publications;
+  base::SharedValues<ServiceKey, SubscriptionEntry> subscriptions;
+};
 
 using StoredPublication = Stored<PublicationEntry>;
 using StoredSubscription = Stored<SubscriptionEntry>;

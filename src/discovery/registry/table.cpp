@@ -8,6 +8,8 @@
 #include <boost/multi_index/ordered_index.hpp>
 #include <boost/multi_index_container.hpp>
 #include <functional>
+#include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -42,6 +44,7 @@ struct KeyHash {
 /// The element of the container: a stored entry and the keys that are read from it.
 template <typename Entry>
 struct Element : Stored<Entry> {
+  using Stored<Entry>::Stored;
   [[nodiscard]] const ServiceKey& key() const { return this->entry.key; }
 };
 
@@ -124,10 +127,11 @@ Table<Entry>::~Table() = default;
 
 template <typename Entry>
 const Stored<Entry>& Table<Entry>::insert(Entry entry, const Filing& filing) {
-  Element<Entry> element;
-  element.identity = id32(identity_of(entry));
+  const base::Instant updated = std::exchange(entry.updated, {});
+  Element<Entry> element(kept(std::move(entry)));
+  element.updated = updated;
+  element.identity = id32(identity_of(element.entry));
   element.slot = indexes_->take_slot();
-  element.entry = std::move(entry);
   const auto [at, is_new] = indexes_->container.insert(std::move(element));
   GEMINGA_ASSERT(is_new);
   indexes_->file(*at, filing);
@@ -135,23 +139,47 @@ const Stored<Entry>& Table<Entry>::insert(Entry entry, const Filing& filing) {
 }
 
 template <typename Entry>
-Entry Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
+void Table<Entry>::share(std::shared_ptr<SharedEntries> entries) {
+  shared_ = std::move(entries);
+}
+
+template <typename Entry>
+std::shared_ptr<const Entry> Table<Entry>::kept(Entry entry) const {
+  if (shared_ == nullptr) return std::make_shared<const Entry>(std::move(entry));
+  const auto is_same = [&](const Entry& known) { return known.is_local == entry.is_local && known.same_as(entry); };
+  const auto make = [&] { return std::move(entry); };
+  if constexpr (std::is_same_v<Entry, PublicationEntry>) {
+    return shared_->publications.share(entry.key, is_same, make);
+  } else {
+    return shared_->subscriptions.share(entry.key, is_same, make);
+  }
+}
+
+template <typename Entry>
+std::shared_ptr<const Entry> Table<Entry>::replace(const StoredEntry& stored, Entry entry, const Filing& filing) {
   GEMINGA_ASSERT(stored.entry.key == entry.key);
   const auto at = indexes_->position_of(stored);
   indexes_->unfile(stored);
+  auto before = stored.kept;
   const bool is_replaced = indexes_->container.modify(at, [&](Element<Entry>& element) {
-    element.identity = id32(identity_of(entry));
-    std::swap(element.entry, entry);
+    const base::Instant updated = std::exchange(entry.updated, {});
+    const std::uint32_t slot = element.slot;
+    // The element refers to its entry, so another one is made in its place. It was taken out of all buckets.
+    std::destroy_at(&element);
+    std::construct_at(&element, kept(std::move(entry)));
+    element.updated = updated;
+    element.identity = id32(identity_of(element.entry));
+    element.slot = slot;
   });
   GEMINGA_ASSERT(is_replaced);
   indexes_->file(*at, filing);
-  return entry;
+  return before;
 }
 
 template <typename Entry>
 void Table<Entry>::refresh(const StoredEntry& stored, base::Instant updated) {
   indexes_->container.modify(indexes_->position_of(stored),
-                             [&](Element<Entry>& element) { element.entry.updated = updated; });
+                             [&](Element<Entry>& element) { element.updated = updated; });
 }
 
 template <typename Entry>

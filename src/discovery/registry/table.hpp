@@ -49,11 +49,14 @@ class Table {
   Table(const Table&) = delete;
   Table& operator=(const Table&) = delete;
 
+  /// Keeps entries that are equal to those of other tables of the process once. Call before the first one is added.
+  void share(std::shared_ptr<SharedEntries> entries);
+
   /// Adds an entry whose key is not there yet. O(log n + filings).
   const StoredEntry& insert(Entry entry, const Filing& filing);
   /// Puts another entry with the same key into the place of one, and gives the one that was there. Slot and address
   /// stay. The entry is filed by its names and by `filing` alone. O(log n + filings).
-  Entry replace(const StoredEntry& stored, Entry entry, const Filing& filing);
+  std::shared_ptr<const Entry> replace(const StoredEntry& stored, Entry entry, const Filing& filing);
   /// An entry was heard again, unchanged. O(1).
   void refresh(const StoredEntry& stored, base::Instant updated);
   /// Removes an entry. O(log n + filings), however many entries share its buckets.
@@ -89,7 +92,11 @@ class Table {
 
  private:
   struct Indexes;
+  /// An entry as it is kept.
+  [[nodiscard]] std::shared_ptr<const Entry> kept(Entry entry) const;
+
   std::unique_ptr<Indexes> indexes_;
+  std::shared_ptr<SharedEntries> shared_;  ///< null: entries are kept for this table alone
 };
 
 extern template class Table<PublicationEntry>;

@@ -1,4 +1,4 @@
-// A cause keeps what was replaced, and the copies that its events share.
+// A cause keeps what was replaced.
 #include "discovery/matching/cause.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ TEST(Cause, ThatReplacesNothingTellsOfEntriesAsTheyAre) {
   const auto& offered = owners.add(offer(key(2, 1, 1), ball));
   const auto& asked = owners.add(request(key(here, 1, 1), ball));
   const Cause cause;
-  EXPECT_EQ(&cause.as_told(offered), &offered.entry);
-  EXPECT_EQ(&cause.as_told(asked), &asked.entry);
+  EXPECT_EQ(cause.as_told(offered), offered.kept);
+  EXPECT_EQ(cause.as_told(asked), asked.kept);
   EXPECT_FALSE(cause.modifies(offered));
   EXPECT_FALSE(cause.modifies(asked));
   EXPECT_EQ(cause.replaced_subscription(), nullptr);
@@ -28,7 +28,7 @@ TEST(Cause, TellsOfAReplacedPublicationAsItWas) {
   const auto& other = owners.add(offer(key(2, 1, 2), ball));
   Cause cause;
   cause.replace(offered, owners.directory.replace(offered, offer(key(2, 1, 1), ball, 2)));
-  EXPECT_EQ(cause.as_told(offered).publication.priority, 1);
+  EXPECT_EQ(cause.as_told(offered)->publication.priority, 1);
   EXPECT_TRUE(cause.modifies(offered));
   EXPECT_FALSE(cause.modifies(other));
 }
@@ -50,17 +50,6 @@ TEST(Cause, IsNoModificationWhereOnlyTheOwnHostJudgesByWhatChanged) {
   EXPECT_FALSE(of_request.modifies(asked));
   ASSERT_NE(of_request.replaced_subscription(), nullptr);
   EXPECT_TRUE(of_request.replaced_subscription()->was_clashing);
-}
-
-TEST(Cause, SharesOneCopyAmongEventsThatFollowEachOther) {
-  Owners owners;
-  const auto& first = owners.add(offer(key(2, 1, 1), ball));
-  const auto& second = owners.add(offer(key(2, 1, 2), ball));
-  Cause cause;
-  const auto copy = cause.copy(first.entry);
-  EXPECT_TRUE(copy->same_as(first.entry));
-  EXPECT_EQ(cause.copy(first.entry), copy);
-  EXPECT_TRUE(cause.copy(second.entry)->same_as(second.entry));
 }
 
 }  // namespace

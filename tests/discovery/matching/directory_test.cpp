@@ -33,13 +33,13 @@ TEST(Directory, GivesTheEntryAndTheRequestThatWereReplaced) {
   const auto& offered = owners.add(offer(key(2, 1, 1), semantic("Ball"), 1));
   const auto& asked = owners.add(request(key(here, 1, 1), semantic("Robot")));
   const auto former = owners.directory.replace(offered, offer(key(2, 1, 1), semantic("Robot"), 2));
-  EXPECT_EQ(former.publication.priority, 1);
+  EXPECT_EQ(former->publication.priority, 1);
   EXPECT_EQ(offered.entry.publication.priority, 2);
   EXPECT_THAT(keys(owners.directory.subscriptions_for(offered)), ElementsAre(key(here, 1, 1)));
   auto next = request(key(here, 1, 1), semantic("Ball"));
   const Classes classes = owners.directory.request(asked).classes;
   const auto before = owners.directory.replace(asked, next, owners.preparation.prepare(next, false));
-  EXPECT_EQ(before.entry.subscription.identity, semantic("Robot"));
+  EXPECT_EQ(before.entry->subscription.identity, semantic("Robot"));
   EXPECT_EQ(before.request.classes.concept_class, classes.concept_class);
   EXPECT_THAT(owners.directory.subscriptions_for(offered), IsEmpty());
 }

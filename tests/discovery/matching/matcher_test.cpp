@@ -63,8 +63,8 @@ TEST(Matcher, APutOfWhatIsThereOnlyMovesItsAge) {
   matcher.put(service);
   matcher.put(wish);
   EXPECT_THAT(told(matcher), IsEmpty());
-  EXPECT_EQ(matcher.find_publication(key(2, 1, 7))->updated, at(4));
-  EXPECT_EQ(matcher.find_subscription(key(3, 1, 8))->updated, at(4));
+  EXPECT_EQ(matcher.updated(*matcher.find_publication(key(2, 1, 7))), at(4));
+  EXPECT_EQ(matcher.updated(*matcher.find_subscription(key(3, 1, 8))), at(4));
 }
 
 TEST(Matcher, ProvidersAreToldOfConsumersWhereTheModeNeedsIt) {

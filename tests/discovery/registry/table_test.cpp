@@ -98,7 +98,7 @@ TEST(Registry, AReplacedEntryIsFoundByWhatItIsNow) {
   EXPECT_THAT(keys_of_filed(table.with_concept("http://example.org/Ball")), IsEmpty());
   EXPECT_THAT(keys_of_filed(table.with_identity(TextIdentity{"ball"}, id32(TextIdentity{"ball"}))),
               ElementsAre(key(1, 1, 1)));
-  EXPECT_EQ(stored.entry.updated, at(5));
+  EXPECT_EQ(stored.updated, at(5));
 }
 
 TEST(Registry, ARefreshedEntryIsTheSameButForItsAge) {
@@ -106,7 +106,7 @@ TEST(Registry, ARefreshedEntryIsTheSameButForItsAge) {
   const auto& stored = table.insert(offer(key(1, 1, 1), TextIdentity{"a"}, at(0)), {});
   table.refresh(stored, at(4));
   EXPECT_EQ(table.find(key(1, 1, 1)), &stored);
-  EXPECT_EQ(stored.entry.updated, at(4));
+  EXPECT_EQ(stored.updated, at(4));
   EXPECT_TRUE(stored.entry.same_as(offer(key(1, 1, 1), TextIdentity{"a"})));
 }
 

@@ -53,6 +53,8 @@ class Preferences {
   [[nodiscard]] Score score(const registry::PublicationEntry& publication, const Match& match) const {
     return is_usual() ? Score() : stated_score(publication, match);
   }
+  /// Whether nothing is preferred.
+  [[nodiscard]] bool is_usual() const { return favoured_.empty() && wishes_.empty() && !is_reordered_; }
   /// How much better each number of a score must be to push out an incumbent.
   [[nodiscard]] Score margins() const;
   /// The lead of one publication over another in words: "whose rate is 30 against 10". Empty where only the key
@@ -63,7 +65,6 @@ class Preferences {
   friend bool operator==(const Preferences&, const Preferences&) = default;
 
  private:
-  [[nodiscard]] bool is_usual() const { return favoured_.empty() && wishes_.empty() && !is_reordered_; }
   [[nodiscard]] Score stated_score(const registry::PublicationEntry& publication, const Match& match) const;
   [[nodiscard]] double favour(const registry::PublicationEntry& publication) const;
 

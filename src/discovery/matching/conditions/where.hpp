@@ -40,6 +40,8 @@ class Where {
   /// Reads an expression in which any unit may stand. While one of them is unknown, the condition accepts nobody.
   [[nodiscard]] static std::expected<Where, Error> parse_with_any_unit(std::string_view expression);
 
+  /// Whether it accepts everything because nothing is stated.
+  [[nodiscard]] bool is_empty() const { return parsed_.nodes.empty(); }
   /// Whether the other side passes. Allocates nothing for attributes. O(length of the expression).
   [[nodiscard]] bool accepts(const Stated& stated, const vocabulary::Units& declared = {}) const {
     return parsed_.nodes.empty() || ((!parsed_.has_declared_unit || unknown_unit(declared).empty()) &&

@@ -16,14 +16,17 @@ constexpr base::Duration longest_pause = announcement::stranger_interval + annou
 
 }  // namespace
 
+void Admission::order() {
+  if (std::exchange(is_ordered_, true)) return;
+  for (auto& [id, member] : members_) insert(member);
+}
+
 void Admission::insert(Member& member) {
   auto& share = shares_[member.source];
   const auto before = share.count++;
   if (!share.unseasoned.empty()) by_count_.erase({before, member.source});
   member.filed = member.standing;
-  if (member.is_seasoned) {
-    ++share.seasoned;
-  } else {
+  if (!member.is_seasoned) {
     share.unseasoned.emplace(member.filed.rank(), member.id);
     unseasoned_.emplace(member.filed.rank(), member.id);
   }
@@ -36,9 +39,7 @@ void Admission::erase(const Member& member) {
   auto& share = found->second;
   if (!share.unseasoned.empty()) by_count_.erase({share.count, member.source});
   --share.count;
-  if (member.is_seasoned) {
-    --share.seasoned;
-  } else {
+  if (!member.is_seasoned) {
     share.unseasoned.erase({member.filed.rank(), member.id});
     unseasoned_.erase({member.filed.rank(), member.id});
   }
@@ -50,19 +51,22 @@ void Admission::erase(const Member& member) {
 Admission::Member& Admission::add(ParticipantId id, const std::string& source, const Standing& standing) {
   auto& member = members_[id];
   member = {.id = id, .source = source, .standing = standing, .filed = standing, .added = ++added_};
-  insert(member);
+  if (is_ordered_) insert(member);
   return member;
 }
 
 void Admission::update(Member& member, const Standing& standing) {
   if (member.standing.last == standing.last) return;
   member.standing = standing;
-  if (!std::exchange(member.is_moved, true)) moved_.push_back(&member);
+  if (is_ordered_ && !std::exchange(member.is_moved, true)) moved_.push_back(&member);
   if (member.is_seasoned || standing.last - standing.first < announcement::seasoned_after) return;
-  if (shares_.find(member.source)->second.seasoned >= announcement::max_seasoned_per_source) return;
-  erase(member);
+  auto& seasoned_of_source = seasoned_of_[member.source];
+  if (seasoned_of_source >= announcement::max_seasoned_per_source) return;
+  ++seasoned_of_source;
+  ++seasoned_;
+  if (is_ordered_) erase(member);
   member.is_seasoned = true;
-  insert(member);
+  if (is_ordered_) insert(member);
 }
 
 void Admission::refile() {
@@ -77,7 +81,12 @@ void Admission::refile() {
 void Admission::remove(ParticipantId id) {
   refile();
   const auto member = members_.find(id);
-  erase(member->second);
+  if (is_ordered_) erase(member->second);
+  if (member->second.is_seasoned) {
+    const auto of_source = seasoned_of_.find(member->second.source);
+    if (--of_source->second == 0) seasoned_of_.erase(of_source);
+    --seasoned_;
+  }
   members_.erase(member);
 }
 
@@ -114,6 +123,7 @@ std::optional<ParticipantId> Admission::from_greedier(std::string_view source) c
 
 Admission::Decision Admission::decide(const announcement::Announcement& newcomer, std::string_view source,
                                       Instant now) {
+  order();
   refile();
   if (const auto gives_way = from_greedier(source)) return {gives_way, std::nullopt};
   const auto standing = waiting_.hear(newcomer, now);
@@ -122,6 +132,7 @@ Admission::Decision Admission::decide(const announcement::Announcement& newcomer
 }
 
 std::optional<ParticipantId> Admission::decide(std::string_view source, const Standing& standing, Instant now) {
+  order();
   refile();
   if (const auto gives_way = from_greedier(source)) return gives_way;
   const auto own = shares_.find(source);

@@ -19,8 +19,9 @@
 namespace geminga::membership {
 
 /// Shares the places out among source addresses, and those of one address among its participants by their standing.
-/// Each call costs logarithmic time. A participant that was heard is put into its new order only when somebody asks for
-/// the order, so it costs next to nothing while there are places enough. Deterministic for its secret and its calls.
+/// While there are places enough nobody asks for an order, and there is none: a member costs its entry alone. The first
+/// question orders all members; from then on each call costs logarithmic time, and a participant that was heard is put
+/// into its new order when somebody asks again. Deterministic for its secret and its calls.
 class Admission {
  public:
   /// A participant that has a place.
@@ -50,7 +51,7 @@ class Admission {
   /// member.
   [[nodiscard]] std::vector<ParticipantId> newest_unseasoned(std::size_t most) const;
   /// How many members are seasoned.
-  [[nodiscard]] std::size_t seasoned() const { return members_.size() - unseasoned_.size(); }
+  [[nodiscard]] std::size_t seasoned() const { return seasoned_; }
 
   /// Which member gives its place to an unknown newcomer, and the standing of the newcomer as far as it is known.
   struct Decision {
@@ -70,11 +71,12 @@ class Admission {
   using Ranked = std::set<std::pair<base::Instant, ParticipantId>>;
   struct Share {
     std::size_t count = 0;
-    std::size_t seasoned = 0;
     Ranked unseasoned;  ///< by rank: the first gives way first
   };
   void insert(Member& member);
   void erase(const Member& member);
+  /// Puts all members in order, if they are not yet.
+  void order();
   /// Puts every member that was heard into its new order.
   void refile();
   [[nodiscard]] const Share* greediest() const;
@@ -86,6 +88,9 @@ class Admission {
   Ranked unseasoned_;                                       ///< those of all shares
   Ranked by_silence_;                                       ///< all, by the time of the last datagram
   std::vector<Member*> moved_;                              ///< those that are not in order
+  bool is_ordered_ = false;  ///< whether shares_ and the sets have the members; without, they are empty
+  std::map<std::string, std::size_t, std::less<>> seasoned_of_;  ///< by source
+  std::size_t seasoned_ = 0;
   std::uint64_t added_ = 0;
   WaitingList waiting_;
 };

@@ -8,7 +8,7 @@ void FirstClaims::forget_oldest() {
 }
 
 void FirstClaims::hear(const announcement::Announcement& claim, std::string_view source, base::Instant now, Turn turn) {
-  while (!order_.empty() && order_.front().first + claim_memory <= now) forget_oldest();
+  prune(now);
   if (claims_.contains(claim.participant)) return;
   if (claims_.size() == max_claims) forget_oldest();
   claims_.emplace(claim.participant, Claim{claim.boot, std::string(source), now, turn});

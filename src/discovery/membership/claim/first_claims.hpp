@@ -2,10 +2,10 @@
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_CLAIM_FIRST_CLAIMS_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_CLAIM_FIRST_CLAIMS_HPP
 
+#include <boost/unordered/unordered_flat_map.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +30,10 @@ class FirstClaims {
  public:
   /// Hears a claim of an identifier that nobody has, from this source address and with this turn.
   void hear(const announcement::Announcement& claim, std::string_view source, base::Instant now, Turn turn);
+  /// Forgets claims that are older than claim_memory.
+  void prune(base::Instant now) {
+    while (!order_.empty() && order_.front().first + claim_memory <= now) forget_oldest();
+  }
   /// The turn of the claim by which the sender of this state claimed its identifier, if that was the first claim.
   [[nodiscard]] std::optional<Turn> find(const announcement::Announcement& state, std::string_view source,
                                          base::Instant now) const;
@@ -43,7 +47,7 @@ class FirstClaims {
   };
   void forget_oldest();
 
-  std::map<ParticipantId, Claim> claims_;
+  boost::unordered_flat_map<ParticipantId, Claim> claims_;
   std::deque<std::pair<base::Instant, ParticipantId>> order_;  ///< oldest first
 };
 

@@ -207,11 +207,11 @@ void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Annou
   }
   if (is_contested_) return;
   const bool is_state = announcement.kind == announcement::Kind::state;
-  if (!is_complete_ && is_state && way.assembly().add(announcement)) {
+  if (!is_complete_ && is_state && way.assemble(announcement)) {
     is_complete_ = true;
-    complete_ = way.assembly().services();
+    complete_ = way.assembled();
     services_.withdraw_absent(complete_, moment(now, true), changes);
-    for (auto& each : ways_.all()) each.assembly().clear();
+    for (auto& each : ways_.all()) each.forget_parts();
   }
   if (!is_complete_) return;
   affirmed_ = now;
@@ -263,7 +263,7 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
   for (auto& way : ways_.all()) {
     way.roll_back(now, at.hold);
-    way.assembly().clear();
+    way.forget_parts();
   }
   is_anew_ |= header_.roll_back(now, at.hold);
   interval_.roll_back(now, at.hold);
@@ -283,7 +283,7 @@ void NeighbourRecord::end_contest(Instant now) {
   if (!is_contested_ || now < contested_until_) return;
   is_contested_ = false;
   next_lapse_ = base::never;
-  for (auto& way : ways_.all()) way.assembly().clear();
+  for (auto& way : ways_.all()) way.forget_parts();
   next_service_deadline_ = services_.earliest_deadline();
 }
 

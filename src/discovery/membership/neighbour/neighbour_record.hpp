@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/rare.hpp"
 #include "base/time.hpp"
 #include "discovery/membership/admission/standing.hpp"
 #include "discovery/membership/claim/first_claims.hpp"
@@ -243,7 +244,7 @@ class NeighbourRecord {
   base::Instant contested_until_;
   base::Instant next_lapse_ = base::never;  ///< while contested: the first instant at which a service may lapse
   base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier deadline
-  std::optional<Rival> rival_;
+  base::Rare<Rival> rival_;
   std::optional<base::Instant> heard_directly_;
   std::optional<Passage> passage_;  ///< present while the last word came through a relay
   base::Instant passed_{};          ///< when that passage was last used

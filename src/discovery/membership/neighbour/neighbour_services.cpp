@@ -15,7 +15,7 @@ NeighbourServices::NeighbourServices(Owner owner, ServiceRoom& room) : owner_(st
 NeighbourServices::~NeighbourServices() { clear(); }
 
 void NeighbourServices::clear() {
-  while (!entries_.empty()) drop(entries_.begin());
+  while (!entries_.empty()) drop(std::prev(entries_.end()));
 }
 
 void NeighbourServices::forget_told() {
@@ -46,9 +46,7 @@ bool NeighbourServices::denies(const announcement::Announcement& announcement,
       return;
     }
     if (complete == nullptr && known->second.revision != announcement.revision) return;
-    const auto& offer = *known->second.offer.value();
-    const auto* same = std::get_if<std::remove_cvref_t<decltype(service)>>(&offer.service);
-    is_denied = same == nullptr || *same != service || offer.peer_name != peer_name;
+    is_denied = !is_of(*known->second.offer.value(), service, peer_name);
   });
   return is_denied || denies_removal(announcement, complete);
 }
@@ -79,26 +77,35 @@ void NeighbourServices::apply_one(ServiceNumber number, const Service& service, 
                                   std::uint64_t revision, const Moment& moment, std::vector<Change>& changes) {
   auto position = entries_.find(number);
   if (position == entries_.end() || !position->second.offer.value()) {
-    add(number, Offer{service, peer_name}, revision, moment);
+    add(number, service, peer_name, revision, moment);
     return;
   }
   auto& entry = position->second;
   auto& offer = entry.offer;
-  const auto* same = std::get_if<Service>(&offer.value()->service);
-  if (same != nullptr && *same == service && offer.value()->peer_name == peer_name) {
+  if (is_of(*offer.value(), service, peer_name)) {
     offer.affirm(moment.now);
   } else {
     if (moment.is_contested && offer.is_held(moment.now, moment.hold)) return;
     // The number may have been given back and used for the other kind between two announcements that we heard.
-    if (same == nullptr) untell(number, entry, Departure::withdrawn, changes);
-    offer.replace(Offer{service, peer_name}, moment.now, moment.hold);
+    const bool is_same_kind = std::holds_alternative<Service>(offer.value()->service);
+    if (!is_same_kind) untell(number, entry, Departure::withdrawn, changes);
+    offer.replace(shared(number, service, peer_name), moment.now, moment.hold);
     entry.is_changed = true;
   }
   entry.revision = revision;
   has_changes_ |= entry.is_changed || (!moment.is_complete && moment.now - entry.heard >= moment.refresh);
 }
 
-void NeighbourServices::add(ServiceNumber number, Offer offer, std::uint64_t revision, const Moment& moment) {
+template <typename Service>
+SharedOffer NeighbourServices::shared(ServiceNumber number, const Service& service,
+                                      const std::string& peer_name) const {
+  if (Offers* offers = room_.offers()) return offers->share(key(number), service, peer_name);
+  return std::make_shared<const Offer>(Offer{service, peer_name});
+}
+
+template <typename Service>
+void NeighbourServices::add(ServiceNumber number, const Service& service, const std::string& peer_name,
+                            std::uint64_t revision, const Moment& moment) {
   if (!take_room()) {
     is_short_ = true;
     return;
@@ -108,11 +115,11 @@ void NeighbourServices::add(ServiceNumber number, Offer offer, std::uint64_t rev
   const bool is_remembered = position != entries_.end();
   if (is_remembered && position->second.offer.former(moment.now, moment.hold) != nullptr) {
     room_.forget_withdrawn();
-    position->second.offer.replace(std::move(offer), moment.now, moment.hold);
+    position->second.offer.replace(shared(number, service, peer_name), moment.now, moment.hold);
   } else {
     // A new service has no former value: undoing the addition would withdraw what may be true.
     if (is_remembered) drop(position);
-    position = entries_.emplace(number, Entry{{std::move(offer), moment.now}, 0, {}, {}}).first;
+    position = entries_.emplace(number, Entry{{shared(number, service, peer_name), moment.now}, 0, {}, {}}).first;
   }
   ++present_;
   position->second.revision = revision;
@@ -156,7 +163,7 @@ NeighbourServices::Entries::iterator NeighbourServices::withdraw(Entries::iterat
   auto& [number, entry] = *position;
   untell(number, entry, reason, changes);
   if (!room_.remember_withdrawn()) return drop(position);
-  entry.offer.replace(std::nullopt, moment.now, moment.hold);
+  entry.offer.replace(nullptr, moment.now, moment.hold);
   room_.give(present_--);
   return std::next(position);
 }
@@ -220,9 +227,9 @@ void NeighbourServices::roll_back(Instant affirmed, const Moment& moment, std::v
   catch_up();
   for (auto position = entries_.begin(); position != entries_.end();) {
     auto& [number, entry] = *position;
-    const bool was_there = entry.offer.value().has_value();
+    const bool was_there = entry.offer.value() != nullptr;
     if (entry.offer.roll_back(moment.now, moment.hold)) {
-      const bool is_there = entry.offer.value().has_value();
+      const bool is_there = entry.offer.value() != nullptr;
       entry.is_changed = is_there;
       has_changes_ |= is_there;
       if (is_there && !was_there) {

@@ -2,17 +2,17 @@
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_NEIGHBOUR_SERVICES_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_NEIGHBOUR_SERVICES_HPP
 
+#include <boost/container/flat_map.hpp>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "base/time.hpp"
 #include "discovery/membership/neighbour/arrival.hpp"
 #include "discovery/membership/neighbour/change.hpp"
+#include "discovery/membership/neighbour/offer.hpp"
 #include "discovery/membership/neighbour/revocable.hpp"
 #include "discovery/membership/neighbour/service_room.hpp"
 #include "discovery/membership/neighbour/state_assembly.hpp"
@@ -87,21 +87,16 @@ class NeighbourServices {
   [[nodiscard]] base::Instant earliest_deadline();
 
  private:
-  struct Offer {
-    std::variant<Publication, Subscription> service;  ///< as announced
-    std::string peer_name;
-    friend bool operator==(const Offer&, const Offer&) = default;
-  };
   enum class Told : std::uint8_t { nothing, publication, subscription };
   struct Entry {
-    Revocable<std::optional<Offer>> offer;  ///< nothing: withdrawn, and remembered in case that was a lie
-    std::uint64_t revision = 0;             ///< the revision that said so
+    Revocable<SharedOffer> offer;  ///< null: withdrawn, and remembered in case that was a lie
+    std::uint64_t revision = 0;    ///< the revision that said so
     base::Instant heard;
     base::Instant deadline;
     bool is_changed = true;  ///< the caller does not know it as it is
     Told told = Told::nothing;
   };
-  using Entries = std::map<ServiceNumber, Entry>;
+  using Entries = boost::container::flat_map<ServiceNumber, Entry>;
 
   [[nodiscard]] bool denies_removal(const announcement::Announcement& change,
                                     const std::vector<ServiceNumber>* complete) const;
@@ -112,7 +107,11 @@ class NeighbourServices {
                  const Moment& moment, std::vector<Change>& changes);
   /// Applies `affirmed_` to the services.
   void catch_up();
-  void add(ServiceNumber number, Offer offer, std::uint64_t revision, const Moment& moment);
+  template <typename Service>
+  [[nodiscard]] SharedOffer shared(ServiceNumber number, const Service& service, const std::string& peer_name) const;
+  template <typename Service>
+  void add(ServiceNumber number, const Service& service, const std::string& peer_name, std::uint64_t revision,
+           const Moment& moment);
   [[nodiscard]] bool take_room();
   void untell(ServiceNumber number, Entry& entry, Departure reason, std::vector<Change>& changes) const;
   Entries::iterator withdraw(Entries::iterator position, const Moment& moment, Departure reason,

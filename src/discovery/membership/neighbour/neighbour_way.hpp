@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/rare.hpp"
 #include "discovery/membership/neighbour/arrival.hpp"
 #include "discovery/membership/neighbour/change.hpp"
 #include "discovery/membership/neighbour/hearing.hpp"
@@ -102,7 +103,10 @@ class NeighbourWay {
   /// Whether enough was heard for the loss to mean something.
   [[nodiscard]] bool is_loss_known() const { return is_relayed_ || losses_.span() >= LossWindow::least_span; }
   [[nodiscard]] const LossWindow& losses() const { return losses_; }
-  [[nodiscard]] StateAssembly& assembly() { return assembly_; }
+  /// Takes in a part of a state. Returns whether it completes the revision; then assembled() has its services.
+  [[nodiscard]] bool assemble(const announcement::Announcement& part) { return assembly_.made().add(part); }
+  [[nodiscard]] const std::vector<ServiceNumber>& assembled() const { return assembly_->services(); }
+  void forget_parts() { assembly_.reset(); }
   /// The highest sequence number.
   [[nodiscard]] std::uint64_t newest() const { return losses_.newest(); }
 
@@ -129,8 +133,8 @@ class NeighbourWay {
   bool is_relayed_;
   base::Instant opened_;
   std::string source_;
-  std::optional<Home> home_;
-  std::optional<Mover> mover_;
+  base::Rare<Home> home_;
+  base::Rare<Mover> mover_;
   bool was_misled_ = false;  ///< it moved, and the address that it left went on speaking
   bool has_moved_ = false;   ///< it moved and was not heard since: its next addresses are new
   Revocable<std::vector<std::string>> addresses_;
@@ -141,7 +145,7 @@ class NeighbourWay {
   std::optional<std::uint64_t> said_revision_;
   std::optional<std::uint32_t> part_count_;  ///< of that state; nothing: changes led to it, so it was not said
   std::optional<std::uint64_t> leap_;        ///< the sequence number of a datagram whose revision leapt
-  StateAssembly assembly_;
+  base::Rare<StateAssembly> assembly_;       ///< of a state of which not all parts were heard
 };
 
 /// An address with the interface that it is valid on.

@@ -3,10 +3,10 @@
 #define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_NEIGHBOUR_WAYS_HPP
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/rare.hpp"
 #include "discovery/membership/neighbour/neighbour_way.hpp"
 
 namespace geminga::membership {
@@ -57,7 +57,7 @@ class NeighbourWays {
 
   std::vector<NeighbourWay> ways_;    ///< by interface and link
   std::vector<std::string> vouched_;  ///< without zones; at most max_vouched, the oldest gives way
-  std::optional<Opening> opening_;
+  base::Rare<Opening> opening_;
   bool was_misled_ = false;  ///< a way was opened although another one went on speaking
 };
 

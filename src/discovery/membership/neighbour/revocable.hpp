@@ -2,9 +2,9 @@
 #ifndef GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_REVOCABLE_HPP
 #define GEMINGA_DISCOVERY_MEMBERSHIP_NEIGHBOUR_REVOCABLE_HPP
 
-#include <optional>
 #include <utility>
 
+#include "base/rare.hpp"
 #include "base/time.hpp"
 
 namespace geminga::membership {
@@ -25,7 +25,7 @@ class Revocable {
   [[nodiscard]] bool is_repeated() const { return is_repeated_; }
   /// The value that was replaced less than `hold` ago; nullptr: there is none.
   [[nodiscard]] const Value* former(base::Instant now, base::Duration hold) const {
-    return former_ && now - replaced_ < hold ? &*former_ : nullptr;
+    return former_ && now - former_->replaced < hold ? &former_->value : nullptr;
   }
 
   /// Takes in that the sender says the value again.
@@ -35,11 +35,7 @@ class Revocable {
   }
   /// Takes in another value.
   void replace(Value value, base::Instant now, base::Duration hold) {
-    if (former(now, hold) == nullptr) {
-      former_ = std::move(value_);
-      former_said_ = said_;
-      replaced_ = now;
-    }
+    if (former(now, hold) == nullptr) former_ = Former{std::move(value_), said_, now};
     value_ = std::move(value);
     said_ = now;
     is_repeated_ = false;
@@ -48,8 +44,8 @@ class Revocable {
   bool roll_back(base::Instant now, base::Duration hold) {
     const bool is_recent = former(now, hold) != nullptr;
     if (is_recent) {
-      value_ = std::move(*former_);
-      said_ = former_said_;
+      value_ = std::move(former_->value);
+      said_ = former_->said;
       is_repeated_ = true;
     }
     former_.reset();
@@ -61,12 +57,16 @@ class Revocable {
   }
 
  private:
+  struct Former {
+    Value value;
+    base::Instant said;
+    base::Instant replaced;
+  };
+
   Value value_;
   base::Instant said_;
   bool is_repeated_ = false;
-  std::optional<Value> former_;
-  base::Instant former_said_;
-  base::Instant replaced_;
+  base::Rare<Former> former_;  ///< few senders change anything
 };
 
 }  // namespace geminga::membership

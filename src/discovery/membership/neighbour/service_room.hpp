@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
+#include "discovery/membership/neighbour/offer.hpp"
 #include "geminga/service.hpp"
 
 namespace geminga::membership {
@@ -30,6 +33,10 @@ class ServiceRoom {
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
   void refuse() { ++refused_; }
 
+  /// The offers that this table shares with others of the process; null: it shares none.
+  [[nodiscard]] Offers* offers() const { return offers_.get(); }
+  void set_offers(std::shared_ptr<Offers> offers) { offers_ = std::move(offers); }
+
  protected:
   /// Another datagram is taken in. Within one datagram no more room is looked for once none was found.
   void begin_datagram() { is_exhausted_ = false; }
@@ -41,6 +48,7 @@ class ServiceRoom {
   std::size_t withdrawn_ = 0;
   std::uint64_t refused_ = 0;
   bool is_exhausted_ = false;
+  std::shared_ptr<Offers> offers_;  ///< owned by all tables that share them
 };
 
 }  // namespace geminga::membership

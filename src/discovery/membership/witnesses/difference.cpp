@@ -65,10 +65,16 @@ std::uint16_t Folded::fold_of(std::uint64_t another_revision) const {
   return static_cast<std::uint16_t>(base::hash64(base::octets_of(std::span(numbers))));
 }
 
+Difference explain_among_many(std::uint16_t difference, const Folded& self) {
+  const auto one_of = causes(self, {}, false, few_revisions);
+  const auto one = std::ranges::find(one_of, difference, &Cause::fold);
+  return one == one_of.end() ? Difference{.unknown = Unknown::unclear} : difference_by(std::span(&*one, 1));
+}
+
 Difference explain(std::uint16_t difference, const Folded& self, std::span<const Folded> others) {
+  if (others.size() >= max_told_revised) return explain_among_many(difference, self);
   // The other side is one more.
   const bool are_few = others.size() < max_told_apart;
-  if (others.size() >= max_told_revised) others = {};
   const auto one_of = causes(self, others, are_few, are_few ? many_revisions : few_revisions);
   const auto one = std::ranges::find(one_of, difference, &Cause::fold);
   if (one != one_of.end()) return difference_by(std::span(&*one, 1));

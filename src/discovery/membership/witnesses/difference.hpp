@@ -52,6 +52,8 @@ inline constexpr std::uint64_t few_revisions = 2;
 /// Explains a difference between the fold of another participant and ours, which is not 0. `others` are all that we
 /// know but the other one itself.
 [[nodiscard]] Difference explain(std::uint16_t difference, const Folded& self, std::span<const Folded> others);
+/// The same where there are max_told_revised others or more, which are not looked at.
+[[nodiscard]] Difference explain_among_many(std::uint16_t difference, const Folded& self);
 
 }  // namespace geminga::membership
 

@@ -115,6 +115,8 @@ announcement::Witness Witnesses::say(Instant now) const {
 Difference Witnesses::explain(const announcement::Announcement& presence) const {
   const auto differs = difference(presence);
   if (differs == 0) return {.is_of_revisions = true};
+  // Among so many nobody but ourselves is told apart.
+  if (others_.size() > max_told_revised) return explain_among_many(differs, self_);
   std::vector<Folded> others;
   others.reserve(others_.size());
   for (std::size_t place = 0; place < others_.size(); ++place) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/address.hpp"
-#include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
 
 namespace geminga::participant {
@@ -32,6 +31,7 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
       neighbours_(settings.group),
       seal_([&env] { return env.random_bits(); }),
       introductions_(neighbours_, seal_, settings_),
+      reader_(settings.shared ? settings.shared->reader : own_reader_),
       announcer_({.env = env,
                   .settings = settings_,
                   .own = own_,
@@ -47,6 +47,7 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
 void Air::start() {
   seal_.adopt(settings_.sealing, env_.now());
   neighbours_.set_secret(env_.random_bits());
+  if (settings_.shared) neighbours_.set_offers(settings_.shared->offers);
   announcer_.start();
 }
 
@@ -84,35 +85,37 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
     if (opened.error() == sealing::Rejection::unproved) env_.answer_sender(base::Duration(0));
     return std::nullopt;
   }
-  if (const auto error = announcement::decode(opened->text, heard_)) {
-    ++counters_.undecodable.at(static_cast<std::size_t>(*error));
+  const auto read = reader_.read(opened->text);
+  if (!read) {
+    ++counters_.undecodable.at(static_cast<std::size_t>(read.error()));
     seal_.reject_unreadable(*opened, arrival);
     return std::nullopt;
   }
-  if (!seal_.attribute(*opened, heard_.participant, arrival)) return std::nullopt;
-  if (served != announcer_.id() && heard_.participant == served) {
+  heard_ = *read;
+  if (!seal_.attribute(*opened, heard_->participant, arrival)) return std::nullopt;
+  if (served != announcer_.id() && heard_->participant == served) {
     // A participant that has the identifier which we are giving up is heard once our own services have another one.
     ++counters_.hearings.at(std::to_underlying(membership::Hearing::clash));
     return std::nullopt;
   }
-  if (heard_.kind == announcement::Kind::inquiry || heard_.kind == announcement::Kind::diagnosis) {
+  if (heard_->kind == announcement::Kind::inquiry || heard_->kind == announcement::Kind::diagnosis) {
     hear_exchange(opened->session.has_value());
     return std::nullopt;
   }
   const bool is_sealed = opened->session.has_value();
-  if (heard_.kind == announcement::Kind::relayed) return take_in_relayed(*on, is_sealed, served);
-  const auto links = beyond_.links_for(*opened, heard_, *on);
-  const bool is_about_us = heard_.participant == announcer_.id();  // it may be a lie, and others hear it
-  if (!is_about_us && DualStack::is_said_twice(heard_, *on)) return std::nullopt;
-  const membership::Hearing hearing = neighbours_.hear(heard_, {.interface = interface,
+  if (heard_->kind == announcement::Kind::relayed) return take_in_relayed(*on, is_sealed, served);
+  const auto links = beyond_.links_for(*opened, *heard_, *on);
+  const bool is_about_us = heard_->participant == announcer_.id();  // it may be a lie, and others hear it
+  if (!is_about_us && DualStack::is_said_twice(*heard_, *on)) return std::nullopt;
+  const membership::Hearing hearing = neighbours_.hear(*heard_, {.interface = interface,
                                                                 .interface_name = on->name,
                                                                 .source = source,
                                                                 .now = env_.now(),
                                                                 .is_sealed = is_sealed});
   ++counters_.hearings.at(std::to_underlying(hearing));
-  if (heard_.kind == announcement::Kind::presence) {
-    one_way_.hear(heard_, neighbours_, source, on->name, env_.log());
-    beyond_.hear_presence(heard_, *on, hearing, is_sealed || env_.is_sender_named());
+  if (heard_->kind == announcement::Kind::presence) {
+    one_way_.hear(*heard_, neighbours_, source, on->name, env_.log());
+    beyond_.hear_presence(*heard_, *on, hearing, is_sealed || env_.is_sender_named());
   } else {
     beyond_.pass_on({.datagram = datagram, .source = source}, links, hearing);
   }
@@ -120,15 +123,15 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   if (is_sealed) meet(*on);
   speak_to(*on, hearing, is_sealed);
   return announcer_.heard(
-      {.announcement = heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+      {.announcement = *heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
 }
 
 std::optional<Announcer::Consequence> Air::take_in_relayed(const env::Interface& on, bool is_sealed,
                                                            ParticipantId served) {
-  const announcement::Announcement* word = beyond_.unwrap(heard_, is_sealed || env_.is_sender_named());
+  const announcement::Announcement* word = beyond_.unwrap(*heard_, is_sealed || env_.is_sender_named());
   if (word == nullptr || (served != announcer_.id() && word->participant == served)) return std::nullopt;
-  const announcement::Relayed& relayed = heard_.relayed;
-  const membership::Passage passage = beyond_.passage(heard_, on);
+  const announcement::Relayed& relayed = heard_->relayed;
+  const membership::Passage passage = beyond_.passage(*heard_, on);
   const auto links = beyond_.links_for(*word, on, is_sealed);
   const membership::Hearing hearing = neighbours_.hear(*word, {.interface = on.index,
                                                                .interface_name = on.name,
@@ -152,33 +155,33 @@ const Diagnoses::Diagnosis* Air::diagnosis_of(ParticipantId participant) {
 
 void Air::hear_exchange(bool is_sealed) {
   const base::Instant now = env_.now();
-  if (heard_.group != settings_.group || heard_.partner != announcer_.id()) return;
-  if (!neighbours_.is_known(heard_.participant)) return;
-  if (heard_.kind == announcement::Kind::diagnosis) {
-    diagnoses_.hear_diagnosis(heard_, now);
+  if (heard_->group != settings_.group || heard_->partner != announcer_.id()) return;
+  if (!neighbours_.is_known(heard_->participant)) return;
+  if (heard_->kind == announcement::Kind::diagnosis) {
+    diagnoses_.hear_diagnosis(*heard_, now);
     return;
   }
   // A seal has proved that its sender asks at this moment; without one the owner has named the host that it came from.
   const bool may_ask = this->is_sealed() ? is_sealed : env_.is_sender_named();
   if (!settings_.diagnoses || !may_ask || !diagnoses_.may_answer(now)) return;
-  announcer_.exchange(announcement::Kind::diagnosis, heard_.participant, heard_.token,
-                      own_.diagnosis(heard_.participant));
+  announcer_.exchange(announcement::Kind::diagnosis, heard_->participant, heard_->token,
+                      own_.diagnosis(heard_->participant));
 }
 
 void Air::reach(const env::Interface& on, std::string_view source) {
-  if (heard_.kind == announcement::Kind::goodbye) deaf_hosts_.forget(heard_.participant);
-  if (!is_sealed() || heard_.kind != announcement::Kind::presence) return;
-  if (!neighbours_.is_deaf_to_us(heard_.participant)) {
-    deaf_hosts_.hear(heard_.participant);
+  if (heard_->kind == announcement::Kind::goodbye) deaf_hosts_.forget(heard_->participant);
+  if (!is_sealed() || heard_->kind != announcement::Kind::presence) return;
+  if (!neighbours_.is_deaf_to_us(heard_->participant)) {
+    deaf_hosts_.hear(heard_->participant);
   } else {
-    deaf_hosts_.hear_deaf({.participant = heard_.participant, .interface = on.index, .address = std::string(source)},
+    deaf_hosts_.hear_deaf({.participant = heard_->participant, .interface = on.index, .address = std::string(source)},
                           settings_.interval, env_.now());
   }
 }
 
 void Air::meet(const env::Interface& on) {
-  if (!is_sealed() || heard_.group != settings_.group || !neighbours_.is_known(heard_.participant)) return;
-  for (const announcement::Introduction& one : heard_.introductions) {
+  if (!is_sealed() || heard_->group != settings_.group || !neighbours_.is_known(heard_->participant)) return;
+  for (const announcement::Introduction& one : heard_->introductions) {
     const auto address = base::parse_address(one.address);
     const bool is_ours = std::ranges::any_of(env_.interfaces(), [&](const env::Interface& interface) {
       return std::ranges::find(interface.addresses, one.address) != interface.addresses.end();
@@ -208,11 +211,11 @@ void Air::speak_to(const env::Interface& on, membership::Hearing hearing, bool i
   if (hearing == Hearing::own || hearing == Hearing::clash || hearing == Hearing::other_group) return;
   const bool is_guest = is_sealed && env_.is_sender_unnamed();
   if (!on.ipv6_side_of && !is_guest) return;
-  const auto known = neighbours_.find(heard_.participant);
+  const auto known = neighbours_.find(heard_->participant);
   const base::Duration time =
       announcement::contest_intervals * std::max(known ? known->interval : base::Duration(0), settings_.interval);
-  dual_stack_.hear(heard_, on, env_.now() + time);
-  if (is_guest && heard_.kind != announcement::Kind::goodbye) env_.answer_sender(time);
+  dual_stack_.hear(*heard_, on, env_.now() + time);
+  if (is_guest && heard_->kind != announcement::Kind::goodbye) env_.answer_sender(time);
 }
 
 void Air::shed() {

@@ -95,7 +95,9 @@ class Air {
   DeafHosts deaf_hosts_;
   Introductions introductions_;
   Diagnoses diagnoses_;
-  announcement::Announcement heard_;  ///< the last one; its memory is used again
+  announcement::Reader own_reader_;
+  announcement::Reader& reader_;                       ///< the shared one, or our own
+  const announcement::Announcement* heard_ = nullptr;  ///< the last one, while it is taken in
   Announcer announcer_;
   Beyond beyond_;
 };

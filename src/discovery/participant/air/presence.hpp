@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
+#include "discovery/participant/air/shared.hpp"
 #include "discovery/sealing/seal.hpp"
 
 namespace geminga::participant {
@@ -31,6 +33,8 @@ struct TeamSettings {
   bool diagnoses = false;
   /// The keys with which announcements are sealed at first, and how; Participant::set_sealing() changes it.
   sealing::Policy sealing;
+  /// What it shares with other participants of its process; null: nothing.
+  std::shared_ptr<Shared> shared;
 };
 
 /// The state that a participant announces. Asked for when a datagram is made, since of many changes between two

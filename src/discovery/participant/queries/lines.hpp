@@ -27,10 +27,11 @@ inline void append_flag(Line& line, std::string_view key, bool value) { append(l
 
 /// The time since an entry was last heard; 0 for one of our own.
 template <typename Entry>
-[[nodiscard]] std::string age(const membership::NeighbourTable& neighbours, base::Instant now, const Entry& entry) {
+[[nodiscard]] std::string age(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,
+                              base::Instant now, const Entry& entry) {
   if (entry.is_local) return "0.000";
-  const auto affirmed = neighbours.affirmed(entry.key.participant);
-  return seconds(now - std::max(entry.updated, affirmed.value_or(entry.updated)));
+  const base::Instant updated = matcher.updated(entry);
+  return seconds(now - std::max(updated, neighbours.affirmed(entry.key.participant).value_or(updated)));
 }
 
 /// `service provider name participant_name`, and of a request `subscription consumer name participant_name`.

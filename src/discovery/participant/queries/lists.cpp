@@ -31,7 +31,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, Names na
   append_party(line, entry);
   gcnp::append_identity(line, named(names_of(by, names), entry.publication.identity));
   append_channel(line, entry.publication);
-  append(line, "age", age(by.neighbours, by.env.now(), entry));
+  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
   append_flag(line, "local", entry.is_local);
   append_flag(line, "used", is_used);
   append_stated(line, "scope", entry.publication.scope);
@@ -60,7 +60,7 @@ Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, Names n
   append_stated(line, "address", subscription.address);
   if (subscription.port != 0) append(line, "port", subscription.port);
   append(line, "priority", subscription.priority);
-  append(line, "age", age(by.neighbours, by.env.now(), entry));
+  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
   append_flag(line, "local", entry.is_local);
   append_flag(line, "served", is_served);
   append_stated(line, "protocol", gcnp::protocol_list(subscription.protocols));

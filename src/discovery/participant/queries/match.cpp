@@ -28,7 +28,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
   append(line, "degree", std::string(to_string(match.degree)));
   append(line, "distance", match.distance);
   append_channel(line, entry.publication);
-  append(line, "age", age(by.neighbours, by.env.now(), entry));
+  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
   append_stated(line, "participant_name", entry.participant_name);
   const auto& vocabulary = by.matcher.vocabulary();
   const auto classes = matching::classes_of(entry.publication.identity, vocabulary);

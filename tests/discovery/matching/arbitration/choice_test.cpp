@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +23,14 @@ class Arbitration : public testing::Test {
     return {priority, {degree, distance}, {ParticipantId{1}, PeerId{1}, number}};
   }
 
+  const registry::StoredPublication& store(const ServiceKey& key) {
+    auto entry = std::make_shared<registry::PublicationEntry>();
+    entry->key = key;
+    return stored_.emplace_back(std::move(entry));
+  }
+
   void offer(const Rank& rank) {
-    auto& stored = stored_.emplace_back();
-    stored.entry.key = rank.key;
+    const auto& stored = store(rank.key);
     ranks_[rank.key.number] = rank;
     choice_.offer(rank, stored);
     collect_dropped();
@@ -144,8 +150,7 @@ TEST_F(Arbitration, AChosenOneThatChangesIsKeptWhereItStillWins) {
 
 TEST_F(Arbitration, OneThatWasChosenUnseenIsAnIncumbent) {
   choice_.set_limit(1);
-  auto& stored = stored_.emplace_back();
-  stored.entry.key.number = 9;
+  const auto& stored = store({.participant = {}, .peer = {}, .number = 9});
   choice_.offer({1, {}, stored.entry.key}, stored, true);
   offer(rank(1, 1));
   EXPECT_THAT(settle(), IsEmpty());
