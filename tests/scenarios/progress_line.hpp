@@ -17,7 +17,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// What simulate() calls; empty where standard error is no terminal. It borrows this object.
+  /// The function that simulate() calls; empty where standard error is no terminal. It borrows this object.
   [[nodiscard]] OnProgress on_terminal();
   /// Takes the line off the terminal.
   void clear();

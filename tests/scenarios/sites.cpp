@@ -28,7 +28,7 @@ constexpr std::size_t first_middle = 11;
 constexpr base::Duration settles_in = std::chrono::minutes(1);
 constexpr std::uint64_t most_services = 16;  ///< of one concept at first
 
-/// What NATS writes before and behind a payload: "MSG <subject> <sid> <size>", and the line ends.
+/// The octets that NATS writes before and behind a payload: "MSG <subject> <sid> <size>", and the line ends.
 constexpr std::size_t protocol_octets = 20;
 /// Of a message with its subject and what NATS adds, about.
 constexpr double question_octets = 100;
@@ -248,7 +248,7 @@ class Sites {
     const auto began = site.interests.find(iri);
     if (began == site.interests.end()) return;
     if (site.known.emplace(iri, flight.message.site).second) {
-      // What another site has asked for comes in without a question of ours.
+      // An answer to another site's question comes in without one of ours.
       if (now_ - began->second < std::chrono::seconds(10)) result_.told.push_back(now_ - began->second);
     } else if (flight.caused + std::chrono::seconds(1) > now_) {
       result_.changed.push_back(now_ - flight.caused);

@@ -30,7 +30,7 @@ struct SiteConditions {
   base::Duration gateway_delay = std::chrono::milliseconds(80);  ///< between two clusters
 };
 
-/// What was measured, and what the formulae of SCALE.md give.
+/// The figures that were measured, and those that the formulae of SCALE.md give.
 struct SiteResult {
   std::uint64_t questions = 0;  ///< sent
   std::uint64_t answers = 0;

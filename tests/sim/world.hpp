@@ -45,7 +45,7 @@ class World {
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
   Air air;
-  /// What hosts that are added from now on share; null: each decodes and keeps everything for itself.
+  /// The things that hosts which are added from now on share; null: each decodes and keeps everything for itself.
   std::shared_ptr<participant::Shared> shared = std::make_shared<participant::Shared>();
   std::shared_ptr<registry::SharedEntries> shared_entries = std::make_shared<registry::SharedEntries>();
 

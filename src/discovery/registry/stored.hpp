@@ -60,7 +60,7 @@ struct Stored {
 
   /// Owned by the table, by events about it, and by all tables of the process that share it (SharedEntries).
   std::shared_ptr<const Entry> kept;
-  const Entry& entry;       ///< what is kept
+  const Entry& entry;       ///< the one that `kept` owns
   base::Instant updated{};  ///< when it was last stated
   /// The 32-bit identity: candidates, never proof.
   Id32 identity = 0;

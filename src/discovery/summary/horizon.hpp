@@ -1,4 +1,4 @@
-// What a site knows of the world: which sites offer what it is interested in, and how much.
+// The knowledge that a site has of the world: which sites offer what it is interested in, and how much.
 #ifndef GEMINGA_DISCOVERY_SUMMARY_HORIZON_HPP
 #define GEMINGA_DISCOVERY_SUMMARY_HORIZON_HPP
 

@@ -30,7 +30,7 @@ inline constexpr std::size_t max_asked = std::size_t{1} << 16;
 inline constexpr base::Duration ask_again = std::chrono::minutes(20);
 /// Changes of a concept are said for so long after it was last asked for: three times ask_again.
 inline constexpr base::Duration asked_for = std::chrono::minutes(60);
-/// What a site has said of a concept counts for so long: the next answers and one lost round.
+/// An answer about a concept counts for so long: the next answers and one lost round.
 inline constexpr base::Duration remembered_for = std::chrono::minutes(60);
 /// Answers to one question come at random within this time, and more of it where many sites answer.
 inline constexpr base::Duration answer_spread = std::chrono::milliseconds(200);

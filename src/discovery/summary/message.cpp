@@ -1,7 +1,5 @@
 #include "discovery/summary/message.hpp"
 
-#include <google/protobuf/stubs/logging.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -15,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t magic = 0x534d47;  // G M S
 constexpr std::uint32_t version = 1;
-/// What a listing takes beside its announcements, and each of them beside its octets.
+/// The octets of a listing beside its announcements, and of each of them beside its own.
 constexpr std::size_t header_bytes = 320;
 constexpr std::size_t bytes_beside = 4;
 
@@ -44,7 +42,8 @@ std::optional<Topic> topic_of(const wire::Message& message) {
     return Topic{.digest = message.digest(), .rank = message.rank()};
   }
   const std::string& iri = message.iri();
-  if (iri.empty() || iri.size() > max_iri_bytes || base::has_control_character(iri)) return std::nullopt;
+  if (iri.empty() || iri.size() > max_iri_bytes || base::has_control_character(iri) || !base::is_valid_utf8(iri))
+    return std::nullopt;
   return Topic{.digest = 0, .rank = 0, .iri = iri};
 }
 
@@ -58,8 +57,6 @@ std::string_view to_string(Fault fault) { return words.at(std::to_underlying(fau
 
 std::expected<Message, Fault> decode(std::string_view octets) {
   if (octets.size() > max_message_bytes) return Failure(Fault::too_large);
-  // protobuf writes a line to standard error for each bad text.
-  static const google::protobuf::LogSilencer silence;
   wire::Message wire;
   if (!wire.ParseFromArray(octets.data(), static_cast<int>(octets.size()))) return Failure(Fault::not_protobuf);
   if ((wire.format() & 0xffffff) != magic) return Failure(Fault::not_geminga);

@@ -41,7 +41,7 @@ enum class Fault : std::uint8_t {
   other_version,  ///< another version
   bad_kind,       ///< unknown
   bad_site,       ///< 0
-  bad_topic,      ///< none, a rank without digest, or an IRI that is empty, too long or has a control character
+  bad_topic,  ///< none, a rank without digest, or an IRI that is empty, too long, no UTF-8 or has a control character
   bad_magnitude,  ///< over max_magnitude
   bad_listing,    ///< too many announcements, or one that is empty or too large
 };

@@ -1,4 +1,4 @@
-// What a site offers to the world: how many services below which class, said to those who ask.
+// The offers of a site to the world: how many services below which class, said to those who ask.
 #ifndef GEMINGA_DISCOVERY_SUMMARY_OFFERINGS_HPP
 #define GEMINGA_DISCOVERY_SUMMARY_OFFERINGS_HPP
 

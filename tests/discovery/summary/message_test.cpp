@@ -87,6 +87,8 @@ TEST(SummaryMessage, IsRefusedWithTheWordForWhatIsWrong) {
   message = answer();
   message.topic = {};
   EXPECT_EQ(decode(encode(message)), std::unexpected(Fault::bad_topic));
+  message.topic.iri = "no UTF-8: \xff";
+  EXPECT_EQ(decode(encode(message)), std::unexpected(Fault::bad_topic));
   message.topic.iri = "line\nbreak";
   EXPECT_EQ(decode(encode(message)), std::unexpected(Fault::bad_topic));
 }

@@ -33,7 +33,7 @@ struct TeamSettings {
   bool diagnoses = false;
   /// The keys with which announcements are sealed at first, and how; Participant::set_sealing() changes it.
   sealing::Policy sealing;
-  /// What it shares with other participants of its process; null: nothing.
+  /// The things that it shares with other participants of its process; null: none.
   std::shared_ptr<Shared> shared;
 };
 

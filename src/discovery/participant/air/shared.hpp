@@ -1,4 +1,4 @@
-// What participants of one process share.
+// The things that participants of one process share.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_SHARED_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_AIR_SHARED_HPP
 
