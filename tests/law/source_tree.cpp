@@ -57,7 +57,7 @@ std::vector<SourceFile> source_files(std::string_view folder) { return files_bel
 std::vector<SourceFile> all_sources() {
   std::vector<SourceFile> all;
   for (const char* folder : {"src", "include", "tools", "tests", "examples"}) {
-    std::ranges::move(files_below(folder, {".hpp", ".cpp", ".h", ".c", ".py", ".java", ".js", ".mjs"}),
+    std::ranges::move(files_below(folder, {".hpp", ".cpp", ".h", ".c", ".py", ".java", ".js", ".mjs", ".ts"}),
                       std::back_inserter(all));
   }
   return all;

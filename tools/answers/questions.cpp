@@ -85,6 +85,13 @@ constexpr auto why_keys = std::to_array<Key>(
      {"offer.for", "A condition over attributes of consumers"},
      {"offer.provider", "The PARTICIPANT/PEER that might offer it"}});
 
+constexpr auto concepts_keys = std::to_array<Key>(
+    {{"begin", "The beginning of the name, as in soccer:Ba"}, {"limit", "At most so many; never over 1000", number}});
+constexpr auto taxonomy_keys = std::to_array<Key>({{"class", "The classes right below this one; owl:Thing unless told"},
+                                                   {"contains", "Instead, the classes in whose name this text occurs"},
+                                                   {"skip", "Without the first so many", number},
+                                                   {"limit", "At most so many; never over 500", number}});
+
 constexpr auto all_kinds = std::to_array<Kind>(
     {{"participants",
       "Every robot that is known: id, name, addresses, seconds since it was heard, loss (0 to 1), digest of its "
@@ -111,6 +118,17 @@ constexpr auto all_kinds = std::to_array<Kind>(
       "The ontology that is loaded: files, classes, digest, what the reasoner left out, and robots that have another "
       "one.",
       "",
+      {}},
+     {"concepts", "The names of classes of the ontology that begin with a text.", "", concepts_keys},
+     {"taxonomy",
+      "The tree of the ontology's classes, node by node, with how many offers and requests are below each; those below "
+      "<http://www.w3.org/2002/07/owl#Nothing> can have no instance.",
+      "", taxonomy_keys},
+     {"hearing",
+      "Who hears whom: what each other robot last said of whom it has heard within a quarter, a half or one interval, "
+      "or "
+      "longer ago.",
+      "witness",
       {}},
      {"status", "The daemon itself: state, uptime, counts, traffic, memory.", "", {}},
      {"security", "How datagrams are sealed, who lacks which key, and what was rejected; no key itself.", "", {}}});
@@ -182,6 +200,12 @@ boost::json::value document_of(std::string_view kind, const Parameters& paramete
   if (kind == "security") return security_document(security_of(answer));
   if (kind == "ontology") return ontology_document(ontology_of(answer));
   if (kind == "why") return why_document(question_of(parameters), answer);
+  if (kind == "taxonomy") {
+    boost::json::object object = shell::to_json(answer.end);
+    object.erase("count");
+    object["classes"] = shell::to_json(answer.records);
+    return object;
+  }
   if (kind == "explain") return explain_document({value_of(parameters, "sub"), value_of(parameters, "super")}, answer);
   return shell::to_json(answer.records);
 }

@@ -200,6 +200,15 @@ Told on(const State&, std::uint32_t, const gcnp::QueryExplain&) {
                  "a recording has no ontology: ask geminga-ontology explain with the team's files");
 }
 
+Told on(const State&, std::uint32_t, const gcnp::QueryHearing&) {
+  return refused(ErrorCode::impossible,
+                 "a recording does not say who heard whom: query participants has what was lost");
+}
+
+Told on(const State&, std::uint32_t, const gcnp::QueryTaxonomy&) {
+  return refused(ErrorCode::impossible, "a recording has no ontology: ask geminga-ontology draw with the team's files");
+}
+
 Told on(const State& state, std::uint32_t id, const gcnp::QueryWhy& query) {
   const auto* request = std::get_if<ServiceKey>(&query.request);
   if (request == nullptr || !std::holds_alternative<std::monostate>(query.offer)) {

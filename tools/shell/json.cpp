@@ -23,12 +23,13 @@ namespace {
 namespace json = boost::json;
 
 constexpr auto number_keys = std::to_array<std::string_view>(
-    {"id",           "port",          "priority",   "distance", "age",      "heard", "interval", "loss", "limit",
-     "publications", "subscriptions", "statements", "line",     "classes",  "count", "left_out", "sent", "received",
-     "peer",         "datagrams",     "offers",     "matching", "requests", "taken", "cost"});
-constexpr auto flag_keys =
-    std::to_array<std::string_view>({"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed"});
-constexpr auto list_keys = std::to_array<std::string_view>({"addresses", "keys", "lacks"});
+    {"id",           "port",          "priority",   "distance", "age",      "heard", "interval", "loss",     "limit",
+     "publications", "subscriptions", "statements", "line",     "classes",  "count", "left_out", "sent",     "received",
+     "peer",         "datagrams",     "offers",     "matching", "requests", "taken", "cost",     "children", "total"});
+constexpr auto flag_keys = std::to_array<std::string_view>(
+    {"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed", "unsatisfiable"});
+constexpr auto list_keys = std::to_array<std::string_view>(
+    {"addresses", "keys", "lacks", "equivalents", "parents", "quarter", "half", "whole", "longer"});
 
 template <typename Keys>
 bool contains(const Keys& keys, std::string_view key) {

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
+#include <chrono>
 #include <csignal>
 #include <iostream>
 #include <string>
@@ -11,9 +12,11 @@
 #include "shell/whole_lines.hpp"
 #include "web/asking/daemon_asker.hpp"
 #include "web/examining/background_doctor.hpp"
+#include "web/recording.hpp"
 #include "web/server/event_loop.hpp"
 #include "web/server/server.hpp"
 #include "web/settings.hpp"
+#include "web/site/history.hpp"
 #include "web/site/site.hpp"
 
 namespace geminga::web {
@@ -25,13 +28,15 @@ constexpr const char* examples = R"(Examples:
   curl 'http://127.0.0.1:4780/api/match?concept=soccer:TrackedObject&limit=3'
   curl -N 'http://127.0.0.1:4780/api/events?of=services'
   geminga-web --socket /run/geminga-web/http
+  geminga-web --recording field-test.jsonl
   geminga-web --listen 192.0.2.7:4780 --token-file /etc/geminga/web.token --host robot2.local
 
 / is a page that shows the team in a browser, live, and what is wrong first. /metrics is in OpenMetrics. /livez says 200 while
 the program lives, /readyz while the daemon answers and is up to date, else 503 and why. /api/participants, services, requests,
 match, explain, why, ontology, status and security print what geminga-query --json prints, with the keys of query:
-/api/requests?unmatched=1. /api/doctor prints what geminga-query --json doctor prints. /api/events?of=services and its like are server-sent events with the objects of geminga-query --watch
---json.
+/api/requests?unmatched=1; /api/concepts, taxonomy and hearing answer the queries of these names, and /api/doctor prints what
+geminga-query --json doctor prints. /api/events?of=services and its like are server-sent events with the objects of geminga-query
+--watch --json. /api/history is what has changed in the last hour.
 
 It runs without a daemon, too, and connects again by itself. Nothing can be changed over HTTP, and nothing is encrypted: where
 others share the network, put a tunnel or a TLS proxy before it.
@@ -42,12 +47,19 @@ int serve(const Flags& flags, const Settings& settings) {
   boost::asio::io_context context(1);
   client::Reactor reactor([](const std::string& reason) { shell::complain(program, reason); });
   DaemonAsker asker(reactor, settings.daemon, flags.common.timeout_or(std::chrono::seconds(5)));
+  History history(asker, settings.history);
+  if (!settings.recording.empty()) {
+    if (const auto read = read_recording(settings.recording, history); !read) {
+      shell::complain(program, "--recording: " + read.error());
+      return static_cast<int>(shell::ExitStatus::wrong_use);
+    }
+  }
   ClientOptions connection;
   connection.connect = flags.common.connect;
   connection.name = std::string(program);
   connection.timeout = flags.common.timeout_or(std::chrono::seconds(5));
   BackgroundDoctor doctor(context, connection, GEMINGA_VERSION);
-  Site site(asker, settings.rules,
+  Site site(asker, history, settings.rules,
             [&doctor](auto then) { doctor.ask([then](const Examined& examined) { then(*examined); }); });
   Server server(context, site);
   std::string places;
@@ -68,7 +80,14 @@ int serve(const Flags& flags, const Settings& settings) {
   boost::asio::signal_set signals(context, SIGINT, SIGTERM, SIGHUP);
   signals.async_wait([&context](const boost::system::error_code&, int) { context.stop(); });
   const EventLoop loop(context, reactor);
-  asker.start();
+  client::Reactor::Timer looking(reactor, [&] {
+    history.look(std::chrono::system_clock::now());
+    looking.set(reactor.now() + history_pause);
+  });
+  if (settings.recording.empty()) {
+    asker.start();
+    if (history.keeps_anything()) looking.set(reactor.now());
+  }
   server.serve();
   shell::complain(program, "serving " + places);
   context.run();

@@ -26,10 +26,28 @@ void Flags::add_to(CLI::App& app) {
          "several times")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  CLI::Option* shown =
+      app.add_option(
+             "--recording", this->recording,
+             "Ask no daemon, and show this recording on the page (geminga-query record), to go back and forth in")
+          ->type_name("FILE");
+  app.add_option(
+         "--history", history_minutes,
+         "How long the page can look back (60 unless told, 1440 at most). 0: nothing is kept, and the daemon is "
+         "asked only when somebody asks")
+      ->type_name("MINUTES")
+      ->check(shell::whole_number(0, std::chrono::duration_cast<std::chrono::minutes>(longest_history).count()), "", "")
+      ->excludes(shown);
 }
 
 std::expected<Settings, std::string> settings_of(const Flags& flags) {
-  Settings settings{.listen = std::nullopt, .socket = flags.socket, .rules = {}, .daemon = {}};
+  Settings settings{.listen = std::nullopt,
+                    .socket = flags.socket,
+                    .rules = {},
+                    .daemon = {},
+                    .recording = flags.recording,
+                    .history = std::chrono::minutes(flags.history_minutes)};
+  if (!settings.recording.empty()) settings.history = whole_recording;
   if (!flags.listen.empty() || flags.socket.empty()) {
     const std::string text = flags.listen.empty() ? std::string(usual_listen) : flags.listen;
     const auto endpoint = env::parse_endpoint(text);

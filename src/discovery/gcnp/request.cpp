@@ -225,10 +225,24 @@ Request read_query_concepts(KeyReader& keys) {
   return query;
 }
 
+Request read_query_taxonomy(KeyReader& keys) {
+  QueryTaxonomy query;
+  query.class_name = keys.text("class", max_concept_bytes).value_or("");
+  query.contains = keys.text("contains", max_concept_bytes).value_or("");
+  query.skip = keys.number("skip").value_or(0);
+  const std::uint32_t limit = keys.number("limit").value_or(0);
+  if (limit != 0) query.limit = std::min(limit, max_told_classes);
+  if (!query.class_name.empty() && !query.contains.empty()) {
+    keys.fail(ErrorCode::malformed, "class and contains together: one of them at a time");
+  }
+  return query;
+}
+
 Request read_query_ontology(KeyReader&) { return QueryOntology{}; }
 Request read_query_status(KeyReader&) { return QueryStatus{}; }
 Request read_query_interfaces(KeyReader&) { return QueryInterfaces{}; }
 Request read_query_peers(KeyReader&) { return QueryPeers{}; }
+Request read_query_hearing(KeyReader&) { return QueryHearing{}; }
 Request read_query_security(KeyReader&) { return QuerySecurity{}; }
 Request read_query_diagnosis(KeyReader& keys) {
   auto participant = keys.text("participant", max_name_bytes);
@@ -243,7 +257,7 @@ struct Row {
   Request (*read)(KeyReader&);
 };
 
-constexpr std::array<Row, 22> rows{{
+constexpr std::array<Row, 24> rows{{
     {"sys", "hello", read_hello},
     {"sys", "ping", read_ping},
     {"sys", "bye", read_bye},
@@ -266,6 +280,8 @@ constexpr std::array<Row, 22> rows{{
     {"query", "security", read_query_security},
     {"query", "concepts", read_query_concepts},
     {"query", "diagnosis", read_query_diagnosis},
+    {"query", "taxonomy", read_query_taxonomy},
+    {"query", "hearing", read_query_hearing},
 }};
 
 /// The reason why no row has this command and subcommand, with the known words.

@@ -72,6 +72,9 @@ struct ListFilter {
 /// The most names that an answer to `query concepts` has.
 inline constexpr std::uint32_t max_told_concepts = 1000;
 
+/// The most classes that an answer to `query taxonomy` has.
+inline constexpr std::uint32_t max_told_classes = 500;
+
 /// The prefix of the keys of an assumed service in `query why`.
 inline constexpr std::string_view offer_prefix = "offer.";
 
@@ -132,6 +135,14 @@ struct QueryConcepts {
   std::uint32_t limit = max_told_concepts;  ///< 0 and more than that: that many
   friend bool operator==(const QueryConcepts&, const QueryConcepts&) = default;
 };
+/// The classes right below one, or those whose names a text occurs in.
+struct QueryTaxonomy {
+  std::string class_name;  ///< empty: owl:Thing
+  std::string contains;    ///< empty: those right below the class
+  std::uint32_t skip = 0;
+  std::uint32_t limit = max_told_classes;  ///< 0 and more than that: that many
+  friend bool operator==(const QueryTaxonomy&, const QueryTaxonomy&) = default;
+};
 struct QueryOntology {
   friend bool operator==(const QueryOntology&, const QueryOntology&) = default;
 };
@@ -149,15 +160,19 @@ struct QueryDiagnosis {
   std::string participant;  ///< its identifier, or its name
   friend bool operator==(const QueryDiagnosis&, const QueryDiagnosis&) = default;
 };
+/// Asks who hears whom, by what each participant says of it.
+struct QueryHearing {
+  friend bool operator==(const QueryHearing&, const QueryHearing&) = default;
+};
 struct QuerySecurity {
   friend bool operator==(const QuerySecurity&, const QuerySecurity&) = default;
 };
 
 /// Everything that a client may ask. The statement's id goes beside it.
-using Request =
-    std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, SubCreate, SubModify, SubRemove, QueryParticipants,
-                 QueryServices, QueryRequests, QueryMatch, QueryExplain, QueryWhy, QueryOntology, QueryStatus,
-                 QueryInterfaces, QueryPeers, QuerySecurity, QueryConcepts, QueryDiagnosis>;
+using Request = std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, SubCreate, SubModify, SubRemove,
+                             QueryParticipants, QueryServices, QueryRequests, QueryMatch, QueryExplain, QueryWhy,
+                             QueryOntology, QueryStatus, QueryInterfaces, QueryPeers, QuerySecurity, QueryConcepts,
+                             QueryDiagnosis, QueryTaxonomy, QueryHearing>;
 
 /// The request of a statement. Errors: 400 for an unknown command, a missing, doubled or unreadable key, a reserved key
 /// where it means nothing, or an id that the command may not have (0 except for sys, and any other for sys); 413 for a

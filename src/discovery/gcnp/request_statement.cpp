@@ -194,10 +194,18 @@ struct Writer {
     append_stated(parameters, "begin", query.begin);
     if (query.limit != max_told_concepts) append(parameters, "limit", query.limit);
   }
+  void operator()(const QueryTaxonomy& query) const {
+    auto& parameters = begin("query", "taxonomy");
+    append_stated(parameters, "class", query.class_name);
+    append_stated(parameters, "contains", query.contains);
+    if (query.skip != 0) append(parameters, "skip", query.skip);
+    if (query.limit != max_told_classes) append(parameters, "limit", query.limit);
+  }
   void operator()(const QueryOntology&) const { begin("query", "ontology"); }
   void operator()(const QueryStatus&) const { begin("query", "status"); }
   void operator()(const QueryInterfaces&) const { begin("query", "interfaces"); }
   void operator()(const QueryPeers&) const { begin("query", "peers"); }
+  void operator()(const QueryHearing&) const { begin("query", "hearing"); }
   void operator()(const QuerySecurity&) const { begin("query", "security"); }
   void operator()(const QueryDiagnosis& query) const {
     append(begin("query", "diagnosis"), "participant", query.participant);

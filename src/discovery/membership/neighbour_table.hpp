@@ -105,6 +105,10 @@ class NeighbourTable final : private ServiceRoom {
   [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const {
     return witnesses_.has_heard(id, now);
   }
+  /// The last testimony of a known participant, by name; see Witnesses::last_word().
+  [[nodiscard]] std::optional<NamedTestimony> last_word(ParticipantId witness) const {
+    return witnesses_.last_word(witness);
+  }
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
   [[nodiscard]] std::optional<double> loss() const { return records_.loss(); }
 

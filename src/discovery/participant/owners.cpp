@@ -67,6 +67,10 @@ std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& qu
         const Sessions& sessions = clients.sessions();
         if constexpr (std::is_same_v<Query, gcnp::QueryServices> || std::is_same_v<Query, gcnp::QueryRequests>) {
           return begin_list(listed, one);
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryHearing>) {
+          return begin_hearing(env, air.neighbours());
+        } else if constexpr (std::is_same_v<Query, gcnp::QueryTaxonomy>) {
+          return begin_taxonomy(listed, one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryMatch>) {
           return begin_match(listed, knowledge.overlaps, knowledge.self, one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryWhy>) {

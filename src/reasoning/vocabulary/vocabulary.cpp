@@ -132,6 +132,8 @@ std::vector<ClassNumber> Vocabulary::subsumers(const Place& place) const {
   return placement::subsumers(place, *ontology_);
 }
 
+std::vector<ClassNumber> Vocabulary::parents(ClassNumber number) const { return ontology_->parents(number); }
+
 std::vector<ClassNumber> Vocabulary::children(ClassNumber number) const { return ontology_->children(number); }
 
 bool Vocabulary::is_above(const Place& place, ClassNumber sub) const {

@@ -95,6 +95,8 @@ class Vocabulary {
   [[nodiscard]] std::vector<ClassNumber> subsumers(ClassNumber number) const;
   /// The same for an expression by its place (placement/expression.hpp).
   [[nodiscard]] std::vector<ClassNumber> subsumers(const Place& place) const;
+  /// The direct superclasses, ascending. An unsatisfiable class has none.
+  [[nodiscard]] std::vector<ClassNumber> parents(ClassNumber number) const;
   /// The direct subclasses: one of each set of equivalent ones, ascending.
   [[nodiscard]] std::vector<ClassNumber> children(ClassNumber number) const;
   [[nodiscard]] bool is_above(const Place& place, ClassNumber sub) const;

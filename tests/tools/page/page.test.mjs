@@ -2,9 +2,10 @@
 // Chromium or the packages of tools/web/page/build are missing. Pictures of each state are left in SHOTS.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { connect, createServer } from 'node:net';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -57,6 +58,7 @@ async function connection(port) {
 }
 
 const udp = await freePort();
+const folder = mkdtempSync(join(tmpdir(), 'geminga-page-'));
 const team = `page-${process.pid}`;
 const ports = {};
 async function daemon(name, files) {
@@ -79,11 +81,15 @@ try {
   await daemon(hostile, all);
   const offer = ['1 pub create mode=otm/stream concept=soccer:BallInfo port=5000', '2 pub create mode=otm/stream concept=soccer:SharedWorldInfo port=5001'];
   await state('robot1', 'Vision', ...offer);
-  await state(hostile, hostile, '1 pub create mode=otm/stream concept=soccer:BallInfo port=5002', `2 pub create mode=oto text=${JSON.stringify(hostile)} port=5003`);
+  await state(hostile, hostile, '1 pub create mode=otm/stream concept=soccer:BallInfo port=5002', `2 pub create mode=oto text=${JSON.stringify(hostile)} port=5003`,
+    '3 pub create mode=otm/pubsub concept=soccer:BallInfo representation=soccer:PolarFieldFrame port=5004');
   const requests = ['1 sub create mode=otm/stream concept=soccer:BallInfo', '2 sub create mode=otm/stream concept=soccer:TrackedObject',
-    '3 sub create mode=otm/stream concept=soccer:GoalInfo', '4 sub create mode=otm/stream concept=soccer:BallInfo limit=1'];
+    '3 sub create mode=otm/stream concept=soccer:GoalInfo', '4 sub create mode=otm/stream concept=soccer:BallInfo limit=1',
+    '5 sub create mode=otm/pubsub concept=soccer:BallInfo representation=soccer:CartesianFieldFrame convert=yes'];
   await state('monitor', 'LebtClient', ...requests);
 
+  const recording = join(folder, 'team.jsonl');
+  const recorder = start('geminga-query', '--connect', `127.0.0.1:${ports.monitor}`, 'record', recording);
   const http = await freePort();
   const web = start('geminga-web', '--connect', `127.0.0.1:${ports.monitor}`, '--listen', `127.0.0.1:${http}`);
   (await connection(http)).destroy();
@@ -134,6 +140,44 @@ try {
   await inOrder();
   await page.keyboard.press('Escape');
 
+  // The steps of a conversion, and the code of what is outranked.
+  await until(() => document.querySelector('.line.converted title')?.textContent.includes('soccer:PolarFieldFrame → soccer:CartesianFieldFrame'));
+  await until(() => document.querySelector('.line.refused title')?.textContent.includes('incumbent'));
+
+  // A filter that is an expression, with names that begin so; and one by mode.
+  await page.type('#filter', 'soccer:SharedW');
+  await until(() => [...document.querySelectorAll('#filter-words option')].some((one) => one.value === 'soccer:SharedWorldInfo'));
+  await page.$eval('#filter', (input) => {
+    input.value = 'soccer:SharedBallInfo or soccer:SharedWorldInfo';
+    input.dispatchEvent(new Event('input'));
+  });
+  await until(() => document.querySelectorAll('.line').length === 0);
+  await page.$eval('#filter', (input) => {
+    input.value = '';
+    input.dispatchEvent(new Event('input'));
+  });
+  await until(() => document.querySelectorAll('.line').length > 1);
+
+  // The matrix of who hears whom, by what each says; the ontology node by node, with reasons.
+  await until(() => document.querySelectorAll('.matrix td.well').length >= 6);
+  await says('#ontology', 'geminga:Concept');
+  await says('#ontology .counts', 'offered');
+  await page.$eval('#ontology summary', (element) => element.focus());
+  await page.keyboard.press('Enter');
+  await until(() => document.querySelectorAll('#ontology .below summary').length > 3);
+  await page.type('#class-search', 'sharedball');
+  await says('#ontology', 'soccer:SharedBallInfo');
+  await until(() => document.querySelectorAll('#ontology .tree summary').length < 6);
+  await page.$eval('#ontology summary', (element) => element.focus());
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#ontology .parents button');
+  await page.click('#ontology .parents button');
+  await says('#ontology .parents', 'SubClassOf');
+  await page.$$eval('#ontology button', (buttons) => buttons.find((one) => one.textContent === 'What differs').click());
+  await says('#ontology', 'nothing is seen of its ontology but the digest');
+  await shoot('ontology');
+  await inOrder();
+
   // The question that nobody has stated.
   await page.type('#if-concept', 'soccer:TrackedObject');
   await page.keyboard.press('Enter');
@@ -158,6 +202,15 @@ try {
   await saysNot('#wrong', 'robot1 is gone');
   await until(() => document.querySelector('[data-key="box robot1"]:not(.gone)') !== null);
   assert.equal(await place(), before);
+  await says('#timeline', 'robot1 came');
+  await says('#timeline', 'no more: robot1 is gone');
+
+  // A page that is opened after that knows it from the hour that geminga-web keeps.
+  const later = await browser.newPage();
+  await later.goto(`http://127.0.0.1:${http}/`);
+  await later.waitForFunction(() => document.querySelector('#timeline').textContent.includes('robot1 went'), { timeout: patience });
+  await later.close();
+  await page.bringToFront();
   await says('#timeline', 'robot1 came');
 
   // Back in time: robot1 is gone again.
@@ -193,10 +246,31 @@ try {
   await says('#wrong', 'Nobody serves soccer:GoalInfo');
   web.kill('SIGKILL');
   await says('#absence', 'geminga-web does not answer');
+
+  // A recording of all that: its end, and its beginning, when robot1 had not gone yet.
+  recorder.kill('SIGINT');
+  await ended(recorder);
+  const shown = await freePort();
+  start('geminga-web', '--recording', recording, '--listen', `127.0.0.1:${shown}`);
+  (await connection(shown)).destroy();
+  await page.goto(`http://127.0.0.1:${shown}/`);
+  await says('#absence', 'You look at the recording team.jsonl');
+  await says('#timeline', 'robot1 went');
+  await says('#wrong', 'Nobody serves soccer:GoalInfo');
+  const lines = () => document.querySelectorAll('.line').length > 0;
+  await until(lines);
+  await page.focus('#moment');
+  await page.keyboard.press('Home');
+  await until(() => document.querySelector('#absence').textContent.includes(document.querySelector('output').textContent));
+  await until(lines);
+  await saysNot('#wrong', 'robot1 is gone');
+  await shoot('recording');
+  await inOrder();
   assert.deepEqual(complaints, []);
   console.log(`The page did as it says; pictures are in ${shots}`);
 } finally {
   await browser?.close();
   for (const child of started) child.kill('SIGKILL');
+  rmSync(folder, { recursive: true });
 }
 process.exit(0);

@@ -68,7 +68,8 @@ class Hall {
   const std::uint16_t port_ = client::free_port();
   boost::asio::io_context context_{1};
   FakeAsker asker_;
-  Site site_{asker_, {}};
+  History history_{asker_, std::chrono::seconds(0)};
+  Site site_{asker_, history_, {}};
   Server server_;
   std::thread thread_;
 };
@@ -358,7 +359,8 @@ TEST(Server, SaysThatTheAddressIsTaken) {
   Hall hall;
   boost::asio::io_context context;
   FakeAsker asker;
-  Site site(asker, {});
+  const History history(asker, std::chrono::seconds(0));
+  Site site(asker, history, {});
   Server second(context, site);
   const auto listening = second.listen(env::Endpoint{"127.0.0.1", hall.port()});
   ASSERT_FALSE(listening);

@@ -31,7 +31,8 @@ struct SiteTest : testing::Test {
   }
 
   FakeAsker asker;
-  Site site{asker, {}};
+  History history{asker, std::chrono::seconds(0)};
+  Site site{asker, history, {}};
 };
 
 TEST_F(SiteTest, LivesWithoutADaemon) {

@@ -50,6 +50,10 @@ void Site::route(const Request& request, const Target& target, const Then& then)
   }
   if (path == "/api/events") return answer_events(target.parameters, then);
   if (path == "/api/doctor" && examine_) return answer_doctor(target.parameters, then);
+  if (path == "/api/history") {
+    if (!target.parameters.empty()) return then(failure(400, "no parameters go with " + target.path));
+    return then({.type = "application/json", .body = history_.document() + '\n'});
+  }
   if (path.starts_with(api)) return answer_question(path.substr(api.size()), target.parameters, then);
   if (path != "/" && path != open_path && path != "/readyz" && path != "/metrics") {
     return then(failure(404, "there is no such page: there are /, /metrics, /livez, /readyz and /api/"));

@@ -7,6 +7,7 @@
 
 #include "web/asking/asker.hpp"
 #include "web/site/gate.hpp"
+#include "web/site/history.hpp"
 #include "web/site/metrics.hpp"
 #include "web/site/request.hpp"
 #include "web/site/response.hpp"
@@ -14,8 +15,8 @@
 
 namespace geminga::web {
 
-/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND`, `/api/doctor` and `/api/events?of=KIND`. Knows no sockets.
-/// Neither copies nor moves.
+/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND`, `/api/doctor`, `/api/events?of=KIND` and `/api/history`. Knows no
+/// sockets. Neither copies nor moves.
 class Site {
  public:
   using Then = std::function<void(Response)>;
@@ -23,9 +24,9 @@ class Site {
   /// Gives the document of the doctor later, or why there is none.
   using Examine = std::function<void(std::function<void(const Result<boost::json::value, ClientError>&)>)>;
 
-  /// Borrows the asker. Without `examine` there is no doctor.
-  Site(Asker& asker, Rules rules, Examine examine = {})
-      : asker_(asker), rules_(std::move(rules)), examine_(std::move(examine)) {}
+  /// Borrows the asker and the history. Without `examine` there is no doctor.
+  Site(Asker& asker, const History& history, Rules rules, Examine examine = {})
+      : asker_(asker), history_(history), rules_(std::move(rules)), examine_(std::move(examine)) {}
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
 
@@ -44,6 +45,7 @@ class Site {
   void answer_doctor(const Parameters& parameters, const Then& then);
 
   Asker& asker_;
+  const History& history_;
   Rules rules_;
   Examine examine_;
   Traffic traffic_;

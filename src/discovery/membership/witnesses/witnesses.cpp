@@ -48,6 +48,7 @@ std::size_t Witnesses::place_of(ParticipantId id) const {
 
 void Witnesses::begin_anew() {
   own_place_ = place_of(self_.id);
+  ++places_;
   pending_.resize(ids_.size() + 1);
 }
 
@@ -198,7 +199,25 @@ bool Witnesses::hear(const announcement::Announcement& presence, Instant now) {
   words_[next_word_++ % words_.size()] = {presence.participant, now};
   if (pending_.is_full()) settle();
   pending_.add(presence.witness.heard.octets(), now);
+  auto& witness = others_[place_of(presence.participant)];
+  witness.said = presence.witness.heard;
+  witness.said_at = now;
+  witness.said_places = places_;
   return true;
+}
+
+std::optional<NamedTestimony> Witnesses::last_word(ParticipantId witness) const {
+  const auto own = place_of(witness);
+  if (!is_at(own, witness) || others_[own].said_places != places_) return std::nullopt;
+  const Member& member = others_[own];
+  NamedTestimony testimony{.said = member.said_at, .heard = {}};
+  testimony.heard.reserve(ids_.size());
+  // The places are those of all, ourselves among them; decode() fills the list up to a multiple of four.
+  for (std::size_t place = 0; place < std::min(member.said.size(), ids_.size() + 1); ++place) {
+    const ParticipantId id = place == own_place_ ? self_.id : ids_[place < own_place_ ? place : place - 1];
+    if (id != witness) testimony.heard.emplace_back(id, member.said[place]);
+  }
+  return testimony;
 }
 
 void Witnesses::settle() {

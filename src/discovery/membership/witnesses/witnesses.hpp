@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/time.hpp"
@@ -17,6 +19,12 @@ namespace geminga::membership {
 /// A participant that says for so many of its intervals that it has not heard us is deaf to us. At 50 % loss one in
 /// thirty says so by chance, at 30 % one in four hundred.
 inline constexpr int deaf_intervals = 4;
+
+/// A testimony with the names of those that it is about.
+struct NamedTestimony {
+  base::Instant said{};
+  std::vector<std::pair<ParticipantId, announcement::HeardWithin>> heard;  ///< ascending, without the witness itself
+};
 
 /// Testimony names nobody: its bits have a meaning only if both sides know the same participants, which a fold of them
 /// and of the revisions of their states shows (ANNOUNCEMENT.md, "Witnesses"). A testimony about thousands is copied and
@@ -61,6 +69,8 @@ class Witnesses {
   [[nodiscard]] bool anybody_knows_others() const;
   /// The latest instant at or after which somebody else has heard it; the beginning of time if nobody said so.
   [[nodiscard]] base::Instant seen(ParticipantId id) const;
+  /// The last testimony of a participant, where it is about the participants that are known at present. O(these).
+  [[nodiscard]] std::optional<NamedTestimony> last_word(ParticipantId witness) const;
   /// How many testimonies of participants other than itself were heard within `interval`, or within the interval before
   /// it if those are more; at most enough_witnesses.
   [[nodiscard]] std::size_t words(ParticipantId id, base::Instant now, base::Duration interval) const;
@@ -84,6 +94,9 @@ class Witnesses {
     base::Instant heard_us{};      ///< it heard us then or later
     Saying is_deaf{};              ///< that it has not heard us
     Saying knows_others{};         ///< that it knows other participants than we do
+    announcement::HeardList said;  ///< its last testimony
+    base::Instant said_at{};
+    std::uint64_t said_places = 0;  ///< the places that it is about; 0: it has said nothing
   };
   struct Word {
     ParticipantId from{};
@@ -116,6 +129,7 @@ class Witnesses {
   std::vector<ParticipantId> ids_;  ///< of the others, ascending
   std::vector<Member> others_;      ///< in the same order
   std::size_t own_place_ = 0;       ///< among them
+  std::uint64_t places_ = 0;        ///< counts the changes of places
   PendingTestimony pending_;
   std::uint16_t said_fold_ = 0;  ///< ours, when another one was last compared with it
   base::Instant fold_changed_{};

@@ -57,6 +57,8 @@ struct Listed {
 [[nodiscard]] std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryRequests& query);
 [[nodiscard]] std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
                                                           const gcnp::QueryMatch& query);
+[[nodiscard]] Answering begin_hearing(const env::Env& env, const membership::NeighbourTable& neighbours);
+[[nodiscard]] std::expected<Answering, Error> begin_taxonomy(const Listed& by, const gcnp::QueryTaxonomy& query);
 /// The matcher judges a subscription that it is asked about where that is still to be done.
 [[nodiscard]] std::expected<Answering, Error> begin_why(matching::Matcher& matcher, const Overlaps& overlaps,
                                                         const membership::NeighbourTable& neighbours, const Stating& by,

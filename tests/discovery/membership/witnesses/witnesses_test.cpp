@@ -53,6 +53,25 @@ TEST(Witnesses, GiveEachWordItsPlaceWhoeverSpeaks) {
   }
 }
 
+TEST(Witnesses, AreQuotedByNameUntilSomebodyComesOrGoes) {
+  auto ours = member_of(5, 3, now);
+  auto theirs = member_of(5, 2, now - milliseconds(700));
+  theirs.update(ParticipantId{4}, now - seconds(9), seconds(2));
+  EXPECT_FALSE(ours.last_word(ParticipantId{2}));
+  EXPECT_FALSE(ours.last_word(ParticipantId{9})) << "not known";
+  ASSERT_TRUE(ours.hear(presence_of(2, theirs), now));
+  const auto word = ours.last_word(ParticipantId{2});
+  ASSERT_TRUE(word);
+  EXPECT_EQ(word->said, now);
+  using testing::Pair;
+  EXPECT_THAT(word->heard, testing::ElementsAre(
+                               Pair(ParticipantId{1}, HeardWithin::half), Pair(ParticipantId{3}, HeardWithin::half),
+                               Pair(ParticipantId{4}, HeardWithin::longer), Pair(ParticipantId{5}, HeardWithin::half)));
+  EXPECT_FALSE(ours.last_word(ParticipantId{4})) << "it has said nothing";
+  ours.add(ParticipantId{6}, BootNonce{6});
+  EXPECT_FALSE(ours.last_word(ParticipantId{2})) << "its words have other places now";
+}
+
 TEST(Witnesses, SayNothingToWhoKnowsOthers) {
   auto ours = member_of(5, 1, now);
   EXPECT_FALSE(ours.hear(presence_of(2, member_of(6, 2, now)), now));

@@ -63,6 +63,7 @@ export interface Match extends Service {
   distance: number;
   convert?: string;
   cost?: number;
+  via?: string;
 }
 
 export interface Check {
@@ -118,6 +119,40 @@ export interface Ontology {
   gaps: string[];
   others: { participant: string; name: string; ontology: string }[];
   failed: string[];
+}
+
+/** A class in the tree of the ontology. */
+export interface ClassNode {
+  class: string;
+  children?: number;
+  equivalents?: string[];
+  unsatisfiable?: boolean;
+  offers: number;
+  requests: number;
+}
+
+export interface Taxonomy {
+  class?: string;
+  total: number;
+  parents?: string[];
+  equivalents?: string[];
+  classes: ClassNode[];
+}
+
+export interface Explanation {
+  subsumed: boolean;
+  axioms: { axiom: string; file?: string; line?: number }[];
+  text?: string;
+}
+
+/** The last words of a participant on whom it hears, by how lately. */
+export interface Hearer {
+  witness: string;
+  name: string;
+  quarter?: string[];
+  half?: string[];
+  whole?: string[];
+  longer?: string[];
 }
 
 export interface Security {

@@ -2,6 +2,7 @@
 import uPlot from 'uplot';
 import type { Participant, Status } from './answers.js';
 import { clock, h } from './dom.js';
+import type { History } from './history.js';
 import { hour } from './team.js';
 
 /** Between two samples, in milliseconds. */
@@ -37,18 +38,37 @@ export class Curves {
   /** One sample; without a status the daemon is away, and the curves have a hole. */
   add(time: number, status: Status | undefined, participants: Participant[], unserved: number): void {
     const losses = participants.filter((one) => !one.self).map((one) => (one.loss ?? 0) * 100);
-    const seconds = this.former === undefined ? 0 : (time - this.former.time) / 1000;
-    const heard = status === undefined || this.former === undefined || seconds <= 0 ? null : (status.datagrams_received - this.former.datagrams) / seconds;
-    this.former = status === undefined ? undefined : { time, datagrams: status.datagrams_received };
+    const heard = status === undefined ? null : this.rate(time, status.datagrams_received);
+    if (status === undefined) this.former = undefined;
     const sample = status === undefined ? [null, null, null, null, null, null] : [
       status.publications, status.subscriptions, unserved, Math.max(0, ...losses),
       losses.length === 0 ? 0 : losses.reduce((sum, loss) => sum + loss, 0) / losses.length,
-      heard === null || heard < 0 ? null : heard,
+      heard,
     ];
     this.times.push(time / 1000);
     sample.forEach((value, at) => this.values[at]?.push(value));
-    if (this.times.length > maxSamples) for (const column of [this.times, ...this.values]) column.shift();
+    while (this.times.length > maxSamples || (this.times[0] ?? 0) < (time - hour) / 1000) for (const column of [this.times, ...this.values]) column.shift();
     this.show();
+  }
+
+  /** Takes the samples that geminga-web has kept, before the first of this page. */
+  recall(samples: History['samples']): void {
+    for (const [at, services, requests, unserved, worst, mean, datagrams] of samples) {
+      const time = Date.parse(at);
+      const rate = this.rate(time, datagrams);
+      this.times.push(time / 1000);
+      [services, requests, unserved, worst * 100, mean * 100, rate].forEach((value, column) => this.values[column]?.push(value));
+    }
+    this.former = undefined;
+    if (samples.length > 0) this.show();
+  }
+
+  /** Datagrams a second since the former sample; null where there is none, or the daemon began to count anew. */
+  private rate(time: number, datagrams: number): number | null {
+    const seconds = this.former === undefined ? 0 : (time - this.former.time) / 1000;
+    const rate = this.former === undefined || seconds <= 0 ? null : (datagrams - this.former.datagrams) / seconds;
+    this.former = { time, datagrams };
+    return rate === null || rate < 0 ? null : rate;
   }
 
   private columns(at: number): uPlot.AlignedData {

@@ -51,7 +51,8 @@ function asking(label: string, key: string, question: () => Promise<Node>): HTML
 
 async function pairAnswer(subscription: string, service: string): Promise<Node> {
   const answer = await ask<PairAnswer>('why', { subscription, service });
-  const degree = answer.degree === undefined ? '' : `: ${answer.degree}, distance ${answer.distance ?? 0}`;
+  const steps = answer.convert === undefined ? '' : `, converted ${answer.convert.split('>').join(' → ')}`;
+  const degree = answer.degree === undefined ? '' : `: ${answer.degree}, distance ${answer.distance ?? 0}${steps}`;
   return h('div', {}, h('p', {}, mark(answer.matches), answer.matches ? `They meet${degree}` : `They do not meet: ${answer.code ?? ''}`),
     h('ul', { class: 'checks' }, ...answer.checks.map(checkItem)));
 }
@@ -76,6 +77,7 @@ function linkItem(link: Link, isNow: boolean): HTMLElement {
   const item = h('li', {}, h('span', { class: `degree ${link.degree}` }, link.degree === 'refused' ? `refused: ${link.word}` : link.degree),
     h('div', {}, h('b', {}, `${request.participant_name} ${request.name}`), ` asks for ${identityText(request)}`),
     h('div', {}, h('b', {}, `${service.participant_name} ${service.name}`), ` offers ${identityText(service)}`));
+  if (link.steps !== undefined) item.append(h('div', { class: 'steps' }, 'converted: ', h('code', {}, link.steps)));
   if (isNow) {
     item.append(asking('Why', `link ${request.subscription} ${service.service}`, () => pairAnswer(request.subscription, service.service)));
   }

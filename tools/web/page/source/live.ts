@@ -51,6 +51,7 @@ export class Live {
     };
     stream.onopen = () => {
       this.say(kind, '');
+      this.team.beAbsent(Date.now(), '');
       isUp = true;
       this.team.begin(kind);
       settle();
@@ -64,12 +65,14 @@ export class Live {
       const { up, reason } = JSON.parse(message.data) as { up: boolean; reason?: string };
       isUp = up;
       this.say(kind, up ? '' : `The daemon is away: ${reason ?? 'it does not answer'}`);
+      this.team.beAbsent(Date.now(), up ? '' : (reason ?? 'it did not answer'));
       if (up) settle();
     });
     stream.onerror = () => {
       if (!isCurrent()) return;
       isUp = false;
       this.say(kind, 'geminga-web does not answer');
+      this.team.beAbsent(Date.now(), 'geminga-web did not answer');
       stream.close();
       this.streams.delete(kind);
       setTimeout(() => this.look(), retry);

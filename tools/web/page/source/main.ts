@@ -1,11 +1,13 @@
 // The page: what is asked when, and which part shows it.
-import { ask, identityText, participantOf, type Match, type Ontology, type Participant, type Request, type Security, type Status } from './answers.js';
+import { ask, identityText, participantOf, type Hearer, type Match, type Ontology, type Participant, type Request, type Security, type Service, type Status } from './answers.js';
 import { Curves, sampleEach } from './curves.js';
 import { showPair, showParticipant, showRequest, whatIf, type Ground } from './detail.js';
 import { bodyOf, byId, clock, h, refill } from './dom.js';
-import { drawHearing } from './hearing.js';
+import { Hearing } from './hearing.js';
+import { askHistory } from './history.js';
 import { Live } from './live.js';
 import { Matches, type Link } from './matches.js';
+import { OntologyView } from './ontology.js';
 import { Picture, degrees, type Choice } from './picture.js';
 import { Team, type Moment } from './team.js';
 import { Timeline } from './timeline.js';
@@ -14,14 +16,19 @@ import { findings, type Finding } from './wrong.js';
 const slowly = 10_000;
 const redrawEach = 200;
 const hearingEach = 1000;
+/** The pause after the last letter before a filter is asked about, in milliseconds, and the words that are offered. */
+const typing = 400;
+const offered = 20;
 
 class Page {
   private readonly team = new Team();
-  private readonly opened = Date.now();
   private readonly matches = new Matches(this.team.now, () => this.redraw());
   private readonly curves = new Curves(bodyOf('numbers'));
   private readonly timeline = new Timeline(bodyOf('timeline'), (time) => this.lookAt(time));
-  private readonly filter = h('input', { id: 'filter', type: 'search', placeholder: 'module, concept, robot', input: () => this.redraw() });
+  private readonly words = h('datalist', { id: 'filter-words' });
+  private readonly filter = h('input', { id: 'filter', type: 'search', list: 'filter-words', autocomplete: 'off', spellcheck: false, placeholder: 'robot, module, concept or expression', input: () => this.filterSoon() });
+  private readonly hearing = new Hearing(bodyOf('hearing'), (id) => this.choose({ participant: id }));
+  private readonly ontologyView = new OntologyView(() => this.team.now);
   private readonly mode = h('select', { id: 'mode', change: () => this.redraw() },
     ...['any mode', 'oto', 'otm/stream', 'otm/pubsub'].map((word, at) => h('option', { value: at === 0 ? '' : word }, word)));
   private readonly whatIf = whatIf((matches) => this.mark(matches));
@@ -29,6 +36,11 @@ class Page {
   private choice: Choice = {};
   private chosenRequest: Request | undefined;
   private candidates = new Set<string>();
+  /** The services that match what the filter says, where it is a concept or an expression. */
+  private matching: Set<string> | undefined;
+  private filtering: number | undefined;
+  private hearers: Hearer[] = [];
+  private recording: { name: string; end: number } | undefined;
   private past: { time: number; moment: Moment } | undefined;
   private absence = '';
   private heardDrawn = 0;
@@ -43,7 +55,7 @@ class Page {
 
   constructor() {
     const body = bodyOf('picture');
-    body.append(h('div', { class: 'filters' }, h('label', { for: 'filter' }, 'Show'), this.filter, h('label', { for: 'mode', class: 'hidden' }, 'Mode'), this.mode,
+    body.append(h('div', { class: 'filters' }, h('label', { for: 'filter' }, 'Show'), this.filter, this.words, h('label', { for: 'mode', class: 'hidden' }, 'Mode'), this.mode,
       h('ul', { class: 'legend', 'aria-label': 'Lines' }, ...degrees.map((word) => h('li', { class: word }, word === 'refused' ? 'refused, outranked' : word)))));
     const drawing = h('div', { class: 'drawing' });
     body.append(drawing);
@@ -52,6 +64,22 @@ class Page {
     document.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') this.choose({});
     });
+    void this.start();
+  }
+
+  /** Takes the hour that geminga-web has kept, and then follows the team. */
+  private async start(): Promise<void> {
+    const history = await askHistory();
+    this.team.recall(history);
+    this.curves.recall(history.samples);
+    if (history.recording !== undefined && history.end !== undefined) {
+      this.recording = { name: history.recording, end: Date.parse(history.end) };
+      this.timeline.beRecording();
+      for (const id of ['ontology', 'numbers']) byId(id).hidden = true;
+      this.detail();
+      setInterval(() => this.redraw(), hearingEach);
+      return this.redraw();
+    }
     new Live(this.team, {
       changed: (kind) => {
         if (kind !== 'participants') this.askSoon();
@@ -63,6 +91,24 @@ class Page {
     void this.look();
     setInterval(() => void this.sample(), sampleEach);
     setInterval(() => void this.look(), slowly);
+  }
+
+  /** Asks what a filter matches that is a concept or an expression, and offers the names that begin so. */
+  private filterSoon(): void {
+    this.matching = undefined;
+    this.redraw();
+    clearTimeout(this.filtering);
+    this.filtering = window.setTimeout(() => void this.askFilter(this.filter.value.trim()), typing);
+  }
+
+  private async askFilter(word: string): Promise<void> {
+    if (this.recording !== undefined || !/[:<(]| and | or | some | not /.test(word)) return;
+    const [names, matches] = await Promise.allSettled([
+      ask<{ concept: string }[]>('concepts', { begin: word, limit: String(offered) }), ask<Match[]>('match', { concept: word })]);
+    if (word !== this.filter.value.trim()) return;
+    if (names.status === 'fulfilled') refill(this.words, ...names.value.map((one) => h('option', { value: one.concept })));
+    this.matching = matches.status === 'fulfilled' ? new Set(matches.value.map((one) => one.service)) : undefined;
+    this.redraw();
   }
 
   /** Asks for matches and reasons, when entries have changed. */
@@ -83,11 +129,12 @@ class Page {
     this.redraw();
   }
 
-  /** What changes with each announcement, which no stream tells: loss and age, and the daemon's counts. */
+  /** Asks for what changes with each announcement, which no stream tells: loss and age, and the daemon's counts. */
   private async sample(): Promise<void> {
     if (document.hidden) return;
     try {
-      const [status, participants] = await Promise.all([ask<Status>('status'), ask<Participant[]>('participants')]);
+      const [status, participants, hearers] = await Promise.all([ask<Status>('status'), ask<Participant[]>('participants'), ask<Hearer[]>('hearing').catch(() => [])]);
+      this.hearers = hearers;
       this.status = status;
       this.lastHeard = Date.now();
       for (const one of participants) if (this.team.now.participants.has(one.id)) this.team.now.participants.set(one.id, one);
@@ -105,6 +152,7 @@ class Page {
     } catch {
       return; // the stream says that the daemon is away
     }
+    this.ontologyView.show(this.ontology);
     await this.reasons();
     this.redraw();
   }
@@ -141,12 +189,16 @@ class Page {
     byId('detail').focus({ preventScroll: matchMedia('(min-width: 68rem)').matches });
   }
 
+  private end(): number {
+    return this.recording?.end ?? Date.now();
+  }
+
   private moment(): Moment {
     return this.past?.moment ?? this.team.now;
   }
 
   private ground(): Ground {
-    return { moment: this.moment(), links: this.links(), unmatched: this.unmatched, isNow: this.past === undefined && this.absence === '', choose: (choice) => this.choose(choice) };
+    return { moment: this.moment(), links: this.links(), unmatched: this.unmatched, isNow: this.past === undefined && this.absence === '' && this.recording === undefined, choose: (choice) => this.choose(choice) };
   }
 
   private detail(): void {
@@ -154,8 +206,9 @@ class Page {
     else if (this.choice.pair !== undefined) showPair(this.choice.pair, this.ground());
     else if (this.choice.participant !== undefined) showParticipant(this.choice.participant, this.ground());
     else {
-      byId('detail-title').textContent = 'What if';
-      refill(bodyOf('detail'), this.whatIf);
+      byId('detail-title').textContent = this.recording === undefined ? 'What if' : 'A recording';
+      refill(bodyOf('detail'), this.recording === undefined ? this.whatIf
+        : h('p', {}, 'It has no ontology: a line joins what states the same names. geminga-query replay says why a request was not served.'));
     }
   }
 
@@ -163,10 +216,20 @@ class Page {
   private links(): Link[] {
     const moment = this.moment();
     const mode = this.mode.value;
-    return this.matches.links.filter((link) =>
+    const links = this.recording === undefined ? this.matches.links : this.sameNames(moment);
+    return links.filter((link) =>
       moment.participants.has(participantOf(link.request.consumer)) && moment.participants.has(participantOf(link.service.provider)) &&
       moment.requests.has(link.request.subscription) && moment.services.has(link.service.service) &&
-      (mode === '' || link.request.mode === mode) && (this.hasWord(link.request) || this.hasWord(link.service)));
+      (mode === '' || link.request.mode === mode) && (this.matching !== undefined ? this.matching.has(link.service.service) : this.hasWord(link.request) || this.hasWord(link.service)));
+  }
+
+  /** Links of what states the same names: a recording has no ontology by which more could be said. */
+  private sameNames(moment: Moment): Link[] {
+    const services = new Map<string, Service[]>();
+    const keyOf = (entry: Request | Service): string => `${identityText(entry)} ${entry.mode}`;
+    for (const service of moment.services.values()) services.set(keyOf(service), [...(services.get(keyOf(service)) ?? []), service]);
+    return [...moment.requests.values()].filter((request) => request.served).flatMap((request) =>
+      (services.get(keyOf(request)) ?? []).map((service): Link => ({ request, service, degree: 'exact', word: 'the same name' })));
   }
 
   private hasWord(entry: { name: string; participant_name: string; concept?: string; text?: string; id?: number | string }): boolean {
@@ -183,8 +246,12 @@ class Page {
 
   private draw(): void {
     const moment = this.moment();
-    const unmatched = this.unmatched.filter((one) => this.team.now.requests.has(one.subscription));
-    const list = findings({ participants: this.team.now.participants, happenings: this.team.happenings, unmatched, ontology: this.ontology, security: this.security, status: this.status });
+    const unmatched = this.recording !== undefined ? [...moment.requests.values()].filter((one) => !one.served)
+      : this.unmatched.filter((one) => this.team.now.requests.has(one.subscription));
+    const until = this.past?.time ?? this.end();
+    const list = findings(this.recording !== undefined
+      ? { participants: moment.participants, happenings: this.team.happenings.filter((one) => one.time <= until), unmatched, ontology: undefined, security: undefined, status: undefined }
+      : { participants: this.team.now.participants, happenings: this.team.happenings, unmatched, ontology: this.ontology, security: this.security, status: this.status });
     this.drawState(moment);
     this.drawFindings(list);
     const filter = this.filter.value.trim();
@@ -197,28 +264,30 @@ class Page {
     const present = new Set([...moment.participants.values()].map((one) => one.name));
     const gone = new Map<string, string>();
     for (const one of this.team.happenings) {
-      if (one.kind !== 'participants' || one.event !== 'del' || one.time > (this.past?.time ?? Date.now())) continue;
+      if (one.kind !== 'participants' || one.event !== 'del' || one.time > until) continue;
       const { name } = one.record as Participant;
       if (!present.has(name)) gone.set(name, one.key);
     }
     this.picture.draw({
       moment, links, choice: this.choice, unserved,
-      wrong: this.past === undefined ? new Set(list.filter((one) => one.level === 'error' && one.request === undefined).flatMap((one) => one.places)) : new Set(),
+      wrong: this.past === undefined || this.recording !== undefined ? new Set(list.filter((one) => one.level === 'error' && one.request === undefined).flatMap((one) => one.places)) : new Set(),
       shown: (id) => (this.candidates.size > 0 ? this.candidates.has(id) : filter === '' || kept.has(id)),
       gone: [...gone].map(([name, id]) => ({ id, name })),
     });
     byId('picture').classList.toggle('stale', this.absence !== '');
     if (Date.now() - this.heardDrawn > hearingEach) {
       this.heardDrawn = Date.now();
-      drawHearing(bodyOf('hearing'), [...this.team.now.participants.values()], (id) => this.choose({ participant: id }));
+      this.hearing.draw([...(this.recording === undefined ? this.team.now : moment).participants.values()], this.hearers);
     }
-    this.timeline.draw(this.team.happenings, this.opened);
+    this.timeline.draw(this.team.happenings, this.team.since, this.end());
   }
 
   private drawState(moment: Moment): void {
     const absence = byId('absence');
-    const words = this.absence !== '' ? `${this.absence}. What you see is how it was at ${clock(this.lastHeard)}.`
-      : this.past !== undefined ? `You look at ${clock(this.past.time)}; the lists are of now.` : '';
+    const missing = this.team.absenceAt(this.past?.time ?? this.end());
+    const words = this.recording !== undefined ? `You look at the recording ${this.recording.name}, at ${clock(this.past?.time ?? this.recording.end)}.${missing === '' ? '' : ` The daemon was away then: ${missing}.`}`
+      : this.absence !== '' ? `${this.absence}. What you see is how it was at ${clock(this.lastHeard)}.`
+      : this.past !== undefined ? `You look at ${clock(this.past.time)}; the lists are of now.${missing === '' ? '' : ` The daemon was away then (${missing}): what you see is how it was before.`}` : '';
     absence.hidden = words === '';
     absence.classList.toggle('past', this.absence === '');
     if (absence.textContent !== words) absence.textContent = words;

@@ -2,6 +2,10 @@
 import { ask, identityParameters, participantOf, type Match, type Request, type RequestAnswer, type Service } from './answers.js';
 import type { Moment } from './team.js';
 
+/** Requests that nobody serves of which the nearest services are drawn, each with the code of why it does not fit. */
+const maxRefused = 40;
+const nearestDrawn = 2;
+
 export type Degree = 'exact' | 'narrower' | 'converted' | 'refused';
 
 export interface Link {
@@ -10,6 +14,8 @@ export interface Link {
   degree: Degree;
   /** The word of the daemon: its degree, or the code of why not. */
   word: string;
+  /** The representations on the way, the cost and the converters, where something is converted. */
+  steps?: string;
 }
 
 /** The least time between two readings, in milliseconds, and how many questions of one reading wait at a time. */
@@ -26,6 +32,9 @@ function admits(request: Request, service: Service): boolean {
   });
 }
 
+/** Requests of one module name for the same have the same nearest services. */
+const refusal = (request: Request): string => `${request.name} ${JSON.stringify(question(request))}`;
+
 const isPlain = (request: Request): boolean => request.scope === undefined && request.rank === undefined;
 
 function question(request: Request): Record<string, string> {
@@ -33,6 +42,12 @@ function question(request: Request): Record<string, string> {
   if (request.where !== undefined) parameters['where'] = request.where;
   if (request.convert !== undefined) parameters['convert'] = String(request.convert);
   return parameters;
+}
+
+/** `A > B > C, cost 2, by robot2/Camera`. */
+function stepsOf(match: Match): { steps?: string } {
+  if (match.convert === undefined) return {};
+  return { steps: `${match.convert.split('>').join(' → ')}, cost ${match.cost ?? 0}${match.via === undefined ? '' : `, by ${match.via}`}` };
 }
 
 const degreeOf = (match: Match): Degree => (match.convert !== undefined ? 'converted' : match.degree === 'exact' ? 'exact' : 'narrower');
@@ -61,12 +76,16 @@ export class Matches {
     this.isReading = true;
     this.isStale = false;
     const groups = new Map<string, Request[]>();
+    const refused = new Map<string, Request[]>();
     for (const request of this.moment.requests.values()) {
-      if (!request.served) continue;
+      if (!request.served) {
+        if (refused.size < maxRefused || refused.has(refusal(request))) refused.set(refusal(request), [...(refused.get(refusal(request)) ?? []), request]);
+        continue;
+      }
       const key = isPlain(request) ? JSON.stringify(question(request)) : request.subscription;
       groups.set(key, [...(groups.get(key) ?? []), request]);
     }
-    const waiting = [...groups.values()];
+    const waiting = [...groups.values(), ...refused.values()];
     const links: Link[] = [];
     let isWhole = true;
     const work = async (): Promise<void> => {
@@ -91,6 +110,7 @@ export class Matches {
   private async linksOf(group: Request[]): Promise<Link[]> {
     const [first] = group;
     if (first === undefined) return [];
+    if (!first.served) return this.refused(group, first);
     const matches = isPlain(first) ? await ask<Match[]>('match', question(first)) : [];
     const links: Link[] = [];
     for (const request of group) {
@@ -99,7 +119,7 @@ export class Matches {
         (match) => admits(request, match) && (protocols === undefined || protocols.includes(match.protocol ?? '')),
       );
       if (isPlain(request) && (request.limit === 0 || fitting.length <= request.limit)) {
-        for (const match of fitting) links.push({ request, service: match, degree: degreeOf(match), word: match.degree });
+        for (const match of fitting) links.push({ request, service: match, degree: degreeOf(match), word: match.degree, ...stepsOf(match) });
       } else {
         links.push(...(await this.chosen(request, matches)));
       }
@@ -107,7 +127,17 @@ export class Matches {
     return links;
   }
 
-  /** What a request is given whose places are fewer than the services that meet it: the daemon knows, of four and four. */
+  /** The nearest services of requests that nobody serves, with the code of what stands in the way. */
+  private async refused(group: Request[], first: Request): Promise<Link[]> {
+    const answer = await ask<RequestAnswer>('why', { subscription: first.subscription });
+    const near = answer.services.filter((one) => !one.ok && one.code !== undefined).slice(0, nearestDrawn);
+    return near.flatMap((one) => {
+      const service = this.moment.services.get(one.service);
+      return service === undefined ? [] : group.map((request): Link => ({ request, service, degree: 'refused', word: one.code ?? '' }));
+    });
+  }
+
+  /** Links of a request whose places are fewer than the services that meet it: the daemon knows, of four and four. */
   private async chosen(request: Request, matches: Match[]): Promise<Link[]> {
     const answer = await ask<RequestAnswer>('why', { subscription: request.subscription });
     const links: Link[] = [];
@@ -118,7 +148,7 @@ export class Matches {
       if (near.ok) {
         const match = matches.find((one) => one.service === near.service);
         const degree = match !== undefined ? degreeOf(match) : /: exact/.test(near.text) ? 'exact' : 'narrower';
-        links.push({ request, service, degree, word: match?.degree ?? degree });
+        links.push({ request, service, degree, word: match?.degree ?? degree, ...(match === undefined ? {} : stepsOf(match)) });
       } else if (isOutranked) {
         links.push({ request, service, degree: 'refused', word: near.code ?? 'outranked' });
       }

@@ -84,6 +84,7 @@ interface Bundle {
   degree: Degree;
   count: number;
   words: Set<string>;
+  steps: Set<string>;
 }
 
 /** Matches between two hosts, by degree; those within a host are counted by the host alone. */
@@ -97,9 +98,10 @@ function bundled(links: Link[]): { between: Bundle[]; within: Map<string, number
       continue;
     }
     const key = `${pair.join()} ${link.degree}`;
-    const bundle = between.get(key) ?? { pair, degree: link.degree, count: 0, words: new Set<string>() };
+    const bundle = between.get(key) ?? { pair, degree: link.degree, count: 0, words: new Set<string>(), steps: new Set<string>() };
     bundle.count += 1;
     bundle.words.add(link.word);
+    if (link.steps !== undefined) bundle.steps.add(link.steps);
     between.set(key, bundle);
   }
   const inOrder = [...between.values()].sort((a, b) => degrees.indexOf(a.degree) - degrees.indexOf(b.degree));
@@ -162,7 +164,7 @@ export class Picture {
       if (a === undefined || b === undefined) continue;
       const isNear = choice.pair !== undefined ? bundle.pair.every(isChosen) : bundle.pair.some(isChosen);
       const isFaint = (hasChoice && !isNear) || !bundle.pair.every(drawing.shown);
-      const of = [a.x, a.y, b.x, b.y, isFaint, isNear, bundle.count, ...bundle.words].join();
+      const of = [a.x, a.y, b.x, b.y, isFaint, isNear, bundle.count, ...bundle.words, ...bundle.steps].join();
       this.lines.take(`${bundle.pair.join()} ${bundle.degree}`, of, () => this.line(bundle, a, b, isFaint, isNear));
     }
     const inOrder = all.sort((a, b) => Number(b.self) - Number(a.self) || a.name.localeCompare(b.name, 'en', { numeric: true }));
@@ -189,13 +191,14 @@ export class Picture {
     const length = Math.hypot(b.x - a.x, b.y - a.y) || 1;
     const [dx, dy] = [(-(b.y - a.y) / length) * apart, ((b.x - a.x) / length) * apart];
     const ends = { x1: a.x + dx, y1: a.y + dy, x2: b.x + dx, y2: b.y + dy };
-    const text = `${bundle.count} ${bundle.degree}${bundle.degree === 'refused' ? ` (${[...bundle.words].join(', ')})` : ''}`;
+    const text = `${bundle.count} ${bundle.degree}${bundle.degree === 'refused' ? ` (${[...bundle.words].join(', ')})` : ''}${[...bundle.steps].map((steps) => `\n${steps}`).join('')}`;
     const group = svg('g', { class: `line ${bundle.degree}${isFaint ? ' faint' : ''}${isNear ? ' near' : ''}`, click: () => this.choose({ pair: bundle.pair }) },
       svg('line', { ...ends, class: 'wide' }),
       svg('line', { ...ends, class: 'thin', 'stroke-width': (1.2 + Math.min(2.4, Math.log2(bundle.count) * 0.5)).toFixed(2) }),
       svg('title', {}, text));
-    if (bundle.degree === 'refused' && isNear) {
-      group.append(svg('text', { x: (a.x + b.x) / 2 + dx, y: (a.y + b.y) / 2 + dy - 4, class: 'code' }, [...bundle.words].join(', ')));
+    const words = bundle.degree === 'refused' ? bundle.words : bundle.steps;
+    if (isNear && words.size > 0) {
+      group.append(svg('text', { x: (a.x + b.x) / 2 + dx, y: (a.y + b.y) / 2 + dy - 4 + (bundle.degree === 'refused' ? 8 : -8), class: 'code' }, shortened([...words].join(', '), 60)));
     }
     return group;
   }

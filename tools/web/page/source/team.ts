@@ -1,5 +1,6 @@
 // The state of the team at a moment, and the happenings of the last hour.
 import type { Change, Participant, Request, Service } from './answers.js';
+import type { History } from './history.js';
 
 export interface Moment {
   participants: Map<string, Participant>;
@@ -24,6 +25,7 @@ export interface Happening {
 /** How long happenings are kept, in milliseconds, and how many at most. The eldest give way. */
 export const hour = 3_600_000;
 export const maxHappenings = 20_000;
+const maxAbsences = 200;
 
 export const emptyMoment = (): Moment => ({ participants: new Map(), services: new Map(), requests: new Map() });
 
@@ -33,15 +35,60 @@ function apply(moment: Moment, happening: Happening): void {
   else records.set(happening.key, happening.record);
 }
 
-/** The team as it is, and as it was since this page was opened, an hour at most. */
+/** The team as it is, and as it was within the hour that geminga-web and this page have seen. */
 export class Team {
   readonly now = emptyMoment();
   readonly happenings: Happening[] = [];
-  /** What was there before the first happening. */
+  /** The state before the first happening. */
   private readonly before = emptyMoment();
   /** Keys that a stream which was opened anew has told, by kind; the others have gone meanwhile. */
   private readonly told = new Map<Kind, Set<string>>();
   private readonly settled = new Set<Kind>();
+  private isRecalled = false;
+  /** The times at which the daemon was away, and why. */
+  private absences: { from: number; to: number; reason: string }[] = [];
+  /** Where the happenings begin. */
+  since = Date.now();
+
+  /** Takes the hour that geminga-web has kept, in the place of what is known. */
+  recall(history: History): void {
+    if (history.begin === null) return;
+    this.isRecalled = true;
+    this.since = Date.parse(history.begin);
+    this.happenings.length = 0;
+    this.absences = [];
+    for (const kind of ['participants', 'services', 'requests'] as const) {
+      const records = (history.before[kind] ?? []) as unknown as Record<string, string>[];
+      for (const moment of [this.before, this.now]) {
+        const map = moment[kind] as Map<string, unknown>;
+        map.clear();
+        for (const record of records) map.set(record[keys[kind]] ?? '', record);
+      }
+    }
+    const before = history.before.absence ?? '';
+    if (before !== '') this.absences.push({ from: this.since, to: Infinity, reason: before });
+    for (const { of, event, time, reason, record } of history.changes) {
+      const at = Date.parse(time);
+      if (of === 'daemon') this.beAbsent(at, event === 'del' ? reason : '');
+      else this.keep({ time: at, kind: of, key: (record as unknown as Record<string, string>)[keys[of]] ?? '', event, record: record as Happening['record'], reason }, Infinity);
+    }
+  }
+
+  /** The daemon is away from this time on, and why; an empty reason: it is there again. */
+  beAbsent(time: number, reason: string): void {
+    const last = this.absences.at(-1);
+    if (last?.to === Infinity) {
+      if (reason === '') last.to = time;
+    } else if (reason !== '') {
+      this.absences.push({ from: time, to: Infinity, reason });
+    }
+    if (this.absences.length > maxAbsences) this.absences.shift();
+  }
+
+  /** The reason why nothing was known at an instant; empty: the daemon was there. */
+  absenceAt(time: number): string {
+    return this.absences.find((one) => one.from <= time && time < one.to)?.reason ?? '';
+  }
 
   /** A stream begins to tell all that is there. */
   begin(kind: Kind): void {
@@ -66,7 +113,7 @@ export class Team {
     this.told.get(kind)?.add(key);
     const known = this.now[kind].has(key);
     const kept = record as unknown as Happening['record'];
-    if (event === 'add' && !this.settled.has(kind)) {
+    if (event === 'add' && !this.settled.has(kind) && !this.isRecalled) {
       // Services that were there when the page was opened have not come now.
       for (const moment of [this.before, this.now]) (moment[kind] as Map<string, Happening['record']>).set(key, kept);
     } else if (event === 'add' && known) {
@@ -90,13 +137,15 @@ export class Team {
     return moment;
   }
 
-  private keep(happening: Happening): void {
+  private keep(happening: Happening, span = hour): void {
     apply(this.now, happening);
     this.happenings.push(happening);
-    const since = happening.time - hour;
+    const since = happening.time - span;
     while (this.happenings.length > maxHappenings || (this.happenings[0]?.time ?? since) < since) {
       const eldest = this.happenings.shift();
-      if (eldest !== undefined) apply(this.before, eldest);
+      if (eldest === undefined) continue;
+      apply(this.before, eldest);
+      this.since = eldest.time;
     }
   }
 }
