@@ -89,7 +89,6 @@ try {
   await state('monitor', 'LebtClient', ...requests);
 
   const recording = join(folder, 'team.jsonl');
-  const recorder = start('geminga-query', '--connect', `127.0.0.1:${ports.monitor}`, 'record', recording);
   const http = await freePort();
   const web = start('geminga-web', '--connect', `127.0.0.1:${ports.monitor}`, '--listen', `127.0.0.1:${http}`);
   (await connection(http)).destroy();
@@ -123,6 +122,7 @@ try {
   assert.equal(await page.$('img'), null);
   assert.equal(await page.title(), 'Geminga: the team');
   await shoot('team');
+  const recorder = start('geminga-query', '--connect', `127.0.0.1:${ports.monitor}`, 'record', recording);
   await inOrder();
 
   // Its reason leads to the place, by the keyboard alone.

@@ -86,7 +86,7 @@ TEST_F(SiteTest, TakesTheKeysOfAQuestionAndNoOthers) {
 TEST_F(SiteTest, GivesTheDoctorsDocumentLaterOrWhyThereIsNone) {
   EXPECT_EQ(get("/api/doctor").status, 404U) << "there is none";
   std::vector<std::function<void(const Result<boost::json::value, ClientError>&)>> waiting;
-  Site examined(asker, {}, [&](auto then) { waiting.push_back(std::move(then)); });
+  Site examined(asker, history, {}, [&](auto then) { waiting.push_back(std::move(then)); });
   std::vector<Response> responses;
   const auto ask = [&](const char* target) {
     examined.answer({.method = "GET", .target = target, .hosts = {"localhost"}, .authorizations = {}, .accept = ""},
