@@ -19,10 +19,10 @@ using announcement::HeardWithin;
 /// Identifiers that are listed cost so much less than an entry of the registry.
 constexpr std::size_t names_per_entry = 32;
 
-constexpr std::array<std::pair<HeardWithin, std::string_view>, 4> words{{{HeardWithin::quarter, "quarter"},
-                                                                         {HeardWithin::half, "half"},
-                                                                         {HeardWithin::interval, "whole"},
-                                                                         {HeardWithin::longer, "longer"}}};
+constexpr std::array<std::pair<HeardWithin, std::string_view>, 4> heard_words{{{HeardWithin::quarter, "quarter"},
+                                                                               {HeardWithin::half, "half"},
+                                                                               {HeardWithin::interval, "whole"},
+                                                                               {HeardWithin::longer, "longer"}}};
 
 struct Witness {
   ParticipantId id{};
@@ -35,7 +35,7 @@ Line line_of(const Witness& witness, const std::optional<membership::NamedTestim
   append(line, "name", witness.name);
   if (!testimony) return line;
   append(line, "age", seconds(now - testimony->said));
-  for (const auto& [within, word] : words) {
+  for (const auto& [within, word] : heard_words) {
     std::vector<std::string> ids;
     for (const auto& [id, heard] : testimony->heard) {
       if (heard == within) ids.push_back(to_string(id));
