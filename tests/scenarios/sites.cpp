@@ -256,16 +256,16 @@ class Sites {
   }
 
   void finish() {
-    const double seconds = std::chrono::duration<double>(conditions_.time).count();
+    const double duration = std::chrono::duration<double>(conditions_.time).count();
     const auto count = static_cast<double>(sites_.size());
     for (const auto& site : sites_) {
       result_.remembered += static_cast<double>(site->horizon.remembered()) / count;
       for (const auto& [iri, began] : site->interests) judge(*site, iri);
     }
-    result_.received_octets /= count * seconds;
-    result_.sent_octets /= count * seconds;
-    result_.gateway_octets /= seconds;
-    expect(seconds);
+    result_.received_octets /= count * duration;
+    result_.sent_octets /= count * duration;
+    result_.gateway_octets /= duration;
+    expect(duration);
   }
 
   void judge(const Site& site, const std::string& iri) {
@@ -282,7 +282,7 @@ class Sites {
   }
 
   /// SCALE.md, "What a site receives".
-  void expect(double seconds) {
+  void expect(double duration) {
     const double n = static_cast<double>(sites_.size());
     const double offers_leaf = 1 - std::pow(1 - 1.0 / leaves, static_cast<double>(conditions_.concepts));
     const double offers_middle = 1 - std::pow(1 - 10.0 / leaves, static_cast<double>(conditions_.concepts));
@@ -297,12 +297,12 @@ class Sites {
         wanted_of(leaves, conditions_.leaf_interests) + wanted_of(middles, conditions_.middle_interests);
     const double topics = wanted * (conditions_.other_ontology > 0 ? 4 : 2);
     // Of the sites that want a topic the first one asks again, after a little more than the least time.
-    const double rounds = std::floor(seconds / (0.84 * std::chrono::duration<double>(summary::ask_again).count()));
+    const double rounds = std::floor(duration / (0.84 * std::chrono::duration<double>(summary::ask_again).count()));
     const double questions = 2 * n * interests + rounds * topics;
     // At first each site asks for itself, and those that want the same hear the answers, too.
     const double askers = std::max(1.0, n * interests / wanted);
     const double answers = result_.expected_remembered * (askers / 2 + rounds);
-    result_.expected_received = (questions * question_octets + answers * answer_octets) / seconds;
+    result_.expected_received = (questions * question_octets + answers * answer_octets) / duration;
   }
 
   const SiteConditions conditions_;
