@@ -129,10 +129,12 @@ std::vector<RunningDaemon> daemons_of_host() {
     const auto [rest, problem] = std::from_chars(name.data(), name.data() + name.size(), daemon.process);
     if (problem != std::errc() || rest != name.data() + name.size()) continue;
     if (content_of(entry->path() / "comm") != "gemingad\n") continue;
-    std::error_code ignored;
-    const fs::path network = fs::read_symlink(entry->path() / "ns/net", ignored);
+    // The network of others' processes may be unreadable; a process that ends meanwhile has none, and no command.
+    std::error_code unreadable;
+    const fs::path network = fs::read_symlink(entry->path() / "ns/net", unreadable);
     if (!network.empty() && network != own_network) continue;
     daemon.command = content_of(entry->path() / "cmdline");
+    if (daemon.command.empty()) continue;
     std::ranges::replace(daemon.command, '\0', ' ');
     while (daemon.command.ends_with(' ')) daemon.command.pop_back();
     daemons.push_back(std::move(daemon));

@@ -49,6 +49,10 @@ TEST(Presence, CostsNoMemoryWhereNothingHasChanged) {
   ::operator delete(::operator new(1));
   ASSERT_EQ(tests::allocations(), before + 1) << "they are counted";
   sim::Robots robots(sim::World::seed_or(41), 10, {});
+  for (const auto& host : robots.world.hosts()) {  // as a daemon, which shares with nobody
+    host->settings.shared = nullptr;
+    host->settings.shared_entries = nullptr;
+  }
   robots.start();
   robots.team.settle(std::chrono::seconds(5));
   robots.world.run_for(std::chrono::minutes(2));

@@ -114,8 +114,7 @@ TEST(Programs, NameTheFlagOrTheCommandThatMayBeMeant) {
       {"geminga-query",
        {"physician"},
        "'physician' is no command: the commands are participants, services, requests, match, explain, why, ontology, "
-       "status, "
-       "security, doctor, record, replay, top, complete: see "},
+       "export, status, security, doctor, mcp, record, replay, top, complete: see "},
       {"geminga-query", {"services", "--unsued"}, "'--unsued' is no flag: did you mean --unused? see "},
       {"geminga-query", {"services", "--conect", "x"}, "'--conect' is no flag: did you mean --connect? see "},
       {"geminga-query", {"match", "--limt=3"}, "'--limt' is no flag: did you mean --limit? see "},
