@@ -142,7 +142,7 @@ class Examples : public testing::Test {
     example = replaced(example, "--format svg", "--format dot");  // svg needs Graphviz, which may not be installed
     example = replaced(example, "/var/lib/robot/", "");
     example = replaced(example, "--at 14:03:10", "--speed 2");  // a recording of these seconds has another moment
-    if (example.starts_with("geminga-bridge")) return;  // needs what is beyond it: tests/tools/bridge
+    if (example.starts_with("geminga-bridge")) return;          // needs what is beyond it: tests/tools/bridge
     if (example.starts_with("geminga-query record")) return record(example);
     const bool is_replay = example.starts_with("geminga-query replay");
     if (is_replay && !fs::exists(folder_ / "field-test.jsonl")) record("geminga-query record field-test.jsonl");

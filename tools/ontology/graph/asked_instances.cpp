@@ -97,8 +97,7 @@ std::expected<owl::TermId, std::string> AskedInstances::read(const graph::AskedE
 
 std::expected<std::vector<std::string>, std::string> AskedInstances::find(const graph::AskedExpression& asked) {
   const auto expression = read(asked);
-  if (!expression)
-    return std::unexpected("a class expression of the query cannot be used: " + expression.error());
+  if (!expression) return std::unexpected("a class expression of the query cannot be used: " + expression.error());
   realization::Options options{.budget = &budget_};
   options.progress = [&](std::string_view phase, double done) { progress_.show(phase, done); };
   owl::Ontology& source = classified_.loaded.source;

@@ -8,7 +8,7 @@
 
 namespace geminga::ontology {
 
-EntityNames::EntityNames(const owl::Ontology& source) : source_(source) {
+EntityNames::EntityNames(const owl::Ontology& source) {
   const auto short_name = short_names(source);
   for (std::uint32_t id = 0; id < source.term_count(); ++id) {
     const owl::TermId term{id};

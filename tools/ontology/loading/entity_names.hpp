@@ -22,7 +22,6 @@ class EntityNames {
   [[nodiscard]] std::expected<std::vector<owl::TermId>, std::string> find(std::string_view name) const;
 
  private:
-  const owl::Ontology& source_;
   std::unordered_map<std::string, std::vector<std::string_view>> iris_;  ///< by short name and end; each sorted
   std::unordered_map<std::string_view, std::vector<owl::TermId>> terms_;
 };

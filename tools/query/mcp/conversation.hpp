@@ -15,8 +15,8 @@
 
 namespace geminga::query::mcp {
 
-/// Answers initialization, pings, the list of tools and calls of them. Whatever comes, the conversation goes on, and what
-/// cannot be answered gets an error of JSON-RPC. Not thread-safe.
+/// Answers initialization, pings, the list of tools and calls of them. Whatever comes, the conversation goes on, and
+/// what cannot be answered gets an error of JSON-RPC. Not thread-safe.
 class Conversation {
  public:
   /// `ask` is called within answer(), and once at most for each call of a tool.

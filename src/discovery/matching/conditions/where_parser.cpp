@@ -202,8 +202,8 @@ std::expected<WhereParser::Literal, Error> WhereParser::numeric(std::string_view
   }
   const std::string written = std::string(digits) + ' ' + std::string(sign);
   const bool is_of_table = unit(sign).has_value();
-  const vocabulary::Units none;
-  const vocabulary::Units& declared = declared_ ? *declared_ : none;
+  const vocabulary::Units undeclared;
+  const vocabulary::Units& declared = declared_ ? *declared_ : undeclared;
   if (declared_ && !unit(sign, declared)) return wrong_unit(sign);
   if ((declared_ || is_of_table) && !quantity(written, declared)) return wrong("this number is out of range", begin);
   parsed_.has_declared_unit = parsed_.has_declared_unit || !is_of_table;

@@ -108,10 +108,10 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   const bool is_about_us = heard_->participant == announcer_.id();  // it may be a lie, and others hear it
   if (!is_about_us && DualStack::is_said_twice(*heard_, *on)) return std::nullopt;
   const membership::Hearing hearing = neighbours_.hear(*heard_, {.interface = interface,
-                                                                .interface_name = on->name,
-                                                                .source = source,
-                                                                .now = env_.now(),
-                                                                .is_sealed = is_sealed});
+                                                                 .interface_name = on->name,
+                                                                 .source = source,
+                                                                 .now = env_.now(),
+                                                                 .is_sealed = is_sealed});
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (heard_->kind == announcement::Kind::presence) {
     one_way_.hear(*heard_, neighbours_, source, on->name, env_.log());

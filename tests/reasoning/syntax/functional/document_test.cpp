@@ -179,8 +179,8 @@ TEST(Document, CollectsLabels) {
       "AnnotationAssertion(<https://geminga.example/core#dnsServiceType> :B \"_b._tcp\")\n"
       "AnnotationAssertion(rdfs:label :A :B)\nSubClassOf(Annotation(rdfs:label \"no\") :A :B))");
   ASSERT_EQ(reading.error, "");
-  EXPECT_THAT(reading.labels(), ElementsAre("http://e/A ball", "http://e/A Ball@de-ch", "http://e/B an \"x\" \\",
-                                            "http://e/B _b._tcp"));
+  EXPECT_THAT(reading.labels(),
+              ElementsAre("http://e/A ball", "http://e/A Ball@de-ch", "http://e/B an \"x\" \\", "http://e/B _b._tcp"));
   EXPECT_EQ(reading.document.annotations, 10U);
   EXPECT_EQ(reading.document.axioms, 1U);
 }
