@@ -86,10 +86,10 @@ TEST(NeighbourQueue, HoldsChangesOfConvertersBeyondTheBudgetOfTheirParticipant) 
 TEST(NeighbourQueue, GivesTheLastChangeOfAConverterWhenThereIsBudgetAgain) {
   constexpr int period = 1000 / converter_changes_per_second;
   NeighbourQueue queue;
-  for (int count = 0; count < converter_burst; ++count) queue.push(put_converter(key(1, 1000 + count)));
+  for (std::uint32_t count = 0; count < converter_burst; ++count) queue.push(put_converter(key(1, 1000 + count)));
   EXPECT_EQ(count_due(queue, at(0)), converter_burst);
   for (std::uint16_t port = 1; port <= 100; ++port) {
-    for (const std::uint32_t number : {1, 2}) queue.push(put_converter(key(1, number), port));
+    for (const std::uint32_t number : {1U, 2U}) queue.push(put_converter(key(1, number), port));
     EXPECT_EQ(count_due(queue, at(0)), 0);
   }
   queue.push(put(key(1, 3), 7));
@@ -106,9 +106,9 @@ TEST(NeighbourQueue, GivesTheLastChangeOfAConverterWhenThereIsBudgetAgain) {
 
 TEST(NeighbourQueue, DropsWhatIsHeldWhenItsServiceOrItsParticipantGoes) {
   NeighbourQueue queue;
-  for (int count = 0; count < converter_burst; ++count) queue.push(put_converter(key(1, 1000 + count)));
+  for (std::uint32_t count = 0; count < converter_burst; ++count) queue.push(put_converter(key(1, 1000 + count)));
   EXPECT_EQ(count_due(queue, at(0)), converter_burst);
-  for (const std::uint32_t number : {1, 2, 3, 4}) queue.push(put_converter(key(1, number)));
+  for (const std::uint32_t number : {1U, 2U, 3U, 4U}) queue.push(put_converter(key(1, number)));
   EXPECT_EQ(count_due(queue, at(0)), 0);
   queue.push(membership::RemovePublication{key(1, 1), membership::Departure::withdrawn});
   queue.push(put(key(1, 2), 9));
@@ -123,9 +123,9 @@ TEST(NeighbourQueue, DropsWhatIsHeldWhenItsServiceOrItsParticipantGoes) {
 
 TEST(NeighbourQueue, HoldsChangesOfConvertersBeyondTheBudgetOfAll) {
   NeighbourQueue queue;
-  const int participants = converter_burst_of_all / converter_burst + 1;
-  for (int one = 1; one <= participants; ++one) {
-    for (int number = 0; number < converter_burst; ++number) queue.push(put_converter(key(one, number)));
+  constexpr std::uint32_t participants = converter_burst_of_all / converter_burst + 1;
+  for (std::uint32_t one = 1; one <= participants; ++one) {
+    for (std::uint32_t number = 0; number < converter_burst; ++number) queue.push(put_converter(key(one, number)));
   }
   EXPECT_EQ(count_due(queue, at(0)), converter_burst_of_all);
   EXPECT_EQ(count_due(queue, at(1000)), std::min(converter_changes_per_second_of_all, converter_burst));
