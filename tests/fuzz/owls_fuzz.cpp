@@ -11,12 +11,6 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/owls/profile.hpp"
 
-#ifdef __clang__
-// Leaks of raptor (raptor_parser.cpp lists them) have no function names where llvm-symbolizer is missing.
-// NOLINTNEXTLINE(bugprone-reserved-identifier)
-extern "C" const char* __lsan_default_suppressions() { return "leak:libraptor2.so\n"; }
-#endif
-
 namespace {
 
 void expect_one_line(const geminga::syntax::LoadError& error) {

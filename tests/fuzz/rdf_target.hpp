@@ -15,14 +15,6 @@
 #include "base/text.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 
-#ifdef __clang__
-// Leaks of raptor (raptor_parser.cpp lists them) have no function names where llvm-symbolizer is missing.
-// NOLINTBEGIN(bugprone-reserved-identifier,misc-definitions-in-headers)
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libraptor2.so\n"; }
-// NOLINTEND(bugprone-reserved-identifier,misc-definitions-in-headers)
-#endif
-
 namespace geminga::fuzz {
 
 /// `extension` chooses the syntax.

@@ -16,8 +16,7 @@ using std::chrono::milliseconds;
 using std::chrono::minutes;
 using std::chrono::seconds;
 
-/// The networks: one link carries both.
-constexpr std::uint32_t ipv4 = 0;
+/// The number of IPv6 on a link that carries both families.
 constexpr std::uint32_t ipv6 = 6;
 
 constexpr Bounds patient = {.missing = seconds(30), .surplus = seconds(30)};

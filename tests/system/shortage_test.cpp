@@ -92,7 +92,7 @@ TEST(Shortage, OfMemoryShedsTheNewestStrangersAndNobodyElse) {
 
 TEST(Shortage, OfDescriptorsAtTheStartIsSaid) {
   const Lab lab(1);
-  for (const rlim_t count : {8, 31, 32}) {
+  for (const rlim_t count : {8U, 31U, 32U}) {
     auto start = lab.on(0, {program("gemingad"), "--check-config"});
     start.before = [count, enter = start.before] {
       if (enter) enter();

@@ -103,7 +103,7 @@ TEST_F(Repair, SaysWhenNothingIsToBeMended) {
 
 TEST_F(Repair, ShowsAsManyChoicesAsAreAskedFor) {
   program_.turtle("a.ttl", ":A rdfs:subClassOf :B, :C . :B owl:disjointWith :C .\n");
-  for (const std::size_t limit : {2, 3, 4}) {
+  for (const std::size_t limit : {2U, 3U, 4U}) {
     const boost::json::object found = json({"--limit", std::to_string(limit)});
     const boost::json::value& group = found.at("groups").at(0);
     EXPECT_EQ(group.at("choices").as_array().size(), std::min<std::size_t>(limit, 3));

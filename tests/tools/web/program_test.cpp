@@ -271,7 +271,7 @@ TEST_F(Program, DoesNotStartOpenToOthersWithoutASecret) {
   refused({"--token-file", "/nonexistent/token"}, "No such file");
   refused({"--token-file", "/tmp"}, "is no file that can be read");
   refused({"--bogus"}, "--bogus");
-  for (const mode_t mode : {0640, 0604, 0620, 0602}) {
+  for (const mode_t mode : {0640U, 0604U, 0620U, 0602U}) {
     const TokenFile token(mode);
     refused({"--token-file", token.path}, "can be read or changed by others: chmod 600 ");
   }
