@@ -102,14 +102,16 @@ void Reactor::process() {
     const int count = ::epoll_wait(poll_.get(), events.data(), events_at_once, 0);
     for (int i = 0; i < count; ++i) {
       const epoll_event& event = events[static_cast<std::size_t>(i)];
-      if (event.data.u64 == clock_token) {
+      // The structure of the kernel is packed: no reference may lead into it.
+      const std::uint64_t token = event.data.u64;
+      if (token == clock_token) {
         std::uint64_t times = 0;
         [[maybe_unused]] const auto read = ::read(alarm_.get(), &times, sizeof times);
         armed_ = base::never;
         continue;
       }
       // A function that was called may have closed a socket of this round.
-      const auto found = watched_.find(event.data.u64);
+      const auto found = watched_.find(token);
       if (found == watched_.end()) continue;
       const OnReady on_ready = found->second;
       const bool has_met = (event.events & (EPOLLERR | EPOLLHUP)) != 0;
