@@ -331,11 +331,11 @@ TEST(Node, HandsMessagesAndEventsToCallbacks) {
     introduce(talk);
     talk.wait_for_end();
   });
+  int providers = 0;  // as `messages`, made first: the end of a subscriber is an event, too
+  std::vector<std::string> messages;
   Node node = node_at(daemon);
   auto publisher = node.publish(offer(ChannelMode::one_to_one, "udp"));
   auto subscriber = node.subscribe(wish(ChannelMode::one_to_one));
-  int providers = 0;
-  std::vector<std::string> messages;
   node.on_event([&](const ChannelEvent& event) { providers += std::holds_alternative<ProviderChange>(event) ? 1 : 0; });
   subscriber->on_message([&](Message message) { messages.push_back(text_of(message)); });
   while (publisher->count().sent == 0) {
