@@ -187,7 +187,6 @@ TEST(Node, RefusesMessagesOverTheLimitOfTheirProtocol) {
 }
 
 TEST(Node, StatesItsRequestsToTheNextDaemonAndGoesOnMeanwhile) {
-  std::string first;
   ScriptedDaemon daemon(std::vector<ScriptedDaemon::Script>{
       [&](Conversation& talk) {
         introduce(talk);
@@ -337,7 +336,7 @@ TEST(Node, HandsMessagesAndEventsToCallbacks) {
   auto publisher = node.publish(offer(ChannelMode::one_to_one, "udp"));
   auto subscriber = node.subscribe(wish(ChannelMode::one_to_one));
   node.on_event([&](const ChannelEvent& event) { providers += std::holds_alternative<ProviderChange>(event) ? 1 : 0; });
-  subscriber->on_message([&](Message message) { messages.push_back(text_of(message)); });
+  subscriber->on_message([&](const Message& message) { messages.push_back(text_of(message)); });
   while (publisher->count().sent == 0) {
     node.wait(10ms);
     EXPECT_TRUE(publisher->send("hello"));
