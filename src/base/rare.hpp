@@ -13,7 +13,8 @@ template <typename Value>
 class Rare {
  public:
   Rare() = default;
-  Rare(Value value) : value_(std::make_unique<Value>(std::move(value))) {}  // NOLINT(google-explicit-constructor)
+  Rare(Value value)
+      : value_(std::make_unique<Value>(std::move(value))) {}  // NOLINT(google-explicit-constructor): as std::optional
   Rare(const Rare& other) : value_(other ? std::make_unique<Value>(*other) : nullptr) {}
   Rare(Rare&&) noexcept = default;
   Rare& operator=(const Rare& other) {
