@@ -47,7 +47,7 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
 
 /// Keys of the daemon's own lines that a client may still state as attributes. Such attributes are written `attr.NAME`
 /// in every line of the daemon, so that none can be taken for a key. Words are only ever appended.
-inline constexpr auto keys_of_lines = std::to_array<std::string_view>({"why", "because", "unplaced"});
+inline constexpr auto keys_of_lines = std::to_array<std::string_view>({"why", "because", "unplaced", "placed"});
 
 [[nodiscard]] constexpr bool is_key_of_lines(std::string_view key) {
   return std::ranges::find(keys_of_lines, key) != keys_of_lines.end();

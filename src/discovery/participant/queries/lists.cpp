@@ -1,6 +1,8 @@
 // `query services` and `query requests`: every known publication or subscription, or those that nobody answers.
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/text.hpp"
 #include "discovery/gcnp/event.hpp"
@@ -9,16 +11,35 @@
 #include "discovery/participant/queries/queries.hpp"
 #include "discovery/participant/queries/reasons.hpp"
 #include "discovery/participant/queries/use.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::participant {
 namespace {
 
 /// Octets of the reason why an offered expression has no place.
 constexpr std::size_t max_problem_bytes = 400;
+/// The most classes that are named right above one.
+constexpr std::size_t max_parents = 8;
 
 /// The names in which a line tells an identity: a vocabulary without an ontology gives full IRIs.
 vocabulary::Vocabulary names_of(const Listed& by, Names names) {
   return names == Names::full ? vocabulary::Vocabulary() : by.matcher.vocabulary();
+}
+
+/// The class that an expression is equivalent to, else the classes right above it, or why it has no place. Below
+/// owl:Thing alone there is none to name.
+void append_place(Line& line, const Listed& by, const std::string& canonical) {
+  const auto place = by.resolver.known_place(canonical);
+  if (!place) {
+    append_stated(line, "unplaced", base::printable(by.resolver.problem(canonical), max_problem_bytes));
+    return;
+  }
+  const vocabulary::Vocabulary& vocabulary = by.matcher.vocabulary();
+  std::vector<std::string> above;
+  for (const vocabulary::ClassNumber parent : place->equivalent ? std::vector{*place->equivalent} : place->parents) {
+    if (parent != vocabulary.thing() && above.size() < max_parents) above.push_back(vocabulary.short_name(parent));
+  }
+  append_stated(line, "placed", base::joined(above, ","));
 }
 
 const Publication& service_of(const registry::PublicationEntry& entry) { return entry.publication; }
@@ -38,9 +59,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, Names na
   append_stated(line, "for", entry.publication.for_whom);
   if (reason != nullptr) append_because(line, *reason);
   const auto* semantic = std::get_if<SemanticIdentity>(&entry.publication.identity);
-  if (semantic != nullptr && has_expression(*semantic)) {
-    append_stated(line, "unplaced", base::printable(by.resolver.problem(semantic->concept_iri), max_problem_bytes));
-  }
+  if (semantic != nullptr && has_expression(*semantic)) append_place(line, by, semantic->concept_iri);
   gcnp::append_attributes(line, entry.publication.attributes);
   return line;
 }

@@ -120,12 +120,20 @@ class Telling {
 
   void count(const Identity& identity, std::size_t Node::* kind) {
     const auto* semantic = std::get_if<SemanticIdentity>(&identity);
-    if (semantic == nullptr || has_expression(*semantic)) return;
-    const auto number = vocabulary().find_iri(semantic->concept_iri);
-    if (!number) return;
-    for (const ClassNumber above : vocabulary().subsumers(*number)) {
+    if (semantic == nullptr) return;
+    for (const ClassNumber above : classes_above(*semantic)) {
       if (const auto node = nodes_.find(above); node != nodes_.end()) ++(node->second.*kind);
     }
+  }
+
+  /// The classes that a concept is or is below; of an expression those above its place, where it has been placed.
+  [[nodiscard]] std::vector<ClassNumber> classes_above(const SemanticIdentity& identity) const {
+    if (has_expression(identity)) {
+      const auto place = by_.resolver.known_place(identity.concept_iri);
+      return place ? vocabulary().subsumers(*place) : std::vector<ClassNumber>();
+    }
+    const auto number = vocabulary().find_iri(identity.concept_iri);
+    return number ? vocabulary().subsumers(*number) : std::vector<ClassNumber>();
   }
 
   [[nodiscard]] Line line_of(ClassNumber number) const {
