@@ -104,7 +104,11 @@ try {
   });
   await page.setViewport({ width: 1440, height: 1000 });
   await page.goto(`http://127.0.0.1:${http}/`);
-  const until = (what, ...words) => page.waitForFunction(what, { timeout: patience }, ...words);
+  const until = (what, ...words) =>
+    page.waitForFunction(what, { timeout: patience }, ...words).catch(async (error) => {
+      console.log(await page.evaluate(() => document.body.innerText)); // what was seen instead
+      throw error;
+    });
   const says = (selector, text) => until((where, word) => document.querySelector(where)?.textContent.includes(word), selector, text);
   const saysNot = (selector, text) => until((where, word) => !document.querySelector(where)?.textContent.includes(word), selector, text);
   const shoot = (name) => page.screenshot({ path: join(shots, `${name}.png`), fullPage: true });
@@ -126,7 +130,7 @@ try {
   await inOrder();
 
   // Its reason leads to the place, by the keyboard alone.
-  await page.focus('.findings button');
+  await page.focus('.findings button[data-key^="request"]');
   await page.keyboard.press('Enter');
   await until(() => document.querySelector('.box.chosen') !== null);
   await page.$eval('[data-key="box robot1"]', (element) => element.focus());
@@ -146,7 +150,7 @@ try {
 
   // A filter that is an expression, with names that begin so; and one by mode.
   await page.type('#filter', 'soccer:SharedW');
-  await until(() => [...document.querySelectorAll('#filter-words option')].some((one) => one.value === 'soccer:SharedWorldInfo'));
+  await until(() => [...document.querySelectorAll('#filter-names option')].some((one) => one.value === 'soccer:SharedWorldInfo'));
   await page.$eval('#filter', (input) => {
     input.value = 'soccer:SharedBallInfo or soccer:SharedWorldInfo';
     input.dispatchEvent(new Event('input'));
@@ -159,7 +163,13 @@ try {
   await until(() => document.querySelectorAll('.line').length > 1);
 
   // The matrix of who hears whom, by what each says; the ontology node by node, with reasons.
-  await until(() => document.querySelectorAll('.matrix td.well').length >= 6);
+  await says('#hearing', 'Each row says whom it hears');
+  await page.focus('.matrix');
+  await page.keyboard.press('ArrowDown');
+  await until(() => / hears .*: [0-9]+ % lost/.test(document.querySelector('output.cell').textContent));
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowLeft');
+  await until(() => / hears monitor: (within|longer|not known)/.test(document.querySelector('output.cell').textContent));
   await says('#ontology', 'geminga:Concept');
   await says('#ontology .counts', 'offered');
   await page.$eval('#ontology summary', (element) => element.focus());

@@ -72,9 +72,10 @@ TEST_F(SiteTest, ServesThePageWithAPolicyOfHashes) {
 
 TEST_F(SiteTest, TakesTheKeysOfAQuestionAndNoOthers) {
   for (const char* target :
-       {"/api/status?x=1", "/api/services?unmatched=1", "/api/requests?unused=1",
-        "/api/match?concept=", "/api/match?limt=3", "/api/why?attr.=1", "/api/why?attr.a%20b=1", "/livez?a",
-        "/metrics?a=1", "/api/events?of=status", "/api/events", "/api/events?of=services&x=1", "/api/match?%0a=1"}) {
+       {"/api/status?x=1", "/api/services?unmatched=1", "/api/requests?unused=1", "/api/match?concept=",
+        "/api/match?limt=3", "/api/why?attr.=1", "/api/why?attr.a%20b=1", "/livez?a", "/metrics?a=1",
+        "/api/events?of=status", "/api/events", "/api/events?of=services&x=1", "/api/events?of=services,services",
+        "/api/events?of=services,", "/api/events?of=services,requests&text=x", "/api/match?%0a=1"}) {
     EXPECT_EQ(get(target).status, 400U) << target;
   }
   EXPECT_THAT(asker.asked, IsEmpty());
@@ -195,6 +196,22 @@ TEST_F(Events, SayThatTheDaemonIsAwayAndBringTheReaderUpToDate) {
   const std::string events = next(*response.stream);
   EXPECT_THAT(events, StartsWith("event: daemon\ndata: {\"up\":true}\n\ndata: {\"event\":\"del\""));
   EXPECT_THAT(events, HasSubstr("\"event\":\"add\""));
+}
+
+TEST_F(Events, OfSeveralListingsHaveTheirNamesAndSayWhenAllWasTold) {
+  asker.outcomes["participants"] = failed(ClientError::Kind::closed, "the daemon is gone");
+  asker.outcomes["services"] = answered({service("a/1/1", "5000")});
+  const Response response = get("/api/events?of=participants,services");
+  ASSERT_TRUE(response.stream);
+  EXPECT_EQ(next(*response.stream), "event: daemon\ndata: {\"up\":false,\"reason\":\"the daemon is gone\"}\n\n");
+  asker.outcomes["participants"] = answered({record("participants", {{"id", "a"}})});
+  const std::string first = next(*response.stream);
+  EXPECT_THAT(first, StartsWith("event: daemon\ndata: {\"up\":true}\n\nevent: participants\ndata: {\"event\":\"add\""));
+  EXPECT_THAT(first, HasSubstr("event: services\ndata: {\"event\":\"add\""));
+  EXPECT_THAT(first, testing::EndsWith("event: whole\ndata: {}\n\n"));
+  EXPECT_EQ(next(*response.stream), "");
+  asker.outcomes["services"] = answered({});
+  EXPECT_THAT(next(*response.stream), StartsWith("event: services\ndata: {\"event\":\"del\""));
 }
 
 TEST_F(Events, AreRefusedWhereTheQuestionIs) {

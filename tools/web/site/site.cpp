@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "web/site/api.hpp"
 #include "web/site/event_stream.hpp"
@@ -22,6 +24,21 @@ struct Gathered {
   std::vector<Outcome> outcomes;
   std::size_t missing = 0;
 };
+
+/// The words between commas.
+std::vector<std::string> words_of(std::string_view list) {
+  std::vector<std::string> words;
+  for (const auto word : std::views::split(list, ',')) words.emplace_back(word.begin(), word.end());
+  return words;
+}
+
+/// Whether these are kinds of listings, each named once.
+bool are_watched(const std::vector<std::string>& kinds) {
+  for (const std::string& kind : kinds) {
+    if (key_of(kind).empty() || std::ranges::count(kinds, kind) > 1) return false;
+  }
+  return !kinds.empty();
+}
 
 Response live_page() {
   return {.type = "text/html; charset=utf-8",
@@ -104,19 +121,27 @@ void Site::answer_doctor(const Parameters& parameters, const Then& then) {
 void Site::answer_events(const Parameters& parameters, const Then& then) {
   Parameters rest = parameters;
   const auto of = std::ranges::find(rest, "of", &Parameters::value_type::first);
-  if (of == rest.end() || key_of(of->second).empty()) {
-    return then(failure(400, "say of what: of=participants, of=services, of=requests or of=match"));
+  const std::vector<std::string> kinds = of == rest.end() ? std::vector<std::string>() : words_of(of->second);
+  if (!are_watched(kinds)) {
+    return then(failure(400,
+                        "say of what: of=match, or of=participants, services or requests, or several of these, "
+                        "as in of=participants,services"));
   }
-  const std::string kind = of->second;
   rest.erase(of);
-  auto query = read_question(kind, rest);
-  if (!query) return then(std::move(query.error()));
+  std::vector<Query> queries;
+  for (const std::string& kind : kinds) {
+    if (kinds.size() > 1 && !rest.empty()) return then(failure(400, "keys of a question go with one kind"));
+    auto query = read_question(kind, rest);
+    if (!query) return then(std::move(query.error()));
+    queries.push_back(std::move(*query));
+  }
   // The first answer shows whether the daemon understands the question.
-  asker_.ask(*query, [this, query = *query, then](const Outcome& outcome) {
+  const Query first = queries.front();
+  asker_.ask(first, [this, queries = std::move(queries), then](const Outcome& outcome) {
     const bool is_refused = !outcome->has_value() && (outcome->error().kind == ClientError::Kind::wrong_use ||
                                                       outcome->error().kind == ClientError::Kind::refused);
     if (is_refused) return then(failure_of(outcome->error()));
-    then({.type = "text/event-stream", .stream = std::make_shared<EventStream>(asker_, query)});
+    then({.type = "text/event-stream", .stream = std::make_shared<EventStream>(asker_, queries)});
   });
 }
 

@@ -12,7 +12,12 @@ export interface Participant {
   subscriptions: number;
   self: boolean;
   hears_us?: boolean | number;
+  /** The relays by which it is heard, the nearest to it first. */
+  path?: string;
 }
+
+/** Whether a participant says that it does not hear this host. */
+export const isDeaf = (one: Participant): boolean => one.hears_us === false || one.hears_us === 0;
 
 /** The identity of a service or of a request: one of number, text and concept. */
 export interface Identity {
@@ -40,6 +45,9 @@ export interface Service extends Entry {
   port?: number;
   used: boolean;
   for?: string;
+  /** The classes right above an offered expression, or why it has no place here. */
+  placed?: string;
+  unplaced?: string;
 }
 
 export interface Request extends Entry {
@@ -175,6 +183,16 @@ export interface Status {
   matched_narrower?: number;
 }
 
+/** A finding of the doctor (tools/doctor/README.md). */
+export interface Diagnosis {
+  severity: 'failure' | 'risk';
+  code: string;
+  what: string;
+  seen: string;
+  remedy: string;
+  command: string;
+}
+
 /** One event of a stream: a record that came, changed or went. */
 export interface Change {
   event: 'add' | 'modify' | 'del';
@@ -186,7 +204,7 @@ export interface Change {
 /** The answer to a question, or an error with the sentence of the daemon. */
 export async function ask<Answer>(kind: string, parameters: Record<string, string> = {}): Promise<Answer> {
   const words = new URLSearchParams(parameters).toString();
-  const response = await fetch(`/api/${kind}${words === '' ? '' : '?' + words}`, { cache: 'no-store' });
+  const response = await fetch(`api/${kind}${words === '' ? '' : '?' + words}`, { cache: 'no-store' });
   const body: unknown = await response.json().catch(() => ({}));
   if (!response.ok) {
     const { error } = body as { error?: string };

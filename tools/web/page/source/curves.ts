@@ -1,9 +1,10 @@
 // Numbers over the last hour.
 import uPlot from 'uplot';
 import type { Participant, Status } from './answers.js';
-import { clock, h } from './dom.js';
+import { h } from './dom.js';
 import type { History } from './history.js';
 import { hour } from './team.js';
+import { clock } from './time.js';
 
 /** Between two samples, in milliseconds. */
 export const sampleEach = 2000;
@@ -51,10 +52,13 @@ export class Curves {
     this.show();
   }
 
-  /** Takes the samples that geminga-web has kept, before the first of this page. */
+  /** Takes the samples that geminga-web has kept, behind those that are known. */
   recall(samples: History['samples']): void {
+    this.former = undefined;
+    const known = this.times.at(-1) ?? 0;
     for (const [at, services, requests, unserved, worst, mean, datagrams] of samples) {
       const time = Date.parse(at);
+      if (time / 1000 <= known) continue;
       const rate = this.rate(time, datagrams);
       this.times.push(time / 1000);
       [services, requests, unserved, worst * 100, mean * 100, rate].forEach((value, column) => this.values[column]?.push(value));

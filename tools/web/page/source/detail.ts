@@ -1,19 +1,19 @@
 // The details of one robot, two robots or a request, and the answer to what would be if somebody asked.
 import {
   ask, identityText, participantOf,
-  type Check, type Match, type PairAnswer, type Request, type RequestAnswer, type Service,
+  type Check, type PairAnswer, type Request, type RequestAnswer, type Service,
 } from './answers.js';
 import { bodyOf, byId, h, refill } from './dom.js';
 import type { Link } from './matches.js';
 import type { Choice } from './picture.js';
 import type { Moment } from './team.js';
+import type { Finding } from './wrong.js';
 
 const maxRows = 60;
 
 export interface Ground {
   moment: Moment;
   links: Link[];
-  unmatched: Request[];
   /** Whether the daemon can be asked about this moment. */
   isNow: boolean;
   choose(choice: Choice): void;
@@ -76,7 +76,7 @@ function linkItem(link: Link, isNow: boolean): HTMLElement {
   const { request, service } = link;
   const item = h('li', {}, h('span', { class: `degree ${link.degree}` }, link.degree === 'refused' ? `refused: ${link.word}` : link.degree),
     h('div', {}, h('b', {}, `${request.participant_name} ${request.name}`), ` asks for ${identityText(request)}`),
-    h('div', {}, h('b', {}, `${service.participant_name} ${service.name}`), ` offers ${identityText(service)}`));
+    h('div', {}, h('b', {}, `${service.participant_name} ${service.name}`), ` offers ${identityText(service)}`, ...placeOf(service).map((word) => h('small', {}, ` (${word})`))));
   if (link.steps !== undefined) item.append(h('div', { class: 'steps' }, 'converted: ', h('code', {}, link.steps)));
   if (isNow) {
     item.append(asking('Why', `link ${request.subscription} ${service.service}`, () => pairAnswer(request.subscription, service.service)));
@@ -84,11 +84,17 @@ function linkItem(link: Link, isNow: boolean): HTMLElement {
   return item;
 }
 
+/** Where an offered expression stands among the classes. */
+function placeOf(service: Service): string[] {
+  if (service.unplaced !== undefined) return [`has no place in the ontology: ${service.unplaced}`];
+  return service.placed === undefined ? [] : [`below ${service.placed.split(',').join(' and ')}`];
+}
+
 function title(text: string): void {
   byId('detail-title').textContent = text;
 }
 
-function limited(items: HTMLElement[]): HTMLElement[] {
+export function limited(items: HTMLElement[]): HTMLElement[] {
   return items.length <= maxRows ? items : [...items.slice(0, maxRows), h('li', {}, `… and ${items.length - maxRows} more: use the filter`)];
 }
 
@@ -111,7 +117,7 @@ export function showParticipant(id: string, ground: Ground): void {
   }
   const facts = h('dl', {}, ...[
     ['identifier', one.id], ['addresses', one.addresses.join(', ')], ['ontology', one.ontology],
-    ['speaks each', `${one.interval} s`],
+    ['speaks each', `${one.interval} s`], ...(one.path === undefined ? [] : [['heard by way of', one.path.split('/').join(' → ')]]),
   ].flatMap(([word, text]) => [h('dt', {}, word ?? ''), h('dd', {}, text ?? '')]));
   const neighbours = new Map<string, number>();
   for (const link of ground.links) {
@@ -135,10 +141,22 @@ export function showParticipant(id: string, ground: Ground): void {
       ...(module.requests.some((request) => !request.served) ? [mark(false)] : []), h('b', {}, module.name),
       ` offers ${module.services.length}, asks ${module.requests.length}`),
       h('ul', { class: 'entries' },
-        ...module.services.map((service) => h('li', {}, `offers ${identityText(service)} `, h('small', {}, `${service.mode}${service.used ? '' : ', nobody takes it'}`))),
+        ...module.services.map((service) => h('li', {}, `offers ${identityText(service)} `, h('small', {}, [service.mode, ...placeOf(service), ...(service.used ? [] : ['nobody takes it'])].join(', ')))),
         ...module.requests.map((request) => h('li', {}, mark(request.served), `asks for ${identityText(request)} `, h('small', {}, request.mode),
           ...(ground.isNow ? [asking('Why', `request ${request.subscription}`, () => requestAnswer(request))] : []))))));
   refill(bodyOf('detail'), back(ground), facts, h('h3', {}, 'Matches with'), h('div', { class: 'chips' }, ...buttons), h('h3', {}, 'Modules'), ...folded);
+}
+
+/** A finding whole: how it was seen, and the remedy. */
+export function showFinding(finding: Finding, ground: Ground): void {
+  title('What to do');
+  refill(bodyOf('detail'), back(ground), h('p', {}, h('b', {}, finding.title)), h('p', { class: 'mend' }, `→ ${finding.text}`),
+    ...(finding.command === undefined ? [] : [h('pre', {}, h('code', {}, finding.command))]),
+    ...(finding.seen === undefined ? [] : [h('p', {}, h('small', {}, `Seen by: ${finding.seen}`))]),
+    ...finding.places.flatMap((id) => {
+      const name = ground.moment.participants.get(id)?.name;
+      return name === undefined ? [] : [h('button', { type: 'button', class: 'chip', 'data-key': `place ${id}`, click: () => ground.choose({ participant: id }) }, name)];
+    }));
 }
 
 export async function showRequest(request: Request, ground: Ground): Promise<void> {
@@ -152,42 +170,4 @@ export async function showRequest(request: Request, ground: Ground): Promise<voi
   } catch (error) {
     refill(body, back(ground), head, h('p', { class: 'error' }, error instanceof Error ? error.message : String(error)));
   }
-}
-
-/** A form that asks who would serve what nobody has stated. `found` marks the providers in the picture. */
-export function whatIf(found: (matches: Match[]) => void): HTMLElement {
-  const concept = h('input', { id: 'if-concept', type: 'text', autocomplete: 'off', spellcheck: false, placeholder: 'soccer:BallInfo or soccer:GoalInfo' });
-  const where = h('input', { id: 'if-where', type: 'text', autocomplete: 'off', spellcheck: false, placeholder: 'range >= 3 m' });
-  const select = (id: string, words: string[], labels: string[]) =>
-    h('select', { id }, ...words.map((word, at) => h('option', { value: word }, labels[at] ?? word)));
-  const degree = select('if-degree', ['narrower', 'exact', 'equivalent', 'broader', 'overlapping'], []);
-  const mode = select('if-mode', ['', 'oto', 'otm/stream', 'otm/pubsub'], ['any mode']);
-  const answer = h('div', { 'aria-live': 'polite' });
-  const submit = async (event: Event): Promise<void> => {
-    event.preventDefault();
-    const parameters: Record<string, string> = { degree: degree.value };
-    for (const [key, input] of [['concept', concept], ['where', where], ['mode', mode]] as const) {
-      if (input.value.trim() !== '') parameters[key] = input.value.trim();
-    }
-    try {
-      const matches = await ask<Match[]>('match', parameters);
-      found(matches);
-      refill(answer, h('p', {}, matches.length === 0 ? 'Nobody would serve it.' : `${matches.length} services would serve it, best first:`),
-        h('ol', { class: 'links' }, ...limited(matches.map((match) =>
-          h('li', {}, h('span', { class: `degree ${match.degree === 'exact' ? 'exact' : 'narrower'}` }, match.degree),
-            h('div', {}, h('b', {}, `${match.participant_name} ${match.name}`), ` offers ${identityText(match)}, ${match.mode}`))))));
-    } catch (error) {
-      found([]);
-      refill(answer, h('p', { class: 'error' }, error instanceof Error ? error.message : String(error)));
-    }
-  };
-  return h('div', {},
-    h('p', {}, 'Who would serve a request, before anybody states it? Type a concept or a class expression.'),
-    h('form', { submit: (event) => void submit(event) },
-      h('label', { for: 'if-concept' }, 'Concept'), concept,
-      h('label', { for: 'if-where' }, 'Condition'), where,
-      h('label', { for: 'if-degree' }, 'Weakest degree'), degree,
-      h('label', { for: 'if-mode' }, 'Mode'), mode,
-      h('button', { type: 'submit' }, 'Who would serve it?')),
-    answer);
 }

@@ -65,5 +65,3 @@ export function refill(parent: Element, ...children: Child[]): void {
 }
 
 export const shortened = (text: string, length: number): string => (text.length <= length ? text : text.slice(0, length - 1) + '…');
-
-export const clock = (time: number): string => new Date(time).toLocaleTimeString([], { hour12: false });

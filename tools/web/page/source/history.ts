@@ -19,7 +19,7 @@ const none: History = { begin: null, before: {}, changes: [], samples: [] };
 /** The history, or an empty one where it cannot be had. */
 export async function askHistory(): Promise<History> {
   try {
-    const response = await fetch('/api/history', { cache: 'no-store' });
+    const response = await fetch('api/history', { cache: 'no-store' });
     return response.ok ? { ...none, ...((await response.json()) as Partial<History>) } : none;
   } catch {
     return none;

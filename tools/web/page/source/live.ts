@@ -1,86 +1,83 @@
-// The streams of geminga-web. They are open while the page is seen, since a browser gives all pages of one site six connections.
+// The stream of geminga-web. It is open while the page is seen, since a browser gives all pages of one site six connections.
 import type { Change } from './answers.js';
-import type { Kind, Team } from './team.js';
+import { kinds, type Kind, type Team } from './team.js';
+import { takeTime, teamNow } from './time.js';
 
-/** The silence after which a stream that was opened has told all that is there, in milliseconds. */
-const settled = 700;
 const retry = 2000;
 
 export interface Watcher {
   changed(kind: Kind): void;
   /** The daemon, or geminga-web, is away, and why; an empty reason: all is well. */
   absent(reason: string): void;
+  /** Nobody looks at the page from here on. */
+  asleep(): void;
+  /** The page is looked at again, after it was not since that instant. The stream is opened when this is done. */
+  awake(since: number): Promise<void>;
 }
 
 export class Live {
-  private readonly streams = new Map<Kind, EventSource>();
-  private readonly absences = new Map<Kind, string>();
+  private stream: EventSource | undefined;
+  private hiddenSince: number | undefined;
 
   constructor(
     private readonly team: Team,
     private readonly watcher: Watcher,
   ) {
-    document.addEventListener('visibilitychange', () => this.look());
-    this.look();
+    document.addEventListener('visibilitychange', () => void this.look());
+    void this.look();
   }
 
-  private look(): void {
-    for (const kind of ['participants', 'services', 'requests'] as const) {
-      if (document.hidden) {
-        this.streams.get(kind)?.close();
-        this.streams.delete(kind);
-      } else if (!this.streams.has(kind)) {
-        this.open(kind);
-      }
+  private async look(): Promise<void> {
+    if (document.hidden) {
+      this.stream?.close();
+      this.stream = undefined;
+      this.hiddenSince ??= teamNow();
+      return this.watcher.asleep();
     }
+    if (this.hiddenSince !== undefined) {
+      const since = this.hiddenSince;
+      this.hiddenSince = undefined;
+      await this.watcher.awake(since);
+    }
+    // While that was waited for, the page may have been left again, or another call have opened it.
+    if (!document.hidden) this.stream ??= this.open();
   }
 
-  private open(kind: Kind): void {
-    const stream = new EventSource(`/api/events?of=${kind}`);
-    this.streams.set(kind, stream);
-    let settling: number | undefined;
-    let isUp = true;
-    const isCurrent = () => this.streams.get(kind) === stream;
-    const settle = () => {
-      clearTimeout(settling);
-      settling = window.setTimeout(() => {
-        if (!isCurrent() || !isUp) return;
-        this.team.settle(kind, Date.now());
-        this.watcher.changed(kind);
-      }, settled);
-    };
+  private open(): EventSource {
+    const stream = new EventSource(`api/events?of=${kinds.join()}`);
     stream.onopen = () => {
-      this.say(kind, '');
-      this.team.beAbsent(Date.now(), '');
-      isUp = true;
-      this.team.begin(kind);
-      settle();
+      this.team.begin();
+      this.say('');
     };
-    stream.onmessage = (message: MessageEvent<string>) => {
-      this.team.take(kind, JSON.parse(message.data) as Change & Record<string, unknown>);
-      settle();
-      this.watcher.changed(kind);
-    };
+    for (const kind of kinds) {
+      stream.addEventListener(kind, (message: MessageEvent<string>) => {
+        const change = JSON.parse(message.data) as Change & Record<string, unknown>;
+        takeTime(Date.parse(change.time));
+        this.team.take(kind, change);
+        this.watcher.changed(kind);
+      });
+    }
+    stream.addEventListener('whole', () => {
+      this.team.settle(teamNow());
+      for (const kind of kinds) this.watcher.changed(kind);
+    });
     stream.addEventListener('daemon', (message: MessageEvent<string>) => {
       const { up, reason } = JSON.parse(message.data) as { up: boolean; reason?: string };
-      isUp = up;
-      this.say(kind, up ? '' : `The daemon is away: ${reason ?? 'it does not answer'}`);
-      this.team.beAbsent(Date.now(), up ? '' : (reason ?? 'it did not answer'));
-      if (up) settle();
+      const why = reason ?? 'it does not answer';
+      this.say(up ? '' : `The daemon is away: ${why}`, up ? '' : why);
     });
     stream.onerror = () => {
-      if (!isCurrent()) return;
-      isUp = false;
-      this.say(kind, 'geminga-web does not answer');
-      this.team.beAbsent(Date.now(), 'geminga-web did not answer');
+      if (this.stream !== stream) return;
       stream.close();
-      this.streams.delete(kind);
-      setTimeout(() => this.look(), retry);
+      this.stream = undefined;
+      this.say('geminga-web does not answer');
+      setTimeout(() => void this.look(), retry);
     };
+    return stream;
   }
 
-  private say(kind: Kind, reason: string): void {
-    this.absences.set(kind, reason);
-    this.watcher.absent([...this.absences.values()].find((text) => text !== '') ?? '');
+  private say(words: string, reason = words): void {
+    this.team.beAbsent(teamNow(), reason);
+    this.watcher.absent(words);
   }
 }

@@ -1,6 +1,8 @@
 // Which service each request is given. Requests that ask for the same share one question to the daemon.
 import { ask, identityParameters, participantOf, type Match, type Request, type RequestAnswer, type Service } from './answers.js';
+import { MatchLog } from './match_log.js';
 import type { Moment } from './team.js';
+import { teamNow } from './time.js';
 
 /** Requests that nobody serves of which the nearest services are drawn, each with the code of why it does not fit. */
 const maxRefused = 40;
@@ -54,6 +56,9 @@ const degreeOf = (match: Match): Degree => (match.convert !== undefined ? 'conve
 
 export class Matches {
   links: Link[] = [];
+  private readonly log = new MatchLog();
+  /** Since when `links` may not hold any more; undefined: they hold. */
+  private staleSince: number | undefined;
   private timer: number | undefined;
   private isReading = false;
   private isStale = false;
@@ -63,8 +68,19 @@ export class Matches {
     private readonly then: () => void,
   ) {}
 
+  /** The matches at an instant, of which this is the moment; nothing: nobody read them then. */
+  at(time: number, moment: Moment): Link[] | undefined {
+    return this.log.at(time, moment);
+  }
+
+  /** Says that nothing is known from here on, until it is asked anew. */
+  lose(): void {
+    this.log.lose(teamNow());
+  }
+
   /** Asks anew soon. */
   invalidate(): void {
+    this.staleSince ??= teamNow();
     if (this.isReading) {
       this.isStale = true;
       return;
@@ -75,6 +91,8 @@ export class Matches {
   private async read(): Promise<void> {
     this.isReading = true;
     this.isStale = false;
+    const stale = this.staleSince ?? teamNow();
+    this.staleSince = undefined;
     const groups = new Map<string, Request[]>();
     const refused = new Map<string, Request[]>();
     for (const request of this.moment.requests.values()) {
@@ -98,7 +116,12 @@ export class Matches {
       }
     };
     await Promise.all(Array.from({ length: atOnce }, work));
-    if (isWhole) this.links = links;
+    if (isWhole) {
+      this.links = links;
+      this.log.take(links, stale, teamNow());
+    } else {
+      this.staleSince = stale;
+    }
     this.then();
     setTimeout(() => {
       this.isReading = false;

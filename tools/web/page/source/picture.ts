@@ -142,8 +142,10 @@ export class Picture {
   private readonly lines = new Kept<SVGElement>();
   private readonly boxes = new Kept<SVGElement>();
 
+  private isCentred = false;
+
   constructor(
-    parent: Element,
+    private readonly parent: Element,
     private readonly choose: (choice: Choice) => void,
   ) {
     parent.append(this.root);
@@ -183,6 +185,11 @@ export class Picture {
     if (this.root.getAttribute('viewBox') !== view) this.root.setAttribute('viewBox', view);
     this.lines.put(this.lineGroup);
     this.boxes.put(this.boxGroup);
+    if (!this.isCentred && all.length > 0) {
+      // On a phone the picture is wider than what is seen of it: this host stands in the middle.
+      this.isCentred = true;
+      this.parent.scrollLeft = (this.parent.scrollWidth - this.parent.clientWidth) / 2;
+    }
   }
 
   private line(bundle: Bundle, a: { x: number; y: number }, b: { x: number; y: number }, isFaint: boolean, isNear: boolean): SVGElement {

@@ -1,6 +1,7 @@
 // The state of the team at a moment, and the happenings of the last hour.
 import type { Change, Participant, Request, Service } from './answers.js';
 import type { History } from './history.js';
+import { teamNow } from './time.js';
 
 export interface Moment {
   participants: Map<string, Participant>;
@@ -9,6 +10,8 @@ export interface Moment {
 }
 
 export type Kind = keyof Moment;
+
+export const kinds: Kind[] = ['participants', 'services', 'requests'];
 
 /** The key of the records of each kind. */
 const keys = { participants: 'id', services: 'service', requests: 'subscription' } as const;
@@ -41,23 +44,23 @@ export class Team {
   readonly happenings: Happening[] = [];
   /** The state before the first happening. */
   private readonly before = emptyMoment();
-  /** Keys that a stream which was opened anew has told, by kind; the others have gone meanwhile. */
-  private readonly told = new Map<Kind, Set<string>>();
-  private readonly settled = new Set<Kind>();
-  private isRecalled = false;
+  /** Keys that a stream which was opened anew has told, by kind, until it has told all; the others have gone meanwhile. */
+  private told: Record<Kind, Set<string>> | undefined;
+  /** Whether all that was there has been told once, by a stream or by the hour that was kept. */
+  private isKnown = false;
   /** The times at which the daemon was away, and why. */
   private absences: { from: number; to: number; reason: string }[] = [];
   /** Where the happenings begin. */
-  since = Date.now();
+  since = teamNow();
 
   /** Takes the hour that geminga-web has kept, in the place of what is known. */
   recall(history: History): void {
     if (history.begin === null) return;
-    this.isRecalled = true;
+    this.isKnown = true;
     this.since = Date.parse(history.begin);
     this.happenings.length = 0;
     this.absences = [];
-    for (const kind of ['participants', 'services', 'requests'] as const) {
+    for (const kind of kinds) {
       const records = (history.before[kind] ?? []) as unknown as Record<string, string>[];
       for (const moment of [this.before, this.now]) {
         const map = moment[kind] as Map<string, unknown>;
@@ -91,18 +94,19 @@ export class Team {
   }
 
   /** A stream begins to tell all that is there. */
-  begin(kind: Kind): void {
-    this.told.set(kind, new Set());
+  begin(): void {
+    this.told = { participants: new Set(), services: new Set(), requests: new Set() };
   }
 
   /** A stream has told all that is there: what it did not tell has gone. */
-  settle(kind: Kind, time: number): void {
-    const told = this.told.get(kind);
-    if (told === undefined) return;
-    this.told.delete(kind);
-    this.settled.add(kind);
-    for (const [key, record] of [...this.now[kind]]) {
-      if (!told.has(key)) this.keep({ time, kind, key, event: 'del', record, reason: 'gone meanwhile' });
+  settle(time: number): void {
+    const told = this.told;
+    this.told = undefined;
+    this.isKnown = true;
+    for (const kind of kinds) {
+      for (const [key, record] of [...this.now[kind]]) {
+        if (told?.[kind].has(key) === false) this.keep({ time, kind, key, event: 'del', record, reason: 'gone meanwhile' });
+      }
     }
   }
 
@@ -110,10 +114,10 @@ export class Team {
     const { event, time, reason, ...record } = change;
     delete record['former'];
     const key = String(record[keys[kind]]);
-    this.told.get(kind)?.add(key);
+    this.told?.[kind].add(key);
     const known = this.now[kind].has(key);
     const kept = record as unknown as Happening['record'];
-    if (event === 'add' && !this.settled.has(kind) && !this.isRecalled) {
+    if (event === 'add' && !this.isKnown) {
       // Services that were there when the page was opened have not come now.
       for (const moment of [this.before, this.now]) (moment[kind] as Map<string, Happening['record']>).set(key, kept);
     } else if (event === 'add' && known) {
@@ -135,6 +139,18 @@ export class Team {
       apply(moment, happening);
     }
     return moment;
+  }
+
+  /** The robots that had gone before an instant and were not there at it. Cost: the happenings. */
+  goneAt(time: number, moment: Moment): { id: string; name: string }[] {
+    const present = new Set([...moment.participants.values()].map((one) => one.name));
+    const gone = new Map<string, string>();
+    for (const one of this.happenings) {
+      if (one.kind !== 'participants' || one.event !== 'del' || one.time > time) continue;
+      const { name } = one.record as Participant;
+      if (!present.has(name)) gone.set(name, one.key);
+    }
+    return [...gone].map(([name, id]) => ({ id, name }));
   }
 
   private keep(happening: Happening, span = hour): void {

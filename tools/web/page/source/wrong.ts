@@ -1,6 +1,7 @@
 // The faults of the team, worst first: each with how it was seen, what would mend it, and its place in the picture.
-import { identityText, participantOf, type Ontology, type Participant, type Request, type Security, type Status } from './answers.js';
+import { identityText, isDeaf, participantOf, type Ontology, type Participant, type Request, type Security } from './answers.js';
 import type { Happening } from './team.js';
+import { clock } from './time.js';
 
 export type Level = 'error' | 'warning';
 
@@ -9,14 +10,17 @@ export interface Finding {
   level: Level;
   title: string;
   text: string;
+  /** The evidence, and one command to copy. */
+  seen?: string;
+  command?: string;
   /** The participants that it is about, and one of its requests. */
   places: string[];
   request?: Request;
 }
 
-/** The share of announcements lost from which deadlines bear no more, and how late a host may be, in its intervals. */
-const tooMuchLoss = 0.4;
-const tooLate = 2.5;
+/** The share of announcements lost from which deadlines bear no more, which is the doctor's, and how late a host may be, in its intervals. */
+export const tooMuchLoss = 0.6;
+export const tooLate = 2.5;
 
 function gone(happenings: Happening[], now: Map<string, Participant>): Finding[] {
   const last = new Map<string, Happening>();
@@ -29,7 +33,7 @@ function gone(happenings: Happening[], now: Map<string, Participant>): Finding[]
     .map(([name, happening]) => ({
       key: `gone ${name}`,
       level: 'error',
-      title: `${name} is gone since ${new Date(happening.time).toLocaleTimeString([], { hour12: false })}`,
+      title: `${name} is gone since ${clock(happening.time)}`,
       text: 'Its announcements no longer come. Is it switched off, or out of reach of the radio?',
       places: [happening.key],
     }));
@@ -40,13 +44,14 @@ function hearing(participants: Participant[]): Finding[] {
   for (const one of participants) {
     if (one.self) continue;
     const places = [one.id];
-    if (one.hears_us === false || one.hears_us === 0) {
-      findings.push({ key: `deaf ${one.id}`, level: 'error', title: `${one.name} does not hear this host`, places,
-        text: 'A switch, an access point or a firewall keeps our multicasts from it. Name each host to the other by --peer.' });
+    if (isDeaf(one)) {
+      findings.push({ key: `deaf ${one.id}`, level: 'error', title: `${one.name} is heard here and does not hear this host`, places,
+        text: 'A firewall, a switch that filters multicast, or a Wi-Fi access point keeps our multicasts from it. Open UDP port 4717 there, or name each host to the other.',
+        ...(one.addresses[0] === undefined ? {} : { command: `gemingad --peer ${one.addresses[0]}` }) });
     }
     if ((one.loss ?? 0) > tooMuchLoss) {
-      findings.push({ key: `loss ${one.id}`, level: 'warning', title: `${Math.round((one.loss ?? 0) * 100)} % of what ${one.name} says is lost`, places,
-        text: 'Deadlines bear about 40 %. Is it at the edge of the radio, or does a Wi-Fi card save power?' });
+      findings.push({ key: `loss ${one.id}`, level: 'warning', title: `${Math.round((one.loss ?? 0) * 100)} % of the announcements of ${one.name} are lost`, places,
+        text: 'It may be told as gone while it lives. Look at the radio link, and at what else floods it.' });
     } else if (one.heard > tooLate * one.interval) {
       findings.push({ key: `late ${one.id}`, level: 'warning', title: `${one.name} was last heard ${one.heard.toFixed(0)} s ago`, places,
         text: `It speaks each ${one.interval} s otherwise, and is gone when its deadline passes.` });
@@ -63,14 +68,14 @@ function ontologies(ontology: Ontology | undefined): Finding[] {
   }
   if (ontology.contradiction) {
     findings.push({ key: 'contradiction', level: 'error', title: 'The ontology contradicts itself', places: [],
-      text: 'geminga-ontology check says which axioms do.' });
+      text: 'No concept matches. See which axioms do so.', command: 'geminga-ontology explain --inconsistent FILES' });
   }
   if (ontology.others.length > 0) {
     findings.push({
       key: 'digests', level: 'warning', places: ontology.others.map((one) => one.participant),
       title: `${ontology.others.map((one) => one.name).join(', ')}: another ontology`,
-      text: ontology.others.map((one) => `${one.name} has ${one.ontology}`).join(', ') +
-        `; this host has ${ontology.digest ?? 'none'}. Load the same files on every host.`,
+      text: 'A concept may be understood differently there, or not at all. Give all hosts the same files.',
+      seen: ontology.others.map((one) => `${one.name} has ${one.ontology}`).join(', ') + `; this host has ${ontology.digest ?? 'none'}`,
     });
   }
   return findings;
@@ -79,8 +84,8 @@ function ontologies(ontology: Ontology | undefined): Finding[] {
 function keys(security: Security | undefined): Finding[] {
   return (security?.participants ?? [])
     .filter((one) => one.lacks.length > 0)
-    .map((one) => ({ key: `key ${one.participant}`, level: 'error', title: `${one.name} lacks a key`, places: [one.participant],
-      text: `It cannot open what is sealed by ${one.lacks.join(', ')}. Copy the key file to it, and have its daemon read it: pkill -HUP gemingad` }));
+    .map((one) => ({ key: `key ${one.participant}`, level: 'error', title: `${one.name} lacks a key of this host: ${one.lacks.join(', ')}`, places: [one.participant],
+      text: 'Copy the key file to it, and reload its daemon.', command: 'systemctl reload gemingad' }));
 }
 
 /** The reason without what the title says. */
@@ -107,7 +112,8 @@ export interface Seen {
   unmatched: Request[];
   ontology: Ontology | undefined;
   security: Security | undefined;
-  status: Status | undefined;
+  /** Findings of the doctor. */
+  diagnosed: Finding[];
 }
 
 export function findings(seen: Seen): Finding[] {
@@ -116,6 +122,7 @@ export function findings(seen: Seen): Finding[] {
     ...hearing([...seen.participants.values()]),
     ...keys(seen.security),
     ...ontologies(seen.ontology),
+    ...seen.diagnosed,
     ...unmatched(seen.unmatched),
   ];
   return [...all.filter((one) => one.level === 'error'), ...all.filter((one) => one.level === 'warning')];
