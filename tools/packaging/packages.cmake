@@ -103,44 +103,82 @@ geminga-bridge-KIND."
   RECOMMENDS "geminga (= ${PROJECT_VERSION})"
   SUGGESTS "geminga-bridge-dds, geminga-bridge-dns-sd, geminga-bridge-mqtt, geminga-bridge-nats")
 
+# bridge_unit(KIND SUMMARY text DEFAULT file [AFTER unit] [GROUPS group] [SECURE scheme]): the unit of a kind of bridge, which is off until it
+# is enabled, its flags in /etc/default, and its maintainer scripts, in ${control}.
+macro(bridge_unit kind)
+  cmake_parse_arguments(this "" "SUMMARY;DEFAULT;AFTER;GROUPS;SECURE" "" ${ARGN})
+  set(at @)
+  set(unit geminga-bridge-${kind})
+  set(summary ${this_SUMMARY})
+  set(secure ${this_SECURE})
+  set(after "")
+  if(this_AFTER)
+    set(after " ${this_AFTER}")
+  endif()
+  set(groups "")
+  if(this_GROUPS)
+    set(groups "# The group may use the GCNP socket.\nSupplementaryGroups=${this_GROUPS}\n")
+  endif()
+  configure_file(${here}/bridge/bridge.service.in ${made}/${unit}.service @ONLY)
+  configure_file(${here}/bridge/${this_DEFAULT}.default.in ${made}/${unit}/default @ONLY)
+  set(control "")
+  foreach(file conffiles postinst prerm postrm)
+    configure_file(${here}/bridge/${file}.in ${made}/${unit}/${file} @ONLY)
+    list(APPEND control ${made}/${unit}/${file})
+  endforeach()
+  in_package(${unit} lib/systemd/system ${made}/${unit}.service)
+  install(FILES ${made}/${unit}/default DESTINATION /etc/default RENAME ${unit} COMPONENT ${unit} EXCLUDE_FROM_ALL)
+endmacro()
+
 if(TARGET geminga-bridge-dns-sd)
+  bridge_unit(dns-sd SUMMARY "Geminga beside DNS-SD" DEFAULT client AFTER avahi-daemon.service GROUPS geminga)
   geminga_package(geminga-bridge-dns-sd
     SUMMARY "bridge between a robot team and DNS-SD"
     DESCRIPTION "Announces the services of a team by DNS-SD, with concept and
 representation in the TXT record, and states what printers, cameras and
-computers announce as services of the team. It goes through avahi-daemon."
+computers announce as services of the team. It goes through avahi-daemon.
+Its service is off until it is enabled."
     SECTION net
-    DEPENDS "geminga-bridge (= ${PROJECT_VERSION}), avahi-daemon")
+    DEPENDS "geminga (= ${PROJECT_VERSION}), geminga-bridge (= ${PROJECT_VERSION}), avahi-daemon"
+    CONTROL ${control})
 endif()
 
 if(TARGET geminga-bridge-dds)
+  bridge_unit(dds SUMMARY "Geminga beside DDS and ROS 2" DEFAULT client GROUPS geminga)
   geminga_package(geminga-bridge-dds
     SUMMARY "bridge between a robot team and DDS"
     DESCRIPTION "Shows the readers and writers of a DDS domain to a team as requests and
 services, with the names, types and policies of ROS 2. It carries no
-messages."
+messages. Its service is off until it is enabled."
     SECTION net
-    DEPENDS "geminga-bridge (= ${PROJECT_VERSION})")
+    DEPENDS "geminga (= ${PROJECT_VERSION}), geminga-bridge (= ${PROJECT_VERSION})"
+    CONTROL ${control})
 endif()
 
 if(TARGET geminga-bridge-mqtt)
+  bridge_unit(mqtt SUMMARY "Geminga over a server of MQTT" DEFAULT words SECURE mqtts)
   geminga_package(geminga-bridge-mqtt
     SUMMARY "bridge between robot teams over MQTT"
     DESCRIPTION "Carries the announcements of daemons that have no other link over a server
-of MQTT. They stay sealed with the team's key."
+of MQTT. They stay sealed with the team's key. Its service is off until it is
+enabled."
     SECTION net
     DEPENDS "geminga-bridge (= ${PROJECT_VERSION})"
-    SUGGESTS "mosquitto")
+    SUGGESTS "mosquitto"
+    CONTROL ${control})
 endif()
 
 if(TARGET geminga-bridge-nats)
+  bridge_unit(nats SUMMARY "Geminga over a server of NATS" DEFAULT words SECURE tls)
   geminga_package(geminga-bridge-nats
     SUMMARY "bridge between robot teams over NATS"
     DESCRIPTION "Carries the announcements of daemons that have no other link over a server
-of NATS. They stay sealed with the team's key."
+of NATS. They stay sealed with the team's key. Its service is off until it is
+enabled."
     SECTION net
     DEPENDS "geminga-bridge (= ${PROJECT_VERSION})"
-    SUGGESTS "nats-server")
+    SUGGESTS "nats-server"
+    CONTROL ${control})
 endif()
 
 geminga_package(geminga-ontologies ALL

@@ -1,7 +1,8 @@
 #include "web/settings.hpp"
 
 #include "client/cpp/stated_endpoints.hpp"
-#include "web/token_file.hpp"
+#include "shell/secret_file.hpp"
+#include "web/site/gate.hpp"
 
 namespace geminga::web {
 
@@ -60,8 +61,12 @@ std::expected<Settings, std::string> settings_of(const Flags& flags) {
     settings.rules.names.push_back(*host);
   }
   if (!flags.token_file.empty()) {
-    auto token = read_token(flags.token_file);
+    auto token = shell::read_secret(flags.token_file);
     if (!token) return std::unexpected("--token-file: " + token.error());
+    if (const auto complaint = complaint_about_token(*token); !complaint.empty()) {
+      return std::unexpected("--token-file: " + flags.token_file + ": the token " + complaint +
+                             ": make one with openssl rand -hex 32");
+    }
     settings.rules.token = std::move(*token);
   }
   if (settings.listen && !env::is_loopback(settings.listen->address) && settings.rules.token.empty()) {

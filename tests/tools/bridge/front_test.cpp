@@ -65,7 +65,11 @@ TEST(Bridge, RefusesWhatIsNoServer) {
                                                {good, "--site", "a.b"},
                                                {good, "--listen", "10.0.0.1:4720"},
                                                {good, "--daemon", "nowhere"},
-                                               {good, "--ca", "x.pem"}}) {
+                                               {good, "--ca", "x.pem"},
+                                               {good, "--certificate", "x.pem"},
+                                               {good, "--certificate", "x.pem", "--certificate-key", "x.key"},
+                                               {good, "--password-file", "/dev/null"},
+                                               {good, "--user", "me", "--password-file", "/etc/passwd"}}) {
       std::vector<std::string> line{kind};
       line.insert(line.end(), words.begin(), words.end());
       EXPECT_EQ(bridge(line).status, 2) << testing::PrintToString(line);

@@ -15,7 +15,7 @@ std::string reason_of(natsConnection* connection, natsStatus status) {
 
 }  // namespace
 
-NatsServer::NatsServer(client::Reactor& reactor, WordSettings settings, std::string credentials, Tally& tally,
+NatsServer::NatsServer(client::Reactor& reactor, WordSettings settings, Credentials credentials, Tally& tally,
                        DaemonSocket& daemon, Tell tell)
     : reactor_(reactor),
       settings_(std::move(settings)),
@@ -55,9 +55,17 @@ natsStatus NatsServer::set_options() {
   if (!settings_.user.empty()) {
     set(natsOptions_SetUserInfo(options_, settings_.user.c_str(), settings_.password.c_str()));
   }
-  if (!credentials_.empty()) set(natsOptions_SetUserCredentialsFromFiles(options_, credentials_.c_str(), nullptr));
+  if (!credentials_.file.empty()) {
+    set(natsOptions_SetUserCredentialsFromFiles(options_, credentials_.file.c_str(), nullptr));
+  }
+  if (!credentials_.nkey.empty()) {
+    set(natsOptions_SetNKeyFromSeed(options_, credentials_.nkey.c_str(), credentials_.nkey_seed.c_str()));
+  }
   if (settings_.is_secure) set(natsOptions_SetSecure(options_, true));
   if (!settings_.ca_file.empty()) set(natsOptions_LoadCATrustedCertificates(options_, settings_.ca_file.c_str()));
+  if (!settings_.certificate.empty()) {
+    set(natsOptions_LoadCertificatesChain(options_, settings_.certificate.c_str(), settings_.certificate_key.c_str()));
+  }
   return status;
 }
 

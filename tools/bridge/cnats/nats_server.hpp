@@ -28,12 +28,17 @@ inline constexpr int max_unsent_octets = 256 * 1024;
 /// reactor. Neither copies nor moves.
 class NatsServer {
  public:
+  /// By what NATS knows us, beside the name and password of WordSettings; files that only libnats reads. Empty: none.
+  struct Credentials {
+    std::string file;       ///< a user's credentials: a JWT and an NKey
+    std::string nkey;       ///< a public NKey, which is no secret
+    std::string nkey_seed;  ///< the file with its seed
+  };
   using Word = std::span<const std::byte>;
   using Tell = std::function<void(const std::string& line)>;
 
-  /// `credentials`: a file with NATS' user credentials (a JWT and an NKey); empty: none. Borrows reactor, tally and
-  /// daemon.
-  NatsServer(client::Reactor& reactor, WordSettings settings, std::string credentials, Tally& tally,
+  /// Borrows reactor, tally and daemon.
+  NatsServer(client::Reactor& reactor, WordSettings settings, Credentials credentials, Tally& tally,
              DaemonSocket& daemon, Tell tell);
   ~NatsServer();
   NatsServer(const NatsServer&) = delete;
@@ -51,7 +56,7 @@ class NatsServer {
 
   client::Reactor& reactor_;
   WordSettings settings_;
-  std::string credentials_;
+  Credentials credentials_;
   Tally& tally_;
   DaemonSocket& daemon_;
   Tell tell_;

@@ -60,7 +60,10 @@ std::expected<void, std::string> MqttServer::start() {
   }
   if (result == MOSQ_ERR_SUCCESS && settings_.is_secure) {
     const char* file = settings_.ca_file.empty() ? nullptr : settings_.ca_file.c_str();
-    result = mosquitto_tls_set(client_, file, file == nullptr ? "/etc/ssl/certs" : nullptr, nullptr, nullptr, nullptr);
+    const bool has_own = !settings_.certificate.empty();
+    result = mosquitto_tls_set(client_, file, file == nullptr ? "/etc/ssl/certs" : nullptr,
+                               has_own ? settings_.certificate.c_str() : nullptr,
+                               has_own ? settings_.certificate_key.c_str() : nullptr, nullptr);
   }
   if (result != MOSQ_ERR_SUCCESS) return std::unexpected(reason_of(result));
   connect();

@@ -39,13 +39,20 @@ int run(int argc, char** argv) {
   app.footer(examples);
   WordOptions options;
   options.add_to(app, std::string(program), "nats|tls");
-  std::string credentials;
-  app.add_option("--credentials", credentials, "A file with NATS' user credentials (a JWT and an NKey)")
+  NatsServer::Credentials credentials;
+  app.add_option("--credentials", credentials.file, "A file with NATS' user credentials (a JWT and an NKey)")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile, "", "");
+  app.add_option("--nkey", credentials.nkey, "The public NKey of the user that it is; --nkey-seed proves it")
+      ->type_name("KEY");
+  app.add_option("--nkey-seed", credentials.nkey_seed, "A file with the seed of --nkey")
       ->type_name("FILE")
       ->check(CLI::ExistingFile, "", "");
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
   const auto settings = options.settings("nats", "tls", 4222, 4222);
   if (!settings) return fail(settings.error());
+  if (credentials.nkey.empty() != credentials.nkey_seed.empty()) return fail("--nkey and --nkey-seed go together");
+  if (!credentials.nkey.empty() && !credentials.file.empty()) return fail("--credentials or --nkey, not both");
 
   const auto log = [](const std::string& line) { shell::complain(program, line); };
   const shell::StopSignals signals;

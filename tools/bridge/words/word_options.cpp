@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <random>
+#include <utility>
 
 #include "base/text.hpp"
 #include "env/asio/endpoint.hpp"
+#include "shell/secret_file.hpp"
 
 namespace geminga::bridge {
 namespace {
@@ -36,8 +38,13 @@ void WordOptions::add_to(CLI::App& app, const std::string& program, const std::s
   app.add_option("--daemon", daemon, "The UDP port of the daemon (127.0.0.1:4717 unless told)")
       ->type_name("ADDRESS:PORT");
   app.add_option("--ca", ca_file, "Trust servers whose certificates these authorities have signed")->type_name("FILE");
-  app.add_option("--user", user, "The name by which it logs in; the password is $GEMINGA_BRIDGE_PASSWORD")
+  app.add_option("--certificate", certificate, "Show the server this certificate, in PEM")->type_name("FILE");
+  app.add_option("--certificate-key", certificate_key, "The private key of --certificate, in PEM")->type_name("FILE");
+  app.add_option("--user", user,
+                 "The name by which it logs in; the password is in --password-file, or $GEMINGA_BRIDGE_PASSWORD")
       ->type_name("NAME");
+  app.add_option("--password-file", password_file, "The password of --user, in a file that nobody else can read")
+      ->type_name("FILE");
   app.set_version_flag("--version", program + " " GEMINGA_VERSION, "Print the version and exit");
 }
 
@@ -65,9 +72,22 @@ std::expected<WordSettings, std::string> WordOptions::settings(const std::string
   made.site = site + '-' + base::to_hex(chance(), 8);
   if (!ca_file.empty() && !made.is_secure) return std::unexpected("--ca goes with " + secure_scheme + "://");
   made.ca_file = ca_file;
+  if (certificate.empty() != certificate_key.empty()) {
+    return std::unexpected("--certificate and --certificate-key go together");
+  }
+  if (!certificate.empty() && !made.is_secure)
+    return std::unexpected("--certificate goes with " + secure_scheme + "://");
+  made.certificate = certificate;
+  made.certificate_key = certificate_key;
+  if (user.empty() && !password_file.empty()) return std::unexpected("--password-file goes with --user");
   made.user = user;
-  const char* password = std::getenv("GEMINGA_BRIDGE_PASSWORD");
-  if (!user.empty() && password != nullptr) made.password = password;
+  if (!password_file.empty()) {
+    auto password = shell::read_secret(password_file);
+    if (!password) return std::unexpected("--password-file: " + password.error());
+    made.password = std::move(*password);
+  } else if (const char* password = std::getenv("GEMINGA_BRIDGE_PASSWORD"); !user.empty() && password != nullptr) {
+    made.password = password;
+  }
   const auto own = endpoint_of("--listen", listen);
   if (!own) return std::unexpected(own.error());
   const auto its = endpoint_of("--daemon", daemon);

@@ -19,6 +19,8 @@ struct WordSettings {
   std::string team;
   std::string site;  ///< its name and a random end, so that no two bridges have one
   std::string ca_file;
+  std::string certificate;  ///< a file with the client's certificates; empty: none
+  std::string certificate_key;
   std::string user;
   std::string password;
   client::Endpoint own;
@@ -32,7 +34,10 @@ struct WordOptions {
   std::string listen = "127.0.0.1:4720";
   std::string daemon = "127.0.0.1:4717";
   std::string ca_file;
+  std::string certificate;
+  std::string certificate_key;
   std::string user;
+  std::string password_file;
 
   /// Adds URL and flags. `schemes`, e.g. `mqtt|mqtts`, is how its value is called. Borrows this for the life of `app`.
   void add_to(CLI::App& app, const std::string& program, const std::string& schemes);

@@ -1,4 +1,4 @@
-#include "web/token_file.hpp"
+#include "shell/secret_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -7,12 +7,10 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <string_view>
 #include <system_error>
 
-#include "web/site/gate.hpp"
-#include "web/site/limits.hpp"
-
-namespace geminga::web {
+namespace geminga::shell {
 namespace {
 
 /// The rights that a file with a secret gives to nobody.
@@ -32,22 +30,18 @@ std::string trimmed(std::string_view text) {
 
 }  // namespace
 
-std::expected<std::string, std::string> read_token(const std::string& path) {
+std::expected<std::string, std::string> read_secret(const std::string& path) {
   const auto failure = [&](const std::string& what) { return std::unexpected(path + ": " + what); };
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (file < 0) return failure(std::generic_category().message(errno));
   struct stat status{};
-  std::array<char, 2 * max_token_octets> bytes{};
+  std::array<char, max_secret_file_octets> bytes{};
   const bool is_file = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
   const ssize_t size = is_file ? ::read(file, bytes.data(), bytes.size()) : -1;
   ::close(file);
   if (size < 0) return failure("is no file that can be read");
   if ((status.st_mode & forbidden(path)) != 0) return failure("can be read or changed by others: chmod 600 " + path);
-  std::string token = trimmed({bytes.data(), static_cast<std::size_t>(size)});
-  if (const auto complaint = complaint_about_token(token); !complaint.empty()) {
-    return failure("the token " + complaint + ": make one with openssl rand -hex 32");
-  }
-  return token;
+  return trimmed({bytes.data(), static_cast<std::size_t>(size)});
 }
 
-}  // namespace geminga::web
+}  // namespace geminga::shell
