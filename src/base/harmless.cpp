@@ -10,16 +10,14 @@
 namespace geminga::base {
 namespace {
 
-bool is_plain_octet(char octet) { return octet >= 0x20 && octet < 0x7f; }
+/// An object and no function, so that the loops over octets contain it.
+constexpr auto is_plain_octet = [](char octet) { return octet >= 0x20 && octet < 0x7f; };
 
-/// Copies a text. Calls `replace` for each harmful character that `keeps` does not keep, to add what stands for it.
+/// Copies what has no plain octet. See copied().
 template <typename Keeps, typename Replace>
-std::string copied(std::string_view text, Keeps keeps, Replace replace) {
-  if (std::ranges::all_of(text, is_plain_octet)) return std::string(text);
+void copy_special(std::string_view text, Keeps keeps, Replace replace, std::string& copy) {
   std::string valid;
   utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
-  std::string copy;
-  copy.reserve(valid.size());
   for (auto at = valid.begin(); at != valid.end();) {
     const auto begin = at;
     const char32_t character = utf8::next(at, valid.end());
@@ -28,6 +26,20 @@ std::string copied(std::string_view text, Keeps keeps, Replace replace) {
     } else {
       copy.append(begin, at);
     }
+  }
+}
+
+/// Copies a text. Calls `replace` for each harmful character that `keeps` does not keep, to add what stands for it. A
+/// plain octet ends every character before it, so stretches of plain octets are copied as they are.
+template <typename Keeps, typename Replace>
+std::string copied(std::string_view text, Keeps keeps, Replace replace) {
+  std::string copy;
+  copy.reserve(text.size());
+  for (auto at = text.begin(); at != text.end();) {
+    const auto special = std::find_if_not(at, text.end(), is_plain_octet);
+    copy.append(at, special);
+    at = std::find_if(special, text.end(), is_plain_octet);
+    if (special != at) copy_special({special, at}, keeps, replace, copy);
   }
   return copy;
 }

@@ -1,10 +1,15 @@
-// A module is extracted, then a sufficient prefix of it, then a minimal set; last comes the order of the argument.
+// A module is extracted, as far as the rules of EL need it; then a sufficient prefix of it, then a minimal set; last
+// comes the order of the argument.
 #include "reasoning/explanation/explain.hpp"
 
 #include <array>
 
 namespace geminga::explanation {
 namespace {
+
+/// The axioms of a module that are asked about by the rules of EL before it is extracted as a whole. Most reasons are
+/// among them, and a module may have tens of thousands.
+constexpr std::size_t near_axioms = 512;
 
 /// The minimal subset; or the whole set, if an engine gives up on the subset although it answered for the set. So the
 /// result always entails the conclusion.
@@ -17,12 +22,17 @@ AxiomSet minimal_of(const AxiomSet& enough, const Holds& holds) {
 
 Explainer::Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber sub, taxonomy::ClassNumber super,
                      Patience patience, base::Budget* budget)
-    : module_(ontology, std::array{sub, super}),
+    : module_(ontology, std::array{sub, super}, {}, near_axioms),
       oracle_(module_.source(), patience, budget),
       sub_(module_.term(sub)),
       super_(module_.term(super)) {}
 
 std::optional<AxiomSet> Explainer::find_one() {
+  if (module_.is_begun()) {
+    // What follows by the rules from the beginning has the same smallest prefix there as in the whole module.
+    if (oracle_.find_by_rules(module_.all(), sub_, super_) == el::Entailed::yes) return find_one_of(module_.all());
+    module_.complete();
+  }
   if (auto found = find_one_of(module_.all())) return found;
   const std::uint32_t known = module_.axiom_count();
   module_.add_rest();
@@ -60,6 +70,7 @@ std::optional<AxiomSet> find_justification(Oracle& oracle, const AxiomSet& candi
 AllSets Explainer::find_all(const ExplanationLimits& limits, std::size_t max_work) {
   // The first set decides whether the module is enough.
   if (!find_one()) return {};
+  module_.complete();
   const std::size_t end = oracle_.work() + max_work;
   return find_all_minimal(
       module_.all(), [this](const AxiomSet& candidates) { return find_one_of(candidates); },

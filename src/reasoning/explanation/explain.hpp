@@ -38,6 +38,7 @@ class Explainer {
   /// All minimal sets up to limits. Work is counted in axioms asked about, so that the answer is the same everywhere.
   [[nodiscard]] AllSets find_all(const ExplanationLimits& limits = {}, std::size_t max_work = 4'000'000);
 
+  /// Only its beginning, as long as that was enough to find a set.
   [[nodiscard]] Module& module() { return module_; }
   [[nodiscard]] const Module& module() const { return module_; }
   [[nodiscard]] Oracle& oracle() { return oracle_; }

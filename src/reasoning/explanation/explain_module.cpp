@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "reasoning/modules/module.hpp"
 #include "reasoning/owl/loaded_file.hpp"
@@ -37,16 +38,31 @@ TermId subject_of(const Axiom& axiom) {
 }  // namespace
 
 Module::Module(const compiled::Ontology& ontology, std::span<const taxonomy::ClassNumber> classes,
-               std::span<const std::uint32_t> more_terms)
-    : ontology_(ontology) {
+               std::span<const std::uint32_t> more_terms, std::size_t most)
+    : ontology_(ontology), classes_(classes.begin(), classes.end()), more_terms_(more_terms.begin(), more_terms.end()) {
   for (const owl::LoadedFile& file : ontology.files()) source_.add_file(file.path, file.ontology_iri);
-  for (const std::uint32_t axiom : modules::extract_module(ontology.module_index(), classes, more_terms)) copy(axiom);
+  const auto axioms = modules::extract_module(ontology.module_index(), classes, more_terms, most);
+  for (const std::uint32_t axiom : axioms) copy(axiom);
+  is_begun_ = axioms.size() == most;
+}
+
+void Module::complete() {
+  if (!std::exchange(is_begun_, false)) return;
+  const std::vector<bool> is_copied = copied();
+  for (const std::uint32_t axiom : modules::extract_module(ontology_.module_index(), classes_, more_terms_)) {
+    if (!is_copied[axiom]) copy(axiom);
+  }
+}
+
+std::vector<bool> Module::copied() const {
+  std::vector<bool> is_copied(ontology_.axioms().axiom_count(), false);
+  for (const std::uint32_t axiom : originals_) is_copied[axiom] = true;
+  return is_copied;
 }
 
 void Module::add_rest() {
   const taxonomy::ClassifiedView& view = ontology_.axioms();
-  std::vector<bool> is_copied(view.axiom_count(), false);
-  for (const std::uint32_t axiom : originals_) is_copied[axiom] = true;
+  const std::vector<bool> is_copied = copied();
   for (std::uint32_t axiom = 0; axiom < view.axiom_count(); ++axiom) {
     if (!is_copied[axiom] && view.kind_of_axiom(axiom) != AxiomKind::declaration) copy(axiom);
   }

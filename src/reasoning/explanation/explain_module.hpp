@@ -2,7 +2,10 @@
 #ifndef GEMINGA_REASONING_EXPLANATION_EXPLAIN_MODULE_HPP
 #define GEMINGA_REASONING_EXPLANATION_EXPLAIN_MODULE_HPP
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -24,9 +27,9 @@ struct ExplainedAxiom {
 class Module {
  public:
   /// Takes the axioms that can matter for subsumptions of these classes, and for other conclusions about these terms of
-  /// the compiled form.
+  /// the compiled form; the first `most` of them, until complete() takes the others.
   Module(const compiled::Ontology& ontology, std::span<const taxonomy::ClassNumber> classes,
-         std::span<const std::uint32_t> more_terms = {});
+         std::span<const std::uint32_t> more_terms = {}, std::size_t most = std::numeric_limits<std::size_t>::max());
 
   /// The axioms of the module, in the order in which the walk from the classes reached them.
   [[nodiscard]] const owl::Ontology& source() const { return source_; }
@@ -35,8 +38,12 @@ class Module {
   [[nodiscard]] std::uint32_t axiom_count() const { return axiom_count_; }
   /// The numbers of all axioms of the module.
   [[nodiscard]] AxiomSet all() const;
-  /// Adds the other axioms of the ontology. To be called before anything else is added. Everything that follows follows
-  /// from the module; but an engine with incomplete rules may derive more from more axioms.
+  /// Whether the module has axioms that were not taken.
+  [[nodiscard]] bool is_begun() const { return is_begun_; }
+  /// Takes the axioms of the module that were not taken. To be called before anything else is added.
+  void complete();
+  /// Adds the other axioms of the ontology to a complete module. To be called before anything else is added. Everything
+  /// that follows follows from the module; but an engine with incomplete rules may derive more from more axioms.
   void add_rest();
 
   [[nodiscard]] const compiled::Ontology& ontology() const { return ontology_; }
@@ -54,8 +61,13 @@ class Module {
 
  private:
   void copy(std::uint32_t axiom);
+  /// By number in the compiled form.
+  [[nodiscard]] std::vector<bool> copied() const;
 
   const compiled::Ontology& ontology_;
+  std::vector<taxonomy::ClassNumber> classes_;
+  std::vector<std::uint32_t> more_terms_;
+  bool is_begun_ = false;
   owl::Ontology source_;
   std::uint32_t axiom_count_ = 0;
   std::vector<std::uint32_t> originals_;  ///< of each axiom: its number in the ontology

@@ -10,8 +10,9 @@ namespace {
 /// Walks from names to axioms and from axioms to names.
 class Walk {
  public:
-  explicit Walk(const ModuleIndex& index)
+  Walk(const ModuleIndex& index, std::size_t most)
       : index_(index),
+        most_(most),
         view_(index.view()),
         is_in_signature_(view_.term_count(), false),
         is_taken_(view_.axiom_count(), false),
@@ -21,6 +22,7 @@ class Walk {
     for (const std::uint32_t term : terms) enter(term);
     follow();
     for (const std::uint32_t axiom : index_.unconditional()) {
+      if (is_over()) break;
       look_at(axiom);
       follow();
     }
@@ -28,6 +30,8 @@ class Walk {
   }
 
  private:
+  [[nodiscard]] bool is_over() const { return module_.size() >= most_; }
+
   /// Adds the names in a term to the signature. Recursion is bounded by the nesting of terms.
   void enter(std::uint32_t term) {
     if (is_in_signature_[term]) return;
@@ -37,7 +41,7 @@ class Walk {
   }
 
   void follow() {
-    while (next_ < names_.size()) {
+    while (next_ < names_.size() && !is_over()) {
       const std::uint32_t name = names_[next_++];
       for (const std::uint32_t axiom : index_.axioms_of(name)) look_at(axiom);
       const auto woken = waiting_.find(name);
@@ -48,7 +52,7 @@ class Walk {
   }
 
   void look_at(std::uint32_t axiom) {
-    if (is_taken_[axiom]) return;
+    if (is_taken_[axiom] || is_over()) return;
     switch (test_.test(axiom)) {
       case Locality::always:
         return;
@@ -63,6 +67,7 @@ class Walk {
   }
 
   const ModuleIndex& index_;
+  std::size_t most_;
   const taxonomy::ClassifiedView& view_;
   std::vector<bool> is_in_signature_;
   std::vector<bool> is_taken_;
@@ -89,13 +94,13 @@ std::optional<std::uint32_t> ModuleIndex::term_of(taxonomy::ClassNumber number) 
 }
 
 std::vector<std::uint32_t> extract_module(const ModuleIndex& index, std::span<const taxonomy::ClassNumber> classes,
-                                          std::span<const std::uint32_t> more_terms) {
+                                          std::span<const std::uint32_t> more_terms, std::size_t most) {
   std::vector<std::uint32_t> terms;
   for (const taxonomy::ClassNumber number : classes) {
     if (const auto term = index.term_of(number)) terms.push_back(*term);
   }
   terms.insert(terms.end(), more_terms.begin(), more_terms.end());
-  return Walk(index).run(terms);
+  return Walk(index, most).run(terms);
 }
 
 }  // namespace geminga::modules

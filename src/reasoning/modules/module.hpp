@@ -2,7 +2,9 @@
 #ifndef GEMINGA_REASONING_MODULES_MODULE_HPP
 #define GEMINGA_REASONING_MODULES_MODULE_HPP
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,11 +54,12 @@ struct ModuleTables {
 
 /// The axioms of the module for these classes and terms, by number. They include every minimal set that entails an
 /// axiom over this signature, or that one of the classes is below any named class. The walk reaches near axioms first,
-/// and the result is in this order. Declarations are not among them. The cost is that of the reached axioms, and one
-/// bit for each term and axiom of the ontology.
+/// and the result is in this order. It ends after `most` axioms: then it is the beginning of the module. Declarations
+/// are not among them. The cost is that of the reached axioms, and one bit for each term and axiom of the ontology.
 [[nodiscard]] std::vector<std::uint32_t> extract_module(const ModuleIndex& index,
                                                         std::span<const taxonomy::ClassNumber> classes,
-                                                        std::span<const std::uint32_t> more_terms = {});
+                                                        std::span<const std::uint32_t> more_terms = {},
+                                                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace geminga::modules
 

@@ -1,7 +1,20 @@
 // One octet at a time (RDF 1.1 Turtle, section 6.5; OWL 2 functional-style syntax, section 2; XML 1.0, section 2.4).
 #include "reasoning/syntax/long_text.hpp"
 
+#include <array>
+
 namespace geminga::syntax {
+namespace {
+
+/// A name ends at a character that no syntax allows in names. Some syntaxes allow even fewer, which does not matter
+/// here.
+constexpr std::array<bool, 256> ends_name = [] {
+  std::array<bool, 256> ends{};
+  for (const char c : std::string_view(" \t\r\n#<>\"'()[];,")) ends[static_cast<unsigned char>(c)] = true;
+  return ends;
+}();
+
+}  // namespace
 
 std::optional<std::uint32_t> LongText::look_at(std::string_view stretch) {
   for (const char c : stretch) {
@@ -30,15 +43,12 @@ void LongText::note_blank(bool is_blank) {
   blank_bytes_ = is_blank ? blank_bytes_ + 1 : 0;
 }
 
-/// A name ends at a character that no syntax allows in names. Some syntaxes allow even fewer, which does not matter
-/// here.
 void LongText::note_name(bool is_name) { name_bytes_ = is_name ? name_bytes_ + 1 : 0; }
 
 void LongText::step(char c) {
-  constexpr std::string_view ends_of_names = " \t\r\n#<>\"'()[];,";
   switch (within_) {
     case Within::nothing:
-      note_name(ends_of_names.find(c) == std::string_view::npos);
+      note_name(!ends_name[static_cast<unsigned char>(c)]);
       // An escaped mark belongs to a name, as in ex:O\'Brien. No name contains a quotation mark.
       if (is_escaped_ && c != '"') {
         is_escaped_ = false;

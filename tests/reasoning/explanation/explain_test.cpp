@@ -39,6 +39,22 @@ TEST(Explain, NamesFileAndLineInTheOrderOfTheArgument) {
   EXPECT_TRUE(explain(ontology, named(ontology, "Info"), named(ontology, "Info")).has_value());
 }
 
+/// The walk comes to the last axiom after all others.
+TEST(Explain, FindsAReasonBehindTheBeginningOfAModule) {
+  for (const std::size_t near : {510U, 511U, 512U, 513U}) {
+    std::string axioms;
+    for (std::size_t at = 0; at < near; ++at) axioms += "SubClassOf(A F" + std::to_string(at) + ")\n";
+    axioms += "SubClassOf(F" + std::to_string(near - 1) + " Last)\n";
+    const Ontology ontology = loaded(axioms);
+    Explainer explainer(ontology, named(ontology, "A"), named(ontology, "Last"));
+    const auto found = explainer.find_one();
+    ASSERT_TRUE(found.has_value()) << near;
+    EXPECT_EQ(found->size(), 2) << near;
+    EXPECT_EQ(explainer.find_all().sets.size(), 1) << near;
+    EXPECT_EQ(explainer.module().axiom_count(), near + 1) << near;
+  }
+}
+
 TEST(Explain, WritesAxiomsSoThatOneCanReadThem) {
   const struct {
     const char* axioms;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -112,6 +113,8 @@ TEST(ModuleTest, GoesFromNearAxiomsToFarOnes) {
   for (const std::uint32_t axiom : extract_module(ontology.module_index(), a))
     lines.push_back(ontology.axioms().axiom_line[axiom]);
   EXPECT_THAT(lines, ElementsAre(3, 2, 1));
+  for (const std::size_t most : {0U, 1U, 2U, 3U, 4U})
+    EXPECT_EQ(extract_module(ontology.module_index(), a, {}, most).size(), std::min<std::size_t>(most, 3)) << most;
 }
 
 TEST(ModuleTest, HasNoDeclarations) {
