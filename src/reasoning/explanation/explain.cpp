@@ -29,7 +29,7 @@ Explainer::Explainer(const compiled::Ontology& ontology, taxonomy::ClassNumber s
 
 std::optional<AxiomSet> Explainer::find_one() {
   if (module_.is_begun()) {
-    // What follows by the rules from the beginning has the same smallest prefix there as in the whole module.
+    // The smallest prefix of the beginning is that of the whole module.
     if (oracle_.find_by_rules(module_.all(), sub_, super_) == el::Entailed::yes) return find_one_of(module_.all());
     module_.complete();
   }

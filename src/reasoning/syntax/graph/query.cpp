@@ -58,48 +58,67 @@ std::size_t end_of_quoted(std::string_view query, std::size_t at) {
   return query.size();
 }
 
-/// How deep the braces of a query nest, without those in texts, comments and IRIs.
-std::size_t levels_of(std::string_view query) {
-  std::size_t deepest = 0;
-  std::size_t level = 0;
+/// The query with a blank instead of each text, comment and IRI.
+std::string bare(std::string_view query) {
+  std::string kept;
   for (std::size_t at = 0; at < query.size();) {
+    std::size_t end = at + 1;
     switch (query[at]) {
       case '"':
       case '\'':
-        at = end_of_quoted(query, at);
-        continue;
+        end = end_of_quoted(query, at);
+        break;
       case '#':
-        at = std::min(query.find_first_of("\r\n", at), query.size());
-        continue;
+        end = std::min(query.find_first_of("\r\n", at), query.size());
+        break;
       case '<': {  // an IRI has none of these, and less-than has one of them behind it
-        const std::size_t end = query.find_first_of("<>\"{}|^`\\ \t\r\n", at + 1);
-        at = end != std::string_view::npos && query[end] == '>' ? end : at;
+        const std::size_t behind = query.find_first_of("<>\"{}|^`\\ \t\r\n", at + 1);
+        if (behind != std::string_view::npos && query[behind] == '>') end = behind + 1;
         break;
       }
       case '\\':
-        ++at;
-        break;
-      case '{':
-        deepest = std::max(deepest, ++level);
-        break;
-      case '}':
-        level -= level == 0 ? 0 : 1;
+        end = std::min(at + 2, query.size());
         break;
       default:
         break;
     }
-    ++at;
+    kept += end == at + 1 ? query[at] : ' ';
+    at = end;
+  }
+  return kept;
+}
+
+/// How deep the braces of a bare query nest.
+std::size_t levels_of(std::string_view query) {
+  std::size_t deepest = 0;
+  std::size_t level = 0;
+  for (const char c : query) {
+    if (c == '{') deepest = std::max(deepest, ++level);
+    if (c == '}' && level > 0) --level;
   }
   return deepest;
 }
 
-bool has_service(rasqal_graph_pattern* pattern) {
+constexpr std::string_view instead_of_exists = "write OPTIONAL { ... } FILTER(!bound(?x)) for what is not there";
+
+/// Names what rasqal does not know of SPARQL 1.1, where that may be why it cannot read this bare query. `error` is its
+/// own word, which ends with what it did not expect.
+std::string hint_for(const std::string& query, std::string_view error) {
+  if (base::in_lower_case(query).find("exists") != std::string::npos)
+    return std::string("; rasqal does not know EXISTS: ").append(instead_of_exists);
+  for (const std::string_view operation : {"'+'", "'*'", "'/'", "'^'", "'|'", "'!'", "'?'"}) {
+    if (error.ends_with(operation)) return "; rasqal does not know paths of properties: write a triple for each step";
+  }
+  return {};
+}
+
+bool has_pattern(rasqal_graph_pattern* pattern, rasqal_graph_pattern_operator kind) {
   if (pattern == nullptr) return false;
-  if (rasqal_graph_pattern_get_operator(pattern) == RASQAL_GRAPH_PATTERN_OPERATOR_SERVICE) return true;
+  if (rasqal_graph_pattern_get_operator(pattern) == kind) return true;
   for (int at = 0;; ++at) {
     rasqal_graph_pattern* below = rasqal_graph_pattern_get_sub_graph_pattern(pattern, at);
     if (below == nullptr) return false;
-    if (has_service(below)) return true;
+    if (has_pattern(below, kind)) return true;
   }
 }
 
@@ -113,8 +132,11 @@ std::optional<std::string> refusal_of(rasqal_query* query) {
   raptor_sequence* sources = rasqal_query_get_data_graph_sequence(query);
   if (sources != nullptr && raptor_sequence_size(sources) > 0)
     return "FROM would fetch a graph, and nothing is fetched: name the file before the query";
-  if (has_service(rasqal_query_get_query_graph_pattern(query)))
+  rasqal_graph_pattern* pattern = rasqal_query_get_query_graph_pattern(query);
+  if (has_pattern(pattern, RASQAL_GRAPH_PATTERN_OPERATOR_SERVICE))
     return "SERVICE would ask another host, and nothing is fetched";
+  if (has_pattern(pattern, RASQAL_GRAPH_PATTERN_OPERATOR_MINUS))
+    return std::string("rasqal does not compute MINUS: ").append(instead_of_exists);
   return std::nullopt;
 }
 
@@ -200,21 +222,21 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
   const auto refuse = [](std::string text) { return std::unexpected(AskError{std::move(text)}); };
   if (query.size() > limits.query_bytes)
     return refuse("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
-  if (levels_of(query) > limits.query_levels)
+  const std::string bare_query = bare(query);
+  if (levels_of(bare_query) > limits.query_levels)
     return refuse("the query nests groups deeper than " + std::to_string(limits.query_levels) +
                   " levels, for which it would take too long: ask in several queries");
   if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos)
     return refuse("the query is no text in UTF-8");
   World& world = graph.store().world;
   const std::string text = with_prefixes(query, prefixes);
-  const auto refuse_with_error = [&](std::string_view what, std::string_view otherwise) {
-    const std::string error = world.take_error();
-    return refuse(std::string(what).append(error.empty() ? otherwise : error));
-  };
   const Owned<rasqal_query> asked(rasqal_new_query(world.rasqal(), language, nullptr));
   if (asked == nullptr) return refuse("memory is short");
-  if (rasqal_query_prepare(asked.get(), octets(text), nullptr) != 0)
-    return refuse_with_error("the query cannot be read: ", "check its syntax");
+  if (rasqal_query_prepare(asked.get(), octets(text), nullptr) != 0) {
+    const std::string error = world.take_error();
+    return refuse("the query cannot be read: " + (error.empty() ? "check its syntax" : error) +
+                  hint_for(bare_query, error));
+  }
   if (auto refusal = refusal_of(asked.get())) return refuse(std::move(*refusal));
   Expressions expressions(world);
   if (find_instances) {
@@ -230,9 +252,11 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
   if (!source.serve(asked.get())) return refuse("memory is short");
   const Owned<rasqal_query_results> results(rasqal_query_execute(asked.get()));
   if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
-  if (!results)
-    return refuse_with_error("the query cannot be answered: ",
-                             "rasqal cannot compute an operation of it, such as MINUS");
+  if (!results) {
+    const std::string error = world.take_error();
+    return refuse("the query cannot be answered: " +
+                  (error.empty() ? "rasqal cannot compute an operation of it" : error));
+  }
   auto failed = read_answer(world, results.get(), prefixes, format, limits, answer);
   if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
   if (failed) return refuse(std::move(*failed));

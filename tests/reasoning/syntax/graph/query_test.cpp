@@ -74,7 +74,21 @@ TEST_F(Query, FetchesAndChangesNothing) {
        {"LOAD <http://127.0.0.1/x>", "INSERT DATA { e:a e:p e:b }", "DELETE WHERE { ?s ?p ?o }", "CLEAR ALL"})
     EXPECT_THAT(refusal(change), testing::Ne("answered")) << change;
   EXPECT_THAT(refusal("DESCRIBE e:a"), HasSubstr("write SELECT, ASK or CONSTRUCT"));
-  EXPECT_THAT(refusal("SELECT * WHERE { ?s ?p ?o MINUS { ?s ?p e:d } }"), HasSubstr("such as MINUS"));
+}
+
+TEST_F(Query, IsRefusedByNameWhereRasqalDoesNotKnowAnOperation) {
+  for (const std::string minus : {"SELECT * WHERE { ?s ?p ?o MINUS { ?s ?p e:d } }",
+                                  "SELECT * WHERE { ?s ?p ?o OPTIONAL { ?s ?q ?r MINUS { ?s ?p e:d } } }",
+                                  "SELECT * WHERE { { SELECT ?s WHERE { ?s ?p ?o MINUS { ?s ?p e:d } } } }"})
+    EXPECT_THAT(refusal(minus), HasSubstr("rasqal does not compute MINUS: write OPTIONAL")) << minus;
+  for (const std::string exists : {"SELECT * WHERE { ?s ?p ?o FILTER NOT EXISTS { ?s ?p e:d } }",
+                                   "SELECT * WHERE { ?s ?p ?o FILTER(exists { ?s ?p e:d }) }"})
+    EXPECT_THAT(refusal(exists), HasSubstr("rasqal does not know EXISTS: write OPTIONAL")) << exists;
+  for (const std::string path : {"e:p+", "e:p/e:q", "^e:p", "e:p|e:q", "e:p*", "!e:p"})
+    EXPECT_THAT(refusal("SELECT * WHERE { ?s " + path + " ?o }"), HasSubstr("does not know paths of properties"))
+        << path;
+  EXPECT_THAT(refusal("SELECT ?x WHERE { ?x e:p 'MINUS EXISTS' . ?x e:p <x:exists> # exists\n"),
+              testing::Not(HasSubstr("EXISTS")));
 }
 
 TEST_F(Query, IsRefusedWhereItCannotBeRead) {
