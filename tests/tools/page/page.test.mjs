@@ -129,7 +129,13 @@ try {
   const recorder = start('geminga-query', '--connect', `127.0.0.1:${ports.monitor}`, 'record', recording);
   await inOrder();
 
-  // Its reason leads to the place, by the keyboard alone.
+  // The doctor sees that the team shares one host; its remedy is shown.
+  await says('#wrong', 'More than one gemingad runs on this host');
+  await page.click('.findings button[data-key^="doctor two_daemons"]');
+  await says('#detail', 'Stop all but one.');
+  await page.keyboard.press('Escape');
+
+  // The reason of a request leads to the place, by the keyboard alone.
   await page.focus('.findings button[data-key^="request"]');
   await page.keyboard.press('Enter');
   await until(() => document.querySelector('.box.chosen') !== null);
@@ -188,7 +194,12 @@ try {
   await shoot('ontology');
   await inOrder();
 
-  // The question that nobody has stated.
+  // The question that nobody has stated, its last name completed.
+  await page.type('#if-concept', 'soccer:BallInfo or soccer:TrackedOb');
+  await until(() => document.querySelector('#if-concept-names option')?.value === 'soccer:BallInfo or soccer:TrackedObject');
+  await page.$eval('#if-concept', (input) => {
+    input.value = '';
+  });
   await page.type('#if-concept', 'soccer:TrackedObject');
   await page.keyboard.press('Enter');
   await says('#detail', 'would serve it');
@@ -223,12 +234,13 @@ try {
   await page.bringToFront();
   await says('#timeline', 'robot1 came');
 
-  // Back in time: robot1 is gone again.
+  // Back in time: robot1 is gone again, and before this page was opened matches are not known.
   const wasGone = await page.$$eval('.happenings li', (items) => items.some((item) => item.textContent.includes('robot1 went')));
   assert.ok(wasGone);
   await page.focus('#moment');
   await page.keyboard.press('Home');
   await says('#absence', 'You look at');
+  await says('.note:not([hidden])', 'not all matches are known');
   await page.keyboard.press('End');
   await until(() => document.querySelector('#absence').hidden);
 

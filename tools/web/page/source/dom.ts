@@ -64,4 +64,6 @@ export function refill(parent: Element, ...children: Child[]): void {
   if (key !== null) parent.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
 }
 
+export const counted = (count: number, word: string): string => `${count} ${word}${count === 1 ? '' : 's'}`;
+
 export const shortened = (text: string, length: number): string => (text.length <= length ? text : text.slice(0, length - 1) + '…');

@@ -3,7 +3,7 @@ import { ask, participantOf, type Hearer, type Ontology, type Participant, type 
 import { Curves, sampleEach } from './curves.js';
 import { showFinding, showPair, showParticipant, showRequest, type Ground } from './detail.js';
 import { Doctor } from './doctor.js';
-import { bodyOf, byId, h, refill } from './dom.js';
+import { bodyOf, byId, counted, h, refill } from './dom.js';
 import { Filter } from './filter.js';
 import { Hearing } from './hearing.js';
 import { askHistory } from './history.js';
@@ -63,7 +63,8 @@ class Page {
     this.filter = new Filter(filters, () => this.redraw());
     filters.append(h('ul', { class: 'legend', 'aria-label': 'Lines' }, ...degrees.map((word) => h('li', { class: word }, word === 'refused' ? 'refused, outranked' : word))));
     bodyOf('picture').append(filters, this.note, drawing);
-    this.picture = new Picture(drawing, (choice) => this.choose(choice));
+    // Robots that are chosen again are so no more, unless the details are those of a finding.
+    this.picture = new Picture(drawing, (choice) => this.choose(this.chosen === undefined && choice.participant !== undefined && choice.participant === this.choice.participant ? {} : choice));
     refill(bodyOf('detail'), this.whatIf);
     document.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') this.choose({});
@@ -281,7 +282,7 @@ class Page {
     absence.hidden = words === '';
     absence.classList.toggle('past', this.absence === '');
     if (absence.textContent !== words) absence.textContent = words;
-    const text = `${this.status?.name ?? ''}${this.status === undefined ? '' : ': '}${moment.participants.size} hosts, ${moment.services.size} services, ${moment.requests.size} requests`;
+    const text = `${this.status?.name ?? ''}${this.status === undefined ? '' : ': '}${counted(moment.participants.size, 'host')}, ${counted(moment.services.size, 'service')}, ${counted(moment.requests.size, 'request')}`;
     if (byId('state').textContent !== text) byId('state').textContent = text;
   }
 

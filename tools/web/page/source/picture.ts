@@ -1,7 +1,7 @@
 // The picture of the team: robots as boxes in places that stay, and a line for the matches of two of them.
 import { forceCollide, forceLink, forceManyBody, forceSimulation, forceX, forceY, type SimulationNodeDatum } from 'd3-force';
 import { participantOf, type Participant } from './answers.js';
-import { Kept, shortened, svg } from './dom.js';
+import { Kept, counted, shortened, svg } from './dom.js';
 import type { Degree, Link } from './matches.js';
 import type { Moment } from './team.js';
 
@@ -20,6 +20,8 @@ export interface Choice {
 const box = { width: 168, height: 64 };
 const storage = 'geminga.places';
 const maxPlaces = 500;
+/** A box is so many times as large at most, where there is more room than a small team needs. */
+const mostScale = 1.25;
 export const degrees: Degree[] = ['exact', 'narrower', 'converted', 'refused'];
 
 /** The places of robots by name, so that one that returns is where it was, in this browser also tomorrow. */
@@ -181,8 +183,12 @@ export class Picture {
     const ys = [...places.values()].map((place) => place.y);
     const margin = { x: box.width / 2 + 14, y: box.height / 2 + 14 };
     const [left, top] = [Math.min(0, ...xs) - margin.x, Math.min(0, ...ys) - margin.y];
-    const view = `${left} ${top} ${Math.max(0, ...xs) + margin.x - left} ${Math.max(0, ...ys) + margin.y - top}`;
-    if (this.root.getAttribute('viewBox') !== view) this.root.setAttribute('viewBox', view);
+    const width = Math.max(0, ...xs) + margin.x - left;
+    const view = `${left} ${top} ${width} ${Math.max(0, ...ys) + margin.y - top}`;
+    if (this.root.getAttribute('viewBox') !== view) {
+      this.root.setAttribute('viewBox', view);
+      this.root.style.maxWidth = `${width * mostScale}px`;
+    }
     this.lines.put(this.lineGroup);
     this.boxes.put(this.boxGroup);
     if (!this.isCentred && all.length > 0) {
@@ -212,11 +218,11 @@ export class Picture {
 
   private box(one: Participant, at: { x: number; y: number }, drawing: Drawing, within: number, modules: number, isGone: boolean, isChosen: boolean): SVGElement {
     const unserved = drawing.unserved.get(one.id) ?? 0;
-    const second = isGone ? 'gone' : `${modules} ${modules === 1 ? 'module' : 'modules'}, ${within} inside`;
+    const second = isGone ? 'gone' : `${counted(modules, 'module')}, ${within} inside`;
     const third = isGone ? 'was here' : `${one.publications} offered, ${one.subscriptions} asked`;
     const isWrong = drawing.wrong.has(one.id) || isGone;
     const more = `${one.name}, ${within} matches inside${unserved > 0 ? `, ${unserved} requests not served` : ''}${isWrong ? ', something is wrong' : ''}`;
-    const choose = () => this.choose(isChosen ? {} : { participant: one.id });
+    const choose = () => this.choose({ participant: one.id });
     const group = svg('g', {
       class: `box${isWrong ? ' wrong' : ''}${isGone ? ' gone' : ''}${one.self ? ' self' : ''}${drawing.shown(one.id) ? '' : ' faint'}${isChosen ? ' chosen' : ''}`,
       transform: `translate(${at.x - box.width / 2} ${at.y - box.height / 2})`,

@@ -2,7 +2,7 @@
 import { ask, identityText, type Match } from './answers.js';
 import { completionOf } from './completion.js';
 import { limited } from './detail.js';
-import { h, refill } from './dom.js';
+import { counted, h, refill } from './dom.js';
 
 /** A form that asks who would serve what nobody has stated. `found` marks the providers in the picture. */
 export function whatIf(found: (matches: Match[]) => void): HTMLElement {
@@ -22,7 +22,7 @@ export function whatIf(found: (matches: Match[]) => void): HTMLElement {
     try {
       const matches = await ask<Match[]>('match', parameters);
       found(matches);
-      refill(answer, h('p', {}, matches.length === 0 ? 'Nobody would serve it.' : `${matches.length} services would serve it, best first:`),
+      refill(answer, h('p', {}, matches.length === 0 ? 'Nobody would serve it.' : `${counted(matches.length, 'service')} would serve it, best first:`),
         h('ol', { class: 'links' }, ...limited(matches.map((match) =>
           h('li', {}, h('span', { class: `degree ${match.degree === 'exact' ? 'exact' : 'narrower'}` }, match.degree),
             h('div', {}, h('b', {}, `${match.participant_name} ${match.name}`), ` offers ${identityText(match)}, ${match.mode}`))))));
