@@ -283,7 +283,7 @@ try {
   await until(lines);
   await page.focus('#moment');
   await page.keyboard.press('Home');
-  await until(() => document.querySelector('#absence').textContent.includes(document.querySelector('output').textContent));
+  await until(() => document.querySelector('#absence').textContent.includes(document.querySelector('output[for=moment]').textContent));
   await until(lines);
   await saysNot('#wrong', 'robot1 is gone');
   await shoot('recording');

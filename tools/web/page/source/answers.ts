@@ -179,6 +179,8 @@ export interface Status {
   events: number;
   datagrams_received: number;
   unheard_by?: number;
+  /** The moment of a recording that geminga-query replay plays in the place of a daemon. */
+  recorded?: string;
   matched_exact?: number;
   matched_narrower?: number;
 }

@@ -4,15 +4,17 @@ import { h, refill, shortened } from './dom.js';
 import { Matrix } from './matrix.js';
 import { tooLate, tooMuchLoss } from './wrong.js';
 
-const inOrder = (a: Participant, b: Participant): number => a.name.localeCompare(b.name, 'en', { numeric: true });
+const isLate = (one: Participant): boolean => one.heard > tooLate * one.interval;
+const isTroubled = (one: Participant): boolean => isDeaf(one) || isLate(one) || (one.loss ?? 0) > tooMuchLoss;
+/** Those of whom something is amiss first, then by name. */
+const inOrder = (a: Participant, b: Participant): number => Number(isTroubled(b)) - Number(isTroubled(a)) || a.name.localeCompare(b.name, 'en', { numeric: true });
 
 function drawOwn(parent: HTMLElement, others: Participant[], choose: (id: string) => void): void {
   const rows = others.map((one) => {
     const loss = Math.round((one.loss ?? 0) * 100);
-    const isLate = one.heard > tooLate * one.interval;
     return h('tr', {},
       h('th', { scope: 'row' }, h('button', { type: 'button', class: 'plain', 'data-key': `hears ${one.id}`, click: () => choose(one.id) }, shortened(one.name, 24))),
-      h('td', { class: isLate ? 'bad' : '' }, `${one.heard.toFixed(1)} s ago`),
+      h('td', { class: isLate(one) ? 'bad' : '' }, `${one.heard.toFixed(1)} s ago`),
       h('td', { class: loss > tooMuchLoss * 100 ? 'bad' : '' }, `${loss} % lost `, h('meter', { min: 0, max: 100, value: loss, high: tooMuchLoss * 100, 'aria-label': `loss of ${one.name}` })),
       h('td', { class: isDeaf(one) ? 'bad' : '' }, isDeaf(one) ? '✕ does not hear us' : '✓ no complaint'));
   });

@@ -63,8 +63,7 @@ class Page {
     this.filter = new Filter(filters, () => this.redraw());
     filters.append(h('ul', { class: 'legend', 'aria-label': 'Lines' }, ...degrees.map((word) => h('li', { class: word }, word === 'refused' ? 'refused, outranked' : word))));
     bodyOf('picture').append(filters, this.note, drawing);
-    // Robots that are chosen again are so no more, unless the details are those of a finding.
-    this.picture = new Picture(drawing, (choice) => this.choose(this.chosen === undefined && choice.participant !== undefined && choice.participant === this.choice.participant ? {} : choice));
+    this.picture = new Picture(drawing, (choice) => this.toggle(choice));
     refill(bodyOf('detail'), this.whatIf);
     document.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') this.choose({});
@@ -176,6 +175,12 @@ class Page {
     this.detail();
   }
 
+  /** Chooses, or ends the choice of a robot that is chosen already, unless the details are those of a finding. */
+  private toggle(choice: Choice): void {
+    const isAgain = choice.participant !== undefined && choice.participant === this.choice.participant;
+    this.choose(isAgain && this.chosen === undefined ? {} : choice);
+  }
+
   private mark(candidates: Set<string>): void {
     this.candidates = candidates;
     this.redraw();
@@ -210,7 +215,7 @@ class Page {
     else {
       byId('detail-title').textContent = this.recording === undefined ? 'What if' : 'A recording';
       refill(bodyOf('detail'), this.recording === undefined ? this.whatIf
-        : h('p', {}, 'It has no ontology: a line joins what states the same names. geminga-query replay says why a request was not served.'));
+        : h('p', {}, 'It has no ontology: a line joins a request without conditions and a service that state the same names. geminga-query replay says why a request was not served.'));
     }
   }
 
@@ -249,7 +254,9 @@ class Page {
     const { happenings, now } = this.team;
     if (this.recording === undefined) {
       return findings({ participants: now.participants, happenings, unmatched: this.unmatched.filter((one) => now.requests.has(one.subscription)),
-        ontology: this.ontology, security: this.security, diagnosed: this.doctor?.findings(now.participants) ?? [] });
+        ontology: this.ontology, security: this.security, 
+        // A replay is not of this host.
+        diagnosed: this.status?.recorded === undefined ? (this.doctor?.findings(now.participants) ?? []) : [] });
     }
     const until = this.past?.time ?? this.end();
     return findings({ participants: moment.participants, happenings: happenings.filter((one) => one.time <= until),
@@ -282,7 +289,8 @@ class Page {
     absence.hidden = words === '';
     absence.classList.toggle('past', this.absence === '');
     if (absence.textContent !== words) absence.textContent = words;
-    const text = `${this.status?.name ?? ''}${this.status === undefined ? '' : ': '}${counted(moment.participants.size, 'host')}, ${counted(moment.services.size, 'service')}, ${counted(moment.requests.size, 'request')}`;
+    const whose = this.status === undefined ? '' : `${this.status.name}: `;
+    const text = `${whose}${counted(moment.participants.size, 'host')}, ${counted(moment.services.size, 'service')}, ${counted(moment.requests.size, 'request')}`;
     if (byId('state').textContent !== text) byId('state').textContent = text;
   }
 
@@ -293,7 +301,7 @@ class Page {
       return `You look at the recording ${this.recording.name}, at ${clock(this.past?.time ?? this.recording.end)}.${missing === '' ? '' : ` The daemon was away then: ${missing}.`}`;
     }
     if (this.absence !== '') return `${this.absence}. What you see is how it was at ${clock(this.lastHeard)}.`;
-    if (this.past === undefined) return '';
+    if (this.past === undefined) return this.status?.recorded === undefined ? '' : `You look at a replay of a recording, at ${clock(Date.parse(this.status.recorded))}.`;
     return `You look at ${clock(this.past.time)}; the lists are of now.${missing === '' ? '' : ` The daemon was away then (${missing}): what you see is how it was before.`}`;
   }
 }

@@ -29,7 +29,9 @@ export class MatchLog {
     for (const { request, service, degree, word, steps } of links) {
       const key = [request.subscription, service.service, degree, word, steps ?? ''].join('\n');
       keys.add(key);
-      if (!this.holding.has(key)) this.holding.set(key, { subscription: request.subscription, service: service.service, degree, word, ...(steps === undefined ? {} : { steps }), from: now, to: Infinity });
+      if (this.holding.has(key)) continue;
+      const held = { subscription: request.subscription, service: service.service, degree, word, from: now, to: Infinity };
+      this.holding.set(key, steps === undefined ? held : { ...held, steps });
     }
     for (const [key, held] of this.holding) if (!keys.has(key)) this.end(key, held, stale);
     if (this.spans.at(-1)?.to !== Infinity) this.spans.push({ from: now, to: Infinity });

@@ -1,5 +1,5 @@
 // The picture of the team: robots as boxes in places that stay, and a line for the matches of two of them.
-import { forceCollide, forceLink, forceManyBody, forceSimulation, forceX, forceY, type SimulationNodeDatum } from 'd3-force';
+import { forceCollide, forceManyBody, forceSimulation, forceX, forceY, type SimulationNodeDatum } from 'd3-force';
 import { participantOf, type Participant } from './answers.js';
 import { Kept, counted, shortened, svg } from './dom.js';
 import type { Degree, Link } from './matches.js';
@@ -25,7 +25,7 @@ const mostScale = 1.25;
 export const degrees: Degree[] = ['exact', 'narrower', 'converted', 'refused'];
 
 /** The places of robots by name, so that one that returns is where it was, in this browser also tomorrow. */
-export class Places {
+class Places {
   private readonly known = new Map<string, Place>();
 
   constructor() {
@@ -62,7 +62,6 @@ export class Places {
     forceSimulation(nodes)
       .force('apart', forceCollide(box.width * 0.6))
       .force('charge', forceManyBody().strength(-60))
-      .force('link', forceLink([]))
       .force('x', forceX(0).strength(0.02))
       .force('y', forceY(0).strength(0.02))
       .stop()

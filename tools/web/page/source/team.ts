@@ -27,10 +27,10 @@ export interface Happening {
 
 /** How long happenings are kept, in milliseconds, and how many at most. The eldest give way. */
 export const hour = 3_600_000;
-export const maxHappenings = 20_000;
+const maxHappenings = 20_000;
 const maxAbsences = 200;
 
-export const emptyMoment = (): Moment => ({ participants: new Map(), services: new Map(), requests: new Map() });
+const emptyMoment = (): Moment => ({ participants: new Map(), services: new Map(), requests: new Map() });
 
 function apply(moment: Moment, happening: Happening): void {
   const records = moment[happening.kind] as Map<string, Happening['record']>;

@@ -3,7 +3,7 @@ import { identityText, isDeaf, participantOf, type Ontology, type Participant, t
 import type { Happening } from './team.js';
 import { clock } from './time.js';
 
-export type Level = 'error' | 'warning';
+type Level = 'error' | 'warning';
 
 export interface Finding {
   key: string;
