@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "bench/discovery/measures.hpp"
+#include "bench/table.hpp"
 #include "bench/times.hpp"
 
 namespace geminga::bench {
@@ -54,12 +55,17 @@ void Measures::telling() {
   }
   const double time = milliseconds_since(began);
   const double octets = team_.sent().octets - before.octets - steady_octets_ * time;
+  row("a new service told on another host, p50", quantile(added, 0.5), "ms", 0);
   row("a new service told on another host, p95", quantile(added, 0.95), "ms", targets_.told_ms);
   row("a new service told on another host, slowest", quantile(added, 1), "ms", slowest_ms);
   row("a withdrawn service told on another host, p95", quantile(removed, 0.95), "ms", targets_.told_ms);
   row("a withdrawn service told on another host, slowest", quantile(removed, 1), "ms", slowest_ms);
-  row("octets of all hosts for one change, without headers", octets / (2 * effort_.changes), "B",
-      targets_.change_octets);
+  const std::string of_change = "octets of all hosts for one change, without headers";
+  if (octets > 0) {
+    row(of_change, octets / (2 * effort_.changes), "B", targets_.change_octets);
+  } else {
+    row_without(of_change, size(), "lost in what the presences of so many vary by");
+  }
   expect_right();
 }
 

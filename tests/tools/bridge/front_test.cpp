@@ -51,6 +51,19 @@ TEST(Bridge, RefusesWhatIsNoDomainOfDds) {
   EXPECT_THAT(broken.said, HasSubstr("domain 0 cannot be joined"));
 }
 
+TEST(Bridge, RefusesWhatIsNoCredentialOfItsServer) {
+  const auto refuses = [](const std::string& kind, const std::vector<std::string>& flags) {
+    if (!std::filesystem::exists(program("geminga-bridge-" + kind))) return true;
+    std::vector<std::string> line{kind, kind + "://127.0.0.1"};
+    line.insert(line.end(), flags.begin(), flags.end());
+    return bridge(line).status == 2;
+  };
+  EXPECT_TRUE(refuses("nats", {"--nkey", "UABC"}));
+  EXPECT_TRUE(refuses("nats", {"--nkey", "UABC", "--nkey-seed", "/nowhere"}));
+  EXPECT_TRUE(refuses("nats", {"--nkey", "UABC", "--nkey-seed", "/dev/null", "--credentials", "/dev/null"}));
+  EXPECT_TRUE(refuses("mqtt", {"--mqtt", "4"}));
+}
+
 TEST(Bridge, RefusesWhatIsNoServer) {
   for (const char* kind : {"mqtt", "nats"}) {
     if (!std::filesystem::exists(program(std::string("geminga-bridge-") + kind))) continue;

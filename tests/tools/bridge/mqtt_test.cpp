@@ -26,6 +26,7 @@ class Mqtt : public testing::Test {
 };
 
 TEST_F(Mqtt, JoinsDaemonsThatHaveNothingElseBetweenThem) {
+  link_.give_flags(1, {"--mqtt", "5"});
   expect_team_over(link_);
   EXPECT_TRUE(link_.bridge(0).wait_for("other sites on the server: 2"));
   link_.bridge(0).forget();

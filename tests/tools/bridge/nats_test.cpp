@@ -5,6 +5,7 @@
 #include <csignal>
 #include <string>
 
+#include "tools/bridge/lying_server.hpp"
 #include "tools/bridge/server_link.hpp"
 
 namespace geminga::system {
@@ -30,6 +31,67 @@ TEST_F(Nats, JoinsDaemonsThatHaveNothingElseBetweenThem) {
 }
 
 TEST_F(Nats, JoinsASiteThroughItsRelay) { expect_site_over(link_); }
+
+TEST_F(Nats, KeepsASiteThatHasTwoRelaysAndLosesOne) { expect_standby_over(link_); }
+
+TEST_F(Nats, IsAUserByNKeyOverTlsAndSaysWhyItIsRefused) {
+  Folder folder;
+  const std::string certificate = folder.path("server.pem");
+  const Ran made =
+      run({.words = {"/usr/bin/openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1",
+                     "-nodes", "-keyout", folder.path("server.key"), "-out", certificate, "-subj", "/CN=server",
+                     "-addext", "subjectAltName=IP:10.47.17.1"},
+           .environment = {},
+           .before = {}});
+  if (made.status != 0) GTEST_SKIP() << "openssl makes no certificate: " << made.said;
+  // The pair of keys of NATS' documentation.
+  const std::string user = "UDXU4RCSJNZOIQHZNWXHXORDPRTGNJAHAHFRGZNEEJCPQTT2M7NLCNF4";
+  const std::string seed = folder.write("user.nk", "SUACSSL3UAHUDXKFSNVUZRF5UHPMWZ6BFDTJ7M6USDXIEDNPPQYYYCU3VY\n");
+  const std::string configuration = folder.write(
+      "nats.conf", "listen: \"10.47.17.1:4222\"\ntls { cert_file: \"" + certificate + "\", key_file: \"" +
+                       folder.path("server.key") + "\" }\naccounts { team { users: [ { nkey: " + user + " } ] } }\n");
+  ServerLink link({server, "-c", configuration}, "Server is ready", "nats", "tls://10.47.17.1");
+  link.start_server();
+  link.give_flags(0, {"--ca", certificate});
+  link.begin_bridge(0);
+  EXPECT_TRUE(link.bridge(0).wait_for("Authorization Violation")) << link.bridge(0).said();
+  link.begin_bridge(1);
+  EXPECT_TRUE(link.bridge(1).wait_for("SSL handshake error")) << link.bridge(1).said();
+  link.give_flags(2, {"--ca", certificate, "--nkey", user, "--nkey-seed", seed});
+  link.start_bridge(2);
+}
+
+/// The bridge of a server on this host, without a daemon behind it; its UDP port has the number of the server's.
+Process::Start bridge_to(const LyingServer& liar) {
+  return {.words = {program("geminga-bridge-nats"), "nats://" + liar.where(), "--listen", liar.where()},
+          .environment = {},
+          .before = {}};
+}
+
+TEST(NatsLiar, IsNoServerWhereItSpeaksSomethingElse) {
+  for (const std::string greeting : {"SSH-2.0-OpenSSH_9.2\r\n", "INFO {\"max_payload\":\r\n", "\xff\xfe\r\n"}) {
+    const LyingServer liar(greeting, "", "");
+    Process bridge(bridge_to(liar));
+    EXPECT_TRUE(bridge.wait_for("no words from " + liar.where())) << greeting << bridge.said();
+    bridge.signal(SIGTERM);
+    EXPECT_EQ(bridge.wait(), 0) << greeting << bridge.said();
+  }
+}
+
+TEST(NatsLiar, IsCountedWhereItFloodsAndSaysWhatNoWordIs) {
+  // The answer to the first PING, then words by a subject that is no UTF-8: one too long, and more than a second takes.
+  std::string flood = "PONG\r\nMSG geminga.geminga.word.\xff\xfe 1 1473\r\n" + std::string(1473, 'x') + "\r\n";
+  for (int word = 0; word < 9000; ++word) flood += "MSG geminga.geminga.word.\xff\xfe 1 4\r\nball\r\n";
+  const LyingServer liar(R"(INFO {"server_id":"L","version":"99.0.0","proto":1,"max_payload":1048576,"headers":true})"
+                         "\r\n",
+                         "PING\r\n", flood);
+  Process bridge(bridge_to(liar));
+  EXPECT_TRUE(bridge.wait_for("carrying words by " + liar.where())) << bridge.said();
+  EXPECT_TRUE(bridge.wait_for("words of no size that a word has")) << bridge.said();
+  EXPECT_TRUE(bridge.wait_for("words over the limit of a second")) << bridge.said();
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 0) << bridge.said();
+}
 
 }  // namespace
 }  // namespace geminga::system

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
 #include <memory>
 #include <string>
@@ -15,10 +16,11 @@
 
 namespace geminga::system {
 
-/// The server is on host 0, and a daemon with its bridge on each of three.
+/// The server is on host 0, and a daemon with its bridge on each of three; a fourth host is for a site of several.
 class ServerLink {
  public:
   static constexpr std::size_t hosts = 3;
+  static constexpr std::size_t all_hosts = 4;
 
   /// `server`: the program and its words; `kind` and `url`: of the bridges.
   ServerLink(std::vector<std::string> server, std::string ready, std::string kind, std::string url)
@@ -44,16 +46,24 @@ class ServerLink {
     EXPECT_TRUE(server_->wait_for(ready_)) << server_->said();
   }
   void kill_server() { server_.reset(); }
+  [[nodiscard]] Process& server() { return *server_; }
+  /// Flags of the bridge of a host that is started after it.
+  void give_flags(std::size_t host, std::vector<std::string> flags) { flags_.at(host) = std::move(flags); }
   void start_bridge(std::size_t host) {
-    bridges_.resize(hosts);
-    bridges_.at(host) = std::make_unique<Process>(lab_.on(host, {program("geminga-bridge"), kind_, url_}));
+    begin_bridge(host);
     EXPECT_TRUE(bridges_.at(host)->wait_for("carrying words by")) << bridges_.at(host)->said();
   }
+  void begin_bridge(std::size_t host) {
+    std::vector<std::string> words{program("geminga-bridge"), kind_, url_};
+    words.insert(words.end(), flags_.at(host).begin(), flags_.at(host).end());
+    bridges_.at(host) = std::make_unique<Process>(lab_.on(host, std::move(words)));
+  }
   void kill_bridge(std::size_t host) { bridges_.at(host).reset(); }
-  /// Starts a daemon of the site that host 0 is the relay of, without a bridge of its own unless that is it.
+  /// Starts a daemon of the site whose relays are the hosts that have a bridge.
   void start_on_site(std::size_t host) {
     std::vector<std::string> flags{"--interface", "wlan0", "--interval", "0.1", "--key-file", key_};
-    if (host == 0) flags.insert(flags.end(), {"--interface", "lo", "--peer", "127.0.0.1:4720", "--relay"});
+    if (bridges_.at(host) != nullptr)
+      flags.insert(flags.end(), {"--interface", "lo", "--peer", "127.0.0.1:4720", "--relay"});
     lab_.start(host, flags);
   }
   void start_daemon(std::size_t host) {
@@ -67,9 +77,10 @@ class ServerLink {
   std::vector<std::string> server_words_;
   std::string ready_, kind_, url_, key_;
   Folder folder_;
-  Lab lab_{hosts};
+  Lab lab_{all_hosts};
   std::unique_ptr<Process> server_;
-  std::vector<std::unique_ptr<Process>> bridges_;
+  std::array<std::unique_ptr<Process>, all_hosts> bridges_;
+  std::array<std::vector<std::string>, all_hosts> flags_;
 };
 
 /// Each knows all, a service is told with the address of its host, and the dead are forgotten while the server is
@@ -95,9 +106,12 @@ inline void expect_team_over(ServerLink& link) {
   link.start_server();
   EXPECT_TRUE(consumer.line_with({"7 pub add", "port=5001"})) << link.bridge(1).said();
 
+  link.server().signal(SIGSTOP);
+  EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=expired"})) << "a server that stands still keeps nobody alive";
   link.lab().daemon(1).signal(SIGKILL);
-  EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=expired"})) << "the server keeps nobody alive";
-  EXPECT_TRUE(link.lab().wait_for_participants(0, 2));
+  EXPECT_TRUE(link.lab().wait_for_participants(0, 1));
+  link.server().signal(SIGCONT);
+  EXPECT_TRUE(link.lab().wait_for_participants(0, 2)) << "who lives is found, and who died meanwhile is not";
 }
 
 /// A host that has no bridge is found beyond the server, through the relay of its site.
@@ -119,6 +133,28 @@ inline void expect_site_over(ServerLink& link) {
   EXPECT_EQ(field(*told, "address"), link.lab().address_of(1));
   link.lab().daemon(1).signal(SIGKILL);
   EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=expired"}));
+}
+
+/// Two hosts of a site are relays with a bridge each; one dies with both, and nobody beyond loses the site.
+inline void expect_standby_over(ServerLink& link) {
+  link.start_server();
+  link.make_key();
+  for (const std::size_t host : {0U, 1U, 3U}) link.start_bridge(host);
+  for (const std::size_t host : {0U, 1U, 2U}) link.start_on_site(host);
+  link.start_daemon(3);
+  EXPECT_TRUE(link.lab().wait_for_participants(3, 4));
+  Talk consumer = link.lab().talk(3);
+  consumer.say("7 sub create mode=otm/stream text=ball");
+  Talk provider = link.lab().talk(2);
+  provider.say("4 pub create mode=otm/stream text=ball port=5000");
+  EXPECT_TRUE(consumer.line_with({"7 pub add", "port=5000"}));
+  link.kill_bridge(1);
+  link.lab().daemon(1).signal(SIGKILL);
+  EXPECT_TRUE(link.lab().wait_for_participants(3, 3)) << "the relay that died is forgotten at its deadline";
+  provider.say("5 pub create mode=otm/stream text=ball port=5001");
+  const auto next = consumer.line_with({"7 pub "});
+  ASSERT_TRUE(next);
+  EXPECT_EQ(field(*next, "port"), "5001") << "the host behind both was not lost meanwhile";
 }
 
 }  // namespace geminga::system

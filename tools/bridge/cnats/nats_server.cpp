@@ -2,15 +2,17 @@
 
 #include <utility>
 
+#include "base/text.hpp"
+
 namespace geminga::bridge {
 namespace {
 
 constexpr std::int64_t second_in_ms = 1000;
 
-std::string reason_of(natsConnection* connection, natsStatus status) {
-  const char* text = nullptr;
-  if (connection != nullptr) (void)natsConnection_GetLastError(connection, &text);
-  return text != nullptr && *text != '\0' ? text : natsStatus_GetText(status);
+/// The words of libnats about the last failure on this thread, which may repeat the server's.
+std::string reason_of(natsStatus status) {
+  const char* text = nats_GetLastError(nullptr);
+  return base::printable(text != nullptr && *text != '\0' ? text : natsStatus_GetText(status));
 }
 
 }  // namespace
@@ -27,9 +29,7 @@ NatsServer::NatsServer(client::Reactor& reactor, WordSettings settings, Credenti
       second_(reactor, [this] { on_second(); }) {}
 
 NatsServer::~NatsServer() {
-  if (connection_ != nullptr) natsConnection_Close(connection_);
-  natsSubscription_Destroy(subscription_);
-  natsConnection_Destroy(connection_);
+  disconnect();
   natsOptions_Destroy(options_);
   nats_CloseAndWait(2 * second_in_ms);  // no thread of the library is left that could call us
 }
@@ -39,7 +39,6 @@ natsStatus NatsServer::set_options() {
       "nats://" + (settings_.host.find(':') == std::string::npos ? settings_.host : '[' + settings_.host + ']') + ':' +
       std::to_string(settings_.port);
   const std::string name = "geminga-" + settings_.team + '-' + settings_.site;
-  const auto nothing = [](natsConnection*, void*) {};
   natsStatus status = natsOptions_Create(&options_);
   const auto set = [&status](natsStatus result) {
     if (status == NATS_OK) status = result;
@@ -47,9 +46,8 @@ natsStatus NatsServer::set_options() {
   set(natsOptions_SetURL(options_, url.c_str()));
   set(natsOptions_SetName(options_, name.c_str()));
   set(natsOptions_SetNoEcho(options_, true));
-  set(natsOptions_SetMaxReconnect(options_, -1));
-  set(natsOptions_SetReconnectWait(options_, second_in_ms));
-  set(natsOptions_SetRetryOnFailedConnect(options_, true, nothing, nullptr));
+  set(natsOptions_SetAllowReconnect(options_, false));  // it would give up after two refusals, and not say why
+  set(natsOptions_SetTimeout(options_, second_in_ms));
   set(natsOptions_SetPingInterval(options_, 5 * second_in_ms));
   set(natsOptions_SetWriteDeadline(options_, second_in_ms));
   if (!settings_.user.empty()) {
@@ -70,19 +68,30 @@ natsStatus NatsServer::set_options() {
 }
 
 std::expected<void, std::string> NatsServer::start() {
-  natsStatus status = set_options();
-  if (status != NATS_OK) return std::unexpected(natsStatus_GetText(status));
-  status = natsConnection_Connect(&connection_, options_);
-  if (status != NATS_OK && status != NATS_NOT_YET_CONNECTED) return std::unexpected(reason_of(connection_, status));
+  if (const natsStatus status = set_options(); status != NATS_OK) return std::unexpected(reason_of(status));
+  on_second();
+  return {};
+}
+
+natsStatus NatsServer::connect() {
   const std::string all = "geminga." + settings_.team + ".word.*";
   const auto on_message = [](natsConnection*, natsSubscription*, natsMsg* message, void* user) {
     static_cast<NatsServer*>(user)->on_message(message);
     natsMsg_Destroy(message);
   };
-  status = natsConnection_Subscribe(&subscription_, connection_, all.c_str(), on_message, this);
-  if (status != NATS_OK) return std::unexpected(reason_of(connection_, status));
-  on_second();
-  return {};
+  const natsStatus status = natsConnection_Connect(&connection_, options_);
+  return status == NATS_OK ? natsConnection_Subscribe(&subscription_, connection_, all.c_str(), on_message, this)
+                           : status;
+}
+
+void NatsServer::disconnect() {
+  if (connection_ != nullptr) natsConnection_Close(connection_);
+  natsSubscription_Destroy(std::exchange(subscription_, nullptr));
+  natsConnection_Destroy(std::exchange(connection_, nullptr));
+}
+
+bool NatsServer::is_up() const {
+  return connection_ != nullptr && natsConnection_Status(connection_) == NATS_CONN_STATUS_CONNECTED;
 }
 
 /// On a thread of libnats.
@@ -99,24 +108,28 @@ void NatsServer::on_second() {
   second_.set(reactor_.now() + std::chrono::seconds(1));
   for (auto left = too_long_.exchange(0); left > 0; --left) tally_.count("words of no size that a word has");
   for (auto left = too_many_.exchange(0); left > 0; --left) tally_.count("words over the limit of a second");
+  if (is_up()) return;
   const std::string where = settings_.host + ':' + std::to_string(settings_.port);
-  const bool is_up = natsConnection_Status(connection_) == NATS_CONN_STATUS_CONNECTED;
-  if (is_up && !was_up_) {
-    last_line_.clear();
-    tell_("carrying words by " + where + " as " + settings_.site);
-  } else if (!is_up) {
-    const std::string line =
-        "no words from " + where + " (" + reason_of(connection_, NATS_NO_SERVER) + "): trying again";
-    if (std::exchange(last_line_, line) != line) tell_(line);
+  if (connection_ != nullptr) {
+    const char* text = nullptr;
+    const bool is_told = natsConnection_GetLastError(connection_, &text) != NATS_OK && text != nullptr && *text != '\0';
+    tell_once("no words from " + where + " (" + base::printable(is_told ? text : "the connection ended") +
+              "): trying again");
+    disconnect();
   }
-  was_up_ = is_up;
+  if (const natsStatus status = connect(); status != NATS_OK) {
+    tell_once("no words from " + where + " (" + reason_of(status) + "): trying again");
+    return disconnect();
+  }
+  tell_once("carrying words by " + where + " as " + settings_.site);
+}
+
+void NatsServer::tell_once(const std::string& line) {
+  if (std::exchange(last_line_, line) != line) tell_(line);
 }
 
 void NatsServer::say(Word word) {
-  // A word that libnats keeps for a server that is away would be old when it comes.
-  if (natsConnection_Status(connection_) != NATS_CONN_STATUS_CONNECTED) {
-    return tally_.count("words while there is no server");
-  }
+  if (!is_up()) return tally_.count("words while there is no server");
   if (natsConnection_Buffered(connection_) > max_unsent_octets) {
     return tally_.count("words that the server did not take in time");
   }

@@ -51,6 +51,11 @@ class NatsServer {
 
  private:
   [[nodiscard]] natsStatus set_options();
+  /// Waits for the server for a second at most.
+  [[nodiscard]] natsStatus connect();
+  void disconnect();
+  [[nodiscard]] bool is_up() const;
+  void tell_once(const std::string& line);
   void on_message(const natsMsg* message);
   void on_second();
 
@@ -64,7 +69,6 @@ class NatsServer {
   natsOptions* options_ = nullptr;
   natsConnection* connection_ = nullptr;
   natsSubscription* subscription_ = nullptr;
-  bool was_up_ = false;
   std::string last_line_;
   std::atomic<std::uint32_t> too_long_ = 0;  ///< counted by libnats' threads, told by ours
   std::atomic<std::uint32_t> too_many_ = 0;

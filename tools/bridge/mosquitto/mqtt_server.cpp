@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <mosquitto.h>
+#include <mqtt_protocol.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -24,9 +25,10 @@ std::string reason_of(int result) {
 
 }  // namespace
 
-MqttServer::MqttServer(client::Reactor& reactor, WordSettings settings, Tally& tally, Told told)
+MqttServer::MqttServer(client::Reactor& reactor, WordSettings settings, Version version, Tally& tally, Told told)
     : reactor_(reactor),
       settings_(std::move(settings)),
+      version_(version),
       tally_(tally),
       told_(std::move(told)),
       second_(reactor, [this] { on_second(); }),
@@ -54,6 +56,7 @@ std::expected<void, std::string> MqttServer::start() {
     if (self.unsent_ > 0) --self.unsent_;
   });
   const std::string own = topic("site", settings_.site);
+  if (version_ == Version::v5) mosquitto_int_option(client_, MOSQ_OPT_PROTOCOL_VERSION, MQTT_PROTOCOL_V5);
   int result = mosquitto_will_set(client_, own.c_str(), 0, nullptr, 1, true);
   if (result == MOSQ_ERR_SUCCESS && !settings_.user.empty()) {
     result = mosquitto_username_pw_set(client_, settings_.user.c_str(), settings_.password.c_str());
@@ -101,7 +104,10 @@ void MqttServer::lose(const std::string& why) {
 }
 
 void MqttServer::on_connect(int code) {
-  if (code != 0) return tell_once("the server does not take us: " + std::string(mosquitto_connack_string(code)));
+  if (code != 0) {
+    const char* why = version_ == Version::v5 ? mosquitto_reason_string(code) : mosquitto_connack_string(code);
+    return tell_once("the server does not take us: " + std::string(why));
+  }
   pause_ = std::chrono::seconds(1);
   last_line_.clear();
   is_up_ = true;

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <expected>
 #include <functional>
 #include <memory>
 #include <set>
@@ -38,7 +40,11 @@ class MqttServer {
     std::function<void(const std::string& line)> log;
   };
 
-  MqttServer(client::Reactor& reactor, WordSettings settings, Tally& tally, Told told);
+  /// The versions of MQTT that it can speak.
+  enum class Version : std::uint8_t { v3_1_1, v5 };
+
+  /// Borrows reactor and tally.
+  MqttServer(client::Reactor& reactor, WordSettings settings, Version version, Tally& tally, Told told);
   ~MqttServer();
   MqttServer(const MqttServer&) = delete;
   MqttServer& operator=(const MqttServer&) = delete;
@@ -52,7 +58,6 @@ class MqttServer {
 
  private:
   void connect();
-  void watch();
   void step(int result);
   void lose(const std::string& why);
   void on_connect(int code);
@@ -66,6 +71,7 @@ class MqttServer {
 
   client::Reactor& reactor_;
   WordSettings settings_;
+  Version version_;
   Tally& tally_;
   Told told_;
   mosquitto* client_ = nullptr;

@@ -39,6 +39,10 @@ int run(int argc, char** argv) {
   app.footer(examples);
   WordOptions options;
   options.add_to(app, std::string(program), "mqtt|mqtts");
+  std::string version = "3.1.1";
+  app.add_option("--mqtt", version, "The version of MQTT that the server speaks (3.1.1 unless told)")
+      ->type_name("3.1.1|5")
+      ->check(CLI::IsMember({"3.1.1", "5"}), "", "");
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
   const auto settings = options.settings("mqtt", "mqtts", 1883, 8883);
   if (!settings) return fail(settings.error());
@@ -48,7 +52,7 @@ int run(int argc, char** argv) {
   client::Reactor reactor(log);
   Tally tally(reactor, log);
   std::unique_ptr<DaemonSocket> daemon;
-  MqttServer server(reactor, *settings, tally,
+  MqttServer server(reactor, *settings, version == "5" ? MqttServer::Version::v5 : MqttServer::Version::v3_1_1, tally,
                     {.word =
                          [&](DaemonSocket::Word word) {
                            const auto given = daemon->give(word);
