@@ -197,4 +197,22 @@ ExpressionClassifier::Subsumption ExpressionClassifier::is_subsumed(const owl::O
   return {.holds = holds, .gaps = holds ? std::vector<std::string>() : question.gaps()};
 }
 
+std::optional<owl::TermId> ExpressionClassifier::definition(owl::Ontology& query, owl::TermId named_class) const {
+  const owl::Ontology& source = base_->source();
+  const auto name = source.find_name(query.name_of(named_class));
+  if (!name) return std::nullopt;
+  for (std::size_t at = 0; at < source.axiom_count(); ++at) {
+    const owl::Axiom axiom = source.axiom(at);
+    if (axiom.kind != owl::AxiomKind::equivalent_classes) continue;
+    const auto is_it = [&](owl::TermId side) {
+      return source.kind(side) == owl::TermKind::named_class && source.term(side).name == *name;
+    };
+    if (std::ranges::none_of(axiom.arguments, is_it)) continue;
+    const auto is_compound = [&](owl::TermId side) { return source.kind(side) != owl::TermKind::named_class; };
+    const auto side = std::ranges::find_if(axiom.arguments, is_compound);
+    if (side != axiom.arguments.end()) return query.copy(source, *side);
+  }
+  return std::nullopt;
+}
+
 }  // namespace geminga::placement

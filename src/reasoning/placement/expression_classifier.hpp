@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <expected>
 #include <memory>
+#include <optional>
 
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/placement/expression_base.hpp"
@@ -34,6 +35,10 @@ class ExpressionClassifier {
     std::vector<std::string> gaps;
   };
   [[nodiscard]] Subsumption is_subsumed(const owl::Ontology& query, owl::TermId sub, owl::TermId super) const;
+
+  /// The first conjunction, restriction or other compound expression that an axiom makes equivalent to this class,
+  /// which becomes a term of the query; nothing if there is none. Costs a pass over the axioms.
+  [[nodiscard]] std::optional<owl::TermId> definition(owl::Ontology& query, owl::TermId named_class) const;
 
   /// The number of contexts of the base. No question changes it.
   [[nodiscard]] std::size_t context_count() const { return base_->context_count(); }

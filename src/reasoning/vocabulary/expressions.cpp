@@ -1,40 +1,13 @@
-// Prepares a vocabulary for class expressions, and turns every reason why that fails into an error.
-#include <new>
+// Prepares a vocabulary for class expressions, and reads and places them.
 #include <utility>
 
 #include "base/assert.hpp"
-#include "reasoning/compiled/entity_names.hpp"
-#include "reasoning/placement/expression_classifier.hpp"
 #include "reasoning/syntax/manchester/canonical.hpp"
 #include "reasoning/vocabulary/expression.hpp"
+#include "reasoning/vocabulary/expression_reader.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::vocabulary {
-
-/// The classifier of expressions and its names, or why expressions are impossible.
-class ExpressionReader {
- public:
-  struct Parts {
-    placement::ExpressionClassifier classifier;
-    compiled::EntityNames names;
-  };
-
-  explicit ExpressionReader(const compiled::Ontology& ontology) : parts(make(ontology)) {}
-
-  const std::expected<Parts, Error> parts;
-
- private:
-  [[nodiscard]] static std::expected<Parts, Error> make(const compiled::Ontology& ontology) {
-    try {
-      auto classifier = placement::ExpressionClassifier::build(ontology);
-      if (!classifier) return std::unexpected(Error{ErrorCode::impossible, classifier.error().text});
-      return Parts{std::move(*classifier), compiled::EntityNames(ontology)};
-    } catch (const std::bad_alloc&) {
-      return std::unexpected(
-          Error{ErrorCode::impossible, "not enough memory for class expressions: name a class instead"});
-    }
-  }
-};
 
 std::string Expression::canonical() const { return manchester::canonical(parsed_.source, parsed_.term); }
 

@@ -15,6 +15,7 @@
 #include "reasoning/placement/expression.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
 #include "reasoning/vocabulary/comparison.hpp"
+#include "reasoning/vocabulary/near_miss.hpp"
 #include "reasoning/vocabulary/overlap.hpp"
 #include "reasoning/vocabulary/step_graph.hpp"
 #include "reasoning/vocabulary/units.hpp"
@@ -154,6 +155,12 @@ class Vocabulary {
   [[nodiscard]] std::vector<std::string> proof(const Expression& sub, const Expression& super) const;
   /// The reason why a class is not below another, in one short line: the nearest class, and what is missing.
   [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
+
+  /// The ways to make a candidate match: what it lacks, and what of the request contradicts it, the smallest first. Asks
+  /// the reasoner at most `questions` times, each of which takes up to milliseconds. The vocabulary must be able to
+  /// read expressions.
+  [[nodiscard]] NearMisses near_misses(const Expression& request, const Expression& candidate,
+                                       std::size_t questions) const;
 
   // The ontology itself. Without one the answers are empty, and the digest is 0.
 
