@@ -69,9 +69,12 @@ NodeId Graph::add_node(NodeKind kind, NodeId parent) {
 FactId Graph::find(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b) const {
   if (slots_.empty()) return none;
   const std::size_t mask = slots_.size() - 1;
-  for (std::size_t slot = hash_of({kind, predicate, a, b}) & mask; slots_[slot] != none; slot = (slot + 1) & mask) {
-    const Fact& fact = facts_[slots_[slot]];
-    if (fact.a == a && fact.predicate == predicate && fact.b == b && fact.kind == kind) return slots_[slot];
+  const std::uint64_t hash = hash_of({kind, predicate, a, b});
+  const auto tag = static_cast<std::uint32_t>(hash >> 32);
+  for (std::size_t slot = hash & mask; slots_[slot].fact != none; slot = (slot + 1) & mask) {
+    if (slots_[slot].tag != tag) continue;
+    const Fact& fact = facts_[slots_[slot].fact];
+    if (fact.a == a && fact.predicate == predicate && fact.b == b && fact.kind == kind) return slots_[slot].fact;
   }
   return none;
 }
@@ -93,23 +96,23 @@ std::optional<DependencySet> Graph::difference(NodeId a, NodeId b) const {
 }
 
 void Graph::grow() {
-  slots_.assign(slots_.empty() ? 1024 : slots_.size() * 2, none);
+  slots_.assign(slots_.empty() ? 1024 : slots_.size() * 2, Slot{});
+  for (FactId id = 0; id < facts_.size(); ++id) fill_slot(id);  // in the order in which they came
+}
+
+void Graph::fill_slot(FactId id) {
   const std::size_t mask = slots_.size() - 1;
-  for (FactId id = 0; id < facts_.size(); ++id) {  // in the order in which they came
-    std::size_t slot = hash_of(facts_[id]) & mask;
-    while (slots_[slot] != none) slot = (slot + 1) & mask;
-    slots_[slot] = id;
-  }
+  const std::uint64_t hash = hash_of(facts_[id]);
+  std::size_t slot = hash & mask;
+  while (slots_[slot].fact != none) slot = (slot + 1) & mask;
+  slots_[slot] = {id, static_cast<std::uint32_t>(hash >> 32)};
 }
 
 FactId Graph::add(const Fact& fact) {
   if ((facts_.size() + 1) * 2 > slots_.size()) grow();
   const auto id = static_cast<FactId>(facts_.size());
   facts_.push_back(fact);
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = hash_of(fact) & mask;
-  while (slots_[slot] != none) slot = (slot + 1) & mask;
-  slots_[slot] = id;
+  fill_slot(id);
   link(id);
   return id;
 }
@@ -214,8 +217,8 @@ void Graph::cut(const Mark& mark) {
     unlink(id);
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = hash_of(facts_[id]) & mask;
-    while (slots_[slot] != id) slot = (slot + 1) & mask;
-    slots_[slot] = none;
+    while (slots_[slot].fact != id) slot = (slot + 1) & mask;
+    slots_[slot] = {};
     facts_.pop_back();
   }
   while (trail_.size() > mark.trail) {

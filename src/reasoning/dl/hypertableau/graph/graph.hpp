@@ -140,7 +140,14 @@ class Graph {
   }
 
  private:
+  /// The upper half of the hash tells most other facts apart without a look at them, which costs a cache line each.
+  struct Slot {
+    FactId fact = none;
+    std::uint32_t tag = 0;
+  };
   [[nodiscard]] static std::uint64_t hash_of(const Fact& fact);
+  /// Puts a fact into the first free slot of its chain.
+  void fill_slot(FactId id);
   void count_label(const Fact& fact, bool is_added);
   void count_edge(const Fact& fact, bool is_added);
   void link(FactId id);
@@ -153,7 +160,7 @@ class Graph {
   std::vector<Node> nodes_;
   std::vector<Fact> facts_;
   /// Open addressing. Facts are removed in the reverse order, so an emptied slot breaks no chain of slots.
-  std::vector<FactId> slots_;
+  std::vector<Slot> slots_;
   std::vector<Siblings> siblings_;  ///< ascending by their nodes
   std::vector<NodeId> trail_;       ///< nodes that were merged or pruned
   std::vector<NodeId> values_;
