@@ -138,7 +138,7 @@ class Seal {
   Policy policy_;
   Session session_{};
   std::uint32_t counter_ = 0;  ///< of the next datagram
-  Sessions sessions_;
+  ProvedSessions sessions_;
   Challenges challenges_;
   std::unique_ptr<Compression> compression_;  ///< null: there are no keys
   Ledger ledger_;

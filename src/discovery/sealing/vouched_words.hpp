@@ -4,11 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 
 #include "base/time.hpp"
 #include "discovery/sealing/envelope.hpp"
 #include "discovery/sealing/replay_window.hpp"
+#include "discovery/sealing/sessions.hpp"
 
 namespace geminga::sealing {
 
@@ -28,9 +28,8 @@ class VouchedWords {
     ReplayWindow window;
     base::Instant heard{};
   };
-  void forget_silent_half();
 
-  std::unordered_map<Session, Known> sessions_;  // its order reaches nothing
+  Sessions<Known> sessions_;
 };
 
 }  // namespace geminga::sealing

@@ -13,7 +13,7 @@ KnownSession heard_at(base::Instant instant) {
 }
 
 TEST(Sessions, ForgetTheSilentHalfForOneMoreThanTheyHold) {
-  Sessions sessions;
+  ProvedSessions sessions;
   for (std::size_t i = 1; i <= max_sessions; ++i) {
     EXPECT_FALSE(sessions.add(Session(i), heard_at(start + std::chrono::seconds(i)))) << i;
     EXPECT_EQ(sessions.size(), i);
