@@ -83,7 +83,9 @@ TEST(Relay, LetsTwoLinksMeetAndLoseEachOther) {
   robots.world.run_for(minutes(1));
   EXPECT_TRUE(robots.team.is_right()) << robots.team.complaints();
   EXPECT_THAT(robots.team.false_departures(), testing::IsEmpty());
-  EXPECT_THAT(robots.participants(a), testing::HasSubstr("name=c"));
+  EXPECT_THAT(robots.participants(a), testing::ContainsRegex("name=c .* hops=1 path=b"));
+  EXPECT_THAT(robots.world.ask(a, "services"), testing::Contains(testing::EndsWith("hops=1 path=b")));
+  EXPECT_THAT(robots.world.ask(a, "requests"), testing::Contains(testing::EndsWith("hops=1 path=b")));
   c.crash();
   // The deadline of one link where nothing is lost, and one interval for the relay.
   robots.world.run_for(std::chrono::duration_cast<base::Duration>((membership::shortest_deadline + 1) * interval));
@@ -101,6 +103,24 @@ TEST(Relay, IsNotPossibleWithoutAKeyWhereNobodyIsNamed) {
   robots.world.run_for(seconds(20));
   EXPECT_THAT(robots.participants(a),
               testing::AllOf(testing::HasSubstr("name=b"), testing::Not(testing::HasSubstr("name=c"))));
+}
+
+/// The relay in the middle is far slower than those on both sides of it: signs of life are as late as all relays on the
+/// way make them, and not only the last.
+TEST(Relay, LosesNobodyBehindSlowAndQuickRelays) {
+  Linked robots(9, {.loss = 0.1}, 2);
+  Host& a = robots.add_on("a", 0);
+  Host& c = robots.add_on("c", 2);
+  Host& slow = robots.add_relay("slow", {0, 1});
+  Host& quick = robots.add_relay("quick", {1, 2});
+  a.settings.interval = c.settings.interval = seconds(1);
+  slow.settings.interval = seconds(5);
+  quick.settings.interval = milliseconds(200);
+  robots.switch_all_on();
+  robots.until_right(seconds(30));
+  robots.world.run_for(minutes(2));
+  EXPECT_TRUE(robots.team.is_right()) << robots.team.complaints();
+  EXPECT_THAT(robots.team.false_departures(), testing::IsEmpty());
 }
 
 /// Octets a second that all say together in a quiet minute.
@@ -150,7 +170,8 @@ TEST(Relay, TellsChangesAcrossOneAndTwoRelaysUnderLoss) {
 
 TEST(Relay, IsTakenOverByAnotherBeforeAnybodyIsLost) {
   for (std::uint64_t seed = 1; seed <= test::rounds(10U); ++seed) {
-    Linked robots(seed, {});
+    const double loss = seed % 4 < 2 ? 0 : 0.3;
+    Linked robots(seed, {.loss = loss});
     for (std::uint32_t link : {0U, 1U}) {
       for (int i = 0; i < 3; ++i) robots.add_on("l" + std::to_string(link) + "-" + std::to_string(i), link);
     }
@@ -167,32 +188,44 @@ TEST(Relay, IsTakenOverByAnotherBeforeAnybodyIsLost) {
     robots.world.run_for(seconds(20));
     EXPECT_TRUE(robots.team.is_right()) << robots.team.complaints();
     EXPECT_THAT(robots.team.false_departures(), testing::IsEmpty()) << robots.world.when();
-    EXPECT_LE(once, 12U) << "only one of them speaks, " << robots.world.when();
+    // A relay may have missed that the other one speaks, and copies of a change are words of their own.
+    EXPECT_LE(once, loss == 0 ? 12U : 48U) << "only one of them speaks, " << robots.world.when();
   }
 }
 
-TEST(Relay, HealsWithinASecondWhenItIsBack) {
-  for (const double loss : {0.0, 0.3}) {
-    Linked robots(7, {.loss = loss});
-    for (std::uint32_t link : {0U, 1U}) {
-      for (int i = 0; i < 5; ++i) robots.add_on("l" + std::to_string(link) + "-" + std::to_string(i), link);
-    }
-    Host& relay = robots.add_relay("b", {0, 1});
-    robots.switch_all_on();
-    robots.world.run_for(seconds(20));
-    robots.team.is_excused = true;
-    relay.crash();
-    robots.world.run_for(seconds(30));
-    relay.switch_on();
-    const auto begin = robots.world.now();
-    while (robots.participants(robots.host(0)).find("name=l1-4") == std::string::npos &&
-           robots.world.now() - begin < seconds(20))
-      robots.world.run_for(milliseconds(20));
-    robots.team.is_excused = false;
-    std::cout << "healed at " << loss << ": known again after " << ms(robots.world.now() - begin) << " ms, all after "
-              << ms(robots.until_right(seconds(30))) + ms(robots.world.now() - begin) << " ms\n";
-    EXPECT_TRUE(robots.team.is_right()) << robots.team.complaints();
+/// The time after which everybody knows everybody again, once the relay between two links is back.
+base::Duration healed(std::uint64_t seed, double loss) {
+  Linked robots(seed, {.loss = loss});
+  for (std::uint32_t link : {0U, 1U}) {
+    for (int i = 0; i < 5; ++i) robots.add_on("l" + std::to_string(link) + "-" + std::to_string(i), link);
   }
+  Host& relay = robots.add_relay("b", {0, 1});
+  robots.switch_all_on();
+  robots.world.run_for(seconds(20));
+  robots.team.is_excused = true;
+  relay.crash();
+  robots.world.run_for(seconds(30));
+  relay.switch_on();
+  const auto begin = robots.world.now();
+  while (robots.participants(robots.host(0)).find("name=l1-4") == std::string::npos &&
+         robots.world.now() - begin < seconds(20))
+    robots.world.run_for(milliseconds(10));
+  robots.team.is_excused = false;
+  robots.until_right(seconds(30));
+  const auto time = robots.world.now() - begin;
+  EXPECT_TRUE(robots.team.is_right()) << robots.team.complaints();
+  return time;
+}
+
+TEST(Relay, HealsWithinASecondWhenItIsBack) {
+  EXPECT_LE(ms(healed(7, 0)), 300);
+  std::vector<base::Duration> times;
+  for (std::uint64_t seed = 1; seed <= test::rounds(10U); ++seed) times.push_back(healed(seed, 0.3));
+  std::ranges::sort(times);
+  std::cout << "healed at 30 % loss: p50 " << ms(times[times.size() / 2]) << " ms, p95 "
+            << ms(times[times.size() * 95 / 100]) << " ms, at most " << ms(times.back()) << " ms\n";
+  EXPECT_LE(ms(times[times.size() / 2]), 700);
+  EXPECT_LE(ms(times.back()), 1500);
 }
 
 /// Everything at once: robots and relays crash, stop for a while and return, on bad air, with a ring of links.

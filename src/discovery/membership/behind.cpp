@@ -26,7 +26,8 @@ void NeighbourTable::hear_behind(const announcement::Announcement& presence, con
                     .interface = passage.interface,
                     .age = said.age,
                     .loss = chained(said.lost / lost_unit, passage.loss),
-                    .interval = passage.interval},
+                    .interval = passage.interval,
+                    .delay = passage.delay},
                    said.revision, now);
     admission_.update(*known->second.member, record.standing());
     update(*known, now);

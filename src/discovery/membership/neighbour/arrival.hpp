@@ -21,6 +21,7 @@ struct Passage {
   base::Duration age{};             ///< how long ago the participant said it
   double loss = 0;                  ///< the share of its datagrams that is lost on all hops together
   base::Duration interval{};        ///< of the last relay, between two of its testimonies
+  base::Duration delay{};           ///< the intervals of all relays in `through` together
 };
 
 /// Borrows its texts, and the passage.

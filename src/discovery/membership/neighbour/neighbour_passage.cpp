@@ -7,6 +7,7 @@
 
 namespace geminga::membership {
 
+using base::Duration;
 using base::Instant;
 
 bool NeighbourRecord::is_heard_directly(Instant now) const {
@@ -18,10 +19,18 @@ void NeighbourRecord::take_passage(const Passage& passage, Instant now) {
   const bool is_in_use = passage_ && now - passed_ < announcement::hold_intervals * passage_->interval;
   if (is_in_use && passage.hops > passage_->hops) return;
   const bool is_same = passage_ && passage_->through.back() == passage.through.back() && passage_->hops == passage.hops;
-  auto through = is_same && passage.through.size() < passage.hops ? std::move(passage_->through) : passage.through;
-  passage_ = passage;
-  passage_->through = std::move(through);
+  const auto former = std::exchange(passage_, passage);
   passed_ = now;
+  if (!is_same || passage.through.size() >= former->through.size()) return;
+  // Testimony names the last relay alone. The others are those of the last word.
+  passage_->through = former->through;
+  passage_->delay = former->delay - former->interval + passage.interval;
+}
+
+Duration NeighbourRecord::delay(Duration interval) const {
+  if (!passage_) return Duration(0);
+  const std::size_t unknown = passage_->hops - std::min(passage_->hops, passage_->through.size());
+  return passage_->delay + static_cast<Duration::rep>(unknown) * std::max(interval, passage_->interval);
 }
 
 void NeighbourRecord::hear_of(const Passage& passage, std::uint64_t revision, Instant now) {

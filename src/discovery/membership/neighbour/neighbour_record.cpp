@@ -55,9 +55,7 @@ double NeighbourRecord::known_loss() const { return ways_.is_loss_known() ? ways
 
 Reception NeighbourRecord::reception(Instant now) const {
   const auto interval = lasting_interval(now);
-  const auto late =
-      passage_ ? static_cast<Duration::rep>(passage_->hops) * std::max(interval, passage_->interval) : Duration(0);
-  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, interval), .delay = late};
+  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, interval), .delay = delay(interval)};
 }
 
 Moment NeighbourRecord::moment(Instant now, bool is_heard) const {

@@ -218,6 +218,9 @@ class NeighbourRecord {
   [[nodiscard]] base::Duration hold(base::Instant now) const;
   [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
   [[nodiscard]] Reception reception(base::Instant now) const;
+  /// The time by which signs of life of a participant with this interval are late: the intervals of all relays on the
+  /// way. A relay of which nothing is known counts as the slower one of the participant and the last relay.
+  [[nodiscard]] base::Duration delay(base::Duration interval) const;
   /// The loss of its best way, or a bad one if too few datagrams were heard to tell.
   [[nodiscard]] double known_loss() const;
 

@@ -91,47 +91,48 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
     seal_.reject_unreadable(*opened, arrival);
     return std::nullopt;
   }
-  heard_ = *read;
-  if (!seal_.attribute(*opened, heard_->participant, arrival)) return std::nullopt;
-  if (served != announcer_.id() && heard_->participant == served) {
+  const announcement::Announcement& heard = **read;
+  if (!seal_.attribute(*opened, heard.participant, arrival)) return std::nullopt;
+  if (served != announcer_.id() && heard.participant == served) {
     // A participant that has the identifier which we are giving up is heard once our own services have another one.
     ++counters_.hearings.at(std::to_underlying(membership::Hearing::clash));
     return std::nullopt;
   }
-  if (heard_->kind == announcement::Kind::inquiry || heard_->kind == announcement::Kind::diagnosis) {
-    hear_exchange(opened->session.has_value());
+  const bool is_sealed = opened->session.has_value();
+  if (heard.kind == announcement::Kind::inquiry || heard.kind == announcement::Kind::diagnosis) {
+    hear_exchange(heard, is_sealed);
     return std::nullopt;
   }
-  const bool is_sealed = opened->session.has_value();
-  if (heard_->kind == announcement::Kind::relayed) return take_in_relayed(*on, is_sealed, served);
-  const auto links = beyond_.links_for(*opened, *heard_, *on);
-  const bool is_about_us = heard_->participant == announcer_.id();  // it may be a lie, and others hear it
-  if (!is_about_us && DualStack::is_said_twice(*heard_, *on)) return std::nullopt;
-  const membership::Hearing hearing = neighbours_.hear(*heard_, {.interface = interface,
-                                                                 .interface_name = on->name,
-                                                                 .source = source,
-                                                                 .now = env_.now(),
-                                                                 .is_sealed = is_sealed});
+  if (heard.kind == announcement::Kind::relayed) return take_in_relayed(heard, *on, is_sealed, served);
+  const auto links = beyond_.links_for(*opened, heard, *on);
+  const bool is_about_us = heard.participant == announcer_.id();  // it may be a lie, and others hear it
+  if (!is_about_us && DualStack::is_said_twice(heard, *on)) return std::nullopt;
+  const membership::Hearing hearing = neighbours_.hear(heard, {.interface = interface,
+                                                               .interface_name = on->name,
+                                                               .source = source,
+                                                               .now = env_.now(),
+                                                               .is_sealed = is_sealed});
   ++counters_.hearings.at(std::to_underlying(hearing));
-  if (heard_->kind == announcement::Kind::presence) {
-    one_way_.hear(*heard_, neighbours_, source, on->name, env_.log());
-    beyond_.hear_presence(*heard_, *on, hearing, is_sealed || env_.is_sender_named());
+  if (heard.kind == announcement::Kind::presence) {
+    one_way_.hear(heard, neighbours_, source, on->name, env_.log());
+    beyond_.hear_presence(heard, *on, hearing, is_sealed || env_.is_sender_named());
   } else {
     beyond_.pass_on({.datagram = datagram, .source = source}, links, hearing);
   }
-  reach(*on, source);
-  if (is_sealed) meet(*on);
-  speak_to(*on, hearing, is_sealed);
+  reach(heard, *on, source);
+  if (is_sealed) meet(heard, *on);
+  speak_to(heard, *on, hearing, is_sealed);
   return announcer_.heard(
-      {.announcement = *heard_, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+      {.announcement = heard, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
 }
 
-std::optional<Announcer::Consequence> Air::take_in_relayed(const env::Interface& on, bool is_sealed,
+std::optional<Announcer::Consequence> Air::take_in_relayed(const announcement::Announcement& heard,
+                                                           const env::Interface& on, bool is_sealed,
                                                            ParticipantId served) {
-  const announcement::Announcement* word = beyond_.unwrap(*heard_, is_sealed || env_.is_sender_named());
+  const announcement::Announcement* word = beyond_.unwrap(heard, is_sealed || env_.is_sender_named());
   if (word == nullptr || (served != announcer_.id() && word->participant == served)) return std::nullopt;
-  const announcement::Relayed& relayed = heard_->relayed;
-  const membership::Passage passage = beyond_.passage(*heard_, on);
+  const announcement::Relayed& relayed = heard.relayed;
+  const membership::Passage passage = beyond_.passage(heard, on);
   const auto links = beyond_.links_for(*word, on, is_sealed);
   const membership::Hearing hearing = neighbours_.hear(*word, {.interface = on.index,
                                                                .interface_name = on.name,
@@ -153,35 +154,34 @@ const Diagnoses::Diagnosis* Air::diagnosis_of(ParticipantId participant) {
   return diagnoses_.answer_of(participant, env_.now());
 }
 
-void Air::hear_exchange(bool is_sealed) {
+void Air::hear_exchange(const announcement::Announcement& heard, bool is_sealed) {
   const base::Instant now = env_.now();
-  if (heard_->group != settings_.group || heard_->partner != announcer_.id()) return;
-  if (!neighbours_.is_known(heard_->participant)) return;
-  if (heard_->kind == announcement::Kind::diagnosis) {
-    diagnoses_.hear_diagnosis(*heard_, now);
+  if (heard.group != settings_.group || heard.partner != announcer_.id()) return;
+  if (!neighbours_.is_known(heard.participant)) return;
+  if (heard.kind == announcement::Kind::diagnosis) {
+    diagnoses_.hear_diagnosis(heard, now);
     return;
   }
   // A seal has proved that its sender asks at this moment; without one the owner has named the host that it came from.
   const bool may_ask = this->is_sealed() ? is_sealed : env_.is_sender_named();
   if (!settings_.diagnoses || !may_ask || !diagnoses_.may_answer(now)) return;
-  announcer_.exchange(announcement::Kind::diagnosis, heard_->participant, heard_->token,
-                      own_.diagnosis(heard_->participant));
+  announcer_.exchange(announcement::Kind::diagnosis, heard.participant, heard.token, own_.diagnosis(heard.participant));
 }
 
-void Air::reach(const env::Interface& on, std::string_view source) {
-  if (heard_->kind == announcement::Kind::goodbye) deaf_hosts_.forget(heard_->participant);
-  if (!is_sealed() || heard_->kind != announcement::Kind::presence) return;
-  if (!neighbours_.is_deaf_to_us(heard_->participant)) {
-    deaf_hosts_.hear(heard_->participant);
+void Air::reach(const announcement::Announcement& heard, const env::Interface& on, std::string_view source) {
+  if (heard.kind == announcement::Kind::goodbye) deaf_hosts_.forget(heard.participant);
+  if (!is_sealed() || heard.kind != announcement::Kind::presence) return;
+  if (!neighbours_.is_deaf_to_us(heard.participant)) {
+    deaf_hosts_.hear(heard.participant);
   } else {
-    deaf_hosts_.hear_deaf({.participant = heard_->participant, .interface = on.index, .address = std::string(source)},
+    deaf_hosts_.hear_deaf({.participant = heard.participant, .interface = on.index, .address = std::string(source)},
                           settings_.interval, env_.now());
   }
 }
 
-void Air::meet(const env::Interface& on) {
-  if (!is_sealed() || heard_->group != settings_.group || !neighbours_.is_known(heard_->participant)) return;
-  for (const announcement::Introduction& one : heard_->introductions) {
+void Air::meet(const announcement::Announcement& heard, const env::Interface& on) {
+  if (!is_sealed() || heard.group != settings_.group || !neighbours_.is_known(heard.participant)) return;
+  for (const announcement::Introduction& one : heard.introductions) {
     const auto address = base::parse_address(one.address);
     const bool is_ours = std::ranges::any_of(env_.interfaces(), [&](const env::Interface& interface) {
       return std::ranges::find(interface.addresses, one.address) != interface.addresses.end();
@@ -206,16 +206,17 @@ void Air::reach_lost(base::Instant now) {
 
 /// Sends copies to participants that multicast does not reach, for as long as they may live: those that speak IPv6
 /// alone, and those that have proved to be of the team and send to us alone.
-void Air::speak_to(const env::Interface& on, membership::Hearing hearing, bool is_sealed) {
+void Air::speak_to(const announcement::Announcement& heard, const env::Interface& on, membership::Hearing hearing,
+                   bool is_sealed) {
   using membership::Hearing;
   if (hearing == Hearing::own || hearing == Hearing::clash || hearing == Hearing::other_group) return;
   const bool is_guest = is_sealed && env_.is_sender_unnamed();
   if (!on.ipv6_side_of && !is_guest) return;
-  const auto known = neighbours_.find(heard_->participant);
+  const auto known = neighbours_.find(heard.participant);
   const base::Duration time =
       announcement::contest_intervals * std::max(known ? known->interval : base::Duration(0), settings_.interval);
-  dual_stack_.hear(*heard_, on, env_.now() + time);
-  if (is_guest && heard_->kind != announcement::Kind::goodbye) env_.answer_sender(time);
+  dual_stack_.hear(heard, on, env_.now() + time);
+  if (is_guest && heard.kind != announcement::Kind::goodbye) env_.answer_sender(time);
 }
 
 void Air::shed() {

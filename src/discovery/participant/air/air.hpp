@@ -67,22 +67,24 @@ class Air {
 
  private:
   /// Takes in a word that a relay has wrapped.
-  [[nodiscard]] std::optional<Announcer::Consequence> take_in_relayed(const env::Interface& on, bool is_sealed,
+  [[nodiscard]] std::optional<Announcer::Consequence> take_in_relayed(const announcement::Announcement& heard,
+                                                                      const env::Interface& on, bool is_sealed,
                                                                       ParticipantId served);
   [[nodiscard]] std::optional<Announcer::Consequence> take_in(env::InterfaceIndex interface, std::string_view source,
                                                               std::span<const std::byte> datagram,
                                                               ParticipantId served);
   /// Takes in an inquiry or a diagnosis.
-  void hear_exchange(bool is_sealed);
+  void hear_exchange(const announcement::Announcement& heard, bool is_sealed);
   /// Whether announcements are sealed, and only sealed ones are heard.
   [[nodiscard]] bool is_sealed() const { return seal_.policy().mode >= sealing::Mode::authenticated; }
   /// Begins or ends to try the sender alone, by what it says of us.
-  void reach(const env::Interface& on, std::string_view source);
+  void reach(const announcement::Announcement& heard, const env::Interface& on, std::string_view source);
   /// Tries those alone that its sender hears and we do not.
-  void meet(const env::Interface& on);
+  void meet(const announcement::Announcement& heard, const env::Interface& on);
   /// Tries those alone whose deadlines have passed.
   void reach_lost(base::Instant now);
-  void speak_to(const env::Interface& on, membership::Hearing hearing, bool is_sealed);
+  void speak_to(const announcement::Announcement& heard, const env::Interface& on, membership::Hearing hearing,
+                bool is_sealed);
 
   env::Env& env_;
   const TeamSettings& settings_;
@@ -96,8 +98,7 @@ class Air {
   Introductions introductions_;
   Diagnoses diagnoses_;
   announcement::Reader own_reader_;
-  announcement::Reader& reader_;                       ///< the shared one, or our own
-  const announcement::Announcement* heard_ = nullptr;  ///< the last one, while it is taken in
+  announcement::Reader& reader_;  ///< the shared one, or our own
   Announcer announcer_;
   Beyond beyond_;
 };

@@ -33,33 +33,37 @@ const announcement::Announcement* Beyond::unwrap(const announcement::Announcemen
   return nullptr;
 }
 
-membership::Passage Beyond::passage(const announcement::Announcement& relayed, const env::Interface& on) const {
-  membership::Passage passage{.through = relayed.relayed.through,
-                              .hops = relayed.relayed.through.size(),
+membership::Passage Beyond::passage(std::vector<ParticipantId> through, const env::Interface& on) const {
+  membership::Passage passage{.through = std::move(through),
+                              .hops = 0,
                               .interface = relaying::link_of(on),
-                              .age = relayed.relayed.age,
+                              .age = {},
                               .loss = 0,
-                              .interval = means_.settings.interval};
-  if (const auto relay = means_.neighbours.reach(relayed.participant)) {
-    passage.loss = relay->loss;
-    passage.interval = relay->interval;
+                              .interval = means_.settings.interval,
+                              .delay = {}};
+  passage.hops = passage.through.size();
+  for (const ParticipantId id : passage.through) {
+    const auto relay = means_.neighbours.reach(id);
+    if (relay) passage.interval = relay->interval;
+    if (relay) passage.loss = relay->loss;  // that of the last one counts all hops to it
+    passage.delay += passage.interval;
   }
+  return passage;
+}
+
+membership::Passage Beyond::passage(const announcement::Announcement& relayed, const env::Interface& on) const {
+  auto passage = this->passage(relayed.relayed.through, on);
+  passage.age = relayed.relayed.age;
   return passage;
 }
 
 void Beyond::hear_presence(const announcement::Announcement& presence, const env::Interface& on, Hearing hearing,
                            bool is_believed) {
-  if (!is_believed) return;
+  if (!is_believed || hearing == Hearing::other_group) return;
   const base::Instant now = means_.env.now();
   const env::InterfaceIndex link = relaying::link_of(on);
   if (hearing == Hearing::known && !presence.behind.empty()) {
-    const auto relay = means_.neighbours.reach(presence.participant);
-    const membership::Passage passage{.through = {presence.participant},
-                                      .hops = 1,
-                                      .interface = link,
-                                      .age = {},
-                                      .loss = relay ? relay->loss : 0,
-                                      .interval = relay ? relay->interval : means_.settings.interval};
+    const membership::Passage passage = this->passage({presence.participant}, on);
     means_.neighbours.hear_behind(presence, passage, now);
     if (relay_) relay_->hear_behind(link, presence, passage.interval);
   }
@@ -100,6 +104,10 @@ void Beyond::pass_on(const relaying::Word& word, const Links& links, Hearing hea
   if (links.empty() || !is_taken(hearing)) return;
   const auto relayed = voucher_.wrap(word, means_.announcer.id());
   if (!relayed) return;
+  if (hearing == Hearing::newcomer) {
+    testimony_due_ = std::min(testimony_due_, means_.env.now() + first_testimony_delay);
+    last_testimony_ = means_.env.now() + last_testimony_delay;
+  }
   for (const env::InterfaceIndex link : links) {
     if (!relay_->may_pass()) {
       voucher_.refuse(relaying::Refusal::too_many);
@@ -128,6 +136,9 @@ void Beyond::proceed() {
   if (!relay_ || !means_.announcer.is_held()) return;
   while (const auto repeat = relay_->take_repeat()) say(repeat->link, repeat->relayed);
   if (relay_->takes_over()) means_.announcer.show();
+  if (testimony_due_ > means_.env.now()) return;
+  means_.announcer.show();
+  testimony_due_ = testimony_due_ < last_testimony_ ? last_testimony_ : base::never;
 }
 
 void Beyond::say(env::InterfaceIndex link, const announcement::Announcement& relayed) {

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_AIR_BEYOND_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_AIR_BEYOND_HPP
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -18,6 +19,11 @@
 #include "env/env.hpp"
 
 namespace geminga::participant {
+
+/// A relay that has passed on the first word of a participant says its presence so long after it, and once more: those
+/// who have missed the word learn whom they lack. All that come within this time share these presences.
+inline constexpr base::Duration first_testimony_delay = std::chrono::milliseconds(120);
+inline constexpr base::Duration last_testimony_delay = std::chrono::milliseconds(360);
 
 /// Joins the library of relaying to the air of one participant. Every participant believes relays; only one with
 /// TeamSettings::relay is one.
@@ -59,7 +65,7 @@ class Beyond {
   /// Says what is due, by the end of an event.
   void proceed();
   /// When proceed() has something to do, or base::never.
-  [[nodiscard]] base::Instant due() const { return relay_ ? relay_->due() : base::never; }
+  [[nodiscard]] base::Instant due() const { return relay_ ? std::min(relay_->due(), testimony_due_) : base::never; }
 
   [[nodiscard]] bool is_relay() const { return relay_.has_value(); }
   /// Each reason for which words were not believed or not passed on, and how many were not.
@@ -70,12 +76,16 @@ class Beyond {
  private:
   /// Whether a seal vouches for what we say. Without one only hosts that name us believe it.
   [[nodiscard]] bool seals() const { return means_.seal.policy().mode > sealing::Mode::prepared; }
+  /// A way through these relays, the last of which speaks on that interface.
+  [[nodiscard]] membership::Passage passage(std::vector<ParticipantId> through, const env::Interface& on) const;
   void hear_doubts(const std::vector<ParticipantId>& doubts, env::InterfaceIndex link);
   void say(env::InterfaceIndex link, const announcement::Announcement& relayed);
 
   Means means_;
   relaying::Voucher voucher_;
   std::optional<relaying::Relay> relay_;
+  base::Instant testimony_due_ = base::never;  ///< of a presence that names those who are new behind us
+  base::Instant last_testimony_{};             ///< when the last of these is due
 };
 
 }  // namespace geminga::participant
