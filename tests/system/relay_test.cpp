@@ -27,8 +27,8 @@ TEST(Relay, LetsTwoLinksMeetAndLoseEachOther) {
   consumer.say("1 sub create mode=otm/pubsub id=5");
   Talk provider = lab.talk(2);
   provider.say("1 pub create mode=otm/pubsub id=5 port=5000");
-  EXPECT_TRUE(consumer.line_with({"1 pub add", "name=robot2", "address=10.47.18.3"}));
-  EXPECT_TRUE(provider.line_with({"1 sub add", "name=robot0"}));
+  EXPECT_TRUE(consumer.line_with({"1 pub add", "name=robot2", "address=10.47.18.3", "hops=1 path=robot1"}));
+  EXPECT_TRUE(provider.line_with({"1 sub add", "name=robot0", "hops=1 path=robot1"}));
   lab.daemon(2).signal(SIGKILL);
   EXPECT_TRUE(consumer.line_with({"1 pub del", "reason=expired"}));
   EXPECT_TRUE(lab.wait_for_participants(0, 2));

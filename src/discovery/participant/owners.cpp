@@ -10,6 +10,7 @@
 #include "base/assert.hpp"
 #include "base/text.hpp"
 #include "discovery/participant/queries/queries.hpp"
+#include "discovery/participant/queries/ways.hpp"
 #include "discovery/participant/status.hpp"
 #include "discovery/sealing/channel_keys.hpp"
 
@@ -29,6 +30,10 @@ gcnp::ChannelKeyring Participant::Owners::keys_of(Life life) const {
     keyring.ring.push_back({.id = std::to_underlying(keys.id), .forward = keys.forward, .back = keys.back});
   }
   return keyring;
+}
+
+gcnp::Way Participant::Owners::way_of(ParticipantId participant) const {
+  return participant::way_of(participant, air.neighbours());
 }
 
 Answer Participant::Owners::status_answer() {

@@ -41,7 +41,8 @@ struct Participant::Owners {
              .expressions = knowledge.expressions,
              .overlaps = knowledge.overlaps,
              .work = knowledge.work},
-            [this](const gcnp::Request& query) { return ask(query); }, [this](Life life) { return keys_of(life); }),
+            [this](const gcnp::Request& query) { return ask(query); }, [this](Life life) { return keys_of(life); },
+            [this](ParticipantId participant) { return way_of(participant); }),
         air(env, settings,
             {.ontology_digest = [this] { return knowledge.vocabulary().digest(); },
              .peers = [this] { return clients.own().announced(); },
@@ -68,6 +69,8 @@ struct Participant::Owners {
   /// The answer to an inquiry of another participant.
   [[nodiscard]] std::vector<std::string> own_diagnosis(ParticipantId asker);
   [[nodiscard]] std::expected<Answering, Error> ask_other(const std::string& participant);
+  /// The way to another participant.
+  [[nodiscard]] gcnp::Way way_of(ParticipantId participant) const;
   /// The keys of the channel with this life, derived from those that seal the air.
   [[nodiscard]] gcnp::ChannelKeyring keys_of(Life life) const;
 };

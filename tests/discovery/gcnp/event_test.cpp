@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "discovery/gcnp/way.hpp"
+
 namespace geminga::gcnp {
 namespace {
 
@@ -137,6 +139,15 @@ TEST(Reply, SaysWhichPartOfAnEventCannotBeRead) {
 }
 
 TEST(PeerWord, NamesParticipantAndPeer) { EXPECT_EQ(peer_word({ParticipantId{0xabc}, PeerId{12}, 9}), "00000abc/12"); }
+
+TEST(Way, StandsBesideAttributesOfItsKeys) {
+  Statement statement{
+      .id = 1, .command = "pub", .subcommand = "add", .parameters = {{"path", "/camera"}, {"rate", "30"}}};
+  append_way(statement.parameters, {});
+  EXPECT_EQ(to_line(statement), "1 pub add path=/camera rate=30\r\n");
+  append_way(statement.parameters, {.hops = 2, .path = "base/left tower"});
+  EXPECT_EQ(to_line(statement), "1 pub add attr.path=/camera rate=30 hops=2 path=\"base/left tower\"\r\n");
+}
 
 }  // namespace
 }  // namespace geminga::gcnp

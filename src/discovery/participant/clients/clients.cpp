@@ -8,11 +8,12 @@
 
 namespace geminga::participant {
 
-Clients::Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of)
+Clients::Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of,
+                 Telling::WayOf way_of)
     : env_(env),
       limits_(limits),
       keys_(std::move(keys_of), sessions_, knows.work),
-      telling_(env, limits_, knows.self, knows.matcher, sessions_, keys_, knows.work),
+      telling_(env, limits_, knows.self, knows.matcher, sessions_, keys_, knows.work, std::move(way_of)),
       own_(env, knows.self, knows.matcher, knows.resolver, sessions_, telling_, knows.work),
       admission_(limits_, sessions_, own_),
       statements_(knows.self, knows.matcher, knows.resolver, admission_, own_, keys_, knows.work, std::move(ask)),

@@ -37,8 +37,10 @@ class Clients {
     Overlaps& overlaps;
     WorkMeter& work;
   };
-  /// Borrows `env` and `limits` for its life. `ask` answers queries, `keys_of` gives the keys of channels.
-  Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of);
+  /// Borrows `env` and `limits` for its life. `ask` answers queries, `keys_of` gives the keys of channels, `way_of` the
+  /// ways to other participants.
+  Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of,
+          Telling::WayOf way_of);
   Clients(const Clients&) = delete;
   Clients& operator=(const Clients&) = delete;
 

@@ -112,7 +112,9 @@ void Telling::say(Session& session, std::uint32_t number, const News& news, cons
     told.distance = news.match.distance;
     fill(matcher_, key_of(session, number), *entry, news.chain.get(), told);
   }
-  std::string line = gcnp::to_line(gcnp::to_statement(number, told));
+  gcnp::Statement statement = gcnp::to_statement(number, told);
+  if (news.change != Change::del) gcnp::append_way(statement.parameters, way_of_(news.about.participant));
+  std::string line = gcnp::to_line(statement);
   session.say(line);
   if (entry != nullptr) last = {news, entry, line.substr(line.find(' '))};
 }

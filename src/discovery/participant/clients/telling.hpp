@@ -3,8 +3,11 @@
 #define GEMINGA_DISCOVERY_PARTICIPANT_CLIENTS_TELLING_HPP
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 
+#include "discovery/gcnp/way.hpp"
 #include "discovery/matching/matcher.hpp"
 #include "discovery/participant/clients/key_telling.hpp"
 #include "discovery/participant/clients/limits.hpp"
@@ -18,10 +21,19 @@ namespace geminga::participant {
 /// Per request and service each peer is told add (modify)* del, even if some changes were left out because it lagged.
 class Telling {
  public:
+  /// Tells the way to a participant.
+  using WayOf = std::function<gcnp::Way(ParticipantId)>;
   /// Borrows all for its life. Of the matcher it takes the events, and has it judge a stale subscription that is told.
   Telling(const env::Env& env, const ClientLimits& limits, const Self& self, matching::Matcher& matcher,
-          Sessions& sessions, KeyTelling& keys, WorkMeter& work)
-      : env_(env), limits_(limits), self_(self), matcher_(matcher), sessions_(sessions), keys_(keys), work_(work) {}
+          Sessions& sessions, KeyTelling& keys, WorkMeter& work, WayOf way_of)
+      : env_(env),
+        limits_(limits),
+        self_(self),
+        matcher_(matcher),
+        sessions_(sessions),
+        keys_(keys),
+        work_(work),
+        way_of_(std::move(way_of)) {}
 
   /// Hands the events of the matcher to the peers, in its order. O(events).
   void deliver_events();
@@ -52,6 +64,7 @@ class Telling {
   Sessions& sessions_;
   KeyTelling& keys_;
   WorkMeter& work_;
+  WayOf way_of_;
 };
 
 }  // namespace geminga::participant

@@ -10,6 +10,7 @@
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/queries.hpp"
+#include "discovery/participant/queries/ways.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -57,7 +58,9 @@ Answering begin_hearing(const env::Env& env, const membership::NeighbourTable& n
     for (; next < witnesses.size(); ++next) {
       if (piece.is_full()) return false;
       piece.look_at(1 + witnesses.size() / names_per_entry);
-      piece.tell(line_of(witnesses[next], neighbours.last_word(witnesses[next].id), env.now()));
+      Line line = line_of(witnesses[next], neighbours.last_word(witnesses[next].id), env.now());
+      append_way(line, witnesses[next].id, neighbours);
+      piece.tell(std::move(line));
     }
     return true;
   };

@@ -11,6 +11,7 @@
 #include "discovery/participant/queries/queries.hpp"
 #include "discovery/participant/queries/reasons.hpp"
 #include "discovery/participant/queries/use.hpp"
+#include "discovery/participant/queries/ways.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::participant {
@@ -61,6 +62,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, Names na
   const auto* semantic = std::get_if<SemanticIdentity>(&entry.publication.identity);
   if (semantic != nullptr && has_expression(*semantic)) append_place(line, by, semantic->concept_iri);
   gcnp::append_attributes(line, entry.publication.attributes);
+  append_way(line, entry.key.participant, by.neighbours);
   return line;
 }
 
@@ -90,6 +92,7 @@ Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, Names n
   if (subscription.convert != 0) append(line, "convert", gcnp::conversion_word(subscription.convert));
   if (reason != nullptr) append_because(line, *reason);
   gcnp::append_attributes(line, subscription.attributes);
+  append_way(line, entry.key.participant, by.neighbours);
   return line;
 }
 

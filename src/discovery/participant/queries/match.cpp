@@ -10,6 +10,7 @@
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/queries.hpp"
+#include "discovery/participant/queries/ways.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -38,6 +39,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
                                                    vocabulary, request.chains);
   gcnp::append_attributes(line, matching::chain_words(chain.get(), vocabulary), match.cost, chain ? chain->via : "",
                           entry.publication.attributes);
+  append_way(line, entry.key.participant, by.neighbours);
   return line;
 }
 

@@ -5,6 +5,7 @@
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/queries.hpp"
+#include "discovery/participant/queries/ways.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -40,16 +41,6 @@ Line ourselves(const env::Env& env, const Self& self, base::Duration interval, s
   return line;
 }
 
-/// The names of the relays on the way, the nearest to the participant first; an identifier where the name is not known.
-std::string path_of(const membership::Neighbour& neighbour, const membership::NeighbourTable& neighbours) {
-  std::vector<std::string> names;
-  for (const ParticipantId id : neighbour.through) {
-    const auto relay = neighbours.find(id);
-    names.push_back(relay ? relay->name : to_string(id));
-  }
-  return base::joined(names, "/");
-}
-
 Line line_of(base::Instant now, const membership::Neighbour& neighbour, const membership::NeighbourTable& neighbours) {
   Line line;
   append(line, "id", to_string(neighbour.id));
@@ -63,7 +54,8 @@ Line line_of(base::Instant now, const membership::Neighbour& neighbour, const me
   append(line, "subscriptions", neighbour.subscriptions);
   append_flag(line, "self", false);
   if (neighbour.is_deaf) append_flag(line, "hears_us", false);
-  append_stated(line, "path", path_of(neighbour, neighbours));
+  append_stated(line, "observed", observed_address(neighbour.id, neighbours));
+  append_way(line, neighbour.id, neighbours);
   return line;
 }
 

@@ -15,6 +15,7 @@
 #include "discovery/participant/queries/sides.hpp"
 #include "discovery/participant/queries/survey.hpp"
 #include "discovery/participant/queries/use.hpp"
+#include "discovery/participant/queries/ways.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -26,8 +27,13 @@ using registry::SubscriptionEntry;
 /// One request and one offer, aspect by aspect.
 class PairAnswer {
  public:
-  PairAnswer(matching::Matcher& matcher, const Overlaps& overlaps, Asked asked, Offered offer)
-      : matcher_(matcher), overlaps_(overlaps), asked_(std::move(asked)), offer_(std::move(offer)) {}
+  PairAnswer(matching::Matcher& matcher, const Overlaps& overlaps, const membership::NeighbourTable& neighbours,
+             Asked asked, Offered offer)
+      : matcher_(matcher),
+        overlaps_(overlaps),
+        neighbours_(neighbours),
+        asked_(std::move(asked)),
+        offer_(std::move(offer)) {}
 
   bool operator()(Piece& piece) {
     if (checks_.empty()) begin(piece);
@@ -75,11 +81,13 @@ class PairAnswer {
     }
     if (is_outranked) append_flag(line, "outranked", true);
     if (obstacle != nullptr) append(line, "code", std::string(to_string(obstacle->obstacle)));
+    append_way(line, offer_.entry.key.participant, neighbours_);
     return line;
   }
 
   matching::Matcher& matcher_;
   const Overlaps& overlaps_;
+  const membership::NeighbourTable& neighbours_;
   Asked asked_;
   Offered offer_;
   std::vector<Check> checks_;
@@ -168,6 +176,7 @@ class RequestAnswer {
     append(line, "offered", words(matcher_.vocabulary(), offer.publication.identity));
     append(line, "mode", std::string(to_string(offer.publication.mode)));
     append_check(line, check);
+    append_way(line, offer.key.participant, neighbours_);
     piece.tell(std::move(line));
   }
 
@@ -272,6 +281,7 @@ class OfferAnswer {
     append(line, "asked", words(matcher_.vocabulary(), request.subscription.identity));
     append(line, "mode", std::string(to_string(request.subscription.mode)));
     append_check(line, check);
+    append_way(line, request.key.participant, neighbours_);
     piece.tell(std::move(line));
   }
 
@@ -325,7 +335,8 @@ std::expected<Answering, Error> begin_why(matching::Matcher& matcher, const Over
   }
   if (!*offered)
     return Answering{.kind = "why", .proceed = RequestAnswer(matcher, overlaps, neighbours, std::move(**asked))};
-  return Answering{.kind = "why", .proceed = PairAnswer(matcher, overlaps, std::move(**asked), std::move(**offered))};
+  return Answering{.kind = "why",
+                   .proceed = PairAnswer(matcher, overlaps, neighbours, std::move(**asked), std::move(**offered))};
 }
 
 }  // namespace geminga::participant
