@@ -26,6 +26,9 @@ void must(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error("lab: " + what + ": " + std::strerror(errno));
 }
 
+/// The first link has the addresses 10.47.17.0/24, and each further one the next.
+constexpr std::size_t first_network = 17;
+
 constexpr const char* nft_program = "/usr/sbin/nft";
 
 /// The bridge's end of the cable to a host.
@@ -106,28 +109,31 @@ class Lab::Namespaces {
     if (::setns(home_, CLONE_NEWNET) != 0) std::abort();  // every later step would be on the wrong host
   }
 
-  /// Another bridge with these hosts, and a second cable for the one between.
-  void add_link(std::size_t between, const std::vector<std::size_t>& hosts) const {
-    ip({"link", "add", "far", "type", "bridge", "forward_delay", "0", "mcast_snooping", "0"});
-    ip({"link", "set", "far", "up"});
+  /// Another bridge with these hosts, and a further cable for the one between.
+  void add_link(std::size_t between, const std::vector<std::size_t>& hosts) {
+    const std::string number = std::to_string(++links_);
+    const std::string bridge = "far" + number;
+    ip({"link", "add", bridge, "type", "bridge", "forward_delay", "0", "mcast_snooping", "0"});
+    ip({"link", "set", bridge, "up"});
     for (const std::size_t host : hosts) {
-      ip({"link", "set", port_of(host), "master", "far"});
+      ip({"link", "set", port_of(host), "master", bridge});
       enter(host);
       ip({"address", "flush", "dev", "wlan0"});
-      ip({"address", "add", far_address(host) + "/24", "dev", "wlan0"});
+      ip({"address", "add", address_on(links_, host) + "/24", "dev", "wlan0"});
       leave();
     }
-    ip({"link", "add", "farport", "type", "veth", "peer", "name", "wlan1", "netns",
+    const std::string port = "farport" + number;
+    const std::string interface = "wlan" + number;
+    ip({"link", "add", port, "type", "veth", "peer", "name", interface, "netns",
         "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(hosts_.at(between))});
-    ip({"link", "set", "farport", "master", "far", "up"});
+    ip({"link", "set", port, "master", bridge, "up"});
     enter(between);
-    ip({"address", "add", far_address(between) + "/24", "dev", "wlan1"});
-    ip({"link", "set", "wlan1", "up"});
+    ip({"address", "add", address_on(links_, between) + "/24", "dev", interface});
+    ip({"link", "set", interface, "up"});
     leave();
   }
 
-  static std::string far_address(std::size_t host) { return "10.47.18." + std::to_string(host + 1); }
-  static std::string address(std::size_t host) { return "10.47.17." + std::to_string(host + 1); }
+  static std::string address(std::size_t host) { return address_on(0, host); }
 
  private:
   void add(std::size_t host) {
@@ -147,6 +153,7 @@ class Lab::Namespaces {
 
   int home_ = -1;
   std::vector<int> hosts_;
+  std::size_t links_ = 0;  ///< that were added
 };
 
 Lab::Lab(std::size_t hosts) : hosts_(hosts) {
@@ -265,6 +272,29 @@ void Lab::keep_multicasts_from(std::size_t host) {
 
 void Lab::add_link(std::size_t between, const std::vector<std::size_t>& hosts) {
   namespaces_->add_link(between, hosts);
+}
+
+std::string Lab::address_on(std::size_t link, std::size_t host) {
+  return "10.47." + std::to_string(first_network + link) + '.' + std::to_string(host + 1);
+}
+
+void Lab::translate(std::size_t host, const std::string& outer, const std::string& inside) {
+  visit(host, [&] {
+    std::ofstream("/proc/sys/net/ipv4/ip_forward") << "1";
+    command({nft_program,
+             "add table ip translation; "
+             "add chain ip translation out { type nat hook postrouting priority srcnat; }; "
+             "add rule ip translation out oifname " +
+                 outer +
+                 " masquerade; "
+                 "add chain ip translation in { type nat hook prerouting priority dstnat; }; "
+                 "add rule ip translation in iifname " +
+                 outer + " udp dport 4717 dnat to " + inside});
+  });
+}
+
+void Lab::route(std::size_t host, const std::string& addresses, const std::string& through) {
+  visit(host, [&] { ip({"route", "add", addresses, "via", through}); });
 }
 
 void Lab::take_ipv4(std::size_t host) {

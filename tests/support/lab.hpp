@@ -64,9 +64,17 @@ class Lab {
   /// it. Only with namespaces.
   void keep_multicasts_from(std::size_t host);
 
-  /// Moves hosts to a second link, with addresses of their own, and joins one more host to both: its interface there is
-  /// wlan1. Call once, before daemons start. Only with namespaces.
+  /// Moves hosts to a further link, with addresses of their own, and joins one more host to it. Links are counted from
+  /// 1, and the first one of all hosts is 0. The interface of the one between is wlanN there, N the number of the link.
+  /// Call before daemons start. Only with namespaces.
   void add_link(std::size_t between, const std::vector<std::size_t>& hosts);
+  /// The address of a host on a link that was added.
+  [[nodiscard]] static std::string address_on(std::size_t link, std::size_t host);
+  /// Makes a host between two links translate addresses: what it forwards out of `outer` comes from its own address
+  /// there, and announcements to that address go to `inside`. Requires can_lose().
+  void translate(std::size_t host, const std::string& outer, const std::string& inside);
+  /// Gives a host a way to other addresses through another host on its link.
+  void route(std::size_t host, const std::string& addresses, const std::string& through);
 
   /// Removes the host's IPv4 address. Only with namespaces.
   void take_ipv4(std::size_t host);

@@ -6,7 +6,7 @@
 namespace geminga::system {
 
 void LabTeam::start_together() {
-  for (std::size_t host = 0; host < size(); ++host) lab_.begin(host);
+  for (std::size_t host = 0; host < size(); ++host) lab_.begin(host, flags_of_(host));
   for (std::size_t host = 0; host < size(); ++host) {
     lab_.wait_until_ready(host);
     connect(host);
@@ -14,7 +14,7 @@ void LabTeam::start_together() {
 }
 
 void LabTeam::start(std::size_t host) {
-  lab_.start(host);
+  lab_.start(host, flags_of_(host));
   connect(host);
 }
 

@@ -4,8 +4,10 @@
 #define GEMINGA_TESTS_SUPPORT_LAB_TEAM_HPP
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/lab.hpp"
@@ -20,7 +22,13 @@ class LabTeam {
   static constexpr std::size_t publications_each = 9;
   static constexpr std::size_t subscriptions_each = 7;  ///< those that somebody serves
 
-  explicit LabTeam(std::size_t hosts) : lab_(hosts), robots_(hosts) {}
+  /// The flags of the daemon on a host.
+  using FlagsOf = std::function<std::vector<std::string>(std::size_t host)>;
+  /// `others`: further hosts of the lab, which are no robots.
+  explicit LabTeam(
+      std::size_t hosts, std::size_t others = 0,
+      FlagsOf flags_of = [](std::size_t) { return std::vector<std::string>(); })
+      : lab_(hosts + others), flags_of_(std::move(flags_of)), robots_(hosts) {}
 
   [[nodiscard]] Lab& lab() { return lab_; }
   [[nodiscard]] std::size_t size() const { return robots_.size(); }
@@ -63,6 +71,7 @@ class LabTeam {
   void connect(std::size_t host);
 
   Lab lab_;
+  FlagsOf flags_of_;
   std::vector<Robot> robots_;
 };
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "support/lab_team.hpp"
 
@@ -50,9 +49,6 @@ class Measures {
   [[nodiscard]] std::string size() const;
   /// Waits until all is right, or says what is not.
   void expect_right();
-  /// The time from `change` on this host until each other host prints a line with this text.
-  template <typename Change>
-  [[nodiscard]] std::vector<double> times_until_told(std::size_t host, const std::string& text, Change change);
 
   Targets targets_;
   Effort effort_;

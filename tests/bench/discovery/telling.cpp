@@ -1,15 +1,11 @@
 // The delay until other hosts are told of a new or withdrawn service, and its cost for the whole team.
-#include <thread>
-
 #include "bench/discovery/measures.hpp"
+#include "bench/discovery/told.hpp"
 #include "bench/table.hpp"
 #include "bench/times.hpp"
 
 namespace geminga::bench {
 namespace {
-
-/// The delay of a host that was not told in time.
-constexpr double never_ms = 1e6;
 
 /// The pause between two changes, in milliseconds: the copies of the last change are out, and no sender is throttled.
 constexpr int pause_between = 1000;
@@ -18,26 +14,6 @@ constexpr int pause_between = 1000;
 constexpr double slowest_ms = 1000;
 
 }  // namespace
-
-template <typename Change>
-std::vector<double> Measures::times_until_told(std::size_t host, const std::string& text, Change change) {
-  std::vector<double> times(team_.size());
-  const auto began = Clock::now();
-  change();
-  {
-    std::vector<std::jthread> watchers;
-    for (std::size_t other = 0; other < team_.size(); ++other) {
-      if (other == host) continue;
-      watchers.emplace_back([&, other] {
-        const bool is_told = team_.module(other).line_with({text}).has_value();
-        times[other] = is_told ? milliseconds_since(began) : never_ms;
-      });
-    }
-  }
-  times.erase(times.begin() + static_cast<std::ptrdiff_t>(host));
-  rest(pause_between);
-  return times;
-}
 
 void Measures::telling() {
   std::vector<double> added;
@@ -48,10 +24,14 @@ void Measures::telling() {
   for (int change = 0; change < effort_.changes; ++change) {
     const auto id = static_cast<std::uint32_t>(100 + change);
     const auto host = static_cast<std::size_t>(change) % team_.size();
-    const auto come = times_until_told(host, "40 pub add ", [&] { team_.publish(host, id, "news"); });
-    added.insert(added.end(), come.begin(), come.end());
-    const auto gone = times_until_told(host, "40 pub del ", [&] { team_.withdraw(host, id); });
-    removed.insert(removed.end(), gone.begin(), gone.end());
+    const auto keep = [host](std::vector<double>& all, const std::vector<double>& times) {
+      for (std::size_t other = 0; other < times.size(); ++other) {
+        if (other != host) all.push_back(times[other]);
+      }
+      rest(pause_between);
+    };
+    keep(added, times_until_told(team_, host, "40 pub add ", [&] { team_.publish(host, id, "news"); }));
+    keep(removed, times_until_told(team_, host, "40 pub del ", [&] { team_.withdraw(host, id); }));
   }
   const double time = milliseconds_since(began);
   const double octets = team_.sent().octets - before.octets - steady_octets_ * time;
