@@ -95,41 +95,41 @@ void ProofSearch::look_into(TermId expression) {
   for (const TermId argument : arguments(expression)) look_into(argument);
 }
 
+void ProofSearch::tell_all(const std::vector<TermId>& equal, std::uint32_t axiom) {
+  for (const TermId from : equal) {
+    for (const TermId to : equal) {
+      if (from != to) tell(from, to, axiom);
+    }
+  }
+}
+
+void ProofSearch::tell_disjoint(const std::vector<TermId>& members, std::uint32_t axiom) {
+  for (std::size_t first = 0; first < members.size(); ++first) {
+    for (std::size_t second = first + 1; second < members.size(); ++second) {
+      disjoint_.push_back({terms_.normal(members[first]), terms_.normal(members[second]), axiom});
+      look_into(disjoint_.back().sub);
+      look_into(disjoint_.back().super);
+    }
+  }
+}
+
 void ProofSearch::use(std::uint32_t number) {
   const Axiom axiom = source_.axiom(number);
+  // Terms that are added may move the axiom's own arguments.
   const std::vector<TermId> given(axiom.arguments.begin(), axiom.arguments.end());
-  const auto one = [&](TermId individual) {
-    const TermId alone = terms_.singleton(individual);
-    if (source_.kind(individual) != TermKind::literal) open(alone);
-    return alone;
-  };
-  const auto disjoint = [&](const std::vector<TermId>& members) {
-    for (std::size_t first = 0; first < members.size(); ++first) {
-      for (std::size_t second = first + 1; second < members.size(); ++second) {
-        disjoint_.push_back({terms_.normal(members[first]), terms_.normal(members[second]), number});
-        look_into(disjoint_.back().sub);
-        look_into(disjoint_.back().super);
-      }
-    }
-  };
   switch (axiom.kind) {
     case AxiomKind::sub_class_of:
       return tell(given[0], given[1], number);
     case AxiomKind::equivalent_classes:
-      for (const TermId from : given) {
-        for (const TermId to : given) {
-          if (from != to) tell(from, to, number);
-        }
-      }
-      return;
+      return tell_all(given, number);
     case AxiomKind::disjoint_classes:
-      return disjoint(given);
+      return tell_disjoint(given, number);
     case AxiomKind::disjoint_union: {
       const std::vector<TermId> parts(given.begin() + 1, given.end());
       for (const TermId part : parts) tell(part, given[0], number);
       if (parts.size() > 1) tell(given[0], source_.term(TermKind::object_union_of, parts), number);
       if (parts.size() == 1) tell(given[0], parts.front(), number);
-      return disjoint(parts);
+      return tell_disjoint(parts, number);
     }
     case AxiomKind::data_property_domain:
       data_domains_.insert(data_domains_.end(), {given[0], terms_.normal(given[1])});
@@ -139,6 +139,24 @@ void ProofSearch::use(std::uint32_t number) {
       return tell(owl::thing_term, source_.term(TermKind::object_has_self, {given[0]}), number);
     case AxiomKind::irreflexive_object_property:
       return tell(source_.term(TermKind::object_has_self, {given[0]}), owl::nothing_term, number);
+    default:
+      return use_fact(axiom.kind, given, number);
+  }
+}
+
+/// A fact is an axiom about classes that hold one individual each.
+void ProofSearch::use_fact(AxiomKind kind, const std::vector<TermId>& given, std::uint32_t number) {
+  const auto one = [&](TermId individual) {
+    const TermId alone = terms_.singleton(individual);
+    if (source_.kind(individual) != TermKind::literal) open(alone);
+    return alone;
+  };
+  const auto all = [&] {
+    std::vector<TermId> members;
+    for (const TermId individual : given) members.push_back(one(individual));
+    return members;
+  };
+  switch (kind) {
     case AxiomKind::class_assertion:
       return tell(one(given[1]), given[0], number);
     case AxiomKind::object_property_assertion:
@@ -154,17 +172,9 @@ void ProofSearch::use(std::uint32_t number) {
       return;
     }
     case AxiomKind::same_individual:
-      for (const TermId from : given) {
-        for (const TermId to : given) {
-          if (from != to) tell(one(from), one(to), number);
-        }
-      }
-      return;
-    case AxiomKind::different_individuals: {
-      std::vector<TermId> members;
-      for (const TermId individual : given) members.push_back(one(individual));
-      return disjoint(members);
-    }
+      return tell_all(all(), number);
+    case AxiomKind::different_individuals:
+      return tell_disjoint(all(), number);
     default:
       return;  // proof_roles.cpp reads axioms of properties; keys and datatypes have no rule here
   }

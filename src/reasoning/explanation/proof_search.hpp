@@ -94,7 +94,10 @@ class ProofSearch {
 
   // proof_search.cpp: the axioms, and the conclusions.
   void use(std::uint32_t axiom);
+  void use_fact(owl::AxiomKind kind, const std::vector<owl::TermId>& given, std::uint32_t axiom);
   void tell(owl::TermId sub, owl::TermId super, std::uint32_t axiom);
+  void tell_all(const std::vector<owl::TermId>& equal, std::uint32_t axiom);
+  void tell_disjoint(const std::vector<owl::TermId>& members, std::uint32_t axiom);
   void look_into(owl::TermId expression);
   void open(owl::TermId context);
   void add(owl::TermId sub, owl::TermId super, ProofRule rule, std::vector<std::uint32_t> steps, AxiomSet axioms = {});

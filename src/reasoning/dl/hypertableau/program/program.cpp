@@ -2,6 +2,7 @@
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "base/sorted.hpp"
@@ -105,6 +106,27 @@ Atom as_first(Atom atom, Variable neighbour) {
 
 bool is_role(AtomKind kind) { return kind == AtomKind::role || kind == AtomKind::data_role; }
 
+/// The at-most of `count` neighbours like this one; nothing if its atoms are not those of an at-most.
+std::optional<Bound> bound_of(const NeighbourAtoms& one, std::uint32_t count) {
+  if (one.body.size() > 2 || one.head.size() > 1) return std::nullopt;
+  const auto role = std::ranges::find_if(one.body, [](const Atom& atom) { return is_role(atom.kind); });
+  if (role == one.body.end() || role->first == role->second) return std::nullopt;
+  Bound bound{count, role->kind == AtomKind::data_role, role->first != centre, role->predicate};
+  for (const Atom& atom : one.body) {
+    if (is_role(atom.kind)) {
+      if (&atom != &*role) return std::nullopt;
+    } else {
+      bound.filler = atom.predicate;
+    }
+  }
+  if (one.head.empty()) return bound;
+  const AtomKind kind = one.head.front().kind;
+  if (bound.filler != no_predicate || (kind != AtomKind::concept_of && kind != AtomKind::data_range))
+    return std::nullopt;
+  bound.unless = one.head.front().predicate;
+  return bound;
+}
+
 }  // namespace
 
 bool Program::take_bound(const Clause& clause) {
@@ -140,24 +162,10 @@ bool Program::take_bound(const Clause& clause) {
   const NeighbourAtoms& first = neighbours.front();
   const bool are_alike = std::ranges::all_of(
       neighbours, [&](const NeighbourAtoms& one) { return one.body == first.body && one.head == first.head; });
-  if (!are_alike || first.body.size() > 2 || first.head.size() > 1) return false;
-  const auto role = std::ranges::find_if(first.body, [](const Atom& atom) { return is_role(atom.kind); });
-  if (role == first.body.end() || role->first == role->second) return false;
-  Bound bound{static_cast<std::uint32_t>(count - 1), role->kind == AtomKind::data_role, role->first != centre,
-              role->predicate};
-  for (const Atom& atom : first.body) {
-    if (is_role(atom.kind)) {
-      if (&atom != &*role) return false;
-    } else {
-      bound.filler = atom.predicate;
-    }
-  }
-  if (!first.head.empty()) {
-    const AtomKind kind = first.head.front().kind;
-    if (bound.filler != no_predicate || (kind != AtomKind::concept_of && kind != AtomKind::data_range)) return false;
-    bound.unless = first.head.front().predicate;
-  }
-  const std::uint32_t id = index_of(bound);
+  if (!are_alike) return false;
+  const auto bound = bound_of(first, static_cast<std::uint32_t>(count - 1));
+  if (!bound) return false;
+  const std::uint32_t id = index_of(*bound);
   if (rest.guard.empty() && rest.alternatives.empty()) {
     is_global_[id] = true;
     return true;
