@@ -12,8 +12,17 @@ export interface Participant {
   subscriptions: number;
   self: boolean;
   hears_us?: boolean | number;
-  /** The relays by which it is heard, the nearest to it first. */
+  /** Where it is not heard on our own links: how many relays are on the way, and the names of those that are known, the nearest to it first. */
+  hops?: number | string;
   path?: string;
+}
+
+/** The way to a participant that is heard through relays, in words; empty: it is heard on our own links. */
+export function wayOf(one: Participant): string {
+  const names = (one.path ?? '').split('/').filter((name) => name !== '');
+  const count = Number(one.hops ?? names.length);
+  if (count === 0) return '';
+  return `${count} ${count === 1 ? 'relay' : 'relays'}${names.length === 0 ? '' : `: ${names.join(' → ')} → this host`}`;
 }
 
 /** Whether a participant says that it does not hear this host. */

@@ -1,6 +1,6 @@
 // The details of one robot, two robots or a request, and the answer to what would be if somebody asked.
 import {
-  ask, identityText, participantOf,
+  ask, identityText, participantOf, wayOf,
   type Check, type PairAnswer, type Request, type RequestAnswer, type Service,
 } from './answers.js';
 import { bodyOf, byId, h, refill } from './dom.js';
@@ -117,7 +117,7 @@ export function showParticipant(id: string, ground: Ground): void {
   }
   const facts = h('dl', {}, ...[
     ['identifier', one.id], ['addresses', one.addresses.join(', ')], ['ontology', one.ontology],
-    ['speaks each', `${one.interval} s`], ...(one.path === undefined ? [] : [['heard by way of', one.path.split('/').join(' → ')]]),
+    ['speaks each', `${one.interval} s`], ...(wayOf(one) === '' ? [] : [['heard through', wayOf(one)]]),
   ].flatMap(([word, text]) => [h('dt', {}, word ?? ''), h('dd', {}, text ?? '')]));
   const neighbours = new Map<string, number>();
   for (const link of ground.links) {

@@ -1,5 +1,5 @@
 // Which hosts this one hears, how well, and whether they hear it; and who hears whom, by what the others say of it.
-import { isDeaf, type Hearer, type Participant } from './answers.js';
+import { isDeaf, wayOf, type Hearer, type Participant } from './answers.js';
 import { h, refill, shortened } from './dom.js';
 import { Matrix } from './matrix.js';
 import { tooLate, tooMuchLoss } from './wrong.js';
@@ -14,7 +14,7 @@ function drawOwn(parent: HTMLElement, others: Participant[], choose: (id: string
     const loss = Math.round((one.loss ?? 0) * 100);
     return h('tr', {},
       h('th', { scope: 'row' }, h('button', { type: 'button', class: 'plain', 'data-key': `hears ${one.id}`, click: () => choose(one.id) }, shortened(one.name, 24))),
-      h('td', { class: isLate(one) ? 'bad' : '' }, `${one.heard.toFixed(1)} s ago`),
+      h('td', { class: isLate(one) ? 'bad' : '' }, `${one.heard.toFixed(1)} s ago${wayOf(one) === '' ? '' : ', relayed'}`),
       h('td', { class: loss > tooMuchLoss * 100 ? 'bad' : '' }, `${loss} % lost `, h('meter', { min: 0, max: 100, value: loss, high: tooMuchLoss * 100, 'aria-label': `loss of ${one.name}` })),
       h('td', { class: isDeaf(one) ? 'bad' : '' }, isDeaf(one) ? '✕ does not hear us' : '✓ no complaint'));
   });

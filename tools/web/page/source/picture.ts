@@ -1,6 +1,6 @@
 // The picture of the team: robots as boxes in places that stay, and a line for the matches of two of them.
 import { forceCollide, forceManyBody, forceSimulation, forceX, forceY, type SimulationNodeDatum } from 'd3-force';
-import { participantOf, type Participant } from './answers.js';
+import { participantOf, wayOf, type Participant } from './answers.js';
 import { Kept, counted, shortened, svg } from './dom.js';
 import type { Degree, Link } from './matches.js';
 import type { Moment } from './team.js';
@@ -175,7 +175,7 @@ export class Picture {
       const at = places.get(one.id) ?? { x: 0, y: 0 };
       const [inside, count, isGone] = [within.get(one.id) ?? 0, modules.get(one.id)?.size ?? 0, !moment.participants.has(one.id)];
       const of = [at.x, at.y, one.id, one.publications, one.subscriptions, inside, count, isGone, isChosen(one.id), drawing.shown(one.id),
-        drawing.wrong.has(one.id), drawing.unserved.get(one.id) ?? 0].join();
+        drawing.wrong.has(one.id), wayOf(one), drawing.unserved.get(one.id) ?? 0].join();
       this.boxes.take(one.id, of, () => this.box(one, at, drawing, inside, count, isGone, isChosen(one.id)));
     }
     const xs = [...places.values()].map((place) => place.x);
@@ -222,10 +222,12 @@ export class Picture {
     const isWrong = drawing.wrong.has(one.id) || isGone;
     const more = `${one.name}, ${within} matches inside${unserved > 0 ? `, ${unserved} requests not served` : ''}${isWrong ? ', something is wrong' : ''}`;
     const choose = () => this.choose({ participant: one.id });
+    const way = isGone ? '' : wayOf(one);
+    const mark = one.self ? 'this host' : way === '' ? '' : 'relayed';
     const group = svg('g', {
       class: `box${isWrong ? ' wrong' : ''}${isGone ? ' gone' : ''}${one.self ? ' self' : ''}${drawing.shown(one.id) ? '' : ' faint'}${isChosen ? ' chosen' : ''}`,
       transform: `translate(${at.x - box.width / 2} ${at.y - box.height / 2})`,
-      tabindex: 0, role: 'button', 'aria-pressed': String(isChosen), 'aria-description': more, 'data-key': `box ${one.name}`,
+      tabindex: 0, role: 'button', 'aria-pressed': String(isChosen), 'aria-description': way === '' ? more : `${more}, heard through ${way}`, 'data-key': `box ${one.name}`,
       click: choose,
       keydown: (event) => {
         if (event instanceof KeyboardEvent && (event.key === 'Enter' || event.key === ' ')) {
@@ -235,10 +237,11 @@ export class Picture {
       },
     },
       svg('rect', { width: box.width, height: box.height, rx: 8 }),
-      svg('text', { x: 12, y: 21, class: 'name' }, shortened(one.name, one.self ? 11 : 15)), ' ',
+      svg('text', { x: 12, y: 21, class: 'name' }, shortened(one.name, mark === '' ? 15 : 11)), ' ',
       svg('text', { x: 12, y: 38 }, second), ', ',
       svg('text', { x: 12, y: 53 }, third), ' ');
-    if (one.self) group.append(svg('text', { x: box.width - 10, y: 20, class: 'this' }, 'this host'));
+    if (mark !== '') group.append(svg('text', { x: box.width - 10, y: 20, class: 'this' }, mark));
+    if (way !== '') group.append(svg('title', {}, `heard through ${way}`));
     if (unserved > 0) {
       group.append(svg('circle', { cx: box.width - 3, cy: 4, r: 11, class: 'badge' }), svg('text', { x: box.width - 3, y: 8, class: 'badge-text' }, String(unserved)));
     }
