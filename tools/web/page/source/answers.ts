@@ -15,6 +15,8 @@ export interface Participant {
   /** Where it is not heard on our own links: how many relays are on the way, and the names of those that are known, the nearest to it first. */
   hops?: number | string;
   path?: string;
+  /** The address from which its words come, where it announces another one: a translation of addresses may lie between. */
+  observed?: string;
 }
 
 /** The way to a participant that is heard through relays, in words; empty: it is heard on our own links. */

@@ -117,6 +117,7 @@ export function showParticipant(id: string, ground: Ground): void {
   }
   const facts = h('dl', {}, ...[
     ['identifier', one.id], ['addresses', one.addresses.join(', ')], ['ontology', one.ontology],
+    ...(one.observed === undefined ? [] : [['words come from', `${one.observed}, which it does not announce`]]),
     ['speaks each', `${one.interval} s`], ...(wayOf(one) === '' ? [] : [['heard through', wayOf(one)]]),
   ].flatMap(([word, text]) => [h('dt', {}, word ?? ''), h('dd', {}, text ?? '')]));
   const neighbours = new Map<string, number>();

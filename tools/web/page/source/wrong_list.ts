@@ -5,6 +5,7 @@ import type { Finding } from './wrong.js';
 
 export class WrongList {
   private told = '';
+  private first: string | undefined;
 
   constructor(private readonly open: (finding: Finding) => void) {}
 
@@ -13,6 +14,10 @@ export class WrongList {
     const told = JSON.stringify([findings, participants.size === 0]);
     if (told === this.told) return;
     this.told = told;
+    // A new fault that stands first is seen, unless somebody goes through the list.
+    const first = findings[0]?.key;
+    if (first !== this.first && !byId('wrong').contains(document.activeElement)) byId('wrong').scrollTop = 0;
+    this.first = first;
     byId('wrong-title').textContent = findings.length === 0 ? 'Nothing is wrong' : `What is wrong (${findings.length})`;
     byId('wrong').classList.toggle('fine', findings.length === 0);
     const nothing = participants.size === 0 ? 'Nobody is known yet.' : 'Every request that is known is served, and every host is heard.';
