@@ -1,9 +1,11 @@
-// `geminga-ontology align`: the equivalences between the classes and properties of two ontologies, untrained and
-// mended.
+// `geminga-ontology align`: the equivalences and subsumptions between the classes and properties of two ontologies,
+// untrained and mended.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <boost/json.hpp>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -17,6 +19,7 @@
 #include "ontology/alignment/lexicon.hpp"
 #include "ontology/alignment/matching.hpp"
 #include "ontology/alignment/mending.hpp"
+#include "ontology/alignment/thesaurus.hpp"
 #include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
@@ -34,9 +37,12 @@ struct AlignRequest {
   std::string out;
   std::string format;
   bool is_conservative = false;
+  bool wants_narrower = false;
   bool wants_reasons = false;
   bool as_json = false;
   bool is_lenient = false;
+  std::string wordnet{wordnet_folder};
+  bool is_wordnet_named = false;
 };
 
 std::string written(double confidence) {
@@ -45,11 +51,12 @@ std::string written(double confidence) {
   return text.data();
 }
 
-/// `ONE<TAB>=<TAB>OTHER<TAB>CONFIDENCE`, and the reason behind another tabulator.
+/// `ONE<TAB>SIGN<TAB>OTHER<TAB>CONFIDENCE`, and the reason behind another tabulator.
 std::string links_as_text(const Mended& mended, bool wants_reasons) {
   std::string text;
   for (const Link& link : mended.links) {
-    text.append(link.one).append("\t=\t").append(link.other).append("\t").append(written(link.confidence));
+    text.append(link.one).append("\t").append(1, sign_of(link.relation)).append("\t");
+    text.append(link.other).append("\t").append(written(link.confidence));
     text += wants_reasons ? "\t" + link.reason + '\n' : "\n";
   }
   return text;
@@ -58,7 +65,7 @@ std::string links_as_text(const Mended& mended, bool wants_reasons) {
 boost::json::object link_as_object(const Link& link) {
   return {{"one", link.one},
           {"other", link.other},
-          {"relation", "="},
+          {"relation", std::string(1, sign_of(link.relation))},
           {"confidence", link.confidence},
           {"reason", link.reason}};
 }
@@ -78,16 +85,19 @@ std::string links_as_json(const Mended& mended) {
 
 void say_rejected(const Mended& mended) {
   for (const Rejected& one : mended.rejected)
-    say_error(one.link.one + " = " + one.link.other + " (" + written(one.link.confidence) +
-              ") was taken out: with it " + one.because);
+    say_error(one.link.one + ' ' + sign_of(one.link.relation) + ' ' + one.link.other + " (" +
+              written(one.link.confidence) + ") was taken out: with it " + one.because);
   if (!mended.is_certain)
     say_error("whether the links make a class unsatisfiable is not decided: geminga-ontology check says more");
 }
 
-/// Writes the links as an ontology of equivalences.
+/// Writes the links as an ontology of equivalences and subsumptions.
 Exit put_links(const AlignRequest& request, rdf::Loaded& both, const Mended& mended, const DocumentFormat& format) {
   std::set<std::pair<std::string_view, std::string_view>> kept;
-  for (const Link& link : mended.links) kept.emplace(link.one, link.other);
+  for (const Link& link : mended.links) {
+    const bool is_turned = link.relation == Relation::broader;
+    kept.emplace(is_turned ? link.other : link.one, is_turned ? link.one : link.other);
+  }
   std::vector<std::uint32_t> axioms;
   for (std::uint32_t number = 0; number < both.source.axiom_count(); ++number) {
     const owl::Axiom axiom = both.source.axiom(number);
@@ -114,6 +124,12 @@ Exit align(const AlignRequest& request, const WorkLimits& limits) {
     if (!chosen) return say_error(chosen.error());
     format = *chosen;
   }
+  Thesaurus thesaurus;
+  if (auto read = Thesaurus::read(request.wordnet)) {
+    thesaurus = std::move(*read);
+  } else if (request.is_wordnet_named) {
+    return say_failure(read.error(), request.as_json);
+  }
   base::Budget budget = budget_of(limits);
   const LoadOptions options{.as_json = request.as_json,
                             .says_files = false,
@@ -130,7 +146,10 @@ Exit align(const AlignRequest& request, const WorkLimits& limits) {
   if (!request.out.empty() && would_destroy_source(request.out, {request.one, request.other}, both->source))
     return Exit::usage;
   progress.show("comparing names");
-  std::vector<Link> links = match(Lexicon(one->loaded), Lexicon(other->loaded));
+  const Lexicon first(one->loaded);
+  const Lexicon second(other->loaded);
+  std::vector<Link> links = match(first, second, thesaurus);
+  if (request.wants_narrower) std::ranges::move(narrower_classes(first, second, links), std::back_inserter(links));
   progress.show("mending the alignment");
   const Mended mended = mend(*both, std::move(links), {*one, *other, request.is_conservative}, budget);
   progress.clear();
@@ -155,21 +174,28 @@ void add_align(CLI::App& program, Choice& choice) {
       "align", "Link the classes and properties of two ontologies that mean the same, by names and structure");
   command->add_option("A", request->one, "an ontology file, or a folder of them")->required()->type_name("");
   command->add_option("B", request->other, "another")->required()->type_name("");
-  command
-      ->add_option("-o,--output", request->out, "write the links as an ontology of equivalences; - is standard output")
+  command->add_option("-o,--output", request->out, "write the links as an ontology; - is standard output")
       ->type_name("OUT");
   command->add_option("--to", request->format, std::string("the syntax of OUT: ") + document_format_names)
       ->type_name(document_format_choices);
   command->add_flag("--conservative", request->is_conservative,
                     "also take out links by which a new subsumption follows within A or within B");
+  command->add_flag("--subsumptions", request->wants_narrower,
+                    "also link classes that are narrower (<) or broader (>) than one of the other ontology");
   command->add_flag("--reasons", request->wants_reasons, "print the reason of each link behind it");
   command->add_flag("--json", request->as_json, "print one JSON document, with the links that were taken out");
+  command
+      ->add_option("--wordnet", request->wordnet,
+                   "the folder of WordNet's index files, for synonyms in English; by default " +
+                       std::string(wordnet_folder) + " where it is installed")
+      ->type_name("FOLDER");
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nPrinted is A<TAB>=<TAB>B<TAB>CONFIDENCE, best first. Names, labels and synonyms are compared word by word, "
       "rare\n"
-      "words counting more, and then the classes around them. Links with which a class can have no instance are taken\n"
+      "words counting more, and then the classes around them. WordNet (the package wordnet-base) adds synonyms. Links "
+      "with which a class can have no instance are taken\n"
       "out, the least confident of each reason, and standard error names them. Read the links before a robot relies "
       "on\n"
       "them: a wrong one sends it the wrong data.\n"
@@ -177,8 +203,10 @@ void add_align(CLI::App& program, Choice& choice) {
       "\nExamples:\n"
       "  geminga-ontology align my-team.ttl team/ --reasons\n"
       "  geminga-ontology align my-team.ttl team/ -o alignment.ttl --conservative");
-  command->callback([request, &choice] {
+  command->callback([request, command, &choice] {
     if (!request->out.empty() && request->out != to_standard_output) choice.outputs.push_back(request->out);
+    request->is_wordnet_named = command->count("--wordnet") > 0;
+    choice.readable.emplace_back(request->wordnet);
     choice.run = [request, &choice] { return align(*request, choice.limits); };
   });
 }

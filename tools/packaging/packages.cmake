@@ -77,7 +77,7 @@ ontologies in six syntaxes, and compiles them for gemingad, which reads
 no RDF itself: without this package it takes compiled files only."
   SECTION science
   RECOMMENDS "geminga-ontologies (= ${PROJECT_VERSION})"
-  SUGGESTS "graphviz")
+  SUGGESTS "graphviz, wordnet-base")
 
 geminga_package(geminga-web
   SUMMARY "metrics, health and live answers of a robot team over HTTP"

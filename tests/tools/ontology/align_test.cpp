@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/json.hpp>
 
+#include "ontology/alignment/thesaurus.hpp"
 #include "ontology/alignment/words.hpp"
 #include "tools/ontology/program.hpp"
 
@@ -33,6 +34,38 @@ TEST(WordsOfNames, OfPropertiesHaveNoDirection) {
   EXPECT_THAT(words_of_property("hasPart"), ElementsAre("part"));
   EXPECT_THAT(words_of_property("isAuthorOf"), ElementsAre("author"));
   EXPECT_THAT(words_of_property("isOf"), ElementsAre("is", "of"));
+}
+
+TEST(WordsOfNames, OfClassesEndWithWhatTheyAre) {
+  EXPECT_THAT(words_of_class("Head_of_Department"), ElementsAre("department", "head"));
+  EXPECT_THAT(words_of_class("of"), ElementsAre("of"));
+  EXPECT_THAT(words_of_class("ListOf"), ElementsAre("list", "of"));
+}
+
+TEST(WordsOfNames, OfPropertiesMayEndWithAPreposition) {
+  EXPECT_EQ(preposition_of("isPartOf"), "of");
+  EXPECT_EQ(preposition_of("hasPart"), "");
+  EXPECT_EQ(preposition_of("of"), "");
+}
+
+TEST(Thesaurus, KnowsTheSensesOfWordsPhrasesAndFormsOfVerbs) {
+  const Program program;
+  program.write("index.noun",
+                "  1 a licence\nlast_name n 1 2 @ ~ 1 0 06336904  \nsurname n 1 2 @ ~ 1 0 06336904  \n"
+                "z n 6 1 @ 6 0 00000001 00000002 00000003 00000004 00000005 00000006  \n");
+  program.write("index.verb", "keep v 1 1 @ 1 0 06336904  \nstore v 1 1 @ 1 0 00000007");
+  const auto read = Thesaurus::read(program.folder() / "in");
+  ASSERT_TRUE(read) << read.error();
+  ASSERT_EQ(read->senses_of("surname").size(), 1U);
+  EXPECT_EQ(read->senses_of("surname")[0].number, read->senses_of("last_name")[0].number);
+  EXPECT_NE(read->senses_of("keep")[0].number, read->senses_of("surname")[0].number) << "a verb is no noun";
+  EXPECT_EQ(read->senses_of("stored").size(), 1U);
+  EXPECT_EQ(read->senses_of("storing").size(), 1U);
+  EXPECT_EQ(read->senses_of("z").size(), Thesaurus::most_senses);
+  EXPECT_FALSE(read->senses_of("z").back().is_frequent);
+  EXPECT_THAT(read->senses_of("last"), IsEmpty());
+  EXPECT_THAT(read->senses_of(""), IsEmpty());
+  EXPECT_FALSE(Thesaurus::read(program.folder() / "nowhere"));
 }
 
 TEST(LikenessOfWords, AllowsSlipsInLongWordsAlone) {
@@ -115,6 +148,41 @@ TEST_F(Align, DerivesNothingNewWithinOneOntologyWhereThatIsWanted) {
   const Outcome outcome = program_.run({"align", "c.ttl", "d.ttl", "--conservative"});
   EXPECT_THAT(outcome.err, HasSubstr("was taken out: with it e:Camera is subsumed by e:Sensor"));
   EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1);
+}
+
+TEST_F(Align, LinksNarrowerAndBroaderClassesWhereTheyAreWanted) {
+  program_.turtle("c.ttl", ":Scanner a owl:Class . :ThermalCamera a owl:Class .");
+  program_.write(
+      "d.ttl",
+      "@prefix : <http://f/> . @prefix owl: <http://www.w3.org/2002/07/owl#> . @prefix rdfs: "
+      "<http://www.w3.org/2000/01/rdf-schema#> . :Scanner a owl:Class . :LaserScanner a owl:Class . :Camera a "
+      "owl:Class . :StereoCamera a owl:Class ; rdfs:subClassOf :Camera .");
+  const Outcome outcome = program_.run({"align", "c.ttl", "d.ttl", "--subsumptions"});
+  EXPECT_EQ(outcome.out,
+            "http://e/Scanner\t=\thttp://f/Scanner\t1.00\n"
+            "http://e/ThermalCamera\t=\thttp://f/Camera\t0.72\n"
+            "http://e/Scanner\t>\thttp://f/LaserScanner\t0.60\n");
+  ASSERT_EQ(program_.run({"align", "c.ttl", "d.ttl", "--subsumptions", "-o", "out.ttl"}).status, 0);
+  EXPECT_EQ(program_
+                .run({"subsumes", "out.ttl", "c.ttl", "d.ttl", "--sub", "<http://f/LaserScanner>", "--super",
+                      "<http://e/Scanner>"})
+                .status,
+            0);
+}
+
+TEST_F(Align, KeepsPropertiesOfOtherDirectionsApart) {
+  program_.turtle("c.ttl", ":hasPart a owl:ObjectProperty .");
+  program_.write(
+      "d.ttl",
+      "@prefix : <http://f/> . @prefix owl: <http://www.w3.org/2002/07/owl#> . :isPartOf a owl:ObjectProperty . "
+      ":consistsOfPart a owl:ObjectProperty .");
+  EXPECT_THAT(program_.run({"align", "c.ttl", "d.ttl"}).out, Not(HasSubstr("http://f/isPartOf\t1.00")));
+}
+
+TEST_F(Align, RefusesAFolderWithoutWordNetThatIsNamed) {
+  const Outcome outcome = program_.run({"align", "a.ttl", "b.ttl", "--wordnet", "."});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("index.noun cannot be read"));
 }
 
 TEST_F(Align, EndsWithOneWhereNothingIsAlikeAndWithTwoWhereAFileIsBroken) {

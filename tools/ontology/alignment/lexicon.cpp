@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "ontology/alignment/words.hpp"
 #include "ontology/entities/entities.hpp"
@@ -23,6 +27,12 @@ constexpr std::array<std::string_view, 6> naming{"http://www.w3.org/2000/01/rdf-
                                                  "http://www.geneontology.org/formats/oboInOwl#hasRelatedSynonym",
                                                  "http://purl.obolibrary.org/obo/IAO_0000118"};
 
+/// A name that is shortened is worth less than one that a file gives.
+constexpr double worth_of_shorter = 0.9;
+/// A word is common where so many classes have it, and one class of so many.
+constexpr std::size_t least_common = 3;
+constexpr std::size_t common_share = 20;
+
 /// Names such as GO_0005575 and MA_0001 are numbers: only labels say what they mean.
 bool is_code(const std::vector<std::string>& words) {
   return std::ranges::any_of(words, [](const std::string& word) {
@@ -30,10 +40,25 @@ bool is_code(const std::vector<std::string>& words) {
   });
 }
 
+bool has_name(const LexiconEntry& entry, const std::vector<std::string>& words) {
+  return std::ranges::find(entry.names, words, &EntityName::words) != entry.names.end();
+}
+
 void add_name(LexiconEntry& entry, std::string_view name) {
-  std::vector<std::string> words = entry.kind == TermKind::named_class ? words_of_name(name) : words_of_property(name);
-  if (words.empty() || is_code(words) || std::ranges::find(entry.names, words) != entry.names.end()) return;
-  entry.names.push_back(std::move(words));
+  const bool is_class = entry.kind == TermKind::named_class;
+  std::vector<std::string> words = is_class ? words_of_class(name) : words_of_property(name);
+  if (words.empty() || is_code(words) || has_name(entry, words)) return;
+  entry.names.push_back({.words = std::move(words), .preposition = is_class ? "" : preposition_of(name), .worth = 1});
+}
+
+/// `words` without those that `is_said` holds for at either end; all of them where nothing else would be left.
+template <typename Predicate>
+std::vector<std::string> without_ends(std::span<const std::string> words, const Predicate& is_said) {
+  std::span<const std::string> left = words;
+  while (!left.empty() && is_said(left.front())) left = left.subspan(1);
+  while (!left.empty() && is_said(left.back())) left = left.first(left.size() - 1);
+  if (left.empty()) left = words;
+  return {left.begin(), left.end()};
 }
 
 /// The named classes of a domain or range: itself, or the parts of a union.
@@ -64,6 +89,7 @@ Lexicon::Lexicon(const rdf::Loaded& loaded) {
   }
   add_names(loaded);
   add_neighbours(loaded.source);
+  add_shorter_names();
 }
 
 void Lexicon::add_names(const rdf::Loaded& loaded) {
@@ -96,6 +122,48 @@ void Lexicon::add_neighbours(const owl::Ontology& source) {
       const auto object_number = static_cast<std::uint32_t>(object);
       if (is_inclusion) entities_[object].below.push_back(static_cast<std::uint32_t>(subject));
       (is_inclusion || is_domain ? entities_[subject].above : entities_[subject].below).push_back(object_number);
+    }
+  }
+}
+
+void Lexicon::add_shorter_names() {
+  std::set<std::pair<TermKind, std::vector<std::string>>> given;
+  std::map<std::string, std::size_t> classes_with;
+  std::size_t classes = 0;
+  for (const LexiconEntry& entry : entities_) {
+    for (const EntityName& name : entry.names) given.emplace(entry.kind, name.words);
+    if (entry.kind != TermKind::named_class || entry.names.empty()) continue;
+    ++classes;
+    for (const std::string& word : std::set(entry.names[0].words.begin(), entry.names[0].words.end()))
+      ++classes_with[word];
+  }
+  const auto is_common = [&](const std::string& word) {
+    const auto found = classes_with.find(word);
+    const std::size_t count = found == classes_with.end() ? 0 : found->second;
+    return count >= least_common && common_share * count >= classes;
+  };
+  for (LexiconEntry& entry : entities_) {
+    const bool is_class = entry.kind == TermKind::named_class;
+    std::set<std::string> around;
+    if (!is_class) {
+      for (const auto* const neighbours : {&entry.above, &entry.below}) {
+        for (const std::uint32_t each : *neighbours) {
+          for (const EntityName& name : entities_[each].names) around.insert(name.words.begin(), name.words.end());
+        }
+      }
+    }
+    const std::vector<EntityName> names = entry.names;
+    for (const EntityName& name : names) {
+      // The last word of a class says what it is, and stays.
+      const std::span<const std::string> words(name.words);
+      std::vector<std::string> shorter =
+          is_class ? without_ends(words.first(words.size() - 1), is_common)
+                   : without_ends(words, [&around](const std::string& word) { return around.contains(word); });
+      if (is_class) shorter.push_back(words.back());
+      if (is_class && words.size() == 2 && is_common(words.front())) shorter = {words.back()};
+      if (!given.contains({entry.kind, shorter}) && !has_name(entry, shorter))
+        entry.names.push_back(
+            {.words = std::move(shorter), .preposition = name.preposition, .worth = worth_of_shorter});
     }
   }
 }

@@ -11,12 +11,20 @@
 
 namespace geminga::ontology {
 
+/// A name in words.
+struct EntityName {
+  std::vector<std::string> words;
+  std::string preposition;  ///< of a property (words.hpp)
+  double worth = 1;         ///< in (0, 1]: less for one that no file gives, but that others may give the entity
+};
+
 /// A class or a property.
 struct LexiconEntry {
   owl::TermKind kind{};
   std::string iri;
-  /// The words of its local name, its labels and its synonyms, each once; the local name first.
-  std::vector<std::vector<std::string>> names;
+  /// The words of its local name, its labels and its synonyms, each once; the local name first. Then these without the
+  /// words that every name of the ontology may have, or that a property's domain and range have.
+  std::vector<EntityName> names;
   /// Of a class: the classes that are told above and below it. Of a property: those of its domain, and of its range.
   std::vector<std::uint32_t> above;
   std::vector<std::uint32_t> below;
@@ -32,6 +40,7 @@ class Lexicon {
  private:
   void add_names(const rdf::Loaded& loaded);
   void add_neighbours(const owl::Ontology& source);
+  void add_shorter_names();
 
   std::vector<LexiconEntry> entities_;                          ///< by IRI and kind
   std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  ///< by term

@@ -85,11 +85,16 @@ class Mending {
   void add(Link link) {
     const bool is_class = link.kind == owl::TermKind::named_class;
     const bool is_object = link.kind == owl::TermKind::object_property;
-    const owl::AxiomKind kind = is_class    ? owl::AxiomKind::equivalent_classes
-                                : is_object ? owl::AxiomKind::equivalent_object_properties
-                                            : owl::AxiomKind::equivalent_data_properties;
+    const bool is_equivalence = link.relation == Relation::equivalent;
+    const owl::AxiomKind kind = !is_equivalence ? owl::AxiomKind::sub_class_of
+                                : is_class      ? owl::AxiomKind::equivalent_classes
+                                : is_object     ? owl::AxiomKind::equivalent_object_properties
+                                                : owl::AxiomKind::equivalent_data_properties;
     const auto number = static_cast<std::uint32_t>(source_.axiom_count());
-    source_.add(kind, {source_.entity(link.kind, link.one), source_.entity(link.kind, link.other)}, owl::FileId{0}, 0);
+    owl::TermId first = source_.entity(link.kind, link.one);
+    owl::TermId second = source_.entity(link.kind, link.other);
+    if (link.relation == Relation::broader) std::swap(first, second);
+    source_.add(kind, {first, second}, owl::FileId{0}, 0);
     links_.emplace(number, std::move(link));
   }
 

@@ -10,8 +10,12 @@ namespace {
 
 /// Shorter words differ in meaning where they differ in a letter.
 constexpr std::size_t least_fuzzy = 5;
-constexpr std::array<std::string_view, 12> directions{"has", "have", "is", "be", "of", "by",
-                                                      "the", "a",    "an", "to", "in", "for"};
+constexpr std::array<std::string_view, 19> directions{"has", "have", "had",  "is",   "be", "was", "were",
+                                                      "of",  "by",   "the",  "a",    "an", "to",  "in",
+                                                      "at",  "on",   "from", "with", "for"};
+/// Words that join what something is to what it is of.
+constexpr std::array<std::string_view, 3> links{"of", "for", "in"};
+constexpr std::array<std::string_view, 9> prepositions{"of", "for", "in", "by", "to", "at", "on", "from", "with"};
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
 bool is_great(char c) { return c >= 'A' && c <= 'Z'; }
@@ -58,13 +62,28 @@ std::vector<std::string> words_of_name(std::string_view name) {
   return words;
 }
 
-std::vector<std::string> words_of_property(std::string_view name) {
+std::vector<std::string> words_of_class(std::string_view name) {
   std::vector<std::string> words = words_of_name(name);
+  const auto link = std::ranges::find_first_of(words, links);
+  if (link == words.begin() || link == words.end() || link + 1 == words.end()) return words;
+  std::vector<std::string> turned(link + 1, words.end());
+  turned.insert(turned.end(), words.begin(), link);
+  return turned;
+}
+
+std::vector<std::string> words_of_property(std::string_view name) {
+  std::vector<std::string> words = words_of_class(name);
   std::vector<std::string> left;
   for (const std::string& word : words) {
     if (std::ranges::find(directions, word) == directions.end()) left.push_back(word);
   }
   return left.empty() ? words : left;
+}
+
+std::string preposition_of(std::string_view name) {
+  const std::vector<std::string> words = words_of_name(name);
+  if (words.size() < 2 || std::ranges::find(prepositions, words.back()) == prepositions.end()) return {};
+  return words.back();
 }
 
 double likeness(std::string_view one, std::string_view other) {

@@ -12,9 +12,16 @@ namespace geminga::ontology {
 /// ASCII letters small and leaves out the endings of English plurals. "hasConferencePapers" is has, conference, paper.
 [[nodiscard]] std::vector<std::string> words_of_name(std::string_view name);
 
-/// The same without the words that tell the direction of a property: has, is, of, by and their like. A name of nothing
+/// The words of a class, with what it is as the last one, as English compounds have it: "Head_of_Department" is
+/// department, head.
+[[nodiscard]] std::vector<std::string> words_of_class(std::string_view name);
+
+/// The same of a property, without the words that tell its direction: has, is, of, by and their like. A name of nothing
 /// else keeps them.
 [[nodiscard]] std::vector<std::string> words_of_property(std::string_view name);
+
+/// The preposition at the end of a property's name, by which "hasPart" differs from "isPartOf"; empty without one.
+[[nodiscard]] std::string preposition_of(std::string_view name);
 
 /// How alike two words are, in [0, 1]: 1 for equal ones; less where few letters of long words differ; else 0.
 [[nodiscard]] double likeness(std::string_view one, std::string_view other);
