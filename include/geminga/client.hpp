@@ -119,6 +119,12 @@ class Client {
   /// nothing before you wait on the descriptor, because events may be kept here already. Owned by the client.
   [[nodiscard]] int file_descriptor() const;
 
+  /// Says what the participant of this host is: a class or a class expression, and attributes, which are added to those
+  /// that there are. Without an expression that stays; an empty one ends the description. It stays when this client
+  /// ends.
+  [[nodiscard]] Result<void, ClientError> describe(const std::optional<std::string>& expression,
+                                                   const Attributes& attributes = {});
+
   /// Asks `query KIND key=value...`. An error of the daemon is `refused` with its code.
   [[nodiscard]] Result<Answer, ClientError> query(
       std::string_view kind, const std::vector<std::pair<std::string, std::string>>& parameters = {});

@@ -20,7 +20,13 @@ enum class ChannelMode : std::uint8_t {
   one_to_one,          ///< `oto`
   one_to_many_stream,  ///< `otm/stream`: consumers only listen, the provider is not told
   one_to_many_pubsub,  ///< `otm/pubsub`: the provider opens the channel when the first consumer comes
+  participant,         ///< no channel: not a service, but the description of a participant, and who asks for such
 };
+
+/// Whether a provider is told of the consumers of a service of this mode.
+[[nodiscard]] constexpr bool is_provider_told(ChannelMode mode) {
+  return mode == ChannelMode::one_to_one || mode == ChannelMode::one_to_many_pubsub;
+}
 
 /// The word of GCNP for a mode, e.g. "otm/stream". Static storage.
 [[nodiscard]] std::string_view to_string(ChannelMode mode);
@@ -42,6 +48,9 @@ struct ServiceKey {
   std::uint32_t number = 0;
   friend auto operator<=>(const ServiceKey&, const ServiceKey&) = default;
 };
+
+/// The key of the description of a participant, which no peer has stated.
+[[nodiscard]] constexpr ServiceKey description_key(ParticipantId participant) { return {participant, PeerId{}, 1}; }
 
 /// "1a2b3c4d"
 [[nodiscard]] std::string to_string(ParticipantId id);

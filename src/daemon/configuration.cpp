@@ -112,6 +112,12 @@ class Resolver {
     if (announcement::is_valid_name(host_name)) result_.name = host_name;
     read_name("name", result_.name);
     read_name("group", result_.group);
+    if (const Stated* description = single("describe")) {
+      result_.description = description->text;
+      if (description->text.size() > max_description_bytes) {
+        fail(*description, "more than " + std::to_string(max_description_bytes) + " octets");
+      }
+    }
     if (const Stated* folder = single("state-folder")) {
       if (folder->text.empty()) fail(*folder, "an empty path: name a folder");
       result_.state_folder = folder->text;

@@ -21,6 +21,8 @@ inline constexpr std::size_t max_values = 256;
 inline constexpr std::size_t max_prefixes = 256;
 inline constexpr std::size_t max_prefix_name_bytes = 64;
 inline constexpr std::size_t max_prefix_iri_bytes = 255;
+/// The most octets of --describe: those of a concept in GCNP.
+inline constexpr std::size_t max_description_bytes = 1024;
 /// The most addresses of --gcnp, and of --multicast.
 inline constexpr std::size_t max_addresses = 16;
 
@@ -41,6 +43,7 @@ struct Configuration {
   std::map<std::string, std::string> prefixes;  ///< of names, beside those of the ontologies
   std::string group = "default";
   std::string name;
+  std::string description;        ///< a class expression of what the participant is; empty: none
   std::vector<GcnpAddress> gcnp;  ///< empty: not over TCP
   std::string gcnp_socket;        ///< path of a Unix socket; empty: none
   env::AirSettings air;

@@ -40,6 +40,7 @@ std::expected<ConfigurationChange, std::vector<std::string>> ConfigurationInForc
   }
   change.air = read->air != current_.air;
   change.sealing = read->sealing != current_.sealing;
+  change.description = read->description != current_.description;
   current_ = std::move(*read);
   return change;
 }

@@ -15,6 +15,7 @@ namespace geminga::daemon {
 struct ConfigurationChange {
   bool air = false;      ///< interfaces, groups, peers or port
   bool sealing = false;  ///< keys or mode
+  bool description = false;
   bool awaits_a_start =
       false;  ///< one of name, group, gcnp, gcnp-socket, interval, relay, diagnose, state-folder and cage
 };

@@ -69,6 +69,7 @@ std::string to_toml(const Configuration& configuration) {
     announced.push_back((one.interface.empty() ? "" : one.interface + '=') + one.address);
   text += line("announce-address", in_quotes(announced));
   if (!configuration.name.empty()) text += line("name", in_quotes(configuration.name));
+  if (!configuration.description.empty()) text += line("describe", in_quotes(configuration.description));
   if (gcnp.empty()) gcnp.emplace_back("none");
   text += line("gcnp", in_quotes(gcnp));
   if (!configuration.gcnp_socket.empty()) text += line("gcnp-socket", in_quotes(configuration.gcnp_socket));

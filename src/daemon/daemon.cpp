@@ -145,6 +145,7 @@ void Daemon::begin() {
   settings.diagnoses = configuration.diagnoses;
   settings.version = GEMINGA_VERSION;
   settings.lasting = lasting_;
+  settings.description = configuration.description;
   env_.event([&] {
     participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.vocabulary());
     participant_->set_status_source([this, started = wall_clock()] {
@@ -274,6 +275,7 @@ void Daemon::reload() {
     env_.event([&] { participant_->set_sealing(configuration.sealing); });
     log_.write(LogLevel::info, sealing_line(configuration.sealing));
   }
+  if (change->description) env_.event([&] { participant_->describe(configuration.description); });
   ontology_.reload(configuration);
   tell_ready();
 }

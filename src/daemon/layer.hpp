@@ -26,7 +26,7 @@ struct Key {
   std::string_view help;
 };
 
-inline constexpr std::array<Key, 21> keys{{
+inline constexpr std::array<Key, 22> keys{{
     {"ontology", ValueType::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times"},
     {"strict", ValueType::truth, "true|false",
@@ -44,6 +44,8 @@ inline constexpr std::array<Key, 21> keys{{
     {"announce-address", ValueType::texts, "[INTERFACE=]ADDRESS",
      "Announce this address in place of the interface's own, as behind NAT; may be given many times"},
     {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)"},
+    {"describe", ValueType::text, "EXPRESSION",
+     "Tell the team what this participant is: a class expression such as 'Robot and hasPart some Gripper'"},
     {"gcnp", ValueType::texts, "ADDRESS:PORT",
      "Listen for local clients there; may be given many times; none: no TCP (default: 127.0.0.1:4717 and "
      "[::1]:4717)"},

@@ -11,10 +11,11 @@
 namespace geminga {
 namespace {
 
-constexpr std::array<std::pair<ChannelMode, std::string_view>, 3> modes{{
+constexpr std::array<std::pair<ChannelMode, std::string_view>, 4> modes{{
     {ChannelMode::one_to_one, "oto"},
     {ChannelMode::one_to_many_stream, "otm/stream"},
     {ChannelMode::one_to_many_pubsub, "otm/pubsub"},
+    {ChannelMode::participant, "participant"},
 }};
 
 constexpr std::array<std::pair<Degree, std::string_view>, 6> degrees{{

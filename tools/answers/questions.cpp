@@ -25,6 +25,11 @@ constexpr Key convert_key{"convert", "Also what can be converted: yes, no or the
 constexpr Key where_key{"where", "A condition over attributes, as in: rate >= 30 and frame = \"map\""};
 constexpr Key filter_key{"filter", "A text that occurs in a word, name, identity or attribute"};
 
+constexpr auto participant_keys = std::to_array<Key>(
+    {{"concept", "Only those that are known to be this: a class or a class expression, as in: canSee some Ball"},
+     {"degree", "The weakest degree that counts: exact, equivalent, narrower (unless told), broader or overlapping"},
+     {"where", "A condition over the attributes of their descriptions, as in: battery >= 30 %"},
+     {"provider", "One of these: PARTICIPANT,..."}});
 constexpr auto service_keys = std::to_array<Key>({concept_key,
                                                   representation_key,
                                                   id_key,
@@ -95,9 +100,8 @@ constexpr auto taxonomy_keys = std::to_array<Key>({{"class", "The classes right 
 constexpr auto all_kinds = std::to_array<Kind>(
     {{"participants",
       "Every robot that is known: id, name, addresses, seconds since it was heard, loss (0 to 1), digest of its "
-      "ontology, whether it hears this host.",
-      "id",
-      {}},
+      "ontology, whether it hears this host, its description of itself; with concept, those that are known to be that.",
+      "id", participant_keys},
      {"services",
       "Every service that is offered in the team, with its provider, concept, mode, address and whether it is used.",
       "service", service_keys},

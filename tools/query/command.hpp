@@ -41,6 +41,7 @@ void add_participants(CLI::App& app, Run& selected);
 void add_services(CLI::App& app, Run& selected);
 void add_requests(CLI::App& app, Run& selected);
 void add_match(CLI::App& app, Run& selected);
+void add_describe(CLI::App& app, Run& selected);
 void add_explain(CLI::App& app, Run& selected);
 void add_why(CLI::App& app, Run& selected);
 void add_ontology(CLI::App& app, Run& selected);
@@ -50,6 +51,7 @@ void add_status(CLI::App& app, Run& selected);
 /// Ends without a word where there is no daemon, or none that answers in two seconds.
 void add_complete(CLI::App& app, RunEvenAlone& selected);
 void add_doctor(CLI::App& app, RunEvenAlone& selected);
+void add_alerts(CLI::App& app, RunAlone& selected);
 void add_mcp(CLI::App& app, RunAlone& selected);
 void add_record(CLI::App& app, RunAlone& selected);
 void add_replay(CLI::App& app, RunAlone& selected);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 
+#include "query/axioms.hpp"
 #include "query/command.hpp"
 #include "query/listing.hpp"
 #include "shell/json.hpp"
@@ -36,16 +37,7 @@ void print_words(const Context& context, const Names& names, const Answer& answe
     return;
   }
   std::cout << ", because\n";
-  std::size_t widest = 0;
-  for (const auto& record : answer.records) {
-    widest = std::max(widest, shell::width(shell::printable(record["axiom"])));
-  }
-  for (const auto& record : answer.records) {
-    const std::string axiom = shell::printable(record["axiom"]);
-    const std::string place = shell::printable(std::string(record["file"]) + ':' + std::string(record["line"]));
-    std::cout << "  " << axiom << std::string(widest - shell::width(axiom) + 2, ' ')
-              << coloured(context.terminal, shell::Colour::dim, place) << '\n';
-  }
+  print_axioms(context, answer);
 }
 
 }  // namespace
@@ -53,8 +45,8 @@ void print_words(const Context& context, const Names& names, const Answer& answe
 void add_explain(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("explain", "Whether SUB is subsumed by SUPER, and the axioms that say so");
   const auto names = std::make_shared<Names>();
-  command->add_option("SUB", names->sub, "prefix:Name, <IRI> or a label")->required();
-  command->add_option("SUPER", names->super, "prefix:Name, <IRI> or a label")->required();
+  command->add_option("SUB", names->sub, "prefix:Name, <IRI>, a label or a class expression")->required();
+  command->add_option("SUPER", names->super, "prefix:Name, <IRI>, a label or a class expression")->required();
   command->footer(
       "Example: geminga-query explain soccer:SharedBallInfo soccer:TrackedObject\n"
       "Exit status 0: it is; 1: it is not; 2: a name is unknown.");

@@ -20,7 +20,10 @@ shell::ExitStatus print_team(const Context& context, Client& client, TripleSynta
     return shell::ExitStatus::wrong_use;
   }
   Team team;
-  const std::vector<std::pair<std::string, std::string>> with_iris{{"iris", "1"}};
+  const Parameters with_iris{{"iris", "1"}};
+  auto descriptions = client.query("services", {{"iris", "1"}, {"mode", "participant"}});
+  if (!descriptions) return shell::report(program, descriptions.error());
+  team.descriptions = std::move(descriptions->records);
   for (const auto& [kind, records] : {std::pair("participants", &team.participants),
                                       std::pair("services", &team.services), std::pair("requests", &team.requests)}) {
     const bool has_names = records != &team.participants;

@@ -58,10 +58,11 @@ int run(int argc, char** argv) {
   app.add_flag("--watch", context.is_watching,
                "Print what is there and then every change, until Ctrl-C or the daemon's end (exit status 3)");
   for (const auto add : std::array{add_participants, add_services, add_requests, add_match, add_explain, add_why,
-                                   add_ontology, add_export, add_status, add_security}) {
+                                   add_ontology, add_export, add_describe, add_status, add_security}) {
     add(app, selected);
   }
   add_doctor(app, selected_even_alone);
+  add_alerts(app, selected_alone);
   add_mcp(app, selected_alone);
   add_record(app, selected_alone);
   add_replay(app, selected_alone);

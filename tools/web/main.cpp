@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "answers/differences.hpp"
 #include "client/channels/reactor.hpp"
 #include "shell/report.hpp"
 #include "shell/whole_lines.hpp"
@@ -29,6 +30,7 @@ constexpr const char* examples = R"(Examples:
   curl -N 'http://127.0.0.1:4780/api/events?of=services'
   geminga-web --socket /run/geminga-web/http
   geminga-web --recording field-test.jsonl
+  geminga-web --rules alerts.toml
   geminga-web --listen 192.0.2.7:4780 --token-file /etc/geminga/web.token --host robot2.local
 
 / is a page that shows the team in a browser, live, and what is wrong first. /metrics is in OpenMetrics. /livez says 200 while
@@ -36,7 +38,8 @@ the program lives, /readyz while the daemon answers and is up to date, else 503 
 match, explain, why, ontology, status and security print what geminga-query --json prints, with the keys of query:
 /api/requests?unmatched=1; /api/concepts, taxonomy and hearing answer the queries of these names, and /api/doctor prints what
 geminga-query --json doctor prints. /api/events?of=services and its like are server-sent events with the objects of geminga-query
---watch --json. /api/history is what has changed in the last hour.
+--watch --json. /api/history is what has changed in the last hour,
+and /api/alerts the state of each rule of --rules.
 
 It runs without a daemon, too, and connects again by itself. Nothing can be changed over HTTP, and nothing is encrypted: where
 others share the network, put a tunnel or a TLS proxy before it.
@@ -59,8 +62,10 @@ int serve(const Flags& flags, const Settings& settings) {
   connection.name = std::string(program);
   connection.timeout = flags.common.timeout_or(std::chrono::seconds(5));
   BackgroundDoctor doctor(context, connection, GEMINGA_VERSION);
-  Site site(asker, history, settings.rules,
-            [&doctor](auto then) { doctor.ask([then](const Examined& examined) { then(*examined); }); });
+  Alerting alerting(asker, settings.alert_rules);
+  Site site(
+      asker, history, settings.rules,
+      [&doctor](auto then) { doctor.ask([then](const Examined& examined) { then(*examined); }); }, &alerting);
   Server server(context, site);
   std::string places;
   if (settings.listen) {
@@ -84,8 +89,13 @@ int serve(const Flags& flags, const Settings& settings) {
     history.look(std::chrono::system_clock::now());
     looking.set(reactor.now() + history_pause);
   });
+  client::Reactor::Timer alarming(reactor, [&] {
+    alerting.look(reactor.now());
+    alarming.set(reactor.now() + answers::watch_pause);
+  });
   if (settings.recording.empty()) {
     asker.start();
+    if (alerting.has_rules()) alarming.set(reactor.now());
     if (history.keeps_anything()) looking.set(reactor.now());
   }
   server.serve();

@@ -1,5 +1,6 @@
 #include "web/settings.hpp"
 
+#include "base/text.hpp"
 #include "client/cpp/stated_endpoints.hpp"
 #include "shell/secret_file.hpp"
 #include "web/site/gate.hpp"
@@ -27,6 +28,10 @@ void Flags::add_to(CLI::App& app) {
          "several times")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  app.add_option(
+         "--rules", alert_rules,
+         "Rules of alerts in TOML (geminga-query alerts --help): what does not hold is in /api/alerts and /metrics")
+      ->type_name("FILE");
   CLI::Option* shown =
       app.add_option(
              "--recording", this->recording,
@@ -47,6 +52,7 @@ std::expected<Settings, std::string> settings_of(const Flags& flags) {
                     .rules = {},
                     .daemon = {},
                     .recording = flags.recording,
+                    .alert_rules = {},
                     .history = std::chrono::minutes(flags.history_minutes)};
   if (!settings.recording.empty()) settings.history = whole_recording;
   if (!flags.listen.empty() || flags.socket.empty()) {
@@ -72,6 +78,11 @@ std::expected<Settings, std::string> settings_of(const Flags& flags) {
   if (settings.listen && !env::is_loopback(settings.listen->address) && settings.rules.token.empty()) {
     return std::unexpected("--listen: other hosts reach " + settings.listen->address +
                            ": give --token-file, too, or listen on 127.0.0.1");
+  }
+  if (!flags.alert_rules.empty()) {
+    auto rules = query::alerts::read_rules_file(flags.alert_rules);
+    if (!rules) return std::unexpected("--rules: " + base::joined(rules.error(), "; "));
+    settings.alert_rules = std::move(*rules);
   }
   const auto daemon = client::stated_endpoints(flags.common.connect);
   if (!daemon) return std::unexpected(daemon.error().text);

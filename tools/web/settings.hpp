@@ -12,6 +12,7 @@
 
 #include "client/channels/endpoint.hpp"
 #include "env/asio/endpoint.hpp"
+#include "query/alerts/rules.hpp"
 #include "shell/options.hpp"
 #include "web/site/gate.hpp"
 #include "web/site/limits.hpp"
@@ -33,6 +34,7 @@ struct Flags {
   std::string token_file;
   std::vector<std::string> names;
   std::string recording;
+  std::string alert_rules;  ///< a file; empty: none
   std::uint32_t history_minutes = std::chrono::duration_cast<std::chrono::minutes>(usual_history).count();
 
   /// Adds the flags. Borrows this for the life of `app`.
@@ -44,7 +46,8 @@ struct Settings {
   std::string socket;  ///< empty: none
   Rules rules;
   std::vector<client::Endpoint> daemon;
-  std::string recording;           ///< empty: the daemon is asked
+  std::string recording;  ///< empty: the daemon is asked
+  std::vector<query::alerts::Rule> alert_rules;
   std::chrono::seconds history{};  ///< 0: none
 };
 

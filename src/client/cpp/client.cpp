@@ -94,6 +94,10 @@ Result<std::optional<Event>, ClientError> Client::poll() {
 
 int Client::file_descriptor() const { return state_->session.file_descriptor(); }
 
+Result<void, ClientError> Client::describe(const std::optional<std::string>& expression, const Attributes& attributes) {
+  return state_->send(0, gcnp::Describe{expression, attributes});
+}
+
 Result<Answer, ClientError> Client::query(std::string_view kind,
                                           const std::vector<std::pair<std::string, std::string>>& parameters) {
   gcnp::Statement statement{state_->session.next_number(), "query", std::string(kind), {}};

@@ -50,7 +50,8 @@ struct NumberedSubscription {
   friend bool operator==(const NumberedSubscription&, const NumberedSubscription&) = default;
 };
 
-/// One peer and its services. Numbers are unique over all of its lists.
+/// One peer and its services. Numbers are unique over all of its lists. The peer 0 is the participant itself: its only
+/// publication, or the only number that it removes, is its description (description_key()).
 struct PeerState {
   PeerId id{};
   std::string name;

@@ -164,6 +164,13 @@ Decoded<Identity> identity_of(const Message& message, const std::vector<std::str
   }
 }
 
+/// Reads the attributes of a service. False where a key comes twice.
+template <typename Message>
+bool read_attributes(const Message& message, Attributes& attributes) {
+  const auto is_new = [&](const auto& one) { return attributes.emplace(one.key(), one.value()).second; };
+  return std::ranges::all_of(message.attributes(), is_new);
+}
+
 /// The fields that publications and subscriptions share.
 template <typename Message, typename Service>
 Decoded<void> read_common(const Message& message, const std::vector<std::string>& terms, Service& service) {
@@ -181,11 +188,7 @@ Decoded<void> read_common(const Message& message, const std::vector<std::string>
     service.address = std::move(*address);
   }
   service.priority = message.priority();
-  for (const auto& attribute : message.attributes()) {
-    if (!service.attributes.emplace(attribute.key(), attribute.value()).second) {
-      return Failure(DecodeError::bad_attribute);
-    }
-  }
+  if (!read_attributes(message, service.attributes)) return Failure(DecodeError::bad_attribute);
   return {};
 }
 
@@ -260,6 +263,24 @@ Decoded<PeerState> peer_of(const wire::Peer& message, Kind kind, const std::vect
   numbers.insert(numbers.end(), peer.removed.begin(), peer.removed.end());
   if (!are_identifiers(std::move(numbers))) return Failure(DecodeError::bad_identifier);
   return peer;
+}
+
+/// The participant's own entry. An empty message is one that a change removes.
+Decoded<PeerState> self_of(const wire::Publication& message, Kind kind, const std::vector<std::string>& terms) {
+  const std::uint32_t number = description_key({}).number;
+  PeerState self;
+  if (message.ByteSizeLong() == 0) {
+    self.removed.assign(kind == Kind::change ? 1 : 0, number);
+    return self;
+  }
+  auto& description = self.publications.emplace_back(number, Publication{}).publication;
+  description.mode = ChannelMode::participant;
+  auto identity = identity_of(message, terms);
+  if (!identity) return Failure(identity.error());
+  description.identity = std::move(*identity);
+  if (!read_attributes(message, description.attributes)) return Failure(DecodeError::bad_attribute);
+  if (const auto fault = find_fault(description)) return Failure(fault->word);
+  return self;
 }
 
 /// Whether a kind leaves to the state its name, its interval and all that stands for long.
@@ -350,6 +371,11 @@ std::optional<DecodeError> decode(std::span<const std::byte> datagram, Announcem
   const auto terms = terms_of(message);
   if (!terms) return terms.error();
   std::vector<std::uint32_t> ids;
+  if (message.has_description() && (announcement.kind == Kind::state || announcement.kind == Kind::change)) {
+    auto self = self_of(message.description(), announcement.kind, *terms);
+    if (!self) return self.error();
+    announcement.peers.push_back(std::move(*self));
+  }
   for (const auto& entry : message.peers()) {
     auto peer = peer_of(entry, announcement.kind, *terms);
     if (!peer) return peer.error();

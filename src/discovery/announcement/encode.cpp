@@ -1,5 +1,6 @@
 // Writing announcements, and splitting a state that is too large for one datagram.
 #include <algorithm>
+#include <optional>
 #include <ranges>
 #include <utility>
 
@@ -96,6 +97,14 @@ class Packer {
   /// `base_bytes`: the octets of a datagram without any service.
   explicit Packer(std::size_t base_bytes) : base_bytes_(base_bytes) { parts_.emplace_back(); }
 
+  /// The participant's own entry. To be called first.
+  void describe(const PeerState& self) {
+    Part& part = parts_.front();
+    part.description.emplace();
+    for (const NumberedPublication& entry : self.publications) part.description = to_wire(entry, part.terms);
+    closed_bytes_ += framed_bytes(2, part.description->ByteSizeLong());
+    is_empty_ = false;
+  }
   void add(const PeerState& peer, const NumberedPublication& entry) {
     put(peer, [&](wire::Peer& to, TermTable& terms) {
       auto message = to_wire(entry, terms);
@@ -126,6 +135,7 @@ class Packer {
   }
 
   struct Part {
+    std::optional<wire::Publication> description;
     std::vector<wire::Peer> peers;
     TermTable terms;
   };
@@ -187,6 +197,10 @@ std::vector<Packer::Part> pack(const Announcement& announcement, std::size_t bas
   std::size_t services = 0;
   const auto is_room = [&services] { return services++ < max_services_per_participant; };
   for (const auto& peer : announcement.peers) {
+    if (peer.id == PeerId{}) {
+      if (is_room()) packer.describe(peer);
+      continue;
+    }
     for (const auto& entry : peer.publications) {
       if (!find_fault(entry.publication) && is_room()) packer.add(peer, entry);
     }
@@ -215,6 +229,7 @@ Datagram write(wire::Announcement header, Packer::Part part) {
     to->set_namespace_number(term.name_space);
     to->set_local(term.local);
   }
+  if (part.description) *header.mutable_description() = std::move(*part.description);
   for (auto& peer : part.peers) *header.add_peers() = std::move(peer);
   return write(header);
 }

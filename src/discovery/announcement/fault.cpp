@@ -184,7 +184,11 @@ bool is_valid_iri(std::string_view iri) {
 
 std::optional<Fault> find_fault(const Publication& publication) {
   if (auto found = identity_fault(publication.identity)) return found;
-  if (publication.port == 0) {
+  const bool is_description = publication.mode == ChannelMode::participant;
+  if (is_description && !std::holds_alternative<SemanticIdentity>(publication.identity)) {
+    return fault(DecodeError::bad_identity, ErrorCode::malformed, "a participant is described by a class expression");
+  }
+  if (publication.port == 0 && !is_description) {
     return fault(DecodeError::bad_port, ErrorCode::malformed, "port 0: a service is reached at a port from 1 to 65535");
   }
   if (auto found = address_fault(publication.address)) return found;

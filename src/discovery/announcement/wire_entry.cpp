@@ -14,6 +14,8 @@ wire::Mode to_wire(ChannelMode mode) {
       return wire::MODE_ONE_TO_MANY_STREAM;
     case ChannelMode::one_to_many_pubsub:
       return wire::MODE_ONE_TO_MANY_PUBSUB;
+    case ChannelMode::participant:
+      break;  // in a field of its own, which says as much
   }
   return wire::MODE_UNSPECIFIED;
 }

@@ -114,7 +114,7 @@ std::optional<ChannelMode> KeyReader::mode() {
   const auto given = value("mode");
   if (!given) return std::nullopt;
   const auto mode = channel_mode(*given);
-  if (!mode) fail_value("mode", "oto, otm/stream or otm/pubsub");
+  if (!mode) fail_value("mode", "oto, otm/stream or otm/pubsub, or participant to ask for participants");
   return mode;
 }
 

@@ -25,10 +25,25 @@ Request read_hello(KeyReader& keys) {
 Request read_ping(KeyReader&) { return Ping{}; }
 Request read_bye(KeyReader&) { return Bye{}; }
 
+Request read_describe(KeyReader& keys) {
+  auto name = keys.text("concept", max_concept_bytes);
+  Attributes attributes = keys.attributes();
+  keys.require(name || !attributes.empty(), "concept", "say concept=EXPRESSION, what this participant is");
+  return Describe{std::move(name), std::move(attributes)};
+}
+
+/// A service has a channel.
+void refuse_participant(KeyReader& keys, std::optional<ChannelMode> mode) {
+  if (mode != ChannelMode::participant) return;
+  keys.fail(ErrorCode::malformed,
+            "mode=participant: a participant is described by sys describe, no service has this mode");
+}
+
 Request read_pub_create(KeyReader& keys) {
   NamedPublication publication;
   const auto mode = keys.mode();
   keys.require(mode.has_value(), "mode", mode_hint);
+  refuse_participant(keys, mode);
   auto identity = keys.identity();
   keys.require(identity.has_value(), "an identity", identity_hint);
   const auto port = keys.port();
@@ -50,6 +65,7 @@ Request read_pub_modify(KeyReader& keys) {
   PubModify change;
   change.identity = keys.identity_change();
   change.mode = keys.mode();
+  refuse_participant(keys, change.mode);
   change.address = keys.address();
   change.port = keys.port();
   change.protocol = keys.text("protocol", max_protocol_bytes);
@@ -125,7 +141,16 @@ ListFilter read_list_filter(KeyReader& keys) {
   return filter;
 }
 
-Request read_query_participants(KeyReader&) { return QueryParticipants{}; }
+Request read_query_participants(KeyReader& keys) {
+  QueryParticipants query;
+  query.concept_name = keys.text("concept", max_concept_bytes).value_or("");
+  query.weakest = keys.degree("degree").value_or(Degree::narrower);
+  query.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
+  query.where = keys.text("where", max_where_bytes).value_or("");
+  const bool has_conditions = query.weakest != Degree::narrower || !query.providers.empty() || !query.where.empty();
+  keys.require(!has_conditions || !query.concept_name.empty(), "concept", "say concept=EXPRESSION, what they shall be");
+  return query;
+}
 
 Request read_query_services(KeyReader& keys) { return QueryServices{read_list_filter(keys), keys.flag("unused")}; }
 
@@ -257,10 +282,11 @@ struct Row {
   Request (*read)(KeyReader&);
 };
 
-constexpr std::array<Row, 24> rows{{
+constexpr std::array<Row, 25> rows{{
     {"sys", "hello", read_hello},
     {"sys", "ping", read_ping},
     {"sys", "bye", read_bye},
+    {"sys", "describe", read_describe},
     {"pub", "create", read_pub_create},
     {"pub", "modify", read_pub_modify},
     {"pub", "remove", read_pub_remove},

@@ -35,6 +35,13 @@ struct Bye {
   friend bool operator==(const Bye&, const Bye&) = default;
 };
 
+/// `0 sys describe [concept=C] [ATTRIBUTES]`: what this participant is. Attributes are added to those that there are.
+struct Describe {
+  std::optional<std::string> concept_name;  ///< nothing: it stays; empty: there is no description any more
+  Attributes attributes;
+  friend bool operator==(const Describe&, const Describe&) = default;
+};
+
 /// `N pub create ...`
 struct PubCreate {
   NamedPublication publication;
@@ -80,6 +87,10 @@ inline constexpr std::string_view offer_prefix = "offer.";
 
 /// `N query KIND ...`; the answers are specified in src/discovery/participant/QUERIES.md.
 struct QueryParticipants {
+  std::string concept_name;  ///< a class or an expression: only those that it describes; empty: all
+  Degree weakest = Degree::narrower;
+  std::vector<ProviderFilter> providers;
+  std::string where;  ///< about the attributes of the description
   friend bool operator==(const QueryParticipants&, const QueryParticipants&) = default;
 };
 struct QueryServices {
@@ -169,10 +180,10 @@ struct QuerySecurity {
 };
 
 /// Everything that a client may ask. The statement's id goes beside it.
-using Request = std::variant<Hello, Ping, Bye, PubCreate, PubModify, PubRemove, SubCreate, SubModify, SubRemove,
-                             QueryParticipants, QueryServices, QueryRequests, QueryMatch, QueryExplain, QueryWhy,
-                             QueryOntology, QueryStatus, QueryInterfaces, QueryPeers, QuerySecurity, QueryConcepts,
-                             QueryDiagnosis, QueryTaxonomy, QueryHearing>;
+using Request = std::variant<Hello, Ping, Bye, Describe, PubCreate, PubModify, PubRemove, SubCreate, SubModify,
+                             SubRemove, QueryParticipants, QueryServices, QueryRequests, QueryMatch, QueryExplain,
+                             QueryWhy, QueryOntology, QueryStatus, QueryInterfaces, QueryPeers, QuerySecurity,
+                             QueryConcepts, QueryDiagnosis, QueryTaxonomy, QueryHearing>;
 
 /// The request of a statement. Errors: 400 for an unknown command, a missing, doubled or unreadable key, a reserved key
 /// where it means nothing, or an id that the command may not have (0 except for sys, and any other for sys); 413 for a

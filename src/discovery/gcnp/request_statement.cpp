@@ -104,6 +104,12 @@ struct Writer {
   void operator()(const Ping&) const { begin("sys", "ping"); }
   void operator()(const Bye&) const { begin("sys", "bye"); }
 
+  void operator()(const Describe& describe) const {
+    auto& parameters = begin("sys", "describe");
+    if (describe.concept_name) append(parameters, "concept", *describe.concept_name);
+    append_own_attributes(parameters, describe.attributes);
+  }
+
   void operator()(const PubCreate& create) const {
     auto& parameters = begin("pub", "create");
     const NamedPublication& publication = create.publication;
@@ -155,7 +161,13 @@ struct Writer {
   }
   void operator()(const SubRemove&) const { begin("sub", "remove"); }
 
-  void operator()(const QueryParticipants&) const { begin("query", "participants"); }
+  void operator()(const QueryParticipants& query) const {
+    auto& parameters = begin("query", "participants");
+    append_stated(parameters, "concept", query.concept_name);
+    if (query.weakest != Degree::narrower) append(parameters, "degree", std::string(to_string(query.weakest)));
+    append_stated(parameters, "provider", provider_list(query.providers));
+    append_stated(parameters, "where", query.where);
+  }
   void operator()(const QueryServices& query) const {
     auto& parameters = begin("query", "services");
     append_filter(parameters, query.filter);

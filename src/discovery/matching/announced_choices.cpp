@@ -12,7 +12,7 @@ void AnnouncedChoices::update(const registry::StoredSubscription& subscription, 
   const bool was_contested = std::exchange(announced.is_contested, choice.is_contested());
   if (!is_other && was_contested == announced.is_contested) return;
   const Subscription& asked = subscription.entry.subscription;
-  const bool is_told = asked.limit != 0 && asked.mode != ChannelMode::one_to_many_stream;
+  const bool is_told = asked.limit != 0 && is_provider_told(asked.mode);
   std::vector<ServiceKey> keys;
   if (is_told && asked.limit <= max_announced_choice && announced.is_contested) {
     for (const auto& one : choice.chosen()) keys.push_back(one.publication->entry.key);

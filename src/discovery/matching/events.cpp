@@ -50,7 +50,7 @@ void Events::tell_provider(Change change, const StoredSubscription& subscription
   if (!publication.entry.is_local || directory_.is_going(publication)) return;
   const bool is_over = change == Change::del;
   const ChannelMode mode = is_over ? cause.as_told(publication)->publication.mode : publication.entry.publication.mode;
-  if (mode == ChannelMode::one_to_many_stream) return;
+  if (!is_provider_told(mode)) return;
   const auto& about = is_over ? cause.as_told(subscription) : subscription.kept;
   events_.push_back({change, publication.entry.key, about, match, reason, {}});
 }

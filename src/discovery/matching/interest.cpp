@@ -20,12 +20,12 @@ std::size_t counted_limit(const SubscriptionEntry& subscription) {
 
 bool is_chosen_here(const SubscriptionEntry& subscription) {
   return subscription.is_local ||
-         (arbitrated_limit(subscription) != 0 && subscription.subscription.mode != ChannelMode::one_to_many_stream);
+         (arbitrated_limit(subscription) != 0 && is_provider_told(subscription.subscription.mode));
 }
 
 bool is_of_interest(const SubscriptionEntry& subscription, const PublicationEntry& publication) {
   if (subscription.is_local) return true;
-  if (subscription.subscription.mode == ChannelMode::one_to_many_stream) return false;  // its provider is not told
+  if (!is_provider_told(subscription.subscription.mode)) return false;
   if (!subscription.subscription.chosen.empty()) {
     return publication.is_local && is_announced_choice(subscription, publication);
   }

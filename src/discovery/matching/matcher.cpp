@@ -178,7 +178,7 @@ std::vector<ServiceKey> Matcher::chosen(const ServiceKey& subscription) const {
 std::vector<ServiceKey> Matcher::consumers(const ServiceKey& publication) const {
   std::vector<ServiceKey> keys;
   const StoredPublication* stored = directory_.publications().find(publication);
-  if (stored == nullptr || stored->entry.publication.mode == ChannelMode::one_to_many_stream) return keys;
+  if (stored == nullptr || !is_provider_told(stored->entry.publication.mode)) return keys;
   for (const auto& [slot, rank] : pairs_.considered_by(*stored)) {
     const StoredSubscription& one = directory_.subscription_at(slot);
     if (pairs_.choice(one).is_chosen(rank)) keys.push_back(one.entry.key);

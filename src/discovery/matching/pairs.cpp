@@ -49,8 +49,8 @@ bool Pairs::was_chosen_unseen(const StoredPublication& publication, const Cause&
   const bool was_kept_apart =
       replaced->was_clashing && before.subscription.identity.index() != publication.entry.publication.identity.index();
   const bool was_announced = before.subscription.chosen.empty() || is_announced_choice(before, publication.entry);
-  return was_announced && !is_of_interest(before, publication.entry) &&
-         before.subscription.mode != ChannelMode::one_to_many_stream && !was_kept_apart &&
+  return was_announced && !is_of_interest(before, publication.entry) && is_provider_told(before.subscription.mode) &&
+         !was_kept_apart &&
          meets(before, replaced->before.request, directory_.offer(publication, edition), edition.vocabulary);
 }
 

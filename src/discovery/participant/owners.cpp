@@ -42,9 +42,9 @@ Answer Participant::Owners::status_answer() {
   return answer_status(settings, std::move(course), knowledge, air, clients.sessions(), env.now());
 }
 
-Answer Participant::Owners::participants_answer() const {
-  return answer_participants(env, knowledge.self, settings.interval, knowledge.vocabulary().digest(),
-                             clients.sessions(), air.neighbours());
+Answer Participant::Owners::participants_answer() {
+  return answer_participants(listed(), knowledge.self, settings.interval, clients.sessions(),
+                             clients.own().description().problem());
 }
 
 std::vector<std::string> Participant::Owners::own_diagnosis(ParticipantId asker) {
@@ -63,21 +63,23 @@ std::expected<Answering, Error> Participant::Owners::ask_other(const std::string
   return telling(answer_diagnosis(air.diagnosis_of(*found), env.now()));
 }
 
+Listed Participant::Owners::listed() {
+  return {.env = env, .matcher = knowledge.matcher, .neighbours = air.neighbours(), .resolver = knowledge.resolver};
+}
+
 std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& query) {
-  const Listed listed{
-      .env = env, .matcher = knowledge.matcher, .neighbours = air.neighbours(), .resolver = knowledge.resolver};
   return std::visit(
       [&](const auto& one) -> std::expected<Answering, Error> {
         using Query = std::decay_t<decltype(one)>;
         const Sessions& sessions = clients.sessions();
         if constexpr (std::is_same_v<Query, gcnp::QueryServices> || std::is_same_v<Query, gcnp::QueryRequests>) {
-          return begin_list(listed, one);
+          return begin_list(listed(), one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryHearing>) {
           return begin_hearing(env, air.neighbours());
         } else if constexpr (std::is_same_v<Query, gcnp::QueryTaxonomy>) {
-          return begin_taxonomy(listed, one);
+          return begin_taxonomy(listed(), one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryMatch>) {
-          return begin_match(listed, knowledge.overlaps, knowledge.self, one);
+          return begin_match(listed(), knowledge.overlaps, knowledge.self, one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryWhy>) {
           return begin_why(
               knowledge.matcher, knowledge.overlaps, air.neighbours(),
@@ -88,7 +90,10 @@ std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& qu
           if (!answer) return std::unexpected(std::move(answer.error()));
           return telling(std::move(*answer));
         } else if constexpr (std::is_same_v<Query, gcnp::QueryParticipants>) {
-          return telling(participants_answer());
+          if (one.concept_name.empty()) return telling(participants_answer());
+          return begin_participants(listed(), knowledge.overlaps, knowledge.self, one, [this](ParticipantId id) {
+            return participant_line(listed(), knowledge.self, settings.interval, clients.sessions(), id);
+          });
         } else if constexpr (std::is_same_v<Query, gcnp::QueryOntology>) {
           return telling(answer_ontology(knowledge.vocabulary(), knowledge.reading, air.neighbours(), env.now()));
         } else if constexpr (std::is_same_v<Query, gcnp::QueryInterfaces>) {

@@ -15,6 +15,7 @@
 #include "discovery/participant/knowledge/knowledge.hpp"
 #include "discovery/participant/ontology_watch.hpp"
 #include "discovery/participant/participant.hpp"
+#include "discovery/participant/queries/queries.hpp"
 
 namespace geminga::participant {
 
@@ -61,11 +62,14 @@ struct Participant::Owners {
   std::set<env::InterfaceIndex> interfaces;
   Work before_event = 0;  ///< all work done when the event under way began
   StatusSource status_source;
+  std::string description_problem;  ///< that was logged last
 
   /// Hands each query the parts that it reads.
   std::expected<Answering, Error> ask(const gcnp::Request& query);
   [[nodiscard]] Answer status_answer();
-  [[nodiscard]] Answer participants_answer() const;
+  [[nodiscard]] Answer participants_answer();
+  /// The parts that lists read.
+  [[nodiscard]] Listed listed();
   /// The answer to an inquiry of another participant.
   [[nodiscard]] std::vector<std::string> own_diagnosis(ParticipantId asker);
   [[nodiscard]] std::expected<Answering, Error> ask_other(const std::string& participant);

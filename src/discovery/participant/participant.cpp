@@ -123,6 +123,19 @@ void Participant::set_sealing(const sealing::Policy& policy) {
   settle();
 }
 
+void Participant::describe(const std::string& expression) {
+  if (is_over()) return;
+  owners_->clients.own().describe(expression);
+  if (owners_->phase != Phase::created) settle();
+}
+
+/// Logs once why a description is not in force.
+void Participant::report_description() {
+  const std::string& problem = owners_->clients.own().description().problem();
+  if (std::exchange(owners_->description_problem, problem) == problem || problem.empty()) return;
+  owners_->env.log().write(base::LogLevel::warning, "describe: " + problem, {.code = "description"});
+}
+
 void Participant::set_vocabulary(Vocabulary vocabulary, const std::vector<std::string>& left_out) {
   owners_->knowledge.ontology_change.begin(std::move(vocabulary), {left_out, owners_->env.now()});
   change_ontology();
@@ -173,6 +186,8 @@ void Participant::claimed() {
     all.clients.own().list_returning();
   }
   knowledge.self.id = all.air.announcer().id();
+  if (all.phase != Phase::ready && !all.settings.description.empty())
+    all.clients.own().describe(all.settings.description);
   all.phase = Phase::ready;
   all.air.announcer().changed();
   const std::string who = to_string(knowledge.self.id);
@@ -263,6 +278,7 @@ void Participant::settle() {
     all.clients.telling().deliver_events();
     all.clients.write();
   }
+  report_description();
   const bool is_changed = all.clients.own().take_change();
   if (all.knowledge.matcher.take_choice_change() || is_changed) all.air.announcer().changed();
   all.air.beyond().proceed();

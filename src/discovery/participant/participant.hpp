@@ -72,6 +72,11 @@ class Participant {
   /// or a migration asks for (src/discovery/sealing/SEALING.md). After start().
   void set_sealing(const sealing::Policy& policy);
 
+  /// Takes another class expression as what describes the participant; empty: none. It takes the place of what clients
+  /// have stated by `sys describe`. One that the ontology does not know is logged, and comes into force with one that
+  /// does.
+  void describe(const std::string& expression);
+
   /// Takes the vocabulary of another ontology, or of none. Peers are told what follows: a publication or subscription
   /// whose names the new one does not know gets one error 422 and its events `del reason=changed`, and comes back by
   /// itself when a later ontology knows them. For a large team the work is done in later on_timer(), in turns; another
@@ -116,6 +121,7 @@ class Participant {
   void proceed_ontology_change();
   /// Begins a change of ontology at once, so that a small team has changed when this event is over.
   void change_ontology();
+  void report_description();
   void remember_interfaces();
   [[nodiscard]] bool is_feed_due() const;
   [[nodiscard]] base::Instant deadline() const;

@@ -14,6 +14,8 @@ namespace geminga::participant {
 struct Settings : TeamSettings {
   /// Names the program in `query status`, e.g. "1.0.0".
   std::string version = "0";
+  /// A class expression that describes the participant; empty: it is not described. Participant::describe() changes it.
+  std::string description;
   ClientLimits limits;
   /// The entries of the registry that it shares with other participants of its process; null: none.
   std::shared_ptr<registry::SharedEntries> shared_entries;

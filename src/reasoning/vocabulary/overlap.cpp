@@ -91,10 +91,13 @@ std::vector<std::string> Vocabulary::exclusion(ClassNumber one, const Expression
 }
 
 // All of one are of another if nothing is one without being the other.
-std::vector<std::string> Vocabulary::proof(const Expression& sub, const Expression& super) const {
+std::vector<explanation::ExplainedAxiom> Vocabulary::proof(const Expression& sub, const Expression& super) const {
   const std::string text = "not (" + super.canonical() + ")";
   const auto outside = read(text, text.size());
-  return outside ? exclusion(sub, *outside) : std::vector<std::string>();
+  const auto together = outside ? both(sub, *outside) : outside;
+  if (!together) return {};
+  const explanation::WrittenClass written{together->parsed_.source, together->parsed_.term};
+  return explanation::explain_exclusion(*ontology_, thing(), written, explanation::Patience::of_a_daemon);
 }
 
 }  // namespace geminga::vocabulary

@@ -23,6 +23,9 @@
 namespace geminga::compiled {
 class Ontology;
 }
+namespace geminga::explanation {
+struct ExplainedAxiom;
+}
 namespace geminga::owl {
 struct LeftOut;
 struct LoadedFile;
@@ -150,9 +153,9 @@ class Vocabulary {
   [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, ClassNumber other) const;
   [[nodiscard]] std::vector<std::string> exclusion(ClassNumber one, const Expression& other) const;
   [[nodiscard]] std::vector<std::string> exclusion(const Expression& one, const Expression& other) const;
-  /// A minimal set of axioms by which every instance of one expression is one of another, in the same form. Empty if
+  /// A minimal set of axioms by which every instance of one expression is one of another, in the same order. Empty if
   /// that does not follow, or if no engine finds the axioms within its limits.
-  [[nodiscard]] std::vector<std::string> proof(const Expression& sub, const Expression& super) const;
+  [[nodiscard]] std::vector<explanation::ExplainedAxiom> proof(const Expression& sub, const Expression& super) const;
   /// The reason why a class is not below another, in one short line: the nearest class, and what is missing.
   [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
 

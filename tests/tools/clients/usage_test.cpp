@@ -33,8 +33,8 @@ TEST(Programs, ShowHelpWithExamples) {
     EXPECT_THAT(help.out, HasSubstr("Examples:\n  " + program + " ")) << program;
     EXPECT_THAT(help.out, HasSubstr("--connect")) << program;
   }
-  for (const char* command : {"participants", "services", "requests", "match", "explain", "why", "ontology", "status",
-                              "security", "record", "replay", "top"}) {
+  for (const char* command : {"participants", "services", "requests", "match", "explain", "why", "ontology", "describe", "alerts",
+                              "status", "security", "record", "replay", "top"}) {
     const auto help = run("geminga-query", {command, "--help"});
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_THAT(help.out, HasSubstr(std::string("geminga-query ") + command)) << command;

@@ -39,6 +39,17 @@ class Writing {
     if (record["ontology"] != "-") add_text(it, "ontologyDigest", record["ontology"]);
   }
 
+  /// A participant is what describes it.
+  void add_description(const Record& record) {
+    const std::string it = individual(participant_of(record["service"]));
+    if (const auto iri = iri_in(record["concept"]); !iri.empty()) {
+      triples_.add_type(it, iri);
+    } else {
+      add_text(it, "expression", record["concept"]);
+    }
+    add_attributes(it, record);
+  }
+
   void add_service(const Record& record) {
     const std::string it = add_common(record, record["service"], "Publication", "offers");
     add_number(it, "used", record["used"] == "1" ? "true" : "false", "boolean");
@@ -92,12 +103,16 @@ class Writing {
     add_number(it, "port", record["port"], "integer");
     add_text(it, "protocol", record["protocol"]);
     add_number(it, "priority", record["priority"], "integer");
+    add_attributes(it, record);
+    return it;
+  }
+
+  void add_attributes(const std::string& it, const Record& record) {
     for (const auto& [name, value] : record.attributes) {
       const std::string property = std::string(attribute_namespace) + name;
       properties_.insert(property);
       triples_.add(it, property, value_node(value));
     }
-    return it;
   }
 
   void add_identity(const std::string& it, const Record& record) {
@@ -123,6 +138,7 @@ class Writing {
 std::string team_document(const Team& team, TripleSyntax syntax) {
   Writing writing(syntax);
   for (const Record& record : team.participants) writing.add_participant(record);
+  for (const Record& record : team.descriptions) writing.add_description(record);
   for (const Record& record : team.services) writing.add_service(record);
   for (const Record& record : team.requests) writing.add_request(record);
   return std::move(writing).finish();

@@ -10,9 +10,10 @@
 
 namespace geminga::query {
 
-/// The answers to `query participants`, and to `services` and `requests` with `iris=1`.
+/// The answers to `query participants`, and to `services`, twice, and `requests` with `iris=1`.
 struct Team {
   std::vector<Record> participants;
+  std::vector<Record> descriptions;  ///< `services` of mode participant
   std::vector<Record> services;
   std::vector<Record> requests;
 };

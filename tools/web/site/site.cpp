@@ -67,6 +67,10 @@ void Site::route(const Request& request, const Target& target, const Then& then)
   }
   if (path == "/api/events") return answer_events(target.parameters, then);
   if (path == "/api/doctor" && examine_) return answer_doctor(target.parameters, then);
+  if (path == "/api/alerts") {
+    if (!target.parameters.empty()) return then(failure(400, "no parameters go with " + target.path));
+    return then(document(alerting_ == nullptr ? boost::json::array() : alerting_->document()));
+  }
   if (path == "/api/history") {
     if (!target.parameters.empty()) return then(failure(400, "no parameters go with " + target.path));
     return then({.type = "application/json", .body = history_.document() + '\n'});
@@ -98,7 +102,11 @@ void Site::answer_metrics(Form form, const Then& then) {
     asker_.ask(questions[at], [this, form, then, gathered, at](const Outcome& outcome) {
       gathered->outcomes[at] = outcome;
       if (--gathered->missing > 0) return;
-      then({.type = std::string(media_type(form)), .body = exposition(metrics(gathered->outcomes, traffic_), form)});
+      auto families = metrics(gathered->outcomes, traffic_);
+      if (alerting_ != nullptr && alerting_->has_rules()) {
+        for (Family& family : alerting_->families()) families.push_back(std::move(family));
+      }
+      then({.type = std::string(media_type(form)), .body = exposition(families, form)});
     });
   }
 }

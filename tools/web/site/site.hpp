@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "web/asking/asker.hpp"
+#include "web/site/alerting.hpp"
 #include "web/site/gate.hpp"
 #include "web/site/history.hpp"
 #include "web/site/metrics.hpp"
@@ -15,7 +16,8 @@
 
 namespace geminga::web {
 
-/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND`, `/api/doctor`, `/api/events?of=KIND` and `/api/history`. Knows no
+/// `/`, `/livez`, `/readyz`, `/metrics`, `/api/KIND`, `/api/doctor`, `/api/events?of=KIND`, `/api/history` and
+/// `/api/alerts`. Knows no
 /// sockets. Neither copies nor moves.
 class Site {
  public:
@@ -24,9 +26,9 @@ class Site {
   /// Gives the document of the doctor later, or why there is none.
   using Examine = std::function<void(std::function<void(const Result<boost::json::value, ClientError>&)>)>;
 
-  /// Borrows the asker and the history. Without `examine` there is no doctor.
-  Site(Asker& asker, const History& history, Rules rules, Examine examine = {})
-      : asker_(asker), history_(history), rules_(std::move(rules)), examine_(std::move(examine)) {}
+  /// Borrows the asker, the history and the alerts. Without `examine` there is no doctor, and `alerting` may be null.
+  Site(Asker& asker, const History& history, Rules rules, Examine examine = {}, const Alerting* alerting = nullptr)
+      : asker_(asker), history_(history), rules_(std::move(rules)), examine_(std::move(examine)), alerting_(alerting) {}
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
 
@@ -48,6 +50,7 @@ class Site {
   const History& history_;
   Rules rules_;
   Examine examine_;
+  const Alerting* alerting_;
   Traffic traffic_;
 };
 

@@ -29,7 +29,8 @@ void NeighbourServices::forget_told() {
 template <typename Visit>
 void NeighbourServices::for_each_service(const announcement::Announcement& announcement, Visit visit) {
   for (const auto& peer : announcement.peers) {
-    const auto name = peer.name.empty() ? std::to_string(std::to_underlying(peer.id)) : peer.name;
+    const bool is_self = peer.id == PeerId{};
+    const auto name = peer.name.empty() && !is_self ? std::to_string(std::to_underlying(peer.id)) : peer.name;
     for (const auto& entry : peer.publications) visit(ServiceNumber{peer.id, entry.number}, entry.publication, name);
     for (const auto& entry : peer.subscriptions) visit(ServiceNumber{peer.id, entry.number}, entry.subscription, name);
   }
@@ -354,7 +355,7 @@ bool NeighbourServices::depends_on_way(const Offer& offer) {
 std::size_t NeighbourServices::publications() const {
   return static_cast<std::size_t>(std::ranges::count_if(entries_, [](const auto& item) {
     const auto& offer = item.second.offer.value();
-    return offer && std::holds_alternative<Publication>(offer->service);
+    return item.first.peer != PeerId{} && offer && std::holds_alternative<Publication>(offer->service);
   }));
 }
 

@@ -26,8 +26,16 @@ Refusal Admission::check_subscriptions(const Session& session, bool is_quiet) co
                                         " subscriptions of mode otm/stream"};
 }
 
+Refusal Admission::check_room() const {
+  if (sessions_.shared_count() < limits_.services) return std::nullopt;
+  return Error{ErrorCode::too_many, "too many: the peers of this host have all " + std::to_string(limits_.services) +
+                                        " publications and subscriptions that can be announced, and a description is "
+                                        "one more"};
+}
+
 Refusal Admission::make_room(const Session& session) {
-  if (sessions_.shared_count() < limits_.services || take_back_one(session)) return std::nullopt;
+  if (sessions_.shared_count() + own_.description().count() < limits_.services || take_back_one(session))
+    return std::nullopt;
   return Error{ErrorCode::too_many, "too many: the peers of one host may have " + std::to_string(limits_.services) +
                                         " publications and subscriptions together"};
 }

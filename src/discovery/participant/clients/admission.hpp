@@ -27,6 +27,8 @@ class Admission {
   /// 429 where the host has the most services that it may have, and no peer has more than its share. From one that has,
   /// a service is taken back. To be asked last, when nothing else is wrong.
   [[nodiscard]] Refusal make_room(const Session& session);
+  /// Whether there is room without taking anything back; 429 where there is none.
+  [[nodiscard]] Refusal check_room() const;
   /// Promises room that the peer will need, beside what all peers share.
   [[nodiscard]] Refusal promise_room(Session& session, std::size_t room) const;
 

@@ -36,7 +36,7 @@ void OwnServices::enter(const Session& session, std::uint32_t number, const Stat
                                     .updated = env_.now()};
   if (entry.subscription.address.empty()) entry.subscription.address = local_address;
   matcher_.put(std::move(entry), telling);
-  is_changed_ |= !stated.is_quiet;
+  is_changed_ |= stated.is_announced();
 }
 
 void OwnServices::withdraw(const Session& session, std::uint32_t number, const StatedPublication&,
@@ -46,7 +46,7 @@ void OwnServices::withdraw(const Session& session, std::uint32_t number, const S
 
 void OwnServices::withdraw(const Session& session, std::uint32_t number, const StatedSubscription& stated,
                            matching::Reason reason) {
-  is_changed_ |= matcher_.remove_subscription(key_of(session, number), reason) && !stated.is_quiet;
+  is_changed_ |= matcher_.remove_subscription(key_of(session, number), reason) && stated.is_announced();
 }
 
 void OwnServices::forget(Session& session, std::uint32_t number) {
@@ -103,6 +103,7 @@ void OwnServices::rename_one(Session& session) {
 
 void OwnServices::list_returning() {
   returning_.clear();
+  is_changed_ |= description_.enter();
   for (const auto& [stream, session] : sessions_.all) {
     session->for_each_request(
         [&, at = stream](std::uint32_t number, const auto&) { returning_.push_back({at, number}); });
@@ -127,6 +128,7 @@ bool OwnServices::return_next() {
 
 void OwnServices::list_for_restating(bool is_of_all) {
   restated_.clear();
+  is_changed_ |= description_.restate(is_of_all);
   for (const auto& [stream, session] : sessions_.all) {
     session->for_each_request([&, at = stream](std::uint32_t number, const auto& stated) {
       if (is_of_all || stated.is_awaited) restated_.push_back({at, number});
@@ -182,6 +184,7 @@ bool OwnServices::resolve_again(Session& session, std::uint32_t number, Stated& 
 
 std::vector<announcement::PeerState> OwnServices::announced() const {
   std::vector<announcement::PeerState> peers;
+  if (auto self = description_.announced()) peers.push_back(std::move(*self));
   for (const Session* session : sessions_.peers()) {
     announcement::PeerState peer;
     peer.id = session->peer();
@@ -190,7 +193,7 @@ std::vector<announcement::PeerState> OwnServices::announced() const {
       if (stated.is_in_force) peer.publications.push_back({.number = number, .publication = stated.service});
     }
     for (const auto& [number, stated] : session->subscriptions) {
-      if (!stated.is_in_force || stated.is_quiet) continue;
+      if (!stated.is_in_force || !stated.is_announced()) continue;
       peer.subscriptions.push_back({.number = number, .subscription = stated.service});
       auto& subscription = peer.subscriptions.back().subscription;
       subscription.chosen = matcher_.announced_choice(key_of(*session, number));

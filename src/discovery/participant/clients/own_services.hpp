@@ -9,6 +9,7 @@
 
 #include "discovery/announcement/announcement.hpp"
 #include "discovery/matching/matcher.hpp"
+#include "discovery/participant/clients/own_description.hpp"
 #include "discovery/participant/clients/sessions.hpp"
 #include "discovery/participant/clients/telling.hpp"
 #include "discovery/participant/knowledge/resolver.hpp"
@@ -37,7 +38,8 @@ class OwnServices {
         resolver_(resolver),
         sessions_(sessions),
         telling_(telling),
-        work_(work) {}
+        work_(work),
+        description_(env, self, matcher, resolver) {}
 
   /// Enters a statement that is in force, or its change, into the registry. `telling` is about a subscription.
   void enter(const Session& session, std::uint32_t number, const StatedPublication& stated,
@@ -76,6 +78,12 @@ class OwnServices {
   /// what an earlier one did not know comes back. False: none was left.
   bool restate_next();
 
+  /// Changes the description of this participant as OwnDescription::change() does.
+  [[nodiscard]] Refusal describe(const gcnp::Describe& change) { return noting(description_.change(change)); }
+  /// Sets or takes back the description that the owner of the participant has given.
+  void describe(const std::string& concept_name) { is_changed_ |= description_.set(concept_name); }
+  [[nodiscard]] const OwnDescription& description() const { return description_; }
+
   /// Something that is announced has changed.
   void change() { is_changed_ = true; }
   /// Whether it has since the last call.
@@ -90,6 +98,10 @@ class OwnServices {
   };
 
   [[nodiscard]] ServiceKey key_of(const Session& session, std::uint32_t number) const;
+  [[nodiscard]] Refusal noting(Refusal refusal) {
+    is_changed_ |= !refusal;
+    return refusal;
+  }
   void withdraw(const Session& session, std::uint32_t number, const StatedPublication& stated, matching::Reason reason);
   void withdraw(const Session& session, std::uint32_t number, const StatedSubscription& stated,
                 matching::Reason reason);
@@ -103,6 +115,7 @@ class OwnServices {
   Sessions& sessions_;
   Telling& telling_;
   WorkMeter& work_;
+  OwnDescription description_;
   bool is_changed_ = false;
   std::vector<Statement> returning_;  ///< the next one last
   std::vector<Statement> restated_;   ///< the next one last

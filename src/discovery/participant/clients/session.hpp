@@ -42,6 +42,9 @@ struct StatedSubscription {
   bool is_quiet = false;   ///< it has a place of the room that its peer asked for, and is not announced
   bool is_in_force = true;
   bool is_awaited = false;
+
+  /// Whether others are told of it: nobody who is described is told of those that ask for descriptions.
+  [[nodiscard]] bool is_announced() const { return !is_quiet && service.mode != ChannelMode::participant; }
 };
 
 /// The numbers of publications and subscriptions are one space: an event is about one of them only.

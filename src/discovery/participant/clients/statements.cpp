@@ -117,6 +117,12 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
   return std::nullopt;
 }
 
+Refusal Statements::on(Session&, std::uint32_t, const gcnp::Describe& describe) {
+  const bool is_new = describe.concept_name && !describe.concept_name->empty() && own_.description().count() == 0;
+  if (auto refusal = is_new ? admission_.check_room() : std::nullopt) return refusal;
+  return own_.describe(describe);
+}
+
 /// Resolves the names of a statement, and checks what its text cannot say by itself. A statement that only waits for
 /// the first ontology is not refused: it is out of force until then.
 template <typename Stated>

@@ -37,6 +37,7 @@ class Statements {
 
  private:
   [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::Hello& hello);
+  [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::Describe& describe);
   [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::PubCreate& create);
   [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::PubModify& modify);
   [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::PubRemove& remove);

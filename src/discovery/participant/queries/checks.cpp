@@ -110,7 +110,7 @@ void add_proof_of_expression(const matching::Matcher& matcher, const std::string
   const auto below = vocabulary.read(text(sub), vocabulary::max_expression_bytes);
   const auto above = vocabulary.read(text(super), vocabulary::max_expression_bytes);
   if (!below || !above) return;
-  for (const std::string& axiom : vocabulary.proof(*below, *above)) append_axiom(axiom, proof);
+  for (const auto& axiom : vocabulary.proof(*below, *above)) append_axiom(axiom.text, proof);
 }
 
 /// The axioms that prove the degree: that the offer is below the request, or above it where the degree is broader.

@@ -103,7 +103,7 @@ bool Sieve::is_wanted(const vocabulary::Vocabulary& vocabulary, const Identity& 
 
 bool Sieve::passes(const vocabulary::Vocabulary& vocabulary, const ServiceKey& key, const std::string& participant_name,
                    const std::string& peer_name, const Identity& identity, ChannelMode mode) const {
-  if (filter_.mode && *filter_.mode != mode) return false;
+  if (filter_.mode ? *filter_.mode != mode : mode == ChannelMode::participant) return false;
   if (identity_ && !is_wanted(vocabulary, identity)) return false;
   return filter_.providers.empty() || std::ranges::any_of(filter_.providers, [&](const ProviderFilter& one) {
            return is_accepted(one, key, participant_name, peer_name);

@@ -18,6 +18,9 @@
 
 namespace geminga::participant {
 
+/// Octets of the reason why an expression has no place.
+inline constexpr std::size_t max_problem_bytes = 400;
+
 inline void append_flag(Line& line, std::string_view key, bool value) { append(line, key, value ? "1" : "0"); }
 
 /// Seconds with three decimals; a negative duration counts as 0.

@@ -17,8 +17,6 @@
 namespace geminga::participant {
 namespace {
 
-/// Octets of the reason why an offered expression has no place.
-constexpr std::size_t max_problem_bytes = 400;
 /// The most classes that are named right above one.
 constexpr std::size_t max_parents = 8;
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/event.hpp"
 #include "discovery/matching/arbitration/rank.hpp"
 #include "discovery/matching/degrees/representation.hpp"
@@ -46,9 +47,14 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
 /// Looks at all publications that may meet the request, ranks those that do, and tells them in that order.
 class Ranking {
  public:
+  /// Makes the line of an entry; nothing where it is not to be told of.
+  using LineOf = std::function<std::optional<Line>(const registry::PublicationEntry& entry,
+                                                   const matching::Match& match, const matching::Request& request)>;
+
   Ranking(const Listed& by, const Overlaps& overlaps, const Self& self, Subscription asked,
-          const gcnp::QueryMatch& query)
+          const gcnp::QueryMatch& query, LineOf line_of)
       : by_(by),
+        line_of_(std::move(line_of)),
         overlaps_(overlaps),
         asked_{.key = {.participant = self.id, .peer = {}},
                .subscription = std::move(asked),
@@ -75,7 +81,7 @@ class Ranking {
     while (next_ < found_.size() && !piece.is_full()) {
       const matching::Rank& one = found_[next_++];
       if (const auto* entry = by_.matcher.find_publication(one.key)) {
-        piece.tell(line_of(by_, *entry, one.match, *request_));
+        if (auto line = line_of_(*entry, one.match, *request_)) piece.tell(std::move(*line));
       }
     }
     if (next_ < found_.size()) return false;
@@ -110,7 +116,8 @@ class Ranking {
   }
 
   void judge(const registry::PublicationEntry& entry) {
-    if (mode_ && *mode_ != entry.publication.mode) return;
+    const ChannelMode mode = entry.publication.mode;
+    if (mode_ ? *mode_ != mode : mode == ChannelMode::participant) return;
     asked_.subscription.mode = entry.publication.mode;
     // Without an identity each is asked for by its own, so that the rest of the request decides.
     if (is_any_identity_) asked_.subscription.identity = entry.publication.identity;
@@ -120,6 +127,7 @@ class Ranking {
   }
 
   Listed by_;
+  LineOf line_of_;
   const Overlaps& overlaps_;
   registry::SubscriptionEntry asked_;  ///< as of a peer of this host that has no name
   std::shared_ptr<const matching::Request> request_;
@@ -133,10 +141,8 @@ class Ranking {
   std::size_t next_ = 0;
 };
 
-}  // namespace
-
-std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
-                                            const gcnp::QueryMatch& query) {
+std::expected<Answering, Error> begin(std::string kind, const Listed& by, const Overlaps& overlaps, const Self& self,
+                                      const gcnp::QueryMatch& query, Ranking::LineOf line_of) {
   if (!query.where.empty()) {
     if (auto error = matching::check_where(query.where, "where", by.matcher.vocabulary().units()))
       return std::unexpected(std::move(*error));
@@ -151,7 +157,38 @@ std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& ov
     if (!identity) return std::unexpected(identity.error());
     asked.identity = std::move(*identity);
   }
-  return Answering{.kind = "match", .proceed = Ranking(by, overlaps, self, std::move(asked), query)};
+  return Answering{.kind = std::move(kind),
+                   .proceed = Ranking(by, overlaps, self, std::move(asked), query, std::move(line_of))};
+}
+
+}  // namespace
+
+std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
+                                            const gcnp::QueryMatch& query) {
+  return begin("match", by, overlaps, self, query, [by](const auto& entry, const auto& match, const auto& request) {
+    return std::optional(line_of(by, entry, match, request));
+  });
+}
+
+std::expected<Answering, Error> begin_participants(const Listed& by, const Overlaps& overlaps, const Self& self,
+                                                   const gcnp::QueryParticipants& query,
+                                                   std::function<std::optional<Line>(ParticipantId)> line_of) {
+  const gcnp::QueryMatch match{.identity = ConceptNames{query.concept_name, {}},
+                               .weakest = query.weakest,
+                               .mode = ChannelMode::participant,
+                               .providers = query.providers,
+                               .where = query.where};
+  const auto described = [line_of = std::move(line_of)](const registry::PublicationEntry& entry,
+                                                        const matching::Match& found, const matching::Request&) {
+    auto line = line_of(entry.key.participant);
+    if (!line) return line;
+    append(*line, "degree", std::string(to_string(found.degree)));
+    append(*line, "distance", found.distance);
+    for (const auto& [name, value] : entry.publication.attributes)
+      append(*line, std::string(attribute_prefix) + name, value);
+    return line;
+  };
+  return begin("participants", by, overlaps, self, match, described);
 }
 
 }  // namespace geminga::participant

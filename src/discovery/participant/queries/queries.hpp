@@ -23,12 +23,24 @@
 
 namespace geminga::participant {
 
+/// The parts that lists of participants, services and requests read. They outlive the answer.
+struct Listed {
+  const env::Env& env;
+  const matching::Matcher& matcher;
+  const membership::NeighbourTable& neighbours;
+  Resolver& resolver;
+};
+
 // Answers that are ready at once. Their cost is linear in what they look through, which is little.
-[[nodiscard]] Answer answer_participants(const env::Env& env, const Self& self, base::Duration interval,
-                                         std::uint64_t digest, const Sessions& sessions,
-                                         const membership::NeighbourTable& neighbours);
-[[nodiscard]] std::expected<Answer, Error> answer_explain(const vocabulary::Vocabulary& vocabulary,
-                                                          const Resolver& resolver, const gcnp::QueryExplain& query);
+/// `undescribed` is the reason why our own description is not in force; empty where it is, or there is none.
+[[nodiscard]] Answer answer_participants(const Listed& by, const Self& self, base::Duration interval,
+                                         const Sessions& sessions, const std::string& undescribed);
+/// The line of one participant in that answer; nothing where it is not known.
+[[nodiscard]] std::optional<Line> participant_line(const Listed& by, const Self& self, base::Duration interval,
+                                                   const Sessions& sessions, ParticipantId participant);
+/// Either name may be a class expression.
+[[nodiscard]] std::expected<Answer, Error> answer_explain(const vocabulary::Vocabulary& vocabulary, Resolver& resolver,
+                                                          const gcnp::QueryExplain& query);
 [[nodiscard]] Answer answer_concepts(const vocabulary::Vocabulary& vocabulary, const gcnp::QueryConcepts& query);
 [[nodiscard]] Answer answer_ontology(const vocabulary::Vocabulary& vocabulary, const OntologyReading& reading,
                                      const membership::NeighbourTable& neighbours, base::Instant now);
@@ -44,19 +56,15 @@ namespace geminga::participant {
 [[nodiscard]] std::vector<std::string> diagnosis_lines(const Answer& status, const Answer& interfaces,
                                                        const Answer& participants, ParticipantId asker);
 
-/// The parts that a list of services or requests reads. They outlive the answer.
-struct Listed {
-  const env::Env& env;
-  const matching::Matcher& matcher;
-  const membership::NeighbourTable& neighbours;
-  Resolver& resolver;
-};
-
 // Answers that go through the registry piece by piece. All that they borrow outlives them.
 [[nodiscard]] std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryServices& query);
 [[nodiscard]] std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryRequests& query);
 [[nodiscard]] std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
                                                           const gcnp::QueryMatch& query);
+/// The participants whose descriptions meet the query, best first, each by `line_of`.
+[[nodiscard]] std::expected<Answering, Error> begin_participants(
+    const Listed& by, const Overlaps& overlaps, const Self& self, const gcnp::QueryParticipants& query,
+    std::function<std::optional<Line>(ParticipantId)> line_of);
 [[nodiscard]] Answering begin_hearing(const env::Env& env, const membership::NeighbourTable& neighbours);
 [[nodiscard]] std::expected<Answering, Error> begin_taxonomy(const Listed& by, const gcnp::QueryTaxonomy& query);
 /// The matcher judges a subscription that it is asked about where that is still to be done.

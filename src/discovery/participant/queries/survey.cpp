@@ -26,11 +26,18 @@ bool Survey::proceed(Piece& piece) {
   }
   return matcher_.walk_publications(last_, [&](const PublicationEntry& offer) {
     piece.look_at_one();
-    if (!look(offer)) return false;
+    const bool is_of_its_kind = is_comparable(offer);
+    if (is_of_its_kind && !look(offer)) return false;
     last_ = offer.key;
-    ++seen_;
+    seen_ += is_of_its_kind ? 1 : 0;
     return !piece.is_full();
   });
+}
+
+/// Whether both are about services, or both about descriptions of participants.
+bool Survey::is_comparable(const PublicationEntry& offer) const {
+  const bool asks_for_participants = !asked_.is_any_mode && asked_.entry.subscription.mode == ChannelMode::participant;
+  return (offer.publication.mode == ChannelMode::participant) == asks_for_participants;
 }
 
 bool Survey::look(const PublicationEntry& offer) {

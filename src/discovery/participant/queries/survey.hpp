@@ -47,6 +47,7 @@ class Survey {
   [[nodiscard]] std::size_t ahead() const { return ahead_; }
 
  private:
+  [[nodiscard]] bool is_comparable(const registry::PublicationEntry& offer) const;
   /// False where the offer waits for the reasoner, and is to be looked at again.
   bool look(const registry::PublicationEntry& offer);
   void take(const matching::Rank& rank);
