@@ -214,14 +214,24 @@ export interface Change {
   former?: Record<string, unknown>;
 }
 
-/** The answer to a question, or an error with the sentence of the daemon. */
+/** An answer that is none: the sentence of the daemon, and the status of HTTP. */
+export class Refusal extends Error {
+  constructor(
+    text: string,
+    readonly status: number,
+  ) {
+    super(text);
+  }
+}
+
+/** The answer to a question. Throws a Refusal, or what fetch throws. */
 export async function ask<Answer>(kind: string, parameters: Record<string, string> = {}): Promise<Answer> {
   const words = new URLSearchParams(parameters).toString();
   const response = await fetch(`api/${kind}${words === '' ? '' : '?' + words}`, { cache: 'no-store' });
   const body: unknown = await response.json().catch(() => ({}));
   if (!response.ok) {
     const { error } = body as { error?: string };
-    throw new Error(error ?? `${kind} was answered by ${response.status}`);
+    throw new Refusal(error ?? `${kind} was answered by ${response.status}`, response.status);
   }
   return body as Answer;
 }

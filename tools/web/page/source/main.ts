@@ -278,9 +278,17 @@ class Page {
       gone: this.team.goneAt(this.past?.time ?? this.end(), moment),
     });
     byId('picture').classList.toggle('stale', this.absence !== '');
-    this.note.hidden = isWhole || this.recording !== undefined;
-    const note = 'This page did not look then, so that not all matches are known: a line joins requests without conditions and services that state the same names.';
+    const note = this.noteWords(isWhole);
+    this.note.hidden = note === '';
     if (this.note.textContent !== note) this.note.textContent = note;
+  }
+
+  /** Words for what the picture does not show; empty: it shows all. */
+  private noteWords(isWhole: boolean): string {
+    if (this.recording !== undefined) return '';
+    if (!isWhole) return 'This page did not look then, so that not all matches are known: a line joins requests without conditions and services that state the same names.';
+    if (this.past !== undefined || this.matches.omitted === 0) return '';
+    return `${counted(this.matches.omitted, 'request')} with fewer places than services not drawn: a robot tells of each why.`;
   }
 
   private drawState(moment: Moment): void {

@@ -1,5 +1,5 @@
 // Which service each request is given. Requests that ask for the same share one question to the daemon.
-import { ask, identityParameters, participantOf, type Match, type Request, type RequestAnswer, type Service } from './answers.js';
+import { Refusal, ask, identityParameters, participantOf, type Match, type Request, type RequestAnswer, type Service } from './answers.js';
 import { MatchLog } from './match_log.js';
 import type { Moment } from './team.js';
 import { teamNow } from './time.js';
@@ -7,6 +7,8 @@ import { teamNow } from './time.js';
 /** Requests that nobody serves of which the nearest services are drawn, each with the code of why it does not fit. */
 const maxRefused = 40;
 const nearestDrawn = 2;
+/** Requests with fewer places than services of which each is asked about by itself; of further ones no match is drawn. */
+const maxChosen = 100;
 
 export type Degree = 'exact' | 'narrower' | 'converted' | 'refused';
 
@@ -23,6 +25,22 @@ export interface Link {
 /** The least time between two readings, in milliseconds, and how many questions of one reading wait at a time. */
 const pause = 1500;
 const atOnce = 3;
+
+/** The pause before a question is asked again that was too much for the daemon, in milliseconds, and how often it is. */
+const restPause = 1000;
+const mostTries = 10;
+
+/** Asks, and asks again where the daemon has too much to do. */
+async function askPatiently<Answer>(kind: string, parameters: Record<string, string>): Promise<Answer> {
+  for (let tries = 1; ; ++tries) {
+    try {
+      return await ask<Answer>(kind, parameters);
+    } catch (error) {
+      if (!(error instanceof Refusal) || error.status !== 429 || tries === mostTries) throw error;
+      await new Promise((rested) => setTimeout(rested, restPause));
+    }
+  }
+}
 
 /** Whether the providers of a request, `PARTICIPANT[/PEER],...`, admit a service. */
 function admits(request: Request, service: Service): boolean {
@@ -56,6 +74,9 @@ const degreeOf = (match: Match): Degree => (match.convert !== undefined ? 'conve
 
 export class Matches {
   links: Link[] = [];
+  /** The requests that are not drawn, since there are more than maxChosen that would have to be asked about. */
+  omitted = 0;
+  private asked = 0;
   private readonly log = new MatchLog();
   /** Since when `links` may not hold any more; undefined: they hold. */
   private staleSince: number | undefined;
@@ -91,6 +112,7 @@ export class Matches {
   private async read(): Promise<void> {
     this.isReading = true;
     this.isStale = false;
+    this.asked = 0;
     const stale = this.staleSince ?? teamNow();
     this.staleSince = undefined;
     const groups = new Map<string, Request[]>();
@@ -118,6 +140,7 @@ export class Matches {
     await Promise.all(Array.from({ length: atOnce }, work));
     if (isWhole) {
       this.links = links;
+      this.omitted = Math.max(0, this.asked - maxChosen);
       this.log.take(links, stale, teamNow());
     } else {
       this.staleSince = stale;
@@ -134,7 +157,7 @@ export class Matches {
     const [first] = group;
     if (first === undefined) return [];
     if (!first.served) return this.refused(group, first);
-    const matches = isPlain(first) ? await ask<Match[]>('match', question(first)) : [];
+    const matches = isPlain(first) ? await askPatiently<Match[]>('match', question(first)) : [];
     const links: Link[] = [];
     for (const request of group) {
       const protocols = request.protocol?.split(',');
@@ -152,7 +175,7 @@ export class Matches {
 
   /** The nearest services of requests that nobody serves, with the code of what stands in the way. */
   private async refused(group: Request[], first: Request): Promise<Link[]> {
-    const answer = await ask<RequestAnswer>('why', { subscription: first.subscription });
+    const answer = await askPatiently<RequestAnswer>('why', { subscription: first.subscription });
     const near = answer.services.filter((one) => !one.ok && one.code !== undefined).slice(0, nearestDrawn);
     return near.flatMap((one) => {
       const service = this.moment.services.get(one.service);
@@ -162,7 +185,8 @@ export class Matches {
 
   /** Links of a request whose places are fewer than the services that meet it: the daemon knows, of four and four. */
   private async chosen(request: Request, matches: Match[]): Promise<Link[]> {
-    const answer = await ask<RequestAnswer>('why', { subscription: request.subscription });
+    if (++this.asked > maxChosen) return [];
+    const answer = await askPatiently<RequestAnswer>('why', { subscription: request.subscription });
     const links: Link[] = [];
     for (const near of answer.services) {
       const service = this.moment.services.get(near.service);
