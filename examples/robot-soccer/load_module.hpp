@@ -71,7 +71,7 @@ class Module {
       offer.scope = row.stated_scope();
       offer.attributes["load"] = "1";  // the modules of the demo offer the same, and send nothing
       if (auto publisher = node_.publish(offer)) {
-        senders_.push_back({std::move(*publisher), row.period(), std::string(row.octets, 'x'), !row.is_inside(),
+        senders_.push_back({std::move(*publisher), row.period(), std::string(row.octets, 'x'), row.is_for_others(),
                             Clock::now() + row.period()});
       } else {
         complain(row, publisher.error().text);
@@ -85,7 +85,7 @@ class Module {
     wish.where = "load = 1";
     wish.scope = row.stated_scope();
     if (auto subscriber = node_.subscribe(wish)) {
-      receivers_.push_back({std::move(*subscriber), row.is_inside()});
+      receivers_.push_back({std::move(*subscriber), !row.is_for_others()});
     } else {
       complain(row, subscriber.error().text);
     }

@@ -20,12 +20,12 @@ struct Row {
   std::string kind, module, direction, concept_name, mode, scope;
   double hz = 0;
   std::size_t octets = 0;
-  [[nodiscard]] bool is_inside() const { return scope == "host"; }
+  [[nodiscard]] bool is_for_others() const { return scope == "others"; }
   [[nodiscard]] Clock::duration period() const {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / hz));
   }
   /// The scope as publications and subscriptions state it.
-  [[nodiscard]] std::string stated_scope() const { return is_inside() ? "host" : "any,!host"; }
+  [[nodiscard]] std::string stated_scope() const { return is_for_others() ? "any,!host" : "host"; }
 };
 
 /// Ends the program: a daemon does not take what a row states.
