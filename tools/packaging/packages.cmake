@@ -103,10 +103,11 @@ geminga-bridge-KIND."
   RECOMMENDS "geminga (= ${PROJECT_VERSION})"
   SUGGESTS "geminga-bridge-dds, geminga-bridge-dns-sd, geminga-bridge-mqtt, geminga-bridge-nats")
 
-# bridge_unit(KIND SUMMARY text DEFAULT file [AFTER unit] [GROUPS group] [SECURE scheme]): the unit of a kind of bridge, which is off until it
-# is enabled, its flags in /etc/default, and its maintainer scripts, in ${control}.
+# bridge_unit(KIND SUMMARY text DEFAULT file [AFTER unit] [GROUPS group] [SECURE scheme] [LASTING_USER]): the unit of a kind of bridge, which is off
+# until it is enabled, its flags in /etc/default, and its maintainer scripts, in ${control}. LASTING_USER: its user is there for good, as D-Bus wants it,
+# which refuses users that are there while a unit runs.
 macro(bridge_unit kind)
-  cmake_parse_arguments(this "" "SUMMARY;DEFAULT;AFTER;GROUPS;SECURE" "" ${ARGN})
+  cmake_parse_arguments(this "LASTING_USER" "SUMMARY;DEFAULT;AFTER;GROUPS;SECURE" "" ${ARGN})
   set(at @)
   set(unit geminga-bridge-${kind})
   set(summary ${this_SUMMARY})
@@ -118,6 +119,12 @@ macro(bridge_unit kind)
   set(groups "")
   if(this_GROUPS)
     set(groups "# The group may use the GCNP socket.\nSupplementaryGroups=${this_GROUPS}\n")
+  endif()
+  set(user "# A user of its own while it runs.\nDynamicUser=yes")
+  if(this_LASTING_USER)
+    set(user "# A user of its own, which is there for good: D-Bus refuses others.\nUser=${unit}")
+    file(CONFIGURE OUTPUT ${made}/${unit}/sysusers CONTENT "u ${unit} - \"${this_SUMMARY}\"\n")
+    install(FILES ${made}/${unit}/sysusers DESTINATION lib/sysusers.d RENAME ${unit}.conf COMPONENT ${unit} EXCLUDE_FROM_ALL)
   endif()
   configure_file(${here}/bridge/bridge.service.in ${made}/${unit}.service @ONLY)
   configure_file(${here}/bridge/${this_DEFAULT}.default.in ${made}/${unit}/default @ONLY)
@@ -131,7 +138,7 @@ macro(bridge_unit kind)
 endmacro()
 
 if(TARGET geminga-bridge-dns-sd)
-  bridge_unit(dns-sd SUMMARY "Geminga beside DNS-SD" DEFAULT client AFTER avahi-daemon.service GROUPS geminga)
+  bridge_unit(dns-sd SUMMARY "Geminga beside DNS-SD" DEFAULT client AFTER avahi-daemon.service GROUPS geminga LASTING_USER)
   geminga_package(geminga-bridge-dns-sd
     SUMMARY "bridge between a robot team and DNS-SD"
     DESCRIPTION "Announces the services of a team by DNS-SD, with concept and
