@@ -127,7 +127,11 @@ void Conclusions::add_link(std::uint32_t from, RoleId role, std::uint32_t to, bo
   }
   Context& end = contexts_[to];
   const bool may_go_on = !is_last && !index().roles().compositions(role).empty() && !end.is_unsatisfiable;
-  if (may_go_on && end.firsts.insert({role, from}, arena_)) queue_.enqueue(to);
+  if (may_go_on) {
+    // A first is a link that was noted. Chains conclude the same link again and again.
+    if (!end.firsts.insert({role, from}, arena_)) return;
+    queue_.enqueue(to);
+  }
   if (!end.backward.insert({role, from}, arena_)) return;
   ++conclusions_;
   ++links_;
