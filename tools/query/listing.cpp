@@ -78,7 +78,9 @@ shell::ExitStatus show(const Context& context, Client& client, const Listing& li
   } else if (!records->empty()) {
     listing.table(*records).print(std::cout, context.terminal);
   }
-  if (!records->empty()) return shell::ExitStatus::found;
+  if (listing.is_found ? std::ranges::any_of(*records, listing.is_found) : !records->empty()) {
+    return shell::ExitStatus::found;
+  }
   std::string why;
   if (!listing.filter.values.empty()) {
     if (const auto all = ask_daemon(client, listing)) why = complaint_about_keys(listing, *all);

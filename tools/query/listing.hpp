@@ -30,6 +30,8 @@ struct Listing {
   std::string nothing;
   /// Asks the daemon for a better error; empty where it has none.
   std::function<std::string(Client&)> reason{};
+  /// Whether a record is what was asked for; empty: each is. Where none is, nothing was found.
+  std::function<bool(const Record&)> is_found{};
 };
 
 /// Asks for the records of the listing.

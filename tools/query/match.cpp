@@ -20,7 +20,32 @@ struct Flags {
   std::vector<std::string> providers;
   std::uint32_t limit = 0;
   std::string convert;
+  bool is_missing_wanted = false;
 };
+
+/// The lines of a list, with commas between.
+std::string in_one_line(std::string_view lines) {
+  std::string text;
+  for (const char one : lines) text += one == '\n' ? std::string(", ") : std::string(1, one);
+  return text;
+}
+
+/// The services that match, then those that come near, with what is missing.
+shell::Table table_of_near(const std::vector<Record>& records) {
+  shell::Table shown({{"DEGREE"},
+                      {"PROVIDER", false, 12},
+                      {"IDENTITY", false, 16},
+                      {"NOT KNOWN", false, 20, 0, true},
+                      {"CONTRADICTS", false, 16, 0, true},
+                      {"SERVICE"}});
+  for (const auto& record : records) {
+    shown.add({record["degree"].empty() ? "-" : record["degree"],
+               shell::who(record["provider"], record["name"], record["participant_name"]),
+               shell::identity_words(record), in_one_line(record["missing"]), in_one_line(record["contradicting"]),
+               record["service"]});
+  }
+  return shown;
+}
 
 shell::Table table(const std::vector<Record>& records) {
   shell::Table shown({{"DEGREE"},
@@ -103,6 +128,14 @@ Listing listing_of(const Flags& flags) {
   if (!flags.providers.empty()) parameters.emplace_back("provider", CLI::detail::join(flags.providers, ","));
   if (!flags.convert.empty()) parameters.emplace_back("convert", flags.convert);
   if (flags.limit != 0) parameters.emplace_back("limit", std::to_string(flags.limit));
+  if (flags.is_missing_wanted) {
+    if (!identity || !std::holds_alternative<ConceptNames>(*identity)) {
+      throw CLI::ValidationError("--missing", "needs a concept: a number or a text lacks nothing");
+    }
+    parameters.emplace_back("missing", "1");
+    listing.table = table_of_near;
+    listing.is_found = [](const Record& record) { return !record["degree"].empty(); };
+  }
   if (identity) listing.reason = [asked = parameters](Client& client) { return reason_of(client, asked); };
   return listing;
 }
@@ -130,12 +163,16 @@ void add_match(CLI::App& app, Run& selected) {
   command->add_option("--limit", flags->limit, "At most this many, the best")
       ->type_name("N")
       ->check(shell::whole_number(0, UINT32_MAX), "", "");
+  command->add_flag("--missing", flags->is_missing_wanted,
+                    "Also services that come near, with what is not known of them and what contradicts; with --limit N "
+                    "of these");
   command->footer(
       "Examples:\n  geminga-query match soccer:TrackedObject\n  geminga-query match text=camera\n"
       "  geminga-query match 'soccer:BallInfo or soccer:GoalInfo'\n"
       "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream\n"
       "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --convert yes\n"
-      "  geminga-query match --id 0x30242948\n  geminga-query match soccer:BallInfo --where 'rate >= 30' --limit 1");
+      "  geminga-query match --id 0x30242948\n  geminga-query match soccer:BallInfo --where 'rate >= 30' --limit 1\n"
+      "  geminga-query match soccer:SharedBallInfo --missing");
   command->callback([flags, &selected] {
     read_words(*flags);
     auto listing = listing_of(*flags);  // throws where the identity is not one

@@ -144,6 +144,22 @@ void print_proof(const Context& context, const Record& record) {
   }
 }
 
+/// Lists what is not known of the service, and what contradicts, by the smallest way; then the others.
+void print_missing(const Context& context, const Record& record) {
+  const auto list = [&](const char* title, const char* key) {
+    if (record[key].empty()) return;
+    std::cout << title << '\n';
+    std::istringstream lines{std::string(record[key])};
+    for (std::string line; std::getline(lines, line);) {
+      shell::print_wrapped(std::cout, context.terminal, shell::printable(line), 2);
+    }
+  };
+  list("not known of it", "missing");
+  list("contradicts it", "contradicting");
+  list("or", "ways");
+  list("but", "reservation");
+}
+
 void print_pair(const Context& context, const Answer& answer) {
   const bool is_match = answer.end["matches"] == "1";
   std::string verdict = is_match                        ? ": they match"
@@ -165,6 +181,7 @@ void print_pair(const Context& context, const Answer& answer) {
     }
   }
   for (const auto& record : answer.records) print_mend(context, record["code"], record["mend"]);
+  for (const auto& record : answer.records) print_missing(context, record);
 }
 
 /// The keys and words of a sum: how many of the known services meet a request, or of the known requests take a service.

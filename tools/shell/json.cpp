@@ -22,12 +22,40 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr auto number_keys = std::to_array<std::string_view>(
-    {"id",           "port",          "priority",   "distance", "age",      "heard", "interval", "loss",     "limit",
-     "publications", "subscriptions", "statements", "line",     "classes",  "count", "left_out", "sent",     "received",
-     "peer",         "datagrams",     "offers",     "matching", "requests", "taken", "cost",     "children", "total"});
+constexpr auto number_keys = std::to_array<std::string_view>({"id",
+                                                              "port",
+                                                              "priority",
+                                                              "distance",
+                                                              "age",
+                                                              "heard",
+                                                              "interval",
+                                                              "loss",
+                                                              "limit",
+                                                              "publications",
+                                                              "subscriptions",
+                                                              "statements",
+                                                              "line",
+                                                              "classes",
+                                                              "count",
+                                                              "left_out",
+                                                              "sent",
+                                                              "received",
+                                                              "peer",
+                                                              "datagrams",
+                                                              "offers",
+                                                              "matching",
+                                                              "requests",
+                                                              "taken",
+                                                              "cost",
+                                                              "children",
+                                                              "total",
+                                                              "missing_count",
+                                                              "contradicting_count",
+                                                              "uncompared"});
 constexpr auto flag_keys = std::to_array<std::string_view>(
     {"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed", "unsatisfiable"});
+/// Lists whose elements are lines.
+constexpr auto line_keys = std::to_array<std::string_view>({"missing", "contradicting", "ways"});
 constexpr auto list_keys = std::to_array<std::string_view>(
     {"addresses", "keys", "lacks", "equivalents", "parents", "quarter", "half", "whole", "longer"});
 
@@ -61,10 +89,11 @@ json::value typed(std::string_view key, std::string_view text, std::string_view 
     if (auto value = as_number(text)) return *value;
   }
   if (contains(flag_keys, key) && (text == "0" || text == "1")) return text == "1";
-  if (!contains(list_keys, key)) return json::string(text);
+  const bool has_lines = contains(line_keys, key);
+  if (!has_lines && !contains(list_keys, key)) return json::string(text);
   json::array list;
   while (!text.empty()) {
-    const auto comma = std::min(text.find(','), text.size());
+    const auto comma = std::min(text.find(has_lines ? '\n' : ','), text.size());
     list.emplace_back(text.substr(0, comma));
     text.remove_prefix(std::min(comma + 1, text.size()));
   }

@@ -171,6 +171,10 @@ Request read_query_match(KeyReader& keys) {
   query.where = keys.text("where", max_where_bytes).value_or("");
   query.limit = keys.number("limit").value_or(0);
   query.convert = keys.conversion().value_or(0);
+  query.missing = keys.flag("missing");
+  if (query.missing && !(query.identity && std::holds_alternative<ConceptNames>(*query.identity))) {
+    keys.fail(ErrorCode::malformed, "missing=1: numbers and texts lack nothing, say concept=C");
+  }
   return query;
 }
 

@@ -188,6 +188,7 @@ struct Writer {
     append_stated(parameters, "where", query.where);
     if (query.limit != 0) append(parameters, "limit", query.limit);
     if (query.convert != 0) append(parameters, "convert", conversion_word(query.convert));
+    if (query.missing) append(parameters, "missing", "1");
   }
   void operator()(const QueryExplain& query) const {
     auto& parameters = begin("query", "explain");

@@ -51,10 +51,14 @@ Expressions::Place Expressions::remember(Memory& memory, const std::string& cano
       .first->second.place;
 }
 
+std::expected<void, Error> Expressions::require(const Vocabulary& vocabulary) {
+  memory_of(vocabulary).is_used = true;
+  return vocabulary.check_expressions();
+}
+
 std::expected<std::string, Error> Expressions::resolve(const Vocabulary& vocabulary, std::string_view text) {
+  if (const auto ready = require(vocabulary); !ready) return std::unexpected(ready.error());
   Memory& memory = memory_of(vocabulary);
-  memory.is_used = true;
-  if (const auto ready = vocabulary.check_expressions(); !ready) return std::unexpected(ready.error());
   const auto expression = vocabulary.read(text, gcnp::max_concept_bytes);
   if (!expression) return std::unexpected(expression.error());
   std::string canonical = expression->canonical();

@@ -49,6 +49,9 @@ class Expressions {
   /// canonical text. 422 where it cannot be read or can have no instance, or the ontology is too large; 413 over a
   /// limit; 503 while is_waiting(). Requires an ontology.
   [[nodiscard]] std::expected<std::string, Error> resolve(const Vocabulary& vocabulary, std::string_view text);
+  /// Has the vocabulary prepared for expressions, as the first of them does: 503 while it is not, 422 where they are
+  /// impossible.
+  [[nodiscard]] std::expected<void, Error> require(const Vocabulary& vocabulary);
   /// The place of a canonical text; null where it is unknown here, can have no instance, or must wait. `from` is null
   /// for one of our own, whose text resolve() gave. What was placed by the other ontology at work need not wait, so
   /// that nothing is lost when one takes the place of the other.

@@ -39,6 +39,9 @@ class Resolver {
   /// (src/reasoning/syntax/manchester/MANCHESTER.md). An expression that is equivalent to a class becomes that class;
   /// of any other the canonical text is the concept. 503 until the ontology is prepared for expressions.
   [[nodiscard]] std::expected<Identity, Error> resolve(const NamedIdentity& named);
+  /// Why class expressions cannot be compared: 503 until the ontology is prepared for them, which this begins. Requires
+  /// an ontology.
+  [[nodiscard]] std::expected<void, Error> require_expressions() { return expressions_.require(vocabulary()); }
   /// The place of an expression that resolve() gave for one of our peers.
   [[nodiscard]] Expressions::Place place(const std::string& canonical);
   /// The place of an expression that anybody has stated, where it has been placed, and why it has none.

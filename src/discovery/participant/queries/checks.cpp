@@ -10,6 +10,7 @@
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/mending.hpp"
+#include "discovery/participant/queries/missing.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
 #include "reasoning/vocabulary/expression.hpp"
 
@@ -209,23 +210,24 @@ Check check_identity(const matching::Matcher& matcher, const Asked& asked, const
   const Obstacle obstacle = finding.identity == Obstacle::none ? Obstacle::unclassified : finding.identity;
   Check check{"identity", obstacle, match.error(),
               mend_of_identity(matcher, asked, offer, obstacle, finding.match, chain.get())};
-  if (depth == Depth::search) {
-    check.text.insert(0, pair);
-  } else if (obstacle == Obstacle::broader || obstacle == Obstacle::degree) {
+  const bool is_weak = obstacle == Obstacle::broader || obstacle == Obstacle::degree;
+  if (depth == Depth::words && !is_weak) return check;
+  if (depth == Depth::words) {
     const std::string degree(to_string(finding.match ? finding.match->degree : Degree::broader));
     check.text = words(matcher.vocabulary(), offered) + " is " + degree + ", but at least " +
                  std::string(to_string(one.subscription.weakest)) + " is asked for";
+    return check;
   }
-  if (depth == Depth::search) {
-    const bool is_told = obstacle == Obstacle::disjoint || obstacle == Obstacle::undecided;
-    if (!is_told) check.text += nearest(matcher, asked.entry, offer);
-    check.proof = obstacle == Obstacle::disjoint ? exclusion_of(matcher, offer, requested, *asked.request)
-                                                 : proof_of(matcher, offered, requested, finding.match);
-    const bool is_apart = obstacle == Obstacle::unrelated || obstacle == Obstacle::incomplete;
-    if (is_apart && may_overlap(matcher, offer, requested, *asked.request)) {
-      check.mend += ", or ask with match=overlapping: something can be both";
-    }
+  check.text.insert(0, pair);
+  const bool is_disjoint = obstacle == Obstacle::disjoint;
+  if (!is_disjoint && obstacle != Obstacle::undecided) check.text += nearest(matcher, asked.entry, offer);
+  check.proof = is_disjoint ? exclusion_of(matcher, offer, requested, *asked.request)
+                            : proof_of(matcher, offered, requested, finding.match);
+  const bool is_apart = obstacle == Obstacle::unrelated || obstacle == Obstacle::incomplete;
+  if (is_apart && may_overlap(matcher, offer, requested, *asked.request)) {
+    check.mend += ", or ask with match=overlapping: something can be both";
   }
+  if (is_apart || is_disjoint || is_weak) check.missing = missing_between(matcher.vocabulary(), requested, offered);
   return check;
 }
 
@@ -392,6 +394,7 @@ void append_check(Line& line, const Check& check) {
   if (!check.is_ok()) append(line, "code", std::string(to_string(check.obstacle)));
   append_stated(line, "mend", check.mend);
   append_stated(line, "proof", check.proof);
+  if (check.missing) append_missing(line, *check.missing);
 }
 
 }  // namespace geminga::participant

@@ -29,8 +29,9 @@ struct Check {
   std::string_view what;
   matching::Obstacle obstacle = matching::Obstacle::none;
   std::string text;
-  std::string mend{};   ///< advice; empty where the aspect is ok
-  std::string proof{};  ///< the axioms that prove it, one a line
+  std::string mend{};                               ///< advice; empty where the aspect is ok
+  std::string proof{};                              ///< the axioms that prove it, one a line
+  std::optional<vocabulary::NearMisses> missing{};  ///< of concepts that do not fit, where they were compared
   [[nodiscard]] bool is_ok() const { return obstacle == matching::Obstacle::none; }
 };
 
@@ -63,7 +64,7 @@ inline constexpr std::size_t max_proof_bytes = 4096;
 [[nodiscard]] Check misfit_of(const matching::Matcher& matcher, const Asked& asked,
                               const registry::PublicationEntry& offer, matching::Obstacle obstacle);
 
-/// Appends `check ok text`, and those of `code mend proof` that are not empty.
+/// Appends `check ok text`, those of `code mend proof` that are not empty, and what is missing.
 void append_check(Line& line, const Check& check);
 
 }  // namespace geminga::participant

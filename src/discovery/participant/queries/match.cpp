@@ -1,6 +1,8 @@
 // `query match`: the publications that meet an identity, best first.
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "discovery/gcnp/attribute.hpp"
@@ -9,7 +11,9 @@
 #include "discovery/matching/degrees/representation.hpp"
 #include "discovery/matching/request.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
+#include "discovery/participant/queries/checks.hpp"
 #include "discovery/participant/queries/lines.hpp"
+#include "discovery/participant/queries/missing.hpp"
 #include "discovery/participant/queries/queries.hpp"
 #include "discovery/participant/queries/ways.hpp"
 
@@ -44,6 +48,25 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
   return line;
 }
 
+/// A service whose concept does not meet the request, and what it lacks.
+struct Near {
+  ServiceKey key;
+  vocabulary::NearMisses near_misses;
+};
+
+Line line_of(const Listed& by, const registry::PublicationEntry& entry, const Near& near) {
+  Line line;
+  append(line, "service", to_string(entry.key));
+  append(line, "provider", peer_word(entry.key));
+  append_stated(line, "name", entry.peer_name);
+  gcnp::append_identity(line, named(by.matcher.vocabulary(), entry.publication.identity));
+  append_channel(line, entry.publication);
+  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
+  append_stated(line, "participant_name", entry.participant_name);
+  append_missing(line, near.near_misses);
+  return line;
+}
+
 /// Looks at all publications that may meet the request, ranks those that do, and tells them in that order.
 class Ranking {
  public:
@@ -65,9 +88,10 @@ class Ranking {
         request_(by.matcher.prepare(asked_)),
         is_any_identity_(!query.identity),
         mode_(query.mode),
-        limit_(query.limit) {
+        limit_(query.limit),
+        is_missing_wanted_(query.missing) {
     // Each may be a question to the reasoner: then all are walked, a few at a time.
-    if (!is_any_identity_ && asked_.subscription.weakest != Degree::overlapping)
+    if (!is_any_identity_ && asked_.subscription.weakest != Degree::overlapping && !is_missing_wanted_)
       candidates_ = by.matcher.candidates(asked_.subscription, *request_, max_candidates);
     const auto is_question = [&](const ServiceKey& key) {
       const auto* entry = by.matcher.find_publication(key);
@@ -85,7 +109,9 @@ class Ranking {
       }
     }
     if (next_ < found_.size()) return false;
+    if (is_missing_wanted_ && !tell_near(piece)) return false;
     Line end;
+    if (compared_ < near_.size()) append(end, "uncompared", near_.size() - compared_);
     append_stated(end, "gaps", matching::gap_words(request_->classes));
     piece.conclude(std::move(end));
     return true;
@@ -123,8 +149,42 @@ class Ranking {
     if (is_any_identity_) asked_.subscription.identity = entry.publication.identity;
     if (const auto match = by_.matcher.meets(asked_, *request_, entry)) {
       found_.push_back({entry.publication.priority, *match, entry.key});
+    } else if (is_missing_wanted_) {
+      const auto* offered = std::get_if<SemanticIdentity>(&entry.publication.identity);
+      if (offered != nullptr) near_[offered->concept_iri].push_back(entry.key);
     }
   }
+
+  /// Whether all that come near have been told, those that lack least first. One concept is compared in a piece.
+  bool tell_near(Piece& piece) {
+    for (; compared_ < std::min(near_.size(), max_missing_concepts); ++compared_) {
+      if (piece.is_full()) return false;
+      piece.look_at(cost_of_proof);
+      const auto at = std::next(near_.begin(), static_cast<std::ptrdiff_t>(compared_));
+      auto found =
+          missing_between(by_.matcher.vocabulary(), asked_.subscription.identity, SemanticIdentity{at->first, ""});
+      if (!found || found->ranked.empty() || is_met(found->ranked.front())) continue;
+      for (const ServiceKey& key : at->second) ranked_near_.push_back({.key = key, .near_misses = *found});
+    }
+    if (!is_near_ranked_) {
+      std::ranges::sort(ranked_near_, {}, [](const Near& one) {
+        const auto& way = one.near_misses.ranked.front();
+        return std::tuple(way.contradicting_count, way.lacking_count, one.key);
+      });
+      const std::size_t most = limit_ == 0 ? max_told_missing : limit_;
+      if (ranked_near_.size() > most) ranked_near_.resize(most);
+      is_near_ranked_ = true;
+    }
+    for (; told_near_ < ranked_near_.size(); ++told_near_) {
+      if (piece.is_full()) return false;
+      const Near& one = ranked_near_[told_near_];
+      if (const auto* entry = by_.matcher.find_publication(one.key)) piece.tell(line_of(by_, *entry, one));
+    }
+    return true;
+  }
+
+  /// Whether the concept is what is asked for, so that something else is in the way: geminga-query why says what.
+  static bool is_met(const vocabulary::NearMiss& way) { return way.contradicting_count + way.lacking_count == 0; }
 
   Listed by_;
   LineOf line_of_;
@@ -139,6 +199,12 @@ class Ranking {
   std::vector<matching::Rank> found_;  ///< each meets the request; it may be gone when it is told
   bool is_ranked_ = false;
   std::size_t next_ = 0;
+  bool is_missing_wanted_;
+  std::map<std::string, std::vector<ServiceKey>> near_;  ///< those that do not meet it, by concept
+  std::size_t compared_ = 0;                             ///< of these
+  std::vector<Near> ranked_near_;
+  bool is_near_ranked_ = false;
+  std::size_t told_near_ = 0;
 };
 
 std::expected<Answering, Error> begin(std::string kind, const Listed& by, const Overlaps& overlaps, const Self& self,
@@ -156,6 +222,9 @@ std::expected<Answering, Error> begin(std::string kind, const Listed& by, const 
     auto identity = by.resolver.resolve(*query.identity);
     if (!identity) return std::unexpected(identity.error());
     asked.identity = std::move(*identity);
+    if (query.missing) {
+      if (const auto ready = by.resolver.require_expressions(); !ready) return std::unexpected(ready.error());
+    }
   }
   return Answering{.kind = std::move(kind),
                    .proceed = Ranking(by, overlaps, self, std::move(asked), query, std::move(line_of))};

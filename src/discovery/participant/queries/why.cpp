@@ -55,7 +55,8 @@ class PairAnswer {
  private:
   void begin(Piece& piece) {
     checks_ = checks_of(matcher_, asked_, offer_.entry, Depth::search);
-    if (std::ranges::any_of(checks_, [](const Check& one) { return !one.proof.empty(); })) piece.look_at(cost_of_proof);
+    if (std::ranges::any_of(checks_, [](const Check& one) { return one.missing || !one.proof.empty(); }))
+      piece.look_at(cost_of_proof);
     const auto finding = matcher_.examine(asked_.entry, *asked_.request, offer_.entry);
     match_ = finding.match;
     if (first_obstacle(checks_) != nullptr) return;
