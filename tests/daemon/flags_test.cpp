@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 namespace geminga::daemon {
 namespace {
 
@@ -67,6 +70,21 @@ TEST(Flags, TellTheVersionAndThoseOfProtocolsAndFiles) {
   EXPECT_THAT(read({"--version"})->answer,
               testing::MatchesRegex(
                   "gemingad [0-9.]+ .announcements [0-9]+, seals [0-9]+, GCNP [0-9]+, compiled ontologies [0-9]+.\n"));
+}
+
+TEST(Flags, StandInThePackagedFileAndInTheSpecification) {
+  const auto text_of = [](const char* file) {
+    std::ifstream in(std::string(GEMINGA_SOURCE_DIR) + file);
+    return '\n' + std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string packaged = text_of("/tools/packaging/gemingad.toml");
+  const std::string specified = text_of("/src/daemon/CONFIGURATION.md");
+  for (const Key& key : keys) {
+    const std::string name(key.name);
+    if (name == "config") continue;  // it names such a file
+    EXPECT_THAT(specified, HasSubstr("| `" + name)) << name;
+    EXPECT_TRUE(packaged.contains("\n" + name + " = ") || packaged.contains("\n# " + name + " = ")) << name;
+  }
 }
 
 }  // namespace
