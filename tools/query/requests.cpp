@@ -28,7 +28,9 @@ shell::Table table_of_requests(const std::vector<Record>& records, bool unmatche
                       {"AGE", true, 0, 7},
                       {"WHY", false, 20, 0, true},
                       {"REQUEST"}});
-  for (const auto& record : records) {
+  const std::vector<std::string> reasons = shell::reasons_of(records);
+  for (std::size_t one = 0; one < records.size(); ++one) {
+    const Record& record = records[one];
     const auto limit = record["limit"] == "0" ? "" : std::string(record["limit"]);
     shown.add({shell::who(record["consumer"], record["name"], record["participant_name"]),
                shell::identity_words(record), record["match"], record["mode"],
@@ -36,7 +38,7 @@ shell::Table table_of_requests(const std::vector<Record>& records, bool unmatche
                : record["served"] == "1" ? "yes"
                                          : "no",
                record["provider"], record["where"], request_words(record), limit, shell::duration_words(record["age"]),
-               record["because"], record["subscription"]});
+               reasons[one], record["subscription"]});
   }
   return shown;
 }

@@ -21,16 +21,18 @@ shell::Table table_of_services(const std::vector<Record>& records, bool unused) 
                       {"WHY", false, 20, 0, true},
                       {"SERVICE"},
                       {"ATTRIBUTES", false, 10, 4}});
-  for (const auto& record : records) {
+  const std::vector<std::string> reasons = shell::reasons_of(records);
+  for (std::size_t one = 0; one < records.size(); ++one) {
+    const Record& record = records[one];
     const auto protocol = record["protocol"] == "udp" ? "" : std::string(record["protocol"]);
-    shown.add(
-        {shell::who(record["provider"], record["name"], record["participant_name"]), shell::identity_words(record),
-         std::string(record["mode"]), shell::place(record["address"], record["port"]), protocol,
-         std::string(record["priority"]), shell::duration_words(record["age"]),
-         unused                  ? ""
-         : record["used"] == "1" ? "yes"
-                                 : "no",
-         std::string(record["because"]), std::string(record["service"]), shell::attribute_words(record.attributes)});
+    shown.add({shell::who(record["provider"], record["name"], record["participant_name"]),
+               shell::identity_words(record), std::string(record["mode"]),
+               shell::place(record["address"], record["port"]), protocol, std::string(record["priority"]),
+               shell::duration_words(record["age"]),
+               unused                  ? ""
+               : record["used"] == "1" ? "yes"
+                                       : "no",
+               reasons[one], std::string(record["service"]), shell::attribute_words(record.attributes)});
   }
   return shown;
 }

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
+#include <map>
+#include <set>
 
 namespace geminga::shell {
 namespace {
@@ -33,7 +35,38 @@ std::string details(const Event& event, const Service& service) {
   return line;
 }
 
+/// A reason with `it` for the identity that it is about; as it is where it names none.
+std::string reason_of_it(const Record& record) {
+  std::string_view rest = record["because"];
+  for (const std::string_view begin : {"nobody offers ", "nobody asks for "}) {
+    if (!rest.starts_with(begin)) continue;
+    rest.remove_prefix(begin.size());
+    for (const std::string_view key : {"concept", "text", "id"}) {
+      const std::string said = std::string(key) + '=' + std::string(record[key]);
+      if (record[key].empty() || !rest.starts_with(said)) continue;
+      rest.remove_prefix(said.size());
+      const std::string as = " representation=" + std::string(record["representation"]);
+      if (!record["representation"].empty() && rest.starts_with(as)) rest.remove_prefix(as.size());
+      return std::string(begin) + "it" + std::string(rest);
+    }
+  }
+  return std::string(record["because"]);
+}
+
 }  // namespace
+
+std::vector<std::string> reasons_of(const std::vector<Record>& records) {
+  std::vector<std::string> shared;
+  std::map<std::string, std::set<std::string_view>> reasons;  // by what they have in common
+  for (const Record& record : records) {
+    shared.push_back(reason_of_it(record));
+    reasons[shared.back()].insert(record["because"]);
+  }
+  for (std::size_t one = 0; one < records.size(); ++one) {
+    if (reasons[shared[one]].size() == 1) shared[one] = records[one]["because"];
+  }
+  return shared;
+}
 
 std::string who(std::string_view peer_word, std::string_view peer_name, std::string_view participant_name) {
   const auto slash = peer_word.find('/');

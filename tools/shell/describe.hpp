@@ -19,6 +19,9 @@ namespace geminga::shell {
 /// `soccer:BallInfo in soccer:FieldFrame`, `4711`, `"text"`
 [[nodiscard]] std::string identity_words(const NamedIdentity& identity);
 [[nodiscard]] std::string identity_words(const Record& record);
+/// The reasons of records that nobody answers (`because`). Where the identity alone makes them differ they say `it`
+/// instead, so that they can be grouped: thirty requests that nobody offers have one reason.
+[[nodiscard]] std::vector<std::string> reasons_of(const std::vector<Record>& records);
 /// `10.0.0.2:5000`, `[fe80::1]:5000`, `:5000` without an address, or an empty text
 [[nodiscard]] std::string place(std::string_view address, std::string_view port);
 /// `frame=map rate=30`
