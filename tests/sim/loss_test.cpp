@@ -216,7 +216,7 @@ TEST(OneWay, WhoseMulticastsAreFilteredIsToldSo) {
                                  [](const std::string& line) { return line.contains(" hears_us=0"); });
   };
   EXPECT_EQ(deaf(robots.host(0)), 0);
-  robots.world.run_for(seconds(30));
+  robots.world.run_for(seconds(45));
   EXPECT_EQ(deaf(robots.host(0)), 3) << "they do not even know it any more";
   EXPECT_THAT(ask(robots.host(0), "status"), testing::Contains(testing::HasSubstr(" unheard_by=3 ")));
   const auto logged = [&](Host& host, const std::string& words) {

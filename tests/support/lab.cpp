@@ -270,6 +270,24 @@ void Lab::keep_multicasts_from(std::size_t host) {
   ip({"link", "set", "dev", port_of(host), "type", "bridge_slave", "mcast_flood", "off"});
 }
 
+void Lab::keep_multicasts_between(std::size_t one, std::size_t other) {
+  std::string rules =
+      "add table bridge station; add chain bridge station forward { type filter hook forward priority 2; }; ";
+  for (const auto& [from, to] : {std::pair(one, other), std::pair(other, one)}) {
+    for (const char* groups : {"ip daddr 224.0.0.0/4", "ip6 daddr ff02::4717"})
+      rules += "add rule bridge station forward iifname " + port_of(from) + " oifname " + port_of(to) + ' ' + groups +
+               " drop; ";
+  }
+  command({nft_program, rules});
+}
+
+void Lab::mute(std::size_t host) {
+  command({nft_program,
+           "add table bridge mute; add chain bridge mute forward { type filter hook forward priority 3; }; "
+           "add rule bridge mute forward iifname " +
+               port_of(host) + " meta protocol { ip, ip6 } drop"});
+}
+
 void Lab::add_link(std::size_t between, const std::vector<std::size_t>& hosts) {
   namespaces_->add_link(between, hosts);
 }

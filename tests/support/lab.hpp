@@ -64,6 +64,12 @@ class Lab {
   /// it. Only with namespaces.
   void keep_multicasts_from(std::size_t host);
 
+  /// Keeps the multicasts of each of the two from the other, as an access point may: a third host hears both. Requires
+  /// can_lose().
+  void keep_multicasts_between(std::size_t one, std::size_t other);
+  /// Keeps all that the host says from the others: it hears them. Requires can_lose().
+  void mute(std::size_t host);
+
   /// Moves hosts to a further link, with addresses of their own, and joins one more host to it. Links are counted from
   /// 1, and the first one of all hosts is 0. The interface of the one between is wlanN there, N the number of the link.
   /// Call before daemons start. Only with namespaces.

@@ -11,7 +11,7 @@ namespace geminga::answers {
 namespace {
 
 /// Fields that change with every announcement, which is not told.
-constexpr std::array<std::string_view, 3> restless{"age", "heard", "loss"};
+constexpr std::array<std::string_view, 4> restless{"age", "heard", "loss", "loss_least"};
 
 /// The record as an object without the restless fields.
 boost::json::object steady(const Record& record) {

@@ -103,15 +103,17 @@ Findings check_multicast_routes(const Answers& answers, TryToSend try_to_send) {
     for (const std::string& group : parts_of(answers.status["multicast"])) {
       const auto same = [&](const std::string& one) { return is_ipv6(one) == is_ipv6(group); };
       const Crossing out{.way = Way::out, .interface = name, .group = group, .port = port};
+      const bool is_all = std::ranges::all_of(addresses, same);
+      if (interface["loopback"] == "1" && !is_all) continue;  // it is never given routes, and needs one family alone
       if (std::ranges::none_of(addresses, same) || try_to_send(out) != Sending::no_route) continue;
       const std::string family = is_ipv6(group) ? "-6 " : "";
-      findings.push_back(
-          {std::ranges::all_of(addresses, same) ? Severity::failure : Severity::risk, "no_multicast_route",
-           "This host has no route to the group " + group + " on " + name +
-               ": nobody hears it there by that family of IP.",
-           "the kernel says so when a datagram is sent there", "Give the interface its route for multicast back.",
-           "ip " + family + "route add multicast " + (is_ipv6(group) ? "ff00::/8" : "224.0.0.0/4") + " dev " + name +
-               (is_ipv6(group) ? " table local" : "")});
+      findings.push_back({is_all ? Severity::failure : Severity::risk, "no_multicast_route",
+                          "This host has no route to the group " + group + " on " + name +
+                              ": nobody hears it there by that family of IP.",
+                          "the kernel says so when a datagram is sent there",
+                          "Give the interface its route for multicast back.",
+                          "ip " + family + "route add multicast " + (is_ipv6(group) ? "ff00::/8" : "224.0.0.0/4") +
+                              " dev " + name + (is_ipv6(group) ? " table local" : "")});
     }
   }
   return findings;
@@ -130,12 +132,30 @@ Findings check_addresses(const Host& host, const Answers& answers, bool (*has_ro
   };
   Findings findings;
   std::set<std::string> told;
+  const auto participant_of = [&](const Record& service) -> const Record* {
+    const std::string_view provider = service["provider"];
+    const std::string_view id = provider.substr(0, provider.find('/'));
+    const auto found = std::ranges::find_if(answers.participants, [&](const Record& one) { return one["id"] == id; });
+    return found == answers.participants.end() ? nullptr : &*found;
+  };
   for (const Record& service : answers.services) {
     const std::string address(service["address"]);
     if (service["local"] == "1" || address.empty() || address.find('%') != std::string::npos) continue;
     const std::string& reason = reason_of(address);
     const std::string key = std::string(service["participant_name"]) + ' ' + address;
     if (reason.empty() || !told.insert(key).second) continue;
+    if (const Record* provider = participant_of(service); provider != nullptr && !(*provider)["path"].empty()) {
+      const std::string path((*provider)["path"]);
+      findings.push_back({Severity::failure, "address_unreachable",
+                          "Services of " + std::string(service["participant_name"]) + " are announced at " + address +
+                              ", which cannot be reached from here: " + reason + ". It is heard through " + path +
+                              ", and a relay passes on announcements, no data.",
+                          "services: address; participants: path=" + path,
+                          "Give this host a route there and that host one back, for example by way of the relay, which "
+                          "then has to forward IP.",
+                          "ip route get " + address});
+      continue;
+    }
     findings.push_back({Severity::failure, "address_unreachable",
                         "Services of " + std::string(service["participant_name"]) + " are announced at " + address +
                             ", which cannot be reached from here: " + reason + '.',

@@ -24,18 +24,21 @@ struct Answers {
   std::vector<Record> security;
   std::vector<Record> ontology;
   std::vector<Record> services{};
-  std::vector<Record> unmatched;        ///< requests that nobody serves, with the likely reason of each
+  std::vector<Record> unmatched;  ///< requests that nobody serves, with the likely reason of each
+  std::vector<Record> requests{};
   std::vector<UnknownNames> unknown{};  ///< of participants with another ontology
+  /// The wall clock before the status was asked for and when it was there, in seconds since 1970; 0: unknown.
+  double asked_from = 0;
+  double asked_until = 0;
+  Record earlier_status{};  ///< of a look some time before; empty where there was none
 };
 
-/// Asks the daemon for all of them. An answer that the daemon refuses, as while its ontology is being taken up, is
-/// empty.
+/// Asks the daemon for all of them but `unknown`. An answer that the daemon refuses, as while its ontology is being
+/// taken up, is empty.
 [[nodiscard]] std::expected<Answers, ClientError> ask(Client& client);
 
-/// Asks for the participants once more, and leaves `hears_us=0` only with those that say so again: by loss alone one
-/// neighbour in four hundred says so for a moment. Waits for three intervals,
-/// six seconds at most.
-[[nodiscard]] std::expected<void, ClientError> confirm_deaf(Client& client, Answers& answers);
+/// Finds the names that the ontology here does not know, of the services and requests of participants with another one.
+[[nodiscard]] std::expected<void, ClientError> find_unknown(Client& client, Answers& answers);
 
 }  // namespace geminga::doctor
 

@@ -15,11 +15,14 @@
 
 namespace geminga::doctor {
 
-/// The share of lost announcements from which deadlines no longer bear it: living robots are then told as gone now and
-/// then (src/discovery/announcement/ANNOUNCEMENT.md).
-inline constexpr double bearable_loss = 0.6;
-/// The time after which a daemon that hears nobody is alone, in seconds: every neighbour has spoken twice by then.
+/// The share of lost announcements that deadlines bear: above it they stretch, and living robots are told as gone now
+/// and then (src/discovery/announcement/ANNOUNCEMENT.md). A loss is above it where its lower confidence bound is
+/// (`loss_least` of `query participants`), so that chance is no finding.
+inline constexpr double bearable_loss = 0.4;
+/// The time after which a daemon that hears nobody is alone, in seconds and in its intervals, whichever is longer:
+/// every neighbour has spoken twice by then.
 inline constexpr double time_to_hear = 10;
+inline constexpr double intervals_to_hear = 4;
 /// The least MTU that IPv6 needs and announcements are made for (RFC 8200, section 5).
 inline constexpr std::size_t least_mtu = 1280;
 /// The intervals without any datagram on an interface, not even our own from the link, after which something keeps them
@@ -30,12 +33,12 @@ inline constexpr double clock_step = 2;
 /// The members of a team: so many on both sides of a difference are two teams, and not one host with an old file.
 inline constexpr std::size_t least_team = 2;
 
-/// Interfaces, daemons, rights and key files of this host.
-[[nodiscard]] Findings check_host(const Host& host);
+/// Interfaces, daemons, rights and key files of this host. `uses_loopback`: its daemon was started for one host alone.
+[[nodiscard]] Findings check_host(const Host& host, bool uses_loopback = false);
 /// Why no daemon answers at `connect`.
 [[nodiscard]] Findings check_absent_daemon(const Host& host, const ClientError& error, std::string_view connect);
 /// The daemon's own troubles: configuration, ontology, memory, limits, clock. `version` is that of this program.
-[[nodiscard]] Findings check_daemon(const Host& host, const Answers& answers, std::string_view version);
+[[nodiscard]] Findings check_daemon(const Answers& answers, std::string_view version);
 
 /// The outcome of the experiments with what goes out.
 using TryToSend = Sending (*)(const Crossing&);
@@ -60,6 +63,8 @@ void drop_consequences(Findings& findings);
 /// The worst first; equally bad ones stay in their order.
 void sort_by_severity(Findings& findings);
 
+/// `status: KEY=COUNT`, and that none was added between two looks where it is so: what happened long ago says less.
+[[nodiscard]] std::string words_for_count(const Answers& answers, std::string_view key);
 /// A number of an answer; 0 where it is none.
 [[nodiscard]] double number(std::string_view text);
 /// How the daemon speaks.

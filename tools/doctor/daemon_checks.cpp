@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "doctor/checks.hpp"
@@ -72,13 +73,13 @@ constexpr Symptom symptoms[] = {
 
 }  // namespace
 
-Findings check_daemon(const Host& host, const Answers& answers, std::string_view version) {
+Findings check_daemon(const Answers& answers, std::string_view version) {
   Findings findings;
   for (const Symptom& symptom : symptoms) {
     const std::string_view value = answers.status[symptom.key];
     if (value.empty() || value == "0") continue;
     findings.push_back({symptom.severity, std::string(symptom.code), std::string(symptom.what),
-                        "status: " + std::string(symptom.key) + '=' + std::string(value), std::string(symptom.remedy),
+                        words_for_count(answers, symptom.key), std::string(symptom.remedy),
                         std::string(symptom.command)});
   }
   if (const std::string_view running = answers.status["version"]; !running.empty() && running != version) {
@@ -93,8 +94,11 @@ Findings check_daemon(const Host& host, const Answers& answers, std::string_view
                         "status: memory_kept_back=" + std::string(left), "Give it more memory.",
                         "systemctl show gemingad -p MemoryMax"});
   }
-  if (const double started = number(answers.status["started"]); started > 0 && host.clock > 0) {
-    const double step = host.clock - started - number(answers.status["uptime"]);
+  if (const double started = number(answers.status["started"]); started > 0 && answers.asked_until > 0) {
+    // The answer was given at some time between.
+    const double most = answers.asked_until - started - number(answers.status["uptime"]);
+    const double least = answers.asked_from - started - number(answers.status["uptime"]);
+    const double step = least > 0 ? least : std::min(most, 0.0);
     if (std::abs(step) > clock_step) {
       findings.push_back(
           {Severity::risk, "clock_jumped",

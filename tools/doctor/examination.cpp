@@ -10,6 +10,7 @@
 #include "doctor/experiments.hpp"
 #include "doctor/overhearing.hpp"
 #include "doctor/report.hpp"
+#include "doctor/steady.hpp"
 
 namespace geminga::doctor {
 namespace {
@@ -30,19 +31,23 @@ std::vector<Overheard> overhear(const Answers& answers) {
   return overhear(interfaces, habits_of(answers), std::chrono::milliseconds(std::lround(1000 * seconds)));
 }
 
-/// All that the daemon shows, and the other one where it is to be asked.
+/// All that the daemon shows, in two looks with the time of listening between them, and the other one where it is to be
+/// asked.
 std::expected<void, ClientError> look(Client& client, const Wish& wish, Examination& into) {
-  auto asked = ask(client);
-  if (!asked) return std::unexpected(asked.error());
-  into.answers = std::move(*asked);
+  const auto first = ask(client);
+  if (!first) return std::unexpected(first.error());
+  const std::vector<Overheard> overheard = overhear(*first);
+  auto second = ask(client);
+  if (!second) return std::unexpected(second.error());
+  into.answers = steady(*first, std::move(*second));
   Answers& answers = *into.answers;
-  if (auto confirmed = confirm_deaf(client, answers); !confirmed) return std::unexpected(confirmed.error());
-  append(into.findings, check_daemon(into.host, answers, wish.version));
+  if (auto found = find_unknown(client, answers); !found) return std::unexpected(found.error());
+  append(into.findings, check_daemon(answers, wish.version));
   append(into.findings, check_firewall(into.host, answers, &try_to_send));
   append(into.findings, check_multicast_routes(answers, &try_to_send));
   append(into.findings, check_team(answers, overhears_all()));
   append(into.findings, check_addresses(into.host, answers, &has_route));
-  append(into.findings, check_overheard(into.host, answers, overhear(answers)));
+  append(into.findings, check_overheard(into.host, answers, overheard));
   append(into.findings, check_requests(answers));
   if (wish.with.empty()) return {};
   auto asked_other = ask_other(client, answers, wish.with);
@@ -62,7 +67,10 @@ std::expected<Examination, ClientError> examine(Result<Client, ClientError>& cli
   } else if (const auto looked = look(*client, wish, all); !looked) {
     return std::unexpected(looked.error());
   }
-  append(all.findings, check_host(all.host));
+  const bool uses_loopback = all.answers && std::ranges::any_of(all.answers->interfaces, [](const Record& one) {
+                               return one["loopback"] == "1";
+                             });
+  append(all.findings, check_host(all.host, uses_loopback));
   drop_consequences(all.findings);
   sort_by_severity(all.findings);
   return all;

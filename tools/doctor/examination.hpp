@@ -30,8 +30,8 @@ struct Wish {
   std::string with{};        ///< a participant whose view is asked for, too; empty: none
 };
 
-/// Looks for up to an interval and a quarter, and for three intervals more where a host seems deaf. `client` is the
-/// connection to the daemon, or why there is none. Errors: the daemon goes away meanwhile.
+/// Looks at the beginning and at the end of an interval and a quarter, five seconds at most. `client` is the connection
+/// to the daemon, or why there is none. Errors: the daemon goes away meanwhile.
 [[nodiscard]] std::expected<Examination, ClientError> examine(Result<Client, ClientError>& client, const Wish& wish);
 
 /// The document of `geminga-query --json doctor`.

@@ -7,16 +7,17 @@
 #include <pwd.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -118,27 +119,46 @@ std::vector<HostInterface> interfaces_of_host() {
   return interfaces;
 }
 
+/// The network namespace of a process: the inode of a file that each namespace has of its own. Unlike /proc/PID/ns/net
+/// it can be read of others' processes. 0: there is none, as of a process that ends.
+ino_t network_of(const std::string& process) {
+  struct stat status{};
+  return ::stat(("/proc/" + process + "/net/dev").c_str(), &status) == 0 ? status.st_ino : 0;
+}
+
+/// The parent of a process; 0: it has none. The name of the program in the file may hold blanks and brackets.
+int parent_of(const std::string& process) {
+  const std::string text = content_of("/proc/" + process + "/stat");
+  int parent = 0;
+  const std::size_t name_end = text.rfind(')');
+  if (name_end == std::string::npos) return parent;
+  std::istringstream fields(text.substr(name_end + 1));
+  char state = 0;
+  fields >> state >> parent;
+  return parent;
+}
+
 /// The gemingad processes that share our network; those of other network namespaces do not matter here.
 std::vector<RunningDaemon> daemons_of_host() {
   std::vector<RunningDaemon> daemons;
+  std::map<int, int> parents;
+  const ino_t own_network = network_of("self");
   std::error_code error;
-  const fs::path own_network = fs::read_symlink("/proc/self/ns/net", error);
   for (fs::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     RunningDaemon daemon;
     const auto [rest, problem] = std::from_chars(name.data(), name.data() + name.size(), daemon.process);
     if (problem != std::errc() || rest != name.data() + name.size()) continue;
-    if (content_of(entry->path() / "comm") != "gemingad\n") continue;
-    // The network of others' processes may be unreadable; a process that ends meanwhile has none, and no command.
-    std::error_code unreadable;
-    const fs::path network = fs::read_symlink(entry->path() / "ns/net", unreadable);
-    if (!network.empty() && network != own_network) continue;
+    if (content_of(entry->path() / "comm") != "gemingad\n" || network_of(name) != own_network) continue;
     daemon.command = content_of(entry->path() / "cmdline");
-    if (daemon.command.empty()) continue;
+    if (daemon.command.empty()) continue;  // it ends
     std::ranges::replace(daemon.command, '\0', ' ');
     while (daemon.command.ends_with(' ')) daemon.command.pop_back();
+    parents[daemon.process] = parent_of(name);
     daemons.push_back(std::move(daemon));
   }
+  // A daemon's child has its name until it becomes the program that reads ontologies.
+  std::erase_if(daemons, [&](const RunningDaemon& one) { return parents.contains(parents[one.process]); });
   std::ranges::sort(daemons, {}, &RunningDaemon::process);
   return daemons;
 }
@@ -181,7 +201,6 @@ Host look_at_host() {
   const passwd* user = ::getpwuid(::geteuid());
   host.user = user == nullptr ? std::to_string(::geteuid()) : user->pw_name;
   host.keys = key_files(host.daemons);
-  host.clock = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   host.nft_ruleset = output_of("nft -j list ruleset").value_or("");
   host.iptables_rules = output_of("iptables-save").value_or("");
   host.ip6tables_rules = output_of("ip6tables-save").value_or("");

@@ -41,7 +41,6 @@ struct Host {
   bool may_use_packaged_socket = true;  ///< this user may connect to it
   std::string user;                     ///< of this process
   std::vector<KeyFile> keys{};          ///< those that daemons are started with, and those in /etc/geminga
-  double clock = 0;                     ///< the wall clock, in seconds since 1970
   /// The firewall's own lists; empty where it is not there, or this user may not read it.
   std::string nft_ruleset{};
   std::string iptables_rules{};

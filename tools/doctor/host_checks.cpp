@@ -69,10 +69,10 @@ void check_keys(const Host& host, Findings& findings) {
 
 }  // namespace
 
-Findings check_host(const Host& host) {
+Findings check_host(const Host& host, bool uses_loopback) {
   Findings findings;
   std::vector<std::string> down;
-  bool can_speak = false;
+  bool can_speak = uses_loopback;
   for (const HostInterface& interface : host.interfaces) {
     if (interface.is_loopback) continue;
     const bool is_usable =
@@ -119,13 +119,18 @@ Findings check_absent_daemon(const Host& host, const ClientError& error, std::st
              "/run/geminga/gcnp is there and closed to this user",
              "Add the user to the group geminga, and log in again.", "adduser " + host.user + " geminga"}};
   }
-  return {
-      {Severity::failure, "daemon_silent",
-       "A gemingad runs on this host and does not answer at " +
-           (connect.empty() ? std::string("its usual address") : std::string(connect)) + '.',
-       error.text + "; process " + std::to_string(host.daemons.front().process) + ": " + host.daemons.front().command,
-       "Name its address by --connect or GEMINGA_CONNECT.",
-       host.has_packaged_socket ? "geminga-query --connect /run/geminga/gcnp doctor" : ""}};
+  const std::string process = std::to_string(host.daemons.front().process);
+  if (error.kind == ClientError::Kind::timed_out) {
+    return {{Severity::failure, "daemon_silent", "A gemingad runs on this host, and does not answer in time.",
+             error.text + " Process " + process + ": " + host.daemons.front().command,
+             "See whether it is stopped (state T), or busy.", "ps -o pid,stat,time,args -p " + process}};
+  }
+  return {{Severity::failure, "daemon_silent",
+           "A gemingad runs on this host and does not answer at " +
+               (connect.empty() ? std::string("its usual address") : std::string(connect)) + '.',
+           error.text + "; process " + process + ": " + host.daemons.front().command,
+           "Name its address by --connect or GEMINGA_CONNECT.",
+           host.has_packaged_socket ? "geminga-query --connect /run/geminga/gcnp doctor" : ""}};
 }
 
 void drop_consequences(Findings& findings) {

@@ -55,7 +55,9 @@ std::expected<OtherView, ClientError> ask_other(Client& client, const Answers& o
     other.is_known = true;
     other.id = one["id"];
     other.name = words_for(one, "id");
+    other.path = one["path"];
   }
+  if (!other.path.empty()) return other;
   const auto end = std::chrono::steady_clock::now() + time_to_answer;
   while (other.is_known && !other.is_answered && std::chrono::steady_clock::now() < end) {
     auto answer = client.query("diagnosis", {{"participant", other.id}});
@@ -77,6 +79,13 @@ Findings check_other(const OtherView& other, const Answers& ours, std::string_vi
              "participants: no such identifier, name or address", "Run the doctor there, too.",
              "gemingad --peer " + other.name}};
   }
+  if (!other.path.empty()) {
+    return {{Severity::risk, "other_behind_relay",
+             other.name + " is heard through " + other.path + ", and a relay passes no questions on.",
+             "participants: path=" + other.path,
+             "Ask the relay next to this host, or run the doctor on a host of that link.",
+             "geminga-query doctor --with " + other.path.substr(other.path.rfind('/') + 1)}};
+  }
   if (!other.is_answered) {
     return {{Severity::risk, "other_silent", other.name + " is heard and does not tell its view.",
              "diagnosis: no answer within 6 s",
@@ -86,7 +95,7 @@ Findings check_other(const OtherView& other, const Answers& ours, std::string_vi
   }
   Findings findings;
   Answers theirs = other.answers;
-  for (Findings more : {check_daemon(Host{}, theirs, version),
+  for (Findings more : {check_daemon(theirs, version),
                         check_firewall(Host{}, theirs, [](const Crossing&) { return Sending::leaves; })}) {
     for (Finding& finding : more) {
       finding.code += "_there";
@@ -102,10 +111,12 @@ Findings check_other(const OtherView& other, const Answers& ours, std::string_vi
                         "its participants have no " + std::string((*self)["id"]),
                         "See whether it hears any multicast of this host.", ""});
   }
-  if (of_us != nullptr && number((*of_us)["loss"]) > bearable_loss) {
+  if (of_us != nullptr && number((*of_us)["loss_least"]) > bearable_loss) {
     findings.push_back({Severity::risk, "loss_high_there",
-                        "Most announcements of this host are lost on the way to " + other.name + '.',
-                        "its participants: loss=" + std::string((*of_us)["loss"]), "Look at the radio link.", ""});
+                        "Many announcements of this host are lost on the way to " + other.name + '.',
+                        "its participants: loss=" + std::string((*of_us)["loss"]) +
+                            " loss_least=" + std::string((*of_us)["loss_least"]),
+                        "Look at the radio link.", ""});
   }
   return findings;
 }

@@ -20,11 +20,13 @@ struct OtherView {
   std::string id;
   std::string name;
   bool is_known = false;     ///< it is heard here
+  std::string path{};        ///< the relays on the way to it, joined by `/`; empty: it is heard directly
   bool is_answered = false;  ///< it has told its view
   Answers answers;           ///< status, interfaces and participants of it, as far as it tells
 };
 
-/// Asks the participant with this identifier, name or address for its view, by way of the local daemon.
+/// Asks the participant with this identifier, name or address for its view, by way of the local daemon. One behind a
+/// relay is not asked, since relays pass no questions on (ANNOUNCEMENT.md, "Inquiries").
 [[nodiscard]] std::expected<OtherView, ClientError> ask_other(Client& client, const Answers& ours,
                                                               const std::string& host);
 /// Its troubles, and where the two views do not fit. `version` is that of this program.

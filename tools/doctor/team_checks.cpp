@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 
 #include "doctor/checks.hpp"
+#include "shell/describe.hpp"
 
 namespace geminga::doctor {
 namespace {
@@ -15,22 +18,24 @@ void check_neighbour(const Record& neighbour, Findings& findings) {
   if (neighbour["hears_us"] == "0") {
     findings.push_back(
         {Severity::failure, "deaf_to_us", who + " is heard here and does not hear this host.",
-         "it has said so for four intervals (participants: hears_us=0)",
+         "it has said so for twelve intervals (participants: hears_us=0)",
          "A firewall, a switch that filters multicast, or a Wi-Fi access point keeps our multicasts from it. Open UDP "
          "port 4717 there, or name each host to the other.",
          first.empty() ? "" : "gemingad --peer " + first});
   }
-  const double loss = number(neighbour["loss"]);
-  if (loss > bearable_loss) {
+  const double least = number(neighbour["loss_least"]);
+  if (least > bearable_loss) {
     findings.push_back(
         {Severity::risk, "loss_high",
-         percent(loss) + " of the announcements of " + who + " are lost: it may be told as gone while it lives.",
-         "participants: loss=" + std::string(neighbour["loss"]), "Look at the radio link, and at what else floods it.",
-         "ping -c 20 " + first});
+         "At least " + percent(least) + " of the announcements of " + who +
+             " are lost: it may be told as gone while it lives.",
+         "participants: loss=" + std::string(neighbour["loss"]) + " loss_least=" + std::string(neighbour["loss_least"]),
+         "Look at the radio link, and at what else floods it.", first.empty() ? "" : "ping -c 20 " + first});
   }
 }
 
-void check_strangers(const Record& status, Findings& findings) {
+void check_strangers(const Answers& answers, Findings& findings) {
+  const Record& status = answers.status;
   const struct {
     std::string_view key;
     Severity severity;
@@ -59,13 +64,12 @@ void check_strangers(const Record& status, Findings& findings) {
     if (kind.code == "other_key" && status["sealing"] == "plain") {
       findings.push_back({Severity::failure, "key_missing",
                           "Sealed announcements are heard, and this host has no key: it may lack that of its team.",
-                          "status: sealing_unknown-key=" + std::string(count), "Give it the team's key.",
+                          words_for_count(answers, kind.key), "Give it the team's key.",
                           "gemingad --key-file team.key"});
       continue;
     }
     findings.push_back({kind.severity, std::string(kind.code), std::string(kind.what),
-                        "status: " + std::string(kind.key) + '=' + std::string(count), std::string(kind.remedy),
-                        "geminga-query security"});
+                        words_for_count(answers, kind.key), std::string(kind.remedy), "geminga-query security"});
   }
 }
 
@@ -82,14 +86,16 @@ void check_keys(const std::vector<Record>& security, Findings& findings) {
 /// The participants by the digest of their ontology, where there is more than one.
 void check_digests(const Answers& answers, Findings& findings) {
   std::map<std::string, std::vector<std::string>> members;
-  for (const Record& participant : answers.participants)
+  for (const Record& participant : answers.participants) {
+    if (participant["ontology"].empty()) continue;  // it has changed just now
     members[std::string(participant["ontology"])].push_back(words_for(participant, "id"));
+  }
   if (members.size() < 2) return;
   std::string seen;
   std::size_t teams = 0;
   for (const auto& [digest, names] : members) {
     teams += names.size() >= least_team ? 1 : 0;
-    seen += (seen.empty() ? "" : "; ") + (digest == "-" || digest.empty() ? "none" : digest) + ": ";
+    seen += (seen.empty() ? "" : "; ") + (digest == "-" ? "none" : digest) + ": ";
     for (const std::string& name : names) seen += (&name == &names.front() ? "" : ", ") + name;
   }
   for (const auto& [participant, names] : answers.unknown) {
@@ -118,7 +124,8 @@ Findings check_team(const Answers& answers, bool hears_all) {
     ++others;
     check_neighbour(participant, findings);
   }
-  if (others == 0 && !answers.interfaces.empty() && number(answers.status["uptime"]) > time_to_hear) {
+  const double time_to_wait = std::max(time_to_hear, intervals_to_hear * number(answers.status["interval"]));
+  if (others == 0 && !answers.interfaces.empty() && number(answers.status["uptime"]) > time_to_wait) {
     findings.push_back({Severity::risk, "alone", "No other participant is heard.",
                         "participants: this host only, for " + std::string(answers.status["uptime"]) + " s" +
                             (hears_all ? "" : "; without root only ports and groups near the usual ones were heard"),
@@ -127,7 +134,7 @@ Findings check_team(const Answers& answers, bool hears_all) {
                         "WSL often drop multicast; a firewall may drop UDP port 4717. Naming a host shows which it is.",
                         "gemingad --peer HOST"});
   }
-  check_strangers(answers.status, findings);
+  check_strangers(answers, findings);
   check_keys(answers.security, findings);
   check_digests(answers, findings);
   return findings;
@@ -157,24 +164,29 @@ Findings check_requests(const Answers& answers) {
     std::size_t count = 0;
     std::string because;
     std::string subscription;
-    std::string consumers;
+    std::vector<std::string> consumers;
   };
   constexpr std::size_t named_consumers = 3;
   std::map<std::string, Group, std::less<>> groups;
-  for (const Record& request : answers.unmatched) {
+  const std::vector<std::string> reasons = shell::reasons_of(answers.unmatched);
+  for (std::size_t one = 0; one < answers.unmatched.size(); ++one) {
+    const Record& request = answers.unmatched[one];
     const std::string_view why = request["why"];
     Group& group = groups[std::string(why)];
     if (++group.count == 1) {
-      group.because = request["because"];
+      group.because = reasons[one];
       group.subscription = request["subscription"];
     }
-    if (group.count > named_consumers) continue;
-    const std::string consumer(request["name"].empty() ? request["consumer"] : request["name"]);
-    group.consumers += (group.consumers.empty() ? "" : ", ") + consumer;
+    std::string consumer(request["name"].empty() ? request["consumer"] : request["name"]);
+    if (std::ranges::find(group.consumers, consumer) == group.consumers.end())
+      group.consumers.push_back(std::move(consumer));
   }
   Findings findings;
   for (const auto& [code, group] : groups) {
-    const std::string who = group.consumers + (group.count > named_consumers ? ", ..." : "");
+    std::string who;
+    for (const std::string& consumer : group.consumers | std::views::take(named_consumers))
+      who += (who.empty() ? "" : ", ") + consumer;
+    if (group.consumers.size() > named_consumers) who += ", ...";
     findings.push_back({Severity::risk, "unmatched",
                         (group.count == 1 ? "One request is" : std::to_string(group.count) + " requests are") +
                             " served by nobody (" + who + "): " + group.because,

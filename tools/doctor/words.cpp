@@ -16,6 +16,13 @@ std::vector<std::string> parts_of(std::string_view list) {
   return parts;
 }
 
+std::string words_for_count(const Answers& answers, std::string_view key) {
+  const std::string_view count = answers.status[key];
+  const bool is_of_before = answers.earlier_status[key] == count && !answers.earlier_status.fields.empty();
+  return "status: " + std::string(key) + '=' + std::string(count) +
+         (is_of_before ? " since the daemon started, none of them just now" : "");
+}
+
 std::string words_for(const Record& participant, std::string_view id_key) {
   const std::string id(participant[id_key]);
   const std::string name(participant["name"]);

@@ -8,7 +8,7 @@ namespace geminga::recording {
 namespace {
 
 /// Fields that change with every announcement: they make no change of a record by themselves.
-constexpr std::array<std::string_view, 3> restless{"age", "heard", "loss"};
+constexpr std::array<std::string_view, 4> restless{"age", "heard", "loss", "loss_least"};
 
 bool is_same(const Record& one, const Record& other) {
   if (one.attributes != other.attributes || one.fields.size() != other.fields.size()) return false;
@@ -41,10 +41,12 @@ void append_heard(std::string& lines, const Records& participants, At at, Time t
     heard.records.clear();
   };
   for (const auto& [key, record] : participants) {
-    heard.records.push_back(
-        {"participants",
-         {{"id", key}, {"heard", std::string(record["heard"])}, {"loss", std::string(record["loss"])}},
-         {}});
+    heard.records.push_back({"participants",
+                             {{"id", key},
+                              {"heard", std::string(record["heard"])},
+                              {"loss", std::string(record["loss"])},
+                              {"loss_least", std::string(record["loss_least"])}},
+                             {}});
     if (heard.records.size() == most_in_line) write();
   }
   if (!heard.records.empty()) write();

@@ -35,12 +35,19 @@ void State::take(const Snapshot& snapshot) {
   if (snapshot.records == 0) finish_snapshot();
 }
 
+State::Sign State::sign_of(const Record& record) const {
+  return {.heard = std::string(record["heard"]),
+          .loss = std::string(record["loss"]),
+          .loss_least = std::string(record["loss_least"]),
+          .at = last_};
+}
+
 void State::take(const Present& present) {
   const Record& record = present.record;
   const std::string key(record[key_field(record.kind)]);
   records_[record.kind].insert_or_assign(key, record);
   if (record.kind == "participants") {
-    signs_.insert_or_assign(key, Sign{std::string(record["heard"]), std::string(record["loss"]), last_});
+    signs_.insert_or_assign(key, sign_of(record));
   }
   if (present.change != Present::Change::there) {
     named_.reset();  // the snapshot was not whole: a line of it is missing
@@ -72,7 +79,7 @@ void State::take(const Gone& gone) {
 void State::take(const Heard& heard) {
   for (const Record& record : heard.records) {
     const auto sign = signs_.find(record["id"]);
-    if (sign != signs_.end()) sign->second = {std::string(record["heard"]), std::string(record["loss"]), last_};
+    if (sign != signs_.end()) sign->second = sign_of(record);
   }
 }
 
@@ -113,9 +120,10 @@ Record State::aged(const Record& record) const {
   if (std::string* field = field_of(aged, is_participant ? "heard" : "age")) {
     *field = !is_participant && record["local"] == "1" ? "0.000" : *sign;
   }
-  if (std::string* loss = field_of(aged, "loss"); is_participant && loss != nullptr) {
-    *loss = find(signs_, participant)->loss;
-  }
+  if (!is_participant) return aged;
+  const Sign& last = *find(signs_, participant);
+  if (std::string* loss = field_of(aged, "loss")) *loss = last.loss;
+  if (std::string* least = field_of(aged, "loss_least")) *least = last.loss_least;
   return aged;
 }
 

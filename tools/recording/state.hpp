@@ -45,8 +45,11 @@ class State {
   struct Sign {
     std::string heard;
     std::string loss;
+    std::string loss_least;
     At at{};
   };
+
+  [[nodiscard]] Sign sign_of(const Record& record) const;
 
   void take(const Snapshot& snapshot);
   void take(const Present& present);

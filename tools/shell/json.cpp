@@ -22,36 +22,13 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr auto number_keys = std::to_array<std::string_view>({"id",
-                                                              "port",
-                                                              "priority",
-                                                              "distance",
-                                                              "age",
-                                                              "heard",
-                                                              "interval",
-                                                              "loss",
-                                                              "limit",
-                                                              "publications",
-                                                              "subscriptions",
-                                                              "statements",
-                                                              "line",
-                                                              "classes",
-                                                              "count",
-                                                              "left_out",
-                                                              "sent",
-                                                              "received",
-                                                              "peer",
-                                                              "datagrams",
-                                                              "offers",
-                                                              "matching",
-                                                              "requests",
-                                                              "taken",
-                                                              "cost",
-                                                              "children",
-                                                              "total",
-                                                              "missing_count",
-                                                              "contradicting_count",
-                                                              "uncompared"});
+constexpr auto number_keys = std::to_array<std::string_view>(
+    {"id",         "port", "priority",   "distance", "age",           "heard",
+     "interval",   "loss", "loss_least", "limit",    "publications",  "subscriptions",
+     "statements", "line", "classes",    "count",    "left_out",      "sent",
+     "received",   "peer", "datagrams",  "offers",   "matching",      "requests",
+     "taken",      "cost", "children",   "total",    "missing_count", "contradicting_count",
+     "uncompared"});
 constexpr auto flag_keys = std::to_array<std::string_view>(
     {"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed", "unsatisfiable"});
 /// Lists whose elements are lines.

@@ -51,6 +51,7 @@ std::size_t NeighbourTable::expire(Instant now) {
     known->second.record->ask_witnesses(now);
     if (known->second.record->deadline() <= now) {
       lost += known->second.record->is_sought(now) ? 1 : 0;
+      former_losses_.remember(id, *known->second.record);
       former_.remember_expired(remove(known, Departure::expired), now);
     } else {
       known->second.record->expire(now, changes_);
@@ -125,6 +126,7 @@ Hearing NeighbourTable::hear_short(const announcement::Announcement& announcemen
   const auto holder = records_.find(announcement.participant);
   if (holder == records_.end() || holder->second.record->boot() != announcement.boot) {
     lacks_and_doubts_.hear_stranger(announcement.participant, arrival.now);
+    former_losses_.hear(announcement, arrival);
     return Hearing::stranger;
   }
   auto& record = *holder->second.record;
@@ -270,6 +272,7 @@ void NeighbourTable::add(std::unique_ptr<NeighbourRecord> one, const announcemen
   witnesses_.add(id, record.boot());
   namesakes_.update(id, {record.name(), record.source()}, record.lasting());
   (void)record.hear(announcement, arrival, changes_);
+  former_losses_.hand_to(id, record);
   admission_.update(*known->second.member, record.standing());
   update(*known, arrival.now);
 }

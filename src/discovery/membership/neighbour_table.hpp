@@ -16,6 +16,7 @@
 #include "discovery/membership/admission/admission.hpp"
 #include "discovery/membership/claim/first_claims.hpp"
 #include "discovery/membership/former_incarnations.hpp"
+#include "discovery/membership/former_losses.hpp"
 #include "discovery/membership/lacks_and_doubts.hpp"
 #include "discovery/membership/namesakes.hpp"
 #include "discovery/membership/neighbour/arrival.hpp"
@@ -118,6 +119,8 @@ class NeighbourTable final : private ServiceRoom {
   std::size_t shed(base::Instant now);
   /// Whether it has said for long that it does not hear us, though we hear it.
   [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const { return witnesses_.is_deaf_to_us(id); }
+  /// The same for so long that it is no chance, and people may be told.
+  [[nodiscard]] bool is_surely_deaf_to_us(ParticipantId id) const { return witnesses_.is_surely_deaf_to_us(id); }
 
   /// Whether it hears us, and has said for long that it knows other participants than we do; whether anybody has.
   [[nodiscard]] bool knows_others(ParticipantId id) const { return witnesses_.knows_others(id); }
@@ -182,6 +185,7 @@ class NeighbourTable final : private ServiceRoom {
   Admission admission_;
   Witnesses witnesses_;
   FormerIncarnations former_;
+  FormerLosses former_losses_;
   FirstClaims claims_;
   LacksAndDoubts lacks_and_doubts_;
   Namesakes namesakes_;

@@ -360,6 +360,26 @@ TEST(NeighbourTable, MeasuresLossFromSequenceNumbers) {
   EXPECT_NEAR(rig.table.find(ParticipantId{1})->loss, 0.25, 0.02);
 }
 
+TEST(NeighbourTable, RemembersTheLossesOfWhoIsGivenUpAndComesBack) {
+  TableRig rig;
+  const auto say = [&](announcement::Announcement announcement, std::uint64_t sequence, int at) {
+    announcement.sequence = sequence;
+    return rig.hear(announcement, rig_start + seconds(at));
+  };
+  for (const int life : {0, 1, 2}) {
+    const auto first = static_cast<std::uint64_t>(10 * life);
+    const int at = 100 * life;
+    EXPECT_EQ(say(speaker(1, 1), first + 1, at), Hearing::newcomer) << life;
+    EXPECT_EQ(say(speaker(1, 1), first + 5, at + 1), Hearing::known) << life;
+    rig.table.expire(rig_start + seconds(at + 30));
+    EXPECT_EQ(say(presence_of(speaker(1, 1)), first + 9, at + 90), Hearing::stranger) << life;
+  }
+  EXPECT_EQ(say(speaker(1, 1), 31, 300), Hearing::newcomer);
+  const auto known = rig.table.find(ParticipantId{1});
+  EXPECT_EQ(known->loss, 0) << "of its new life";
+  EXPECT_EQ(known->paths.at(0).for_long, (LossSample{.missed = 31 - 10, .numbers = 31}));
+}
+
 TEST(NeighbourTable, HasADifferentWordForEachHearing) {
   std::set<std::string_view> words;
   for (int i = 0; i <= static_cast<int>(Hearing::returned); ++i) words.insert(to_string(static_cast<Hearing>(i)));

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "doctor/other_view.hpp"
+
 namespace geminga::doctor {
 namespace {
 
@@ -63,7 +65,7 @@ Answers healthy_team() {
 
 TEST(Doctor, FindsNothingWhereNothingIsWrong) {
   EXPECT_THAT(check_host(healthy_host()), IsEmpty());
-  EXPECT_THAT(check_daemon(healthy_host(), healthy_team(), "1.0.0"), IsEmpty());
+  EXPECT_THAT(check_daemon(healthy_team(), "1.0.0"), IsEmpty());
   EXPECT_THAT(check_team(healthy_team(), true), IsEmpty());
   EXPECT_THAT(check_requests(healthy_team()), IsEmpty());
   EXPECT_THAT(check_firewall(healthy_host(), healthy_team(), &passes), IsEmpty());
@@ -73,15 +75,17 @@ TEST(Doctor, FindsNothingWhereNothingIsWrong) {
 }
 
 TEST(Doctor, FindsAClockThatWasSet) {
-  Host host = healthy_host();
   Answers answers = healthy_team();
   answers.status.fields.emplace_back("started", "1000000000");
   for (const auto& [clock, is_found] : {std::pair(1000000100.0, false), std::pair(1000000102.0, false),
                                         std::pair(1000000102.5, true), std::pair(1000000097.5, true)}) {
-    host.clock = clock;
-    EXPECT_EQ(codes(check_daemon(host, answers, "1.0.0")) == std::vector<std::string>{"clock_jumped"}, is_found)
-        << clock;
+    answers.asked_from = clock;
+    answers.asked_until = clock;
+    EXPECT_EQ(codes(check_daemon(answers, "1.0.0")) == std::vector<std::string>{"clock_jumped"}, is_found) << clock;
   }
+  answers.asked_from = 1000000090;
+  answers.asked_until = 1000000110;
+  EXPECT_THAT(check_daemon(answers, "1.0.0"), IsEmpty()) << "the daemon answered late, and the clock may be right";
 }
 
 TEST(Doctor, FindsAnInterfaceOnWhichNothingComesInForFourIntervals) {
@@ -109,6 +113,9 @@ TEST(Doctor, FindsAGroupWithoutARouteWhereTheInterfaceHasAnAddressOfItsFamily) {
     EXPECT_EQ(found[0].command, "ip -6 route add multicast ff00::/8 dev eth0 table local");
   }
   EXPECT_THAT(check_firewall(healthy_host(), answers, &has_no_route), IsEmpty());
+  answers.interfaces[0].fields[1].second = "127.0.0.1,::1";
+  answers.interfaces[0].fields.emplace_back("loopback", "1");
+  EXPECT_THAT(check_multicast_routes(answers, &has_no_route), IsEmpty()) << "the loopback speaks IPv4";
 }
 
 TEST(Doctor, FindsAKeyThatOthersMayRead) {
@@ -147,6 +154,25 @@ TEST(Doctor, FindsServicesAtAddressesThatLeadNowhereOrHere) {
   EXPECT_THAT(findings[0].what, testing::HasSubstr("it is an address of this host, too"));
 }
 
+TEST(Doctor, SaysOfAHostBehindARelayThatTheRelayCarriesNoDataAndNoQuestions) {
+  Answers answers = healthy_team();
+  answers.participants[1].fields.emplace_back("path", "base/tower");
+  answers.services = {record({{"provider", "00000002/1"}, {"participant_name", "two"}, {"address", "172.17.0.1"}})};
+  const auto to_ten = [](const std::string& address) { return address.starts_with("10."); };
+  const Findings findings = check_addresses(healthy_host(), answers, to_ten);
+  ASSERT_THAT(codes(findings), ElementsAre("address_unreachable"));
+  EXPECT_THAT(findings[0].what, testing::HasSubstr("It is heard through base/tower, and a relay passes on"));
+  EXPECT_THAT(check_addresses(healthy_host(), answers, &leads_there), IsEmpty()) << "there is a route";
+  EXPECT_THAT(check_team(answers, true), IsEmpty());
+  OtherView other;
+  other.name = "two (00000002)";
+  other.is_known = true;
+  other.path = "base/tower";
+  const Findings of_other = check_other(other, answers, "1.0.0");
+  ASSERT_THAT(codes(of_other), ElementsAre("other_behind_relay"));
+  EXPECT_EQ(of_other[0].command, "geminga-query doctor --with tower");
+}
+
 TEST(Doctor, LeavesOutWhatFollowsFromAnotherFinding) {
   const auto finding = [](std::string code) {
     return Finding{
@@ -173,6 +199,7 @@ TEST(Doctor, NamesTheInterfacesThatCannotBeUsedOnlyWhereNoneCan) {
   EXPECT_EQ(findings[0].seen, "wlan0 (no cable, or no access point)");
   host.interfaces.clear();
   EXPECT_EQ(check_host(host)[0].seen, "there is none but the loopback");
+  EXPECT_THAT(check_host(host, true), IsEmpty()) << "its daemon was told to use that";
 }
 
 TEST(Doctor, FindsARadioThatSleepsAndAnMtuThatIsTooSmall) {
@@ -198,6 +225,8 @@ TEST(Doctor, SaysWhyNoDaemonAnswers) {
   const ClientError error{.kind = ClientError::Kind::unreachable, .text = "nobody listens there", .code = {}};
   Host host = healthy_host();
   EXPECT_THAT(codes(check_absent_daemon(host, error, "")), ElementsAre("daemon_silent"));
+  const ClientError late{.kind = ClientError::Kind::timed_out, .text = "no answer in time", .code = {}};
+  EXPECT_EQ(check_absent_daemon(host, late, "").at(0).command, "ps -o pid,stat,time,args -p 17");
   host.has_packaged_socket = true;
   host.may_use_packaged_socket = false;
   EXPECT_EQ(check_absent_daemon(host, error, "")[0].command, "adduser robot geminga");
@@ -222,30 +251,39 @@ TEST(Doctor, FindsWhatTheDaemonSaysOfItself) {
                                                         {"log_dropped", "log_dropped"}}) {
     Answers answers = healthy_team();
     answers.status.fields.emplace_back(key, "3");
-    const Findings findings = check_daemon(healthy_host(), answers, "1.0.0");
+    const Findings findings = check_daemon(answers, "1.0.0");
     EXPECT_THAT(codes(findings), ElementsAre(code));
     EXPECT_EQ(findings[0].seen, "status: " + key + "=3");
     answers.status.fields.back().second = "0";
-    EXPECT_THAT(check_daemon(healthy_host(), answers, "1.0.0"), IsEmpty()) << key;
+    EXPECT_THAT(check_daemon(answers, "1.0.0"), IsEmpty()) << key;
+    answers.status.fields.back().second = "3";
+    answers.earlier_status = answers.status;
+    EXPECT_EQ(check_daemon(answers, "1.0.0").at(0).seen,
+              "status: " + key + "=3 since the daemon started, none of them just now");
   }
   Answers poor = healthy_team();
   poor.status.fields.emplace_back("memory_kept_back", "4194304");
-  EXPECT_THAT(check_daemon(healthy_host(), poor, "1.0.0"), IsEmpty());
+  EXPECT_THAT(check_daemon(poor, "1.0.0"), IsEmpty());
   poor.status.fields.back().second = "4194303";
-  EXPECT_THAT(codes(check_daemon(healthy_host(), poor, "1.0.0")), ElementsAre("memory_short"));
-  EXPECT_THAT(codes(check_daemon(healthy_host(), healthy_team(), "1.0.1")), ElementsAre("version_differs"));
+  EXPECT_THAT(codes(check_daemon(poor, "1.0.0")), ElementsAre("memory_short"));
+  EXPECT_THAT(codes(check_daemon(healthy_team(), "1.0.1")), ElementsAre("version_differs"));
   Answers mute = healthy_team();
   mute.interfaces.clear();
-  EXPECT_THAT(codes(check_daemon(healthy_host(), mute, "1.0.0")), ElementsAre("nowhere_heard"));
+  EXPECT_THAT(codes(check_daemon(mute, "1.0.0")), ElementsAre("nowhere_heard"));
 }
 
-TEST(Doctor, FindsLossThatDeadlinesDoNotBear) {
+TEST(Doctor, FindsLossThatDeadlinesDoNotBearOnlyWhereItIsSure) {
   Answers answers = healthy_team();
-  answers.participants[1].fields.back() = {"addresses", "10.0.0.2"};
-  answers.participants[1].fields[3] = {"loss", "0.6"};
-  EXPECT_THAT(check_team(answers, true), IsEmpty());
-  answers.participants[1].fields[3] = {"loss", "0.61"};
-  EXPECT_THAT(codes(check_team(answers, true)), ElementsAre("loss_high"));
+  Record& neighbour = answers.participants[1];
+  neighbour.fields[3] = {"loss", "0.95"};
+  EXPECT_THAT(check_team(answers, true), IsEmpty()) << "a daemon that does not say how sure it is";
+  for (const auto& [least, is_found] :
+       {std::pair("0.000", false), std::pair("0.400", false), std::pair("0.401", true)}) {
+    neighbour.fields.resize(5);
+    neighbour.fields.emplace_back("loss_least", least);
+    EXPECT_EQ(codes(check_team(answers, true)) == std::vector<std::string>{"loss_high"}, is_found) << least;
+  }
+  EXPECT_EQ(check_team(answers, true).at(0).seen, "participants: loss=0.95 loss_least=0.401");
 }
 
 TEST(Doctor, FindsAHostThatIsAloneOnlyWhenOthersHadTimeToSpeak) {
@@ -255,6 +293,11 @@ TEST(Doctor, FindsAHostThatIsAloneOnlyWhenOthersHadTimeToSpeak) {
   EXPECT_THAT(check_team(answers, false).at(0).seen, testing::HasSubstr("without root only ports and groups near"));
   answers.status.fields[1].second = "10";
   EXPECT_THAT(check_team(answers, true), IsEmpty());
+  answers.status.fields[1].second = "40";
+  answers.status.fields[2].second = "10.000";
+  EXPECT_THAT(check_team(answers, true), IsEmpty()) << "one that speaks each ten seconds had less time";
+  answers.status.fields[1].second = "40.001";
+  EXPECT_THAT(codes(check_team(answers, true)), ElementsAre("alone"));
 }
 
 TEST(Doctor, FindsStrangersKeysAndDigests) {
@@ -280,6 +323,13 @@ TEST(Doctor, GroupsRequestsByTheirReason) {
   EXPECT_THAT(codes(findings), ElementsAre("unmatched"));
   EXPECT_EQ(findings[0].what, "5 requests are served by nobody (module0, module1, module2, ...): nobody offers it");
   EXPECT_EQ(findings[0].command, "geminga-query why 1/2/0");
+  for (std::size_t one = 0; one < 5; ++one) {
+    auto& fields = answers.unmatched[one].fields;
+    fields[1].second = "vision";
+    fields[3].second = "nobody offers text=service" + std::to_string(one) + ": start it";
+    fields.emplace_back("text", "service" + std::to_string(one));
+  }
+  EXPECT_EQ(check_requests(answers).at(0).what, "5 requests are served by nobody (vision): nobody offers it: start it");
 }
 
 TEST(Doctor, SaysTheWorstFirst) {

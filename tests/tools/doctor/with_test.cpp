@@ -93,6 +93,32 @@ TEST(DeafHost, IsReachedAloneByASealedTeam) {
   EXPECT_TRUE(comes_to(lab, 0, {}));
 }
 
+TEST(DoctorBehindARelay, FindsNothingAndSaysWhatARelayDoesNotCarry) {
+  Lab lab(3);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "two links need network namespaces";
+  lab.add_link(1, {2});
+  const Folder folder;
+  const std::vector<std::string> flags{"--interval", "0.2", "--diagnose", "--key-file", key_in(folder)};
+  for (const std::size_t host : {0U, 1U, 2U}) {
+    auto all = flags;
+    if (host == 1) all.emplace_back("--relay");
+    lab.begin(host, all);
+  }
+  for (const std::size_t host : {0U, 1U, 2U}) lab.wait_until_ready(host);
+  for (const std::size_t host : {0U, 1U, 2U}) {
+    ASSERT_TRUE(lab.wait_for_participants(host, 3)) << host;
+    EXPECT_TRUE(comes_to(lab, host, {})) << host;
+  }
+  EXPECT_THAT(codes_in(doctor_with(lab, "robot2").said), ElementsAre("other_behind_relay"));
+  EXPECT_THAT(codes_in(doctor_with(lab, "robot1").said), IsEmpty()) << "the relay itself answers";
+  system::Talk provider = lab.talk(2);
+  provider.say("1 pub create mode=oto id=77 port=5000");
+  EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
+  EXPECT_TRUE(comes_to(lab, 0, {"address_unreachable"})) << "there is no route to the other link";
+  must_run(lab, 0, {"/bin/ip", "route", "add", "10.47.18.0/24", "via", lab.address_of(1)});
+  EXPECT_TRUE(comes_to(lab, 0, {}));
+}
+
 TEST(AnnouncedAddress, StandsForTheInterfacesOwn) {
   Lab lab(2);
   if (!lab.has_namespaces()) GTEST_SKIP() << "the loopback announces nothing else";

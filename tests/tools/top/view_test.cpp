@@ -41,6 +41,7 @@ Record robot(const std::string& name, const std::string& heard, const std::strin
            {"heard", heard},
            {"interval", "2.000"},
            {"loss", loss},
+           {"loss_least", loss},
            {"publications", services},
            {"subscriptions", "0"}},
           {}};
@@ -177,6 +178,12 @@ TEST(TableView, MarksRobotsInTrouble) {
     EXPECT_EQ(line.style == Style::warning, is_troubled) << line.text;
   }
   EXPECT_THAT(text_of(view.lines(seen_of(team()), {24, 100}, "")), HasSubstr("late"));
+  Round healthy = team();
+  healthy.participants = {robot("d", "6.000", "0.300", "1"), robot("e", "5.000", "0.000", "1")};
+  EXPECT_THAT(text_of(view.lines(seen_of(healthy), {24, 100}, "")), testing::Not(HasSubstr("late")))
+      << "at 30 % three in a row are lost now and then";
+  healthy.participants[0].fields[3].second = "12.000";
+  EXPECT_THAT(text_of(view.lines(seen_of(healthy), {24, 100}, "")), HasSubstr("late"));
 }
 
 TEST(TableView, AsksWhyOfTheSelectedRequestAndShowsIt) {

@@ -22,11 +22,12 @@ constexpr std::string_view of_record =
     R"("kind":{"type":"string"},"record":{"type":"object"},"key":{"type":"string"},"reason":{"type":"string"})";
 constexpr std::string_view of_participant =
     R"("kind":{"type":"string"},"record":{"type":"object","properties":{"id":{"type":"string"},"name":{"type":"string"},)"
-    R"("heard":{"type":"number"},"interval":{"type":"number"},"loss":{"type":"number"}}},)"
+    R"("heard":{"type":"number"},"interval":{"type":"number"},"loss":{"type":"number"},)"
+    R"("loss_least":{"type":"number"}}},)"
     R"("key":{"type":"string"},"reason":{"type":"string"})";
 constexpr std::string_view of_heard =
     R"("records":{"type":"array","items":{"type":"object","properties":{"id":{"type":"string"},)"
-    R"("heard":{"type":"number"},"loss":{"type":"number"}}}})";
+    R"("heard":{"type":"number"},"loss":{"type":"number"},"loss_least":{"type":"number"}}}})";
 constexpr std::string_view of_answer =
     R"("kind":{"type":"string"},"subscription":{"type":"string"},)"
     R"("records":{"type":"array","items":{"type":"object"}},"end":{"type":"object"})";

@@ -142,6 +142,8 @@ void append_status(std::vector<Family>& families, const Record& status) {
 void append_neighbours(std::vector<Family>& families, const Answer& participants) {
   Family loss =
       made("geminga_neighbour_loss_ratio", Type::gauge, "ratio", "Share of its announcements that were missed");
+  Family least = made("geminga_neighbour_loss_least_ratio", Type::gauge, "ratio",
+                      "Share of its announcements that was missed at least, if one allows for chance");
   Family age = made("geminga_neighbour_age_seconds", Type::gauge, "seconds", "Time since it was last heard");
   Family hears = made("geminga_neighbour_hears_us", Type::gauge, "", "0 where it has said that it does not hear us");
   std::size_t told = 0;
@@ -150,10 +152,11 @@ void append_neighbours(std::vector<Family>& families, const Answer& participants
     if (++told > max_neighbour_samples) break;
     const Labels labels{{"participant", std::string(record["id"])}, {"name", std::string(record["name"])}};
     if (const auto value = number(record["loss"])) loss.samples.push_back({labels, *value});
+    if (const auto value = number(record["loss_least"])) least.samples.push_back({labels, *value});
     if (const auto value = number(record["heard"])) age.samples.push_back({labels, *value});
     hears.samples.push_back({labels, record["hears_us"] == "0" ? "0" : "1"});
   }
-  for (Family* family : {&loss, &age, &hears}) families.push_back(std::move(*family));
+  for (Family* family : {&loss, &least, &age, &hears}) families.push_back(std::move(*family));
 }
 
 std::string identity_of(const Record& record) {

@@ -387,7 +387,7 @@ Neighbour NeighbourRecord::snapshot() const {
   neighbour.loss = ways_.loss();
   neighbour.publications = services_.publications();
   neighbour.subscriptions = services_.size() - neighbour.publications;
-  neighbour.is_deaf = witnesses_.is_deaf_to_us(id_);
+  neighbour.is_deaf = witnesses_.is_surely_deaf_to_us(id_);
   if (passage_) neighbour.through = passage_->through;
   neighbour.is_complete = is_complete_;
   return neighbour;

@@ -111,6 +111,10 @@ class NeighbourRecord {
   /// Takes in that our presence says that we doubt it.
   void ask(base::Instant now) { signs_.ask(now, answer_time(known_loss())); }
   [[nodiscard]] std::optional<base::Instant> succeeded() const { return signs_.succeeded(); }
+  /// Takes over the losses on one way before the same incarnation was given up (FormerLosses).
+  void go_on_from(env::InterfaceIndex interface, std::uint32_t link, const LossWindow& former) {
+    ways_.go_on_from(interface, link, former);
+  }
   void set_succeeded(std::optional<base::Instant> succeeded) { signs_.set_succeeded(succeeded); }
   /// Whether it is looked for after its deadline, since it may only be out of reach.
   [[nodiscard]] bool is_sought(base::Instant now) const {

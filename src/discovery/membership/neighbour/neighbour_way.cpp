@@ -154,6 +154,10 @@ void NeighbourWay::say(const announcement::Announcement& announcement, const Arr
 Path NeighbourWay::path() const {
   auto path = path_;
   path.addresses = addresses_.value();
+  if (!is_relayed_) {
+    path.lately = losses_.lately();
+    path.for_long = losses_.for_long();
+  }
   return path;
 }
 

@@ -75,6 +75,8 @@ class NeighbourWay {
 
   /// Whether its datagrams come through relays, on whatever interface.
   [[nodiscard]] bool is_relayed() const { return is_relayed_; }
+  /// Takes over the losses of the same way before its participant was given up.
+  void go_on_from(const LossWindow& former) { losses_.go_on_from(former); }
   /// Takes in the loss of all hops of a relayed way.
   void set_loss(double loss) { path_.loss = loss; }
   /// Whether a datagram belongs to this way, from whatever address it came.

@@ -73,6 +73,12 @@ void NeighbourWays::vouch(std::string_view source) {
   vouched_.emplace_back(without_zone(source));
 }
 
+void NeighbourWays::go_on_from(env::InterfaceIndex interface, std::uint32_t link, const LossWindow& former) {
+  for (NeighbourWay& way : ways_) {
+    if (way.interface() == interface && way.link() == link && !way.is_relayed()) way.go_on_from(former);
+  }
+}
+
 double NeighbourWays::loss() const {
   double best = ways_.empty() ? 0 : 1;
   for (const auto& way : ways_) best = std::min(best, way.loss());

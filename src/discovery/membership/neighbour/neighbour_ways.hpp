@@ -39,6 +39,9 @@ class NeighbourWays {
     return address.substr(0, address.find('%'));
   }
 
+  /// Takes over the losses on one way before the participant was given up.
+  void go_on_from(env::InterfaceIndex interface, std::uint32_t link, const LossWindow& former);
+
   /// The loss of the best way. 1: no way was measured; 0: there is no way.
   [[nodiscard]] double loss() const;
   /// Whether one way has heard enough datagrams for its loss to mean something.

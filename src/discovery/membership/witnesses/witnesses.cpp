@@ -178,9 +178,9 @@ void Witnesses::Saying::note(bool is_said, Instant now) {
   until = now;
 }
 
-bool Witnesses::is_deaf_to_us(ParticipantId id) const {
+bool Witnesses::says_for(ParticipantId id, int intervals) const {
   const auto place = place_of(id);
-  return is_at(place, id) && others_[place].is_deaf.lasts(deaf_intervals * others_[place].interval);
+  return is_at(place, id) && others_[place].is_deaf.lasts(intervals * others_[place].interval);
 }
 
 bool Witnesses::knows_others(ParticipantId id) const {

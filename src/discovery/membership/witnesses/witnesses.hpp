@@ -19,6 +19,8 @@ namespace geminga::membership {
 /// A participant that says for so many of its intervals that it has not heard us is deaf to us. At 50 % loss one in
 /// thirty says so by chance, at 30 % one in four hundred.
 inline constexpr int deaf_intervals = 4;
+/// Before people are told of it, it has to say so for so many: at 30 % loss one in twenty thousand does by chance.
+inline constexpr int surely_deaf_intervals = 12;
 
 /// A testimony with the names of those that it is about.
 struct NamedTestimony {
@@ -61,7 +63,9 @@ class Witnesses {
   /// Takes in the testimony of a known participant; whether it is about the same participants as ours.
   bool hear(const announcement::Announcement& presence, base::Instant now);
   /// Whether a known participant, which we hear, has said for deaf_intervals of its own that it does not hear us.
-  [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const;
+  [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const { return says_for(id, deaf_intervals); }
+  /// The same for surely_deaf_intervals.
+  [[nodiscard]] bool is_surely_deaf_to_us(ParticipantId id) const { return says_for(id, surely_deaf_intervals); }
   /// Whether a known participant, which hears us, has said for deaf_intervals of its own that it knows other
   /// participants than we do.
   [[nodiscard]] bool knows_others(ParticipantId id) const;
@@ -105,6 +109,7 @@ class Witnesses {
   [[nodiscard]] Folded folded(std::size_t place) const {
     return {.id = ids_[place], .boot = others_[place].boot, .revision = others_[place].revision};
   }
+  [[nodiscard]] bool says_for(ParticipantId id, int intervals) const;
   [[nodiscard]] announcement::HeardWithin testimony(const Member& member, base::Instant now) const;
   /// Whether a testimony is about the same participants, so that each place has its meaning.
   [[nodiscard]] bool is_of_same(const announcement::Announcement& presence) const;

@@ -8,7 +8,7 @@ namespace geminga::participant {
 
 void OneWay::hear(const announcement::Announcement& presence, const membership::NeighbourTable& neighbours,
                   std::string_view source, std::string_view interface, base::LogSink& log) {
-  const bool is_deaf = neighbours.is_deaf_to_us(presence.participant);
+  const bool is_deaf = neighbours.is_surely_deaf_to_us(presence.participant);
   if (is_deaf == told_.contains(presence.participant)) return;
   const auto known = neighbours.find(presence.participant);
   const std::string id = to_string(presence.participant);

@@ -19,7 +19,7 @@ constexpr std::array told_of_status{"version",      "state",           "uptime",
 constexpr std::array<std::string_view, 6> told_counts{"rejected_",  "sealing_",    "dropped_",
                                                       "heard_full", "heard_other", "heard_contradiction"};
 constexpr std::array told_of_interfaces{"name", "addresses", "sent", "received", "quiet", "ipv6"};
-constexpr std::array told_of_participants{"id", "heard", "loss", "ontology", "hears_us"};
+constexpr std::array told_of_participants{"id", "heard", "loss", "loss_least", "ontology", "hears_us"};
 
 bool is_count(std::string_view key) {
   return std::ranges::any_of(told_counts, [&](std::string_view begin) { return key.starts_with(begin); });

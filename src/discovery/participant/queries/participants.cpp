@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "discovery/membership/neighbour/least_loss.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/queries.hpp"
@@ -45,6 +46,7 @@ Line ourselves(const Listed& by, const Self& self, base::Duration interval, cons
   append(line, "heard", "0.000");
   append(line, "interval", seconds(interval));
   append(line, "loss", "0.000");
+  append(line, "loss_least", "0.000");
   append(line, "ontology", digest_word(by.matcher.vocabulary().digest()));
   append(line, "publications", sessions.publication_count());
   append(line, "subscriptions", sessions.subscription_count());
@@ -62,6 +64,7 @@ Line line_of(const Listed& by, const membership::Neighbour& neighbour) {
   append(line, "heard", seconds(by.env.now() - neighbour.heard));
   append(line, "interval", seconds(neighbour.interval));
   append(line, "loss", decimal(neighbour.loss));
+  append(line, "loss_least", decimal(membership::least_loss(neighbour)));
   append(line, "ontology", digest_word(neighbour.ontology_digest));
   append(line, "publications", neighbour.publications);
   append(line, "subscriptions", neighbour.subscriptions);

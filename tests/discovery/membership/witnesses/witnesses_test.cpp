@@ -203,8 +203,13 @@ TEST(Witnesses, KnowWhoIsDeafToUsAfterFourIntervals) {
   EXPECT_TRUE(ours.is_deaf_to_us(ParticipantId{2}));
   EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{3})) << "it has said nothing";
   EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{9}));
-  say_of_us(ours, theirs, now + seconds(32), now + seconds(32), milliseconds(100));
+  say_of_us(ours, theirs, now + seconds(32), now + seconds(44), seconds(5));
+  EXPECT_FALSE(ours.is_surely_deaf_to_us(ParticipantId{2})) << "people are told after twelve";
+  say_of_us(ours, theirs, now + seconds(46), now + seconds(46), seconds(5));
+  EXPECT_TRUE(ours.is_surely_deaf_to_us(ParticipantId{2}));
+  say_of_us(ours, theirs, now + seconds(48), now + seconds(48), milliseconds(100));
   EXPECT_FALSE(ours.is_deaf_to_us(ParticipantId{2})) << "one word is enough to be heard again";
+  EXPECT_FALSE(ours.is_surely_deaf_to_us(ParticipantId{2}));
 }
 
 TEST(Witnesses, KnowWhoIsDeafToUsThoughItDoesNotKnowUs) {

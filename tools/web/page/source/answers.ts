@@ -7,6 +7,7 @@ export interface Participant {
   heard: number;
   interval: number;
   loss?: number;
+  loss_least?: number;
   ontology: string;
   publications: number;
   subscriptions: number;

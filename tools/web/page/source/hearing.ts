@@ -2,10 +2,9 @@
 import { isDeaf, wayOf, type Hearer, type Participant } from './answers.js';
 import { h, refill, shortened } from './dom.js';
 import { Matrix } from './matrix.js';
-import { tooLate, tooMuchLoss } from './wrong.js';
+import { isLate, isLossy, tooMuchLoss } from './wrong.js';
 
-const isLate = (one: Participant): boolean => one.heard > tooLate * one.interval;
-const isTroubled = (one: Participant): boolean => isDeaf(one) || isLate(one) || (one.loss ?? 0) > tooMuchLoss;
+const isTroubled = (one: Participant): boolean => isDeaf(one) || isLate(one) || isLossy(one);
 /** Those of whom something is amiss first, then by name. */
 const inOrder = (a: Participant, b: Participant): number => Number(isTroubled(b)) - Number(isTroubled(a)) || a.name.localeCompare(b.name, 'en', { numeric: true });
 
@@ -15,7 +14,7 @@ function drawOwn(parent: HTMLElement, others: Participant[], choose: (id: string
     return h('tr', {},
       h('th', { scope: 'row' }, h('button', { type: 'button', class: 'plain', 'data-key': `hears ${one.id}`, click: () => choose(one.id) }, shortened(one.name, 24))),
       h('td', { class: isLate(one) ? 'bad' : '' }, `${one.heard.toFixed(1)} s ago${wayOf(one) === '' ? '' : ', relayed'}`),
-      h('td', { class: loss > tooMuchLoss * 100 ? 'bad' : '' }, `${loss} % lost `, h('meter', { min: 0, max: 100, value: loss, high: tooMuchLoss * 100, 'aria-label': `loss of ${one.name}` })),
+      h('td', { class: isLossy(one) ? 'bad' : '' }, `${loss} % lost `, h('meter', { min: 0, max: 100, value: loss, high: tooMuchLoss * 100, 'aria-label': `loss of ${one.name}` })),
       h('td', { class: isDeaf(one) ? 'bad' : '' }, isDeaf(one) ? '✕ does not hear us' : '✓ no complaint'));
   });
   refill(parent, others.length === 0 ? h('p', {}, 'No other host is heard.') : h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Hosts that are heard' },

@@ -2,7 +2,7 @@
 // large as what is seen of it, so that ten thousand cells cost no more than a screen; the keys of arrows go from cell to cell, which is told in words.
 import type { Hearer, Participant } from './answers.js';
 import { h, shortened } from './dom.js';
-import { tooLate, tooMuchLoss } from './wrong.js';
+import { isLate, isLossy } from './wrong.js';
 
 type Kind = 'well' | 'fair' | 'missed' | 'none';
 
@@ -29,21 +29,39 @@ const byName = (a: Participant, b: Participant): number => a.name.localeCompare(
 function ownRow(participants: Participant[]): Map<string, Cell> {
   return new Map(participants.map((one) => {
     const loss = one.loss ?? 0;
-    const kind: Kind = one.heard > tooLate * one.interval || loss > tooMuchLoss ? 'missed' : one.heard > one.interval ? 'fair' : 'well';
+    const kind: Kind = isLate(one) || isLossy(one) ? 'missed' : one.heard > one.interval ? 'fair' : 'well';
     return [one.id, { words: `${Math.round(loss * 100)} % lost, heard ${one.heard.toFixed(0)} s ago`, kind }];
   }));
 }
 
+/** Since when a host says again and again that it has not heard another one within the interval, in ms, by both. */
+type Silences = Map<string, number>;
+
+/** The intervals after which that is no chance: at 30 % loss one pair in fifteen thousand is silent for so long. */
+const silentIntervals = 8;
+
 /** Cells by hearer and heard. */
-function cellsOf(participants: Participant[], hearers: Hearer[]): Map<string, Map<string, Cell>> {
+function cellsOf(participants: Participant[], hearers: Hearer[], silences: Silences, now: number): Map<string, Map<string, Cell>> {
   const cells = new Map<string, Map<string, Cell>>();
+  const intervals = new Map(participants.map((one) => [one.id, one.interval]));
+  const silent = new Set<string>();
   for (const one of hearers) {
     const row = new Map<string, Cell>();
     for (const id of one.quarter ?? []) row.set(id, { words: 'within a quarter of its interval', kind: 'well' });
     for (const id of one.half ?? []) row.set(id, { words: 'within half its interval', kind: 'well' });
     for (const id of one.whole ?? []) row.set(id, { words: 'within its interval', kind: 'fair' });
-    for (const id of one.longer ?? []) row.set(id, { words: 'longer ago than its interval', kind: 'missed' });
+    for (const id of one.longer ?? []) {
+      const pair = `${one.witness} ${id}`;
+      silent.add(pair);
+      const since = silences.get(pair) ?? now;
+      silences.set(pair, since);
+      const isMissed = now - since >= silentIntervals * 1000 * (intervals.get(id) ?? 2);
+      row.set(id, isMissed ? { words: 'not for eight of its intervals', kind: 'missed' } : { words: 'longer ago than its interval', kind: 'fair' });
+    }
     cells.set(one.witness, row);
+  }
+  for (const pair of silences.keys()) {
+    if (!silent.has(pair)) silences.delete(pair);
   }
   const self = participants.find((one) => one.self);
   if (self !== undefined) cells.set(self.id, ownRow(participants));
@@ -60,6 +78,7 @@ export class Matrix {
   private order: Participant[] = [];
   private troubled = new Set<string>();
   private cells = new Map<string, Map<string, Cell>>();
+  private readonly silences: Silences = new Map();
   /** The robots of the cell that is told in words: who hears, and who is heard. */
   private aimed: [string, string] | undefined;
   private frame: number | undefined;
@@ -86,13 +105,13 @@ export class Matrix {
   draw(participants: Participant[], hearers: Hearer[]): void {
     this.section.hidden = participants.length < 2 || hearers.length === 0;
     if (this.section.hidden) return;
-    this.cells = cellsOf(participants, hearers);
+    this.cells = cellsOf(participants, hearers, this.silences, Date.now());
     this.troubled = new Set();
     for (const [hearer, row] of this.cells) for (const [heard, cell] of row) if (cell.kind === 'missed' && hearer !== heard) this.troubled.add(hearer).add(heard);
     const rank = (one: Participant): number => (one.self ? 0 : this.troubled.has(one.id) ? 1 : 2);
     this.order = [...participants].sort((a, b) => rank(a) - rank(b) || byName(a, b));
     const missed = this.order.filter((one) => this.troubled.has(one.id));
-    const about = 'Each row says whom it hears: ● lately, ◐ within the interval, ✕ not, · not known. ' +
+    const about = 'Each row says whom it hears: ● lately, ◐ within the interval or not lately, ✕ not for eight intervals, · not known. ' +
       (missed.length === 0 ? 'Nobody is missed.' : `Missed are some of ${missed.length}, which stand first: ${shortened(missed.map((one) => one.name).join(', '), 200)}.`);
     if (this.about.textContent !== about) this.about.textContent = about;
     this.room.style.width = `${left + this.order.length * size}px`;

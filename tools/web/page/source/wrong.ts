@@ -18,9 +18,17 @@ export interface Finding {
   request?: Request;
 }
 
-/** The share of announcements lost from which deadlines bear no more, which is the doctor's, and how late a host may be, in its intervals. */
-export const tooMuchLoss = 0.6;
-export const tooLate = 2.5;
+/** The share of announcements lost from which deadlines bear no more, which is the doctor's. */
+export const tooMuchLoss = 0.4;
+
+/** Whether more than that is lost for certain: few announcements look worse than they are by chance. */
+export const isLossy = (one: Participant): boolean => (one.loss_least ?? 0) > tooMuchLoss;
+
+/** Whether a host is silent for longer than its loss explains: at 30 % one of twenty has lost 2.5 announcements in a row. One in a thousand is late by chance. */
+export function isLate(one: Participant): boolean {
+  const intervals = Math.log(0.001) / Math.log(Math.min(Math.max(one.loss ?? 0, 0.05), 0.99));
+  return one.heard > Math.max(2.5, intervals) * one.interval;
+}
 
 function gone(happenings: Happening[], now: Map<string, Participant>): Finding[] {
   const last = new Map<string, Happening>();
@@ -49,10 +57,10 @@ function hearing(participants: Participant[]): Finding[] {
         text: 'A firewall, a switch that filters multicast, or a Wi-Fi access point keeps our multicasts from it. Open UDP port 4717 there, or name each host to the other.',
         ...(one.addresses[0] === undefined ? {} : { command: `gemingad --peer ${one.addresses[0]}` }) });
     }
-    if ((one.loss ?? 0) > tooMuchLoss) {
-      findings.push({ key: `loss ${one.id}`, level: 'warning', title: `${Math.round((one.loss ?? 0) * 100)} % of the announcements of ${one.name} are lost`, places,
+    if (isLossy(one)) {
+      findings.push({ key: `loss ${one.id}`, level: 'warning', title: `At least ${Math.round((one.loss_least ?? 0) * 100)} % of the announcements of ${one.name} are lost`, places,
         text: 'It may be told as gone while it lives. Look at the radio link, and at what else floods it.' });
-    } else if (one.heard > tooLate * one.interval) {
+    } else if (isLate(one)) {
       findings.push({ key: `late ${one.id}`, level: 'warning', title: `${one.name} was last heard ${one.heard.toFixed(0)} s ago`, places,
         text: `It speaks each ${one.interval} s otherwise, and is gone when its deadline passes.` });
     }
