@@ -86,6 +86,37 @@ class Scraped : public tools::Query {
     return testing::AssertionFailure() << "firing at last: " << testing::PrintToString(found);
   }
 
+  /// Asks until this alert fires, whatever else does.
+  testing::AssertionResult comes_to_fire(const std::string& alert) {
+    const auto end = std::chrono::steady_clock::now() + system::patience;
+    std::set<std::string> found;
+    while (std::chrono::steady_clock::now() < end) {
+      found = firing();
+      if (found.contains(alert)) return testing::AssertionSuccess();
+      ::poll(nullptr, 0, 100);
+    }
+    return testing::AssertionFailure() << "firing at last: " << testing::PrintToString(found);
+  }
+  /// Keeps two of three datagrams of this participant from the host, which is known by the name.
+  void lose_two_of_three(const std::string& name) {
+    system::Talk asker = bench_.talk();
+    std::string id;
+    ASSERT_TRUE(asker.wait_until("participants", [&](const auto& lines) {
+      for (const std::string& line : lines) {
+        if (system::field(line, "name") == name) id = system::field(line, "id");
+      }
+      return !id.empty();
+    }));
+    // Its octets stand behind the UDP header and the first eight of an announcement, the lowest first.
+    const std::string octets = id.substr(6, 2) + id.substr(4, 2) + id.substr(2, 2) + id.substr(0, 2);
+    const auto ran = system::run(
+        bench_.lab().on(0, {"/usr/sbin/nft",
+                            "add table inet air; add chain inet air in { type filter hook input priority 0; }; "
+                            "add rule inet air in udp dport 4717 @th,128,32 0x" +
+                                octets + " numgen inc mod 3 < 2 drop"}));
+    ASSERT_EQ(ran.status, 0) << ran.said;
+  }
+
   void serve() {
     web_ = bench_.start("geminga-web", {"--listen", "127.0.0.1:" + std::to_string(web_port_)});
     ASSERT_TRUE(web_->wait_for("serving"));
@@ -117,7 +148,7 @@ TEST_F(Scraped, IsTakenByPromtool) {
   said_by({"/bin/sh", "-c", std::string(promtool) + " check metrics <" + (folder_.path / "metrics").string()});
 }
 
-TEST_F(Scraped, RaisesTheAlertsOfRequestsDaemonsOntologiesAndRobots) {
+TEST_F(Scraped, RaisesEachOfTheAlertsThatShip) {
   if (!is_there()) GTEST_SKIP() << "Debian's prometheus is not installed";
   serve();
   start_prometheus();
@@ -136,12 +167,21 @@ TEST_F(Scraped, RaisesTheAlertsOfRequestsDaemonsOntologiesAndRobots) {
   bench_.start_daemon();
   ASSERT_TRUE(comes_to({}));
   if (!bench_.lab().has_namespaces()) return;  // another team may be heard on this link
-  auto other = bench_.start(
-      "gemingad", {"--name", "other", "--interval", "0.2", "--gcnp", "127.0.0.1:" + std::to_string(client::free_port()),
-                   "--ontology", GEMINGA_SOURCE_DIR "/ontology/robot-soccer.ttl"});
+  auto other = bench_.start("gemingad", {"--name", "other", "--interval", "0.05", "--gcnp",
+                                         "127.0.0.1:" + std::to_string(client::free_port()), "--ontology",
+                                         GEMINGA_SOURCE_DIR "/ontology/robot-soccer.ttl"});
   ASSERT_TRUE(comes_to({"GemingaOntologiesDiffer"}));
+  if (system::Lab::can_lose()) {
+    lose_two_of_three("other");
+    ASSERT_TRUE(comes_to_fire("GemingaLossHigh"));
+  }
   other->signal(SIGKILL);
   ASSERT_TRUE(comes_to({"GemingaRobotGone"})) << "it said no goodbye";
+  const std::string key = folder_.path / "team.key";
+  ASSERT_EQ(bench_.run("gemingad", {"--generate-key", key}).status, 0);
+  const auto sealed = bench_.start("gemingad", {"--name", "sealed", "--key-file", key, "--gcnp",
+                                                "127.0.0.1:" + std::to_string(client::free_port())});
+  ASSERT_TRUE(comes_to_fire("GemingaKeyMissing")) << "this host has no key";
 }
 
 }  // namespace
