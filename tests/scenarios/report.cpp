@@ -61,7 +61,7 @@ void print_report(std::ostream& out, const Conditions& conditions, const Result&
 
 void print_sites(std::ostream& out, const SiteConditions& conditions, const SiteResult& result, const Cost& cost) {
   const auto row = [&](const std::string& name, const std::string& figure) {
-    out << "  " << name << std::string(name.size() < 58 ? 58 - name.size() : 1, ' ') << figure << "\n";
+    out << "  " << name << std::string(name.size() < 60 ? 60 - name.size() : 1, ' ') << figure << "\n";
   };
   row("sites, clusters, minutes", std::to_string(conditions.sites) + ", " + std::to_string(conditions.clusters) + ", " +
                                       decimal(seconds(conditions.time) / 60));
@@ -76,6 +76,9 @@ void print_sites(std::ostream& out, const SiteConditions& conditions, const Site
   row("told of a change of magnitude, p50 / p95 / max", quantiles(result.changed));
   row("offerers of interests; unknown; known and gone",
       std::to_string(result.pairs) + "; " + std::to_string(result.missing) + "; " + std::to_string(result.surplus));
+  row("expansions; not answered", std::to_string(result.expansions) + "; " + std::to_string(result.unanswered));
+  row("octets a second of expansions and listings of a site", decimal(result.listing_octets));
+  row("services listed after they were asked for, p50 / p95 / max", quantiles(result.listed));
   row("peak memory of all", decimal(static_cast<double>(cost.peak_octets) / (1 << 20)) + " MiB");
   row("seconds", decimal(cost.real_seconds));
 }

@@ -1,7 +1,6 @@
 #include "scenarios/sites.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,10 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "base/assert.hpp"
 #include "base/random.hpp"
 #include "discovery/summary/horizon.hpp"
 #include "discovery/summary/limits.hpp"
 #include "discovery/summary/magnitude.hpp"
+#include "discovery/summary/message.hpp"
 #include "discovery/summary/offerings.hpp"
 #include "sim/agenda.hpp"
 #include "sim/small_ontology.hpp"
@@ -20,9 +21,7 @@
 namespace geminga::scenarios {
 namespace {
 
-constexpr std::size_t leaves = 1000;
 constexpr std::size_t first_leaf = 111;
-constexpr std::size_t middles = 100;
 constexpr std::size_t first_middle = 11;
 /// Nothing changes in the end, so that all must be known.
 constexpr base::Duration settles_in = std::chrono::minutes(1);
@@ -30,11 +29,17 @@ constexpr std::uint64_t most_services = 16;  ///< of one concept at first
 
 /// The octets that NATS writes before and behind a payload: "MSG <subject> <sid> <size>", and the line ends.
 constexpr std::size_t protocol_octets = 20;
-/// Of a message with its subject and what NATS adds, about.
-constexpr double question_octets = 100;
-constexpr double answer_octets = 97;
 constexpr std::string_view question_subject = "geminga.team.ask.";
 constexpr std::string_view answer_subject = "geminga.team.sum.";
+/// Of expansions and listings, with the number of a site or of a reply behind it.
+constexpr std::size_t direct_subject_octets = 34;
+/// The answers to an interest are there: SUMMARY.md, "Limits".
+constexpr base::Duration expands_after = std::chrono::seconds(1);
+constexpr base::Duration asks_again_after = std::chrono::seconds(1);
+constexpr int most_requests = 4;
+/// A participant has nine publications, and a state of so many octets (SCALE.md).
+constexpr std::uint32_t services_of_participant = 9;
+constexpr std::size_t state_octets = 592;
 
 std::string iri_of(std::size_t number) { return "https://geminga.example/soccer#C" + std::to_string(number); }
 
@@ -54,7 +59,8 @@ struct Site {
 
 class Sites {
  public:
-  explicit Sites(const SiteConditions& conditions) : conditions_(conditions), random_(conditions.seed) {
+  explicit Sites(const SiteConditions& conditions)
+      : conditions_(conditions), random_(conditions.seed), air_(conditions.seed + 1) {
     const std::vector<vocabulary::Vocabulary> ontologies{sim::small_ontology("tree"),
                                                          sim::small_ontology("other-tree")};
     for (std::size_t i = 0; i < conditions_.sites; ++i) {
@@ -83,6 +89,16 @@ class Sites {
         case Due::Kind::arrival:
           arrive(due.number, due.site);
           break;
+        case Due::Kind::expansion:
+          expand(due.site, due.number);
+          break;
+        case Due::Kind::request:
+          request(due.number);
+          break;
+        case Due::Kind::listing:
+          result_.listed.push_back(now_ - expansions_[due.number].began);
+          expansions_[due.number].is_listed = true;
+          break;
       }
     }
     finish();
@@ -91,9 +107,18 @@ class Sites {
 
  private:
   struct Due {
-    enum class Kind : std::uint8_t { interest, change, timer, arrival } kind{};
+    enum class Kind : std::uint8_t { interest, change, timer, arrival, expansion, request, listing } kind{};
     std::size_t site = 0;    ///< of an arrival: the cluster
-    std::size_t number = 0;  ///< of an interest: the class; of an arrival: the flight
+    std::size_t number = 0;  ///< of an interest or expansion: the class; of an arrival: the flight; else the expansion
+  };
+  /// A site that was asked which services it offers.
+  struct Expansion {
+    std::size_t asker = 0;
+    std::size_t offerer = 0;
+    summary::Topic topic;
+    base::Instant began;
+    int requests = 0;
+    bool is_listed = false;
   };
   /// A message on its way to the sites of all clusters that want it.
   struct Flight {
@@ -106,15 +131,15 @@ class Sites {
 
   void furnish(Site& site, std::size_t index) {
     for (std::size_t i = 0; i < conditions_.concepts; ++i) {
-      const std::size_t leaf = first_leaf + random_.below(leaves);
+      const std::size_t leaf = first_leaf + random_.below(site_leaves);
       for (std::uint64_t left = 1 + random_.below(most_services); left > 0; --left) offer(site, leaf);
     }
     const auto begin = [&](std::size_t number) {
       agenda_.add(base::Instant(random_.between(base::Duration(0), conditions_.start)),
                   {.kind = Due::Kind::interest, .site = index, .number = number});
     };
-    for (std::size_t i = 0; i < conditions_.leaf_interests; ++i) begin(first_leaf + random_.below(leaves));
-    for (std::size_t i = 0; i < conditions_.middle_interests; ++i) begin(first_middle + random_.below(middles));
+    for (std::size_t i = 0; i < conditions_.leaf_interests; ++i) begin(first_leaf + random_.below(site_leaves));
+    for (std::size_t i = 0; i < conditions_.middle_interests; ++i) begin(first_middle + random_.below(site_middles));
     plan_change(index);
   }
 
@@ -132,7 +157,7 @@ class Sites {
   void change(std::size_t index) {
     Site& site = *sites_[index];
     if (random_.chance(0.5) || site.concepts.empty()) {
-      offer(site, site.concepts.empty() || random_.chance(0.5) ? first_leaf + random_.below(leaves)
+      offer(site, site.concepts.empty() || random_.chance(0.5) ? first_leaf + random_.below(site_leaves)
                                                                : site.concepts[random_.below(site.concepts.size())]);
     } else {
       std::swap(site.concepts[random_.below(site.concepts.size())], site.concepts.back());
@@ -150,7 +175,9 @@ class Sites {
     site.interests[iri] = now_;
     (void)site.horizon.want(iri, found ? std::optional(std::to_underlying(*found)) : std::nullopt, now_);
     for (const summary::Topic& topic : site.horizon.topics(iri)) wanted_[topic].push_back(&site);
-    settle(index_of(site), now_);
+    const std::size_t index = index_of(site);
+    settle(index, now_);
+    agenda_.add(now_ + expands_after, {.kind = Due::Kind::expansion, .site = index, .number = number});
   }
 
   std::size_t index_of(const Site& site) const {
@@ -218,26 +245,81 @@ class Sites {
   void arrive(std::size_t number, std::size_t cluster) {
     Flight& flight = *flights_[number];
     const auto give = [&](Site& site) {
+      if (is_lost()) return false;
       result_.received_octets += static_cast<double>(flight.octets);
       if (flight.message.kind == summary::Kind::question) site.offerings.hear(flight.message, now_, random_);
       site.horizon.hear(flight.message, now_, random_);
+      return true;
     };
     if (flight.message.kind == summary::Kind::question) {
       for (std::size_t i = cluster; i < sites_.size(); i += conditions_.clusters) {
         if (i == flight.sender) continue;
-        give(*sites_[i]);
-        settle(i, now_);
+        if (give(*sites_[i])) settle(i, now_);
       }
     } else if (const auto wanted = wanted_.find(flight.message.topic); wanted != wanted_.end()) {
       for (Site* site : wanted->second) {
         if (site->cluster != cluster || site == sites_[flight.sender].get()) continue;
-        give(*site);
-        note(*site, flight);
+        if (give(*site)) note(*site, flight);
       }
     }
     if (--flight.left > 0) return;
     flights_[number].reset();
     free_.push_back(number);
+  }
+
+  bool is_lost() { return conditions_.loss > 0 && air_.chance(conditions_.loss); }
+
+  /// Asks those that offer enough of an interest; where nobody is known, again when it was asked again.
+  void expand(std::size_t index, std::size_t number) {
+    const std::string iri = iri_of(number);
+    const auto chosen = sites_[index]->horizon.enough(iri, conditions_.expanded, now_);
+    if (chosen.empty()) {
+      agenda_.add(now_ + summary::ask_again, {.kind = Due::Kind::expansion, .site = index, .number = number});
+    }
+    for (const summary::Offerer& one : chosen) {
+      expansions_.push_back({.asker = index,
+                             .offerer = static_cast<std::size_t>(std::to_underlying(one.site)) - 1,
+                             .topic = {.digest = 0, .rank = 0, .iri = iri},
+                             .began = now_});
+      ++result_.expansions;
+      request(expansions_.size() - 1);
+    }
+  }
+
+  /// Says an expansion, which the offerer answers by a listing unless either is lost.
+  void request(std::size_t number) {
+    Expansion& one = expansions_[number];
+    if (one.is_listed) return;
+    Site& asker = *sites_[one.asker];
+    if (one.requests++ == most_requests) {
+      ++result_.unanswered;
+      return asker.horizon.forget(summary::SiteId{one.offerer + 1});
+    }
+    agenda_.add(now_ + asks_again_after, {.kind = Due::Kind::request, .number = number});
+    const summary::Message expansion{.kind = summary::Kind::expansion,
+                                     .site = summary::SiteId{one.asker + 1},
+                                     .topic = one.topic,
+                                     .digest = asker.vocabulary.digest()};
+    if (count_and_lose(expansion)) return;
+    const Site& offerer = *sites_[one.offerer];
+    const std::uint32_t services = offerer.offerings.count(one.topic);
+    const std::vector<std::string> states((services + services_of_participant - 1) / services_of_participant,
+                                          std::string(state_octets, 'x'));
+    for (const summary::Message& page :
+         summary::listings(summary::SiteId{one.offerer + 1}, one.topic, offerer.vocabulary.digest(), states)) {
+      if (count_and_lose(page)) return;
+    }
+    const base::Duration trip =
+        2 * conditions_.leaf_delay + (asker.cluster == offerer.cluster ? base::Duration(0) : conditions_.gateway_delay);
+    agenda_.add(now_ + 2 * trip, {.kind = Due::Kind::listing, .number = number});
+  }
+
+  /// Whether a message to one site is lost on its way, after it was counted and read as its receiver would.
+  bool count_and_lose(const summary::Message& message) {
+    const std::string octets = summary::encode(message);
+    GEMINGA_ASSERT(summary::decode(octets) == message);
+    result_.listing_octets += static_cast<double>(octets.size() + direct_subject_octets + protocol_octets);
+    return is_lost();
   }
 
   /// Measures how late an answer was.
@@ -264,8 +346,11 @@ class Sites {
     }
     result_.received_octets /= count * duration;
     result_.sent_octets /= count * duration;
+    result_.listing_octets /= count * duration;
     result_.gateway_octets /= duration;
-    expect(duration);
+    const SiteExpectation expected = expectation(conditions_);
+    result_.expected_remembered = expected.remembered;
+    result_.expected_received = expected.received_octets;
   }
 
   void judge(const Site& site, const std::string& iri) {
@@ -281,38 +366,16 @@ class Sites {
     }
   }
 
-  /// SCALE.md, "What a site receives".
-  void expect(double duration) {
-    const double n = static_cast<double>(sites_.size());
-    const double offers_leaf = 1 - std::pow(1 - 1.0 / leaves, static_cast<double>(conditions_.concepts));
-    const double offers_middle = 1 - std::pow(1 - 10.0 / leaves, static_cast<double>(conditions_.concepts));
-    result_.expected_remembered = n * (static_cast<double>(conditions_.leaf_interests) * offers_leaf +
-                                       static_cast<double>(conditions_.middle_interests) * offers_middle);
-    const auto interests = static_cast<double>(conditions_.leaf_interests + conditions_.middle_interests);
-    // Each class that somebody wants is a topic by rank in each ontology and one by IRI, which sites of each ask.
-    const auto wanted_of = [n](double all, std::size_t each) {
-      return all * (1 - std::pow(1 - 1 / all, n * static_cast<double>(each)));
-    };
-    const double wanted =
-        wanted_of(leaves, conditions_.leaf_interests) + wanted_of(middles, conditions_.middle_interests);
-    const double topics = wanted * (conditions_.other_ontology > 0 ? 4 : 2);
-    // Of the sites that want a topic the first one asks again, after a little more than the least time.
-    const double rounds = std::floor(duration / (0.84 * std::chrono::duration<double>(summary::ask_again).count()));
-    const double questions = 2 * n * interests + rounds * topics;
-    // At first each site asks for itself, and those that want the same hear the answers, too.
-    const double askers = std::max(1.0, n * interests / wanted);
-    const double answers = result_.expected_remembered * (askers / 2 + rounds);
-    result_.expected_received = (questions * question_octets + answers * answer_octets) / duration;
-  }
-
   const SiteConditions conditions_;
   base::Random random_;
+  base::Random air_;  ///< decides what is lost
   base::Instant now_{};
   sim::Agenda<Due> agenda_;
   std::vector<std::unique_ptr<Site>> sites_;
   std::map<summary::Topic, std::vector<Site*>> wanted_;  ///< the subscriptions
   std::vector<std::unique_ptr<Flight>> flights_;
   std::vector<std::size_t> free_;
+  std::vector<Expansion> expansions_;
   SiteResult result_;
 };
 

@@ -1,14 +1,15 @@
 // Measures a team of whole daemons on bad air: how soon it is told of services, whom it loses, when it notices a death,
 // how it starts and recovers, and what it takes. Each receiver loses datagrams for itself, by nftables on the bridge
 // between the namespaces. With --hundred a hundred of them without loss: start, steady state and telling; with --relays
-// thirty on three links with relays between them, at 30 % loss and without. Writes tab-separated rows `name, size,
-// figure, ratio, target, verdict` for tools/bench.
+// thirty on three links with relays between them, at 30 % loss and without; with --server one more that knows a hundred
+// over a server of NATS alone. Writes tab-separated rows `name, size, figure, ratio, target, verdict` for tools/bench.
 #include <array>
 #include <cstdlib>
 #include <span>
 #include <string_view>
 
 #include "bench/discovery/measures.hpp"
+#include "bench/discovery/over_server.hpp"
 #include "bench/discovery/relays.hpp"
 #include "bench/table.hpp"
 
@@ -72,6 +73,10 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "--relays") {
     if (!geminga::system::Lab::can_lose()) return 77;
     for (const double loss : {0.0, 0.3}) measure_relays(loss, 30, 100);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--server") {
+    measure_over_server(100);
     return 0;
   }
   measure_all(10, of_ten);
