@@ -28,9 +28,9 @@ void Flags::add_to(CLI::App& app) {
          "several times")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  app.add_option(
-         "--rules", alert_rules,
-         "Rules of alerts in TOML (geminga-query alerts --help): what does not hold is in /api/alerts and /metrics")
+  app.add_option("--rules", alert_rules,
+                 "Rules of alerts in TOML (geminga-query alerts --help): what does not hold is on the page, in "
+                 "/api/alerts and in /metrics")
       ->type_name("FILE");
   CLI::Option* shown =
       app.add_option(

@@ -42,7 +42,7 @@ const server = createServer((request, response) => {
     const kind = url.pathname.slice('/api/'.length);
     const answers = { participants, requests: [], status: { name: 'robot0', datagrams_received: 0 }, ontology: { loaded: true, digest: '0', failed: [], others: [], files: [], left_out: [], gaps: [] },
       taxonomy: url.searchParams.has('class') ? { total: 0, classes: [] } : { total: 20, classes: Array.from({ length: 20 }, (_, at) => ({ class: `soccer:C${at}`, children: 0, offers: robots, requests: robots })) },
-      hearing: participants.slice(1).map(({ id: witness, name }) => ({ witness, name, quarter: ids.slice(0, 40), half: ids.slice(40, 70), whole: ids.slice(70) })), security: { participants: [] }, doctor: { findings: [] },
+      hearing: participants.slice(1).map(({ id: witness, name }) => ({ witness, name, quarter: ids.slice(0, 40), half: ids.slice(40, 70), whole: ids.slice(70) })), security: { participants: [] }, doctor: { findings: [] }, alerts: [],
       match: services.filter((one) => one.concept === url.searchParams.get('concept')).map((one) => ({ ...one, degree: 'exact', distance: 0 })) };
     return response.setHeader('content-type', 'application/json').end(JSON.stringify(answers[kind] ?? {}));
   }

@@ -2,7 +2,7 @@
 // Chromium or the packages of tools/web/page/build are missing. Pictures of each state are left in SHOTS.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect, createServer } from 'node:net';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -90,7 +90,10 @@ try {
 
   const recording = join(folder, 'team.jsonl');
   const http = await freePort();
-  const web = start('geminga-web', '--connect', `127.0.0.1:${ports.monitor}`, '--listen', `127.0.0.1:${http}`);
+  const rules = join(folder, 'alerts.toml');
+  const rule = (name, concept, seconds) => `[[rule]]\nname = ${JSON.stringify(name)}\nconcept = "${concept}"\nat-least = 1\nfor = ${seconds}\n`;
+  writeFileSync(rules, rule(hostile, 'soccer:SharedWorldInfo', 1) + rule('goal', 'soccer:GoalInfo', 3600));
+  const web = start('geminga-web', '--connect', `127.0.0.1:${ports.monitor}`, '--listen', `127.0.0.1:${http}`, '--rules', rules);
   (await connection(http)).destroy();
   browser = await puppeteer.launch({
     executablePath: chromium,
@@ -134,6 +137,10 @@ try {
   await page.click('.findings button[data-key^="doctor two_daemons"]');
   await says('#detail', 'Stop all but one.');
   await page.keyboard.press('Escape');
+
+  // A rule whose count is wrong and not yet for its time waits; one that holds is not told.
+  await says('#wrong', 'Alert goal waits: 0 services, wanted at least 1; wrong for ');
+  await saysNot('#wrong', `Alert ${hostile}`);
 
   // The reason of a request leads to the place, by the keyboard alone.
   await page.focus('.findings button[data-key^="request"]');
@@ -217,6 +224,13 @@ try {
   await ended(robot1);
   await says('#wrong', 'robot1 is gone');
   assert.equal(await place(), before);
+  // With it goes the only service that a rule counts: its alert stands first, and is over when the robot is there again.
+  await says('.findings li:first-child.error', `Alert ${hostile}: 0 services, wanted at least 1; wrong for `);
+  await says('.alerts', `${hostile}: 0 services, wanted at least 1 (soccer:SharedWorldInfo)`);
+  await page.click('.findings li:first-child button');
+  await says('#detail', 'It counts soccer:SharedWorldInfo.');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.$('img'), null);
   await shoot('gone');
   robot1 = await daemon('robot1', all);
   await state('robot1', 'Vision', ...offer);
@@ -225,6 +239,8 @@ try {
   assert.equal(await place(), before);
   await says('#timeline', 'robot1 came');
   await says('#timeline', 'no more: robot1 is gone');
+  await says('#timeline', `no more: ${hostile}: 0 services`);
+  await saysNot('#wrong', `Alert ${hostile}`);
 
   // A page that is opened after that knows it from the hour that geminga-web keeps.
   const later = await browser.newPage();
@@ -277,6 +293,7 @@ try {
   (await connection(shown)).destroy();
   await page.goto(`http://127.0.0.1:${shown}/`);
   await says('#absence', 'You look at the recording team.jsonl');
+  await saysNot('#wrong', 'Alert ');
   await says('#timeline', 'robot1 went');
   await says('#wrong', 'Nobody serves soccer:GoalInfo');
   const lines = () => document.querySelectorAll('.line').length > 0;

@@ -207,6 +207,22 @@ export interface Diagnosis {
   command: string;
 }
 
+/** The state of one rule of `geminga-web --rules`. */
+export interface RuleState {
+  alert: string;
+  /** `waits`: the count is wrong, and not yet for as long as the rule asks; `unknown`: it was not counted. */
+  state: 'unknown' | 'holds' | 'waits' | 'raised';
+  counted: 'services' | 'participants';
+  of: string;
+  at_least: number;
+  at_most?: number;
+  for: number;
+  count?: number;
+  /** Since when the count is wrong. */
+  seconds?: number;
+  problem?: string;
+}
+
 /** One event of a stream: a record that came, changed or went. */
 export interface Change {
   event: 'add' | 'modify' | 'del';

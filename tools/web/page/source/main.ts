@@ -11,6 +11,7 @@ import { Live } from './live.js';
 import { Matches, type Link } from './matches.js';
 import { OntologyView } from './ontology.js';
 import { Picture, degrees, type Choice } from './picture.js';
+import { Rules } from './rules.js';
 import { sameNames } from './same_names.js';
 import { Team, type Moment } from './team.js';
 import { clock, teamNow } from './time.js';
@@ -39,6 +40,7 @@ class Page {
   private readonly filter: Filter;
   private readonly picture: Picture;
   private doctor: Doctor | undefined;
+  private rules: Rules | undefined;
   private choice: Choice = {};
   /** The finding that was chosen, of which the details are shown. */
   private chosen: Finding | undefined;
@@ -94,6 +96,7 @@ class Page {
       awake: (since) => this.recall(since),
     });
     this.doctor = new Doctor(() => this.redraw());
+    this.rules = new Rules(() => this.redraw());
     void this.sample();
     void this.look();
     setInterval(() => void this.sample(), sampleEach);
@@ -239,6 +242,7 @@ class Page {
   private draw(): void {
     const moment = this.moment();
     const list = this.findings(moment);
+    this.follow(list);
     this.drawState(moment);
     this.wrongList.draw(list, this.team.now.participants);
     this.drawPicture(moment, list);
@@ -246,7 +250,16 @@ class Page {
       this.heardDrawn = Date.now();
       this.hearing.draw([...(this.recording === undefined ? this.team.now : moment).participants.values()], this.hearers);
     }
-    this.timeline.draw(this.team.happenings, this.team.since, this.end());
+    this.timeline.draw(this.team.happenings, this.team.since, this.end(), this.rules?.marks ?? []);
+  }
+
+  /** Keeps the details of a finding those of the present, since its count and how long it lasts change. Those of a request are asked for once. */
+  private follow(list: Finding[]): void {
+    const { chosen } = this;
+    const now = list.find((one) => one.key === chosen?.key);
+    if (now === undefined || now.request !== undefined || JSON.stringify(now) === JSON.stringify(chosen)) return;
+    this.chosen = now;
+    this.detail();
   }
 
   /** Faults at present, or at a moment of a recording. */
@@ -254,13 +267,13 @@ class Page {
     const { happenings, now } = this.team;
     if (this.recording === undefined) {
       return findings({ participants: now.participants, happenings, unmatched: this.unmatched.filter((one) => now.requests.has(one.subscription)),
-        ontology: this.ontology, security: this.security, 
+        ontology: this.ontology, security: this.security, alerted: this.rules?.findings(this.absence === '') ?? [],
         // A replay is not of this host.
         diagnosed: this.status?.recorded === undefined ? (this.doctor?.findings(now.participants) ?? []) : [] });
     }
     const until = this.past?.time ?? this.end();
     return findings({ participants: moment.participants, happenings: happenings.filter((one) => one.time <= until),
-      unmatched: [...moment.requests.values()].filter((one) => !one.served), ontology: undefined, security: undefined, diagnosed: [] });
+      unmatched: [...moment.requests.values()].filter((one) => !one.served), ontology: undefined, security: undefined, diagnosed: [], alerted: [] });
   }
 
   private drawPicture(moment: Moment, list: Finding[]): void {

@@ -13,5 +13,12 @@ export function takeTime(told: number): void {
 /** The present by the clock of the team, in milliseconds since 1970. */
 export const teamNow = (): number => Date.now() + skew;
 
+/** A span of seconds, in the unit that tells enough of it: `12 s`, `3 min`, `2 h 5 min`. */
+export function spanWords(seconds: number): string {
+  if (seconds < 60) return `${Math.floor(seconds)} s`;
+  const minutes = Math.floor(seconds / 60);
+  return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+}
+
 /** A time of day, as it is here. */
 export const clock = (time: number): string => new Date(time).toLocaleTimeString([], { hour12: false });

@@ -50,8 +50,8 @@ export class Timeline {
     this.back.textContent = 'To the end';
   }
 
-  /** Draws anew once a second at most. `end` is the present, or where a recording ends. */
-  draw(happenings: Happening[], since: number, end: number): void {
+  /** Draws anew once a second at most. `end` is the present, or where a recording ends; `byRules` are alerts beside those that the happenings tell. */
+  draw(happenings: Happening[], since: number, end: number, byRules: Alert[]): void {
     if (Date.now() - this.drawn < second) return;
     this.drawn = Date.now();
     this.end = end;
@@ -60,7 +60,7 @@ export class Timeline {
     const span = Math.max(60_000, end - since);
     // Marks move by less than a pixel within a hundredth of a per cent of the span.
     const width = Math.max(leastWidth, this.laneBox.clientWidth || this.parent.clientWidth);
-    const told = [width, shown.length, shown.at(-1)?.time ?? 0, Math.round(end / Math.max(1000, span / 1000))].join();
+    const told = [width, shown.length, shown.at(-1)?.time ?? 0, byRules.length, byRules.at(-1)?.time ?? 0, Math.round(end / Math.max(1000, span / 1000))].join();
     if (told === this.told) return;
     this.told = told;
     const byName = new Map<string, Happening[]>();
@@ -70,13 +70,13 @@ export class Timeline {
       else known.push(one);
     }
     const names = [...byName.keys()].sort((a, b) => a.localeCompare(b, 'en', { numeric: true })).slice(0, 100);
-    const alerts = alertsOf(shown, end);
+    const alerts = [...alertsOf(shown, end), ...byRules.filter((one) => one.time >= since)].sort((a, b) => a.time - b.time);
     const first = alerts.length === 0 ? 0 : 1;
     const placeOf = (time: number): number => left + (1 - (end - time) / span) * (width - left - 10);
     const rows = names.map((name, index) => laneOf(name, byName.get(name) ?? [], index + first, (one) => placeOf(one.time), width));
     this.timeAt = (x) => end - (1 - (x * width - left) / (width - left - 10)) * span;
     this.lanes.setAttribute('viewBox', `0 0 ${width} ${Math.max(1, names.length + first) * lane}`);
-    this.laneBox.hidden = names.length === 0;
+    this.laneBox.hidden = names.length + first === 0;
     refill(this.lanes, ...(first === 0 ? [] : [alertLane(alerts, placeOf, width)]), ...rows);
     refill(this.alerts, ...(alerts.length === 0 ? [h('li', {}, 'None.')] : alerts.slice(-maxListed).reverse().map((one) =>
       h('li', {}, h('time', {}, clock(one.time)), h('span', { class: one.isMended ? 'good' : 'bad' }, one.isMended ? ' ✓ no more: ' : ' ✕ '), one.text))));

@@ -120,12 +120,14 @@ export interface Seen {
   unmatched: Request[];
   ontology: Ontology | undefined;
   security: Security | undefined;
-  /** Findings of the doctor. */
+  /** Findings of the doctor, and of the rules of alerts. */
   diagnosed: Finding[];
+  alerted: Finding[];
 }
 
 export function findings(seen: Seen): Finding[] {
   const all = [
+    ...seen.alerted,
     ...gone(seen.happenings, seen.participants),
     ...hearing([...seen.participants.values()]),
     ...keys(seen.security),
