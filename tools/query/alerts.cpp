@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
+#include "answers/differences.hpp"
 #include "query/alerts/alert_watch.hpp"
 #include "query/alerts/rules.hpp"
 #include "query/alerts/words.hpp"
-#include "answers/differences.hpp"
 #include "query/command.hpp"
 #include "shell/command_queue.hpp"
 #include "shell/json.hpp"
@@ -134,12 +134,12 @@ constexpr const char* alert_words =
   for = 3                           # seconds for which the count must be wrong; 0 unless told
   [[rule]]
   name = "eyes"
-  participants = "canSee some Ball" # participants are counted, as geminga-query participants finds them
+  participants = "canSee some WarmThing" # participants are counted, as geminga-query participants finds them
   where = "battery >= 30 %"
   at-least = 2
   for = 5
 The world is closed here on purpose: what this daemon does not know of counts as not there, and a robot of which it is not known
-that it can see a ball counts as one that cannot. A name that the ontology forgets is told as a problem and raises nothing.
+that it can see people counts as one that cannot. A name that the ontology forgets is told as a problem and raises nothing.
 Events: raised, cleared and problem; each begins with the time, and with --json is an object. --exec runs COMMAND by /bin/sh -c for each
 instead, with GEMINGA_EVENT, GEMINGA_ALERT, GEMINGA_COUNT, ... in its environment, and the object on its standard input.
 

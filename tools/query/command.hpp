@@ -38,6 +38,7 @@ using RunAlone = std::function<shell::ExitStatus(const Context&)>;
 /// Each function adds one command to the program. When the command line names the command, its Run is put into
 /// `selected`, which lives as long as `app`. May throw CLI::ValidationError while the command line is read.
 void add_participants(CLI::App& app, Run& selected);
+void add_team(CLI::App& app, Run& selected);
 void add_services(CLI::App& app, Run& selected);
 void add_requests(CLI::App& app, Run& selected);
 void add_match(CLI::App& app, Run& selected);

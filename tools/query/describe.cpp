@@ -52,7 +52,7 @@ void add_describe(CLI::App& app, Run& selected) {
       "It holds until it is changed or the daemon ends; gemingad --describe has one from the start. What changes often "
       "is\n"
       "an attribute. At most four changes a second.\n\n"
-      "Examples:\n  geminga-query describe 'soccer:Robot and hasPart some soccer:Camera' battery='80 %'\n"
+      "Examples:\n  geminga-query describe 'Robot and hasPart some Gripper' battery='80 %'\n"
       "  geminga-query describe battery='79 %'\n  geminga-query describe --none");
   command->callback([said, &selected] {
     selected = [one = read_description(*said)](const Context& context, Client& client) {

@@ -57,8 +57,8 @@ int run(int argc, char** argv) {
                "With --watch: begin each line with the time (RFC 3339, UTC); JSON always has it");
   app.add_flag("--watch", context.is_watching,
                "Print what is there and then every change, until Ctrl-C or the daemon's end (exit status 3)");
-  for (const auto add : std::array{add_participants, add_services, add_requests, add_match, add_explain, add_why,
-                                   add_ontology, add_export, add_describe, add_status, add_security}) {
+  for (const auto add : std::array{add_participants, add_team, add_services, add_requests, add_match, add_explain,
+                                   add_why, add_ontology, add_export, add_describe, add_status, add_security}) {
     add(app, selected);
   }
   add_doctor(app, selected_even_alone);

@@ -4,6 +4,7 @@
 
 #include "query/command.hpp"
 #include "query/listing.hpp"
+#include "query/near.hpp"
 #include "query/services.hpp"
 #include "shell/describe.hpp"
 
@@ -22,30 +23,6 @@ struct Flags {
   std::string convert;
   bool is_missing_wanted = false;
 };
-
-/// The lines of a list, with commas between.
-std::string in_one_line(std::string_view lines) {
-  std::string text;
-  for (const char one : lines) text += one == '\n' ? std::string(", ") : std::string(1, one);
-  return text;
-}
-
-/// The services that match, then those that come near, with what is missing.
-shell::Table table_of_near(const std::vector<Record>& records) {
-  shell::Table shown({{"DEGREE"},
-                      {"PROVIDER", false, 12},
-                      {"IDENTITY", false, 16},
-                      {"NOT KNOWN", false, 20, 0, true},
-                      {"CONTRADICTS", false, 16, 0, true},
-                      {"SERVICE"}});
-  for (const auto& record : records) {
-    shown.add({record["degree"].empty() ? "-" : record["degree"],
-               shell::who(record["provider"], record["name"], record["participant_name"]),
-               shell::identity_words(record), in_one_line(record["missing"]), in_one_line(record["contradicting"]),
-               record["service"]});
-  }
-  return shown;
-}
 
 shell::Table table(const std::vector<Record>& records) {
   shell::Table shown({{"DEGREE"},
@@ -134,7 +111,7 @@ Listing listing_of(const Flags& flags) {
     }
     parameters.emplace_back("missing", "1");
     listing.table = table_of_near;
-    listing.is_found = [](const Record& record) { return !record["degree"].empty(); };
+    listing.is_found = is_match;
   }
   if (identity) listing.reason = [asked = parameters](Client& client) { return reason_of(client, asked); };
   return listing;

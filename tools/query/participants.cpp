@@ -11,6 +11,7 @@
 #include "query/axioms.hpp"
 #include "query/command.hpp"
 #include "query/listing.hpp"
+#include "query/near.hpp"
 #include "shell/describe.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
@@ -107,6 +108,7 @@ struct DescribedFlags {
   std::string where;
   Degree degree = Degree::narrower;
   bool has_reasons = false;
+  bool is_missing_wanted = false;
 };
 
 Listing participants_listing(const DescribedFlags& flags) {
@@ -118,6 +120,11 @@ Listing participants_listing(const DescribedFlags& flags) {
             table_of_participants,
             line,
             "no participant is known: is the daemon still starting?"};
+  }
+  if (flags.is_missing_wanted) {
+    Listing near = near_participants(flags.expression, flags.where);
+    if (flags.degree != Degree::narrower) near.parameters.emplace_back("degree", to_string(flags.degree));
+    return near;
   }
   Listing listing{"participants",
                   {{"concept", flags.expression}},
@@ -142,15 +149,19 @@ void add_participants(CLI::App& app, Run& selected) {
                       "themselves (gemingad --describe); one of which it is not known is left out");
   command->add_option("--where", flags->where, "Only those whose attributes fit")->type_name("CONDITION");
   shell::add_degree(*command, flags->degree);
-  command->add_flag("--why", flags->has_reasons, "With the axioms that say so, with file and line");
+  command->add_flag("--why", flags->has_reasons, "With the axioms that say so, with file and line")
+      ->excludes(command->add_flag("--missing", flags->is_missing_wanted,
+                                   "Also those that come near, with what is not known of them and what contradicts"));
   command->footer(
-      "Examples:\n  geminga-query participants\n  geminga-query participants 'canSee some Ball'\n"
+      "Examples:\n  geminga-query participants\n  geminga-query participants 'canSee some WarmThing'\n"
       "  geminga-query participants 'hasPart some Gripper' --where 'battery >= 30 %'\n"
-      "  geminga-query participants 'canSee some Ball' --why\n"
-      "  geminga-query --watch participants 'canSee some Ball'");
+      "  geminga-query participants 'canSee some WarmThing' --why\n"
+      "  geminga-query participants 'canSee some WarmThing' --missing\n"
+      "  geminga-query --watch participants 'canSee some WarmThing'");
   command->callback([flags, &selected] {
-    if (flags->expression.empty() && (!flags->where.empty() || flags->has_reasons || flags->degree != Degree::narrower))
-      throw CLI::RequiredError("EXPRESSION, of which --where, --degree and --why are told,");
+    if (flags->expression.empty() &&
+        (!flags->where.empty() || flags->has_reasons || flags->is_missing_wanted || flags->degree != Degree::narrower))
+      throw CLI::RequiredError("EXPRESSION, of which --where, --degree, --why and --missing are told,");
     selected = [flags](const Context& context, Client& client) {
       const Listing listing = participants_listing(*flags);
       return flags->has_reasons ? print_descriptions(context, client, listing, flags->expression)

@@ -57,6 +57,8 @@ class Examples : public testing::Test {
     if (::mkdtemp(path.data()) != nullptr) folder_ = path;
     const fs::path shipped = fs::path(GEMINGA_SOURCE_DIR) / "ontology";
     for (const char* folder : {"team", "old"}) fs::create_directory(folder_ / folder);
+    std::ofstream(folder_ / "alerts.toml")
+        << "[[rule]]\nname = \"eyes\"\nparticipants = \"canSee some WarmThing\"\nat-least = 2\n";
     std::ofstream(folder_ / "names.txt") << "# one a line\nsoccer:BallInfo\nsoccer:SharedBallInfo\n";
     for (const char* name : {"core.ttl", "robot-soccer.ttl"}) {
       for (const char* folder : {"team", "old"}) fs::copy_file(shipped / name, folder_ / folder / name);
@@ -146,9 +148,12 @@ class Examples : public testing::Test {
     if (example.starts_with("geminga-query record")) return record(example);
     const bool is_replay = example.starts_with("geminga-query replay");
     if (is_replay && !fs::exists(folder_ / "field-test.jsonl")) record("geminga-query record field-test.jsonl");
+    const bool is_alerts = example.starts_with("geminga-query") && example.contains(" alerts ");
+    example = replaced(example, "logger -t alerts", "echo");
     const bool is_web = example.starts_with("geminga-web");
-    const bool goes_on = is_web || (is_replay && !example.contains("--mcap")) ||
-                         example.starts_with("geminga-publish") || example.contains("--watch");
+    const bool goes_on = is_web || (is_alerts && !example.contains("--check")) ||
+                         (is_replay && !example.contains("--mcap")) || example.starts_with("geminga-publish") ||
+                         example.contains("--watch");
     if (!goes_on) {
       const bool needs_end = example.starts_with("geminga-subscribe") && !example.contains("--timeout");
       run(needs_end ? example + " --timeout 0.2" : example);
@@ -157,6 +162,7 @@ class Examples : public testing::Test {
     auto process = start(example);
     EXPECT_TRUE(process->wait_for(is_web                        ? "serving"
                                   : is_replay                   ? "Plays from"
+                                  : is_alerts                   ? "raised"
                                   : example.contains("--watch") ? "robot0"
                                                                 : "offer"))
         << example << '\n'
@@ -179,7 +185,7 @@ class Examples : public testing::Test {
   }
 
   fs::path folder_;
-  Bench bench_;
+  Bench bench_{std::vector<std::string>{"--describe", "Robot and hasPart some Gripper and hasPart some ThermalCamera"}};
   Talk peer_ = bench_.talk();
 };
 
@@ -207,7 +213,7 @@ TEST_F(Examples, OfHowATeamWritesItsOntologyWork) {
   const auto text = document.find('\n', begin) + 1;
   std::ofstream(folder_ / "tigers.ttl") << document.substr(text, document.find("```", text) - text);
   const auto examples = examples_in(document);
-  EXPECT_THAT(examples, SizeIs(3));
+  EXPECT_THAT(examples, SizeIs(4));
   for (const std::string& example : examples) {
     auto process = start(example);
     EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();

@@ -33,8 +33,8 @@ TEST(Programs, ShowHelpWithExamples) {
     EXPECT_THAT(help.out, HasSubstr("Examples:\n  " + program + " ")) << program;
     EXPECT_THAT(help.out, HasSubstr("--connect")) << program;
   }
-  for (const char* command : {"participants", "services", "requests", "match", "explain", "why", "ontology", "describe", "alerts",
-                              "status", "security", "record", "replay", "top"}) {
+  for (const char* command : {"participants", "team", "services", "requests", "match", "explain", "why", "ontology",
+                              "describe", "alerts", "status", "security", "record", "replay", "top"}) {
     const auto help = run("geminga-query", {command, "--help"});
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_THAT(help.out, HasSubstr(std::string("geminga-query ") + command)) << command;
@@ -73,6 +73,16 @@ TEST(Programs, EndWithTwoOnWrongUsage) {
       {"geminga-query", {"match", "x", "--mode", "otm"}},
       {"geminga-query", {"match", "x", "--limit", "-1"}},
       {"geminga-query", {"requests", "--unmatched", "--unused"}},
+      {"geminga-query", {"participants", "--missing"}},
+      {"geminga-query", {"participants", "hasPart some Gripper", "--missing", "--why"}},
+      {"geminga-query", {"team"}},
+      {"geminga-query", {"team", "--need", ""}},
+      {"geminga-query", {"team", "--need", "2:"}},
+      {"geminga-query", {"team", "--need", "0: hasPart some Gripper"}},
+      {"geminga-query", {"team", "--need", "257: hasPart some Gripper"}},
+      {"geminga-query", {"team", "--need", "256: hasPart some Gripper", "--need", "hasPart some Arm"}},
+      {"geminga-query", {"team", "--need", "hasPart some Gripper where "}},
+      {"geminga-query", {"team", "--need", "hasPart some Gripper", "--prefer", "battery"}},
       {"geminga-query", {"--timeout", "soon", "status"}},
       {"geminga-query", {"--timeout", "-1", "status"}},
       {"geminga-query", {"--timeout", "nan", "status"}},
@@ -113,8 +123,8 @@ TEST(Programs, NameTheFlagOrTheCommandThatMayBeMeant) {
       {"geminga-query", {"--json", "statsu"}, "'statsu' is no command: did you mean status? see "},
       {"geminga-query",
        {"physician"},
-       "'physician' is no command: the commands are participants, services, requests, match, explain, why, ontology, "
-       "export, status, security, doctor, mcp, record, replay, top, complete: see "},
+       "'physician' is no command: the commands are participants, team, services, requests, match, explain, why, "
+       "ontology, export, describe, status, security, doctor, alerts, mcp, record, replay, top, complete: see "},
       {"geminga-query", {"services", "--unsued"}, "'--unsued' is no flag: did you mean --unused? see "},
       {"geminga-query", {"services", "--conect", "x"}, "'--conect' is no flag: did you mean --connect? see "},
       {"geminga-query", {"match", "--limt=3"}, "'--limt' is no flag: did you mean --limit? see "},

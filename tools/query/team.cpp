@@ -1,0 +1,337 @@
+// geminga-query team: which robots together fill the roles of a task.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <boost/json/array.hpp>
+#include <boost/json/object.hpp>
+#include <charconv>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "answers/differences.hpp"
+#include "discovery/roles/holders.hpp"
+#include "query/command.hpp"
+#include "query/listing.hpp"
+#include "query/near.hpp"
+#include "query/need.hpp"
+#include "shell/json.hpp"
+#include "shell/report.hpp"
+#include "shell/stop_signals.hpp"
+#include "shell/table.hpp"
+#include "shell/timestamp.hpp"
+
+namespace geminga::query {
+namespace {
+
+using roles::Holders;
+
+struct TeamFlags {
+  std::vector<std::string> needs;
+  std::string prefer;
+};
+
+struct Plan {
+  std::vector<Need> needs;
+  Wish wish;
+};
+
+/// A robot that suits at least one role.
+struct Robot {
+  std::string id;
+  std::string name;
+  std::optional<double> value;  ///< of the attribute that is preferred
+};
+
+/// The living robots for a plan, and the task that they make.
+struct Situation {
+  std::vector<Robot> robots;  ///< by id
+  roles::Task task;
+};
+
+/// The number that a text begins with: `80 %` is 80.
+std::optional<double> number_of(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end != text.data() ? std::optional(value) : std::nullopt;
+}
+
+/// The place of each robot by the wish, from 0; those of equal value share one, and those without a value are last.
+std::vector<std::uint32_t> places(const std::vector<Robot>& robots, const Wish& wish) {
+  std::vector<std::uint32_t> all;
+  const auto is_better = [&](const Robot& one, const Robot& other) {
+    if (!one.value || !other.value) return one.value.has_value() && !other.value.has_value();
+    return wish.is_descending ? *one.value > *other.value : *one.value < *other.value;
+  };
+  for (const Robot& robot : robots) {
+    all.push_back(wish.attribute.empty() ? 0
+                                         : static_cast<std::uint32_t>(std::ranges::count_if(
+                                               robots, [&](const Robot& other) { return is_better(other, robot); })));
+  }
+  return all;
+}
+
+/// Asks for the robots that suit each role. An error says which role was refused.
+std::expected<Situation, ClientError> look(Client& client, const Plan& plan) {
+  std::map<std::string, Robot> by_id;
+  std::vector<std::vector<std::string>> suited;
+  for (const Need& need : plan.needs) {
+    Parameters asked{{"concept", need.expression}};
+    if (!need.condition.empty()) asked.emplace_back("where", need.condition);
+    auto answer = client.query("participants", asked);
+    if (!answer) {
+      answer.error().text =
+          "role " + std::to_string(suited.size() + 1) + " (" + need.text + "): " + answer.error().text;
+      return std::unexpected(answer.error());
+    }
+    suited.emplace_back();
+    for (const Record& record : answer->records) {
+      Robot robot{.id = std::string(record["id"]), .name = std::string(record["name"]), .value = {}};
+      const auto attribute = record.attributes.find(plan.wish.attribute);
+      if (attribute != record.attributes.end()) robot.value = number_of(attribute->second);
+      suited.back().push_back(robot.id);
+      by_id.emplace(robot.id, std::move(robot));
+    }
+  }
+  Situation found;
+  std::map<std::string, std::uint32_t> number_of_id;
+  for (auto& [id, robot] : by_id) {
+    number_of_id.emplace(id, static_cast<std::uint32_t>(found.robots.size()));
+    found.robots.push_back(std::move(robot));
+  }
+  const auto place = places(found.robots, plan.wish);
+  found.task.robots = static_cast<std::uint32_t>(found.robots.size());
+  for (std::size_t role = 0; role < plan.needs.size(); ++role) {
+    roles::Role one{.count = plan.needs[role].count, .is_shared = plan.needs[role].is_shared, .suited = {}};
+    for (const std::string& id : suited[role]) one.suited.push_back({number_of_id.at(id), place[number_of_id.at(id)]});
+    found.task.roles.push_back(std::move(one));
+  }
+  return found;
+}
+
+/// The id and the name of a robot.
+using Holder = std::pair<std::string, std::string>;
+
+/// Holders by role, so that they are known when the team has changed.
+using Held = std::vector<std::vector<Holder>>;
+
+Held held(const Situation& situation, const Holders& holders) {
+  Held all;
+  for (const auto& role : holders.of_role) {
+    all.emplace_back();
+    for (const std::uint32_t robot : role)
+      all.back().emplace_back(situation.robots[robot].id, situation.robots[robot].name);
+  }
+  return all;
+}
+
+bool holds(const std::vector<Holder>& role, const std::string& id) {
+  return std::ranges::find(role, id, &Holder::first) != role.end();
+}
+
+/// Makes those who are still there the former holders.
+void keep(const Held& before, Situation& situation) {
+  if (before.empty()) return;
+  for (const auto& role : before) {
+    situation.task.former.emplace_back();
+    for (std::uint32_t robot = 0; robot < situation.robots.size(); ++robot) {
+      if (holds(role, situation.robots[robot].id)) situation.task.former.back().push_back(robot);
+    }
+  }
+}
+
+/// Robots that come near a role that lacks holders, as many as it lacks; none where the daemon cannot say it.
+std::vector<Record> near_to(Client& client, const Need& need, std::uint32_t lacking) {
+  if (lacking == 0) return {};
+  Listing listing = near_participants(need.expression, need.condition);
+  listing.parameters.emplace_back("limit", std::to_string(lacking));
+  auto records = ask(client, listing);
+  if (!records) return {};
+  std::erase_if(*records, is_match);
+  return std::move(*records);
+}
+
+boost::json::object document(Client& client, const Plan& plan, const Situation& situation, const Holders& holders) {
+  const auto lacking = roles::shortage(situation.task);
+  boost::json::array list;
+  for (std::size_t role = 0; role < plan.needs.size(); ++role) {
+    boost::json::array robots;
+    if (role < holders.of_role.size()) {
+      for (const std::uint32_t robot : holders.of_role[role]) {
+        robots.push_back(
+            boost::json::object{{"id", situation.robots[robot].id}, {"name", situation.robots[robot].name}});
+      }
+    }
+    boost::json::array near;
+    for (const Record& record : near_to(client, plan.needs[role], lacking[role]))
+      near.push_back(shell::to_json(record));
+    list.push_back(boost::json::object{{"need", plan.needs[role].text},
+                                       {"count", plan.needs[role].count},
+                                       {"shared", plan.needs[role].is_shared},
+                                       {"suited", situation.task.roles[role].suited.size()},
+                                       {"lacking", lacking[role]},
+                                       {"holders", std::move(robots)},
+                                       {"near", std::move(near)}});
+  }
+  return {{"found", !holders.of_role.empty()},
+          {"best", holders.verdict == Holders::Verdict::best},
+          {"robots", holders.robots},
+          {"changes", holders.changes},
+          {"roles", std::move(list)}};
+}
+
+void print_table(const Context& context, const Plan& plan, const Situation& situation, const Holders& holders) {
+  shell::Table table({{"ROLE", false, 20}, {"ROBOT", false, 8}, {"ID"}});
+  for (std::size_t role = 0; role < plan.needs.size(); ++role) {
+    for (const std::uint32_t robot : holders.of_role[role]) {
+      table.add({plan.needs[role].text, situation.robots[robot].name, situation.robots[robot].id});
+    }
+  }
+  table.print(std::cout, context.terminal);
+}
+
+/// Each role that lacks somebody, and what those who come near to it lack.
+void complain_of_lack(Client& client, const Plan& plan, const Situation& situation) {
+  const auto lacking = roles::shortage(situation.task);
+  for (std::size_t role = 0; role < plan.needs.size(); ++role) {
+    if (lacking[role] == 0) continue;
+    shell::complain(program, "role " + std::to_string(role + 1) + " (" + plan.needs[role].text + ") lacks " +
+                                 std::to_string(lacking[role]) + " of " + std::to_string(plan.needs[role].count) +
+                                 "; known to suit it: " + std::to_string(situation.task.roles[role].suited.size()));
+    for (const Record& record : near_to(client, plan.needs[role], lacking[role])) {
+      shell::complain(program, "  " + std::string(record["participant_name"]) + " (" + participant_of(record) +
+                                   ") comes near: " + lack_words(record));
+    }
+  }
+}
+
+/// Says where a choice is not known to be the best.
+void complain_of_end(Holders::Verdict verdict) {
+  if (verdict == Holders::Verdict::good)
+    shell::complain(program, "the search ended early: there may be a better choice");
+  if (verdict == Holders::Verdict::unknown)
+    shell::complain(program, "the search ended before it found a choice: there may be one");
+  if (verdict == Holders::Verdict::too_large) {
+    shell::complain(program, "more than " + std::to_string(roles::max_robots) +
+                                 " robots suit these roles: nobody was chosen, ask for less common ones");
+  }
+}
+
+shell::ExitStatus show_team(const Context& context, Client& client, const Plan& plan) {
+  const auto situation = look(client, plan);
+  if (!situation) return shell::report(program, situation.error());
+  const Holders holders = roles::best_holders(situation->task);
+  if (context.common.is_json) {
+    shell::print(std::cout, document(client, plan, *situation, holders));
+  } else if (!holders.of_role.empty()) {
+    print_table(context, plan, *situation, holders);
+  }
+  complain_of_end(holders.verdict);
+  if (!holders.of_role.empty()) return shell::ExitStatus::found;
+  if (!context.common.is_json) complain_of_lack(client, plan, *situation);
+  return shell::ExitStatus::nothing;
+}
+
+/// Prints who comes to a role and who leaves it.
+void print_changes(const Context& context, const Plan& plan, const Held& before, const Held& now) {
+  const std::string stamp = context.has_timestamps ? shell::timestamp() + ' ' : "";
+  const auto print = [&](const char* sign, std::size_t role, const Held& all, const Held& others) {
+    if (role >= all.size()) return;
+    for (const Holder& one : all[role]) {
+      if (role < others.size() && holds(others[role], one.first)) continue;
+      std::cout << stamp << sign << ' ' << one.first << "  " << shell::printable(one.second) << "  "
+                << shell::printable(plan.needs[role].text) << '\n';
+    }
+  };
+  for (std::size_t role = 0; role < plan.needs.size(); ++role) {
+    print("-", role, before, now);
+    print("+", role, now, before);
+  }
+  std::cout << std::flush;
+}
+
+/// Holders stay as long as they suit; where somebody fails, as few as can be change.
+shell::ExitStatus watch_team(const Context& context, Client& client, const Plan& plan) {
+  const shell::StopSignals signals;
+  Held before;
+  std::optional<Held> told;
+  while (true) {
+    auto situation = look(client, plan);
+    if (!situation) return shell::report(program, situation.error());
+    keep(before, *situation);
+    const Holders holders = roles::best_holders(situation->task);
+    const Held now = held(*situation, holders);
+    if (!told || *told != now) {
+      if (context.common.is_json) {
+        shell::print(std::cout, shell::stamped(document(client, plan, *situation, holders)));
+      } else {
+        print_changes(context, plan, told.value_or(Held()), now);
+        complain_of_end(holders.verdict);
+        if (now.empty()) complain_of_lack(client, plan, *situation);
+      }
+      told = now;
+    }
+    if (!now.empty()) before = now;
+    if (!std::cout) return shell::ExitStatus::wrong_use;
+    if (signals.wait(client.file_descriptor(), answers::watch_pause) == shell::StopSignals::Woken::stopped) {
+      return shell::ExitStatus::found;
+    }
+  }
+}
+
+/// Throws CLI::ValidationError with the number of the role.
+Plan plan_of(const TeamFlags& flags) {
+  Plan plan;
+  for (const std::string& text : flags.needs) {
+    auto need = read_need(text);
+    const std::string place = "--need " + std::to_string(plan.needs.size() + 1) + " (" + text + ")";
+    if (!need) throw CLI::ValidationError(place, need.error());
+    plan.needs.push_back(std::move(*need));
+  }
+  std::uint64_t holders = 0;
+  for (const Need& need : plan.needs) holders += need.count;
+  if (plan.needs.size() > roles::max_roles || holders > roles::max_holders) {
+    throw CLI::ValidationError("--need", "is given too often: a task has at most " + std::to_string(roles::max_roles) +
+                                             " roles and " + std::to_string(roles::max_holders) + " holders");
+  }
+  if (flags.prefer.empty()) return plan;
+  auto wish = read_wish(flags.prefer);
+  if (!wish) throw CLI::ValidationError("--prefer", wish.error());
+  plan.wish = std::move(*wish);
+  return plan;
+}
+
+}  // namespace
+
+void add_team(CLI::App& app, Run& selected) {
+  CLI::App* command = app.add_subcommand("team", "Which robots together fill the roles of a task, as few as can be");
+  const auto flags = std::make_shared<TeamFlags>();
+  command
+      ->add_option(
+          "--need", flags->needs,
+          "A role: how many robots (1 unless told) and perhaps shared, a colon, what each is known to be by its "
+          "description, and where with a condition over its attributes. A robot holds one role, and any number "
+          "of shared ones")
+      ->type_name("ROLE")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--prefer", flags->prefer, "Of choices with as few robots the one whose attributes are best")
+      ->type_name("'KEY asc|desc'");
+  command->footer(
+      "Examples:\n  geminga-query team --need '2: canSee some WarmThing where battery >= 30 %' --need 'hasPart some "
+      "Gripper'\n"
+      "  geminga-query team --need 'hasPart some Arm' --need '1 shared: hasPart some Radio' --prefer 'battery desc'\n"
+      "  geminga-query --watch team --need 'hasPart some Gripper'\n"
+      "With --watch holders keep their roles while they suit; where somebody fails, as few as can be change.\n"
+      "Exit status 0: here they are; 1: nobody can; each role says what it lacks and who comes near.");
+  command->callback([flags, &selected] {
+    selected = [plan = plan_of(*flags)](const Context& context, Client& client) {
+      return context.is_watching ? watch_team(context, client, plan) : show_team(context, client, plan);
+    };
+  });
+}
+
+}  // namespace geminga::query
