@@ -16,12 +16,12 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "doctor/command_output.hpp"
 
@@ -32,9 +32,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* packaged_socket = "/run/geminga/gcnp";
 
+/// The whole file; what was read of it where it cannot be read to its end, as of a process that ends meanwhile. The
+/// iterators of a stream's buffer would throw there.
 std::string content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  const std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
 }
 
 /// The text of an address without its scope; empty for what is neither IPv4 nor IPv6.
