@@ -191,6 +191,8 @@ final class VectorsTest {
         int count = 0;
         for (int i = 0; i < lines.size(); ++i) {
             if (!lines.get(i).matches("[0-9]+ (pub|sub) create .*")) continue;
+            // A participant has no channel, and no request of the library asks for one.
+            if (lines.get(i).contains("mode=participant")) continue;
             String next = i + 1 < lines.size() && lines.get(i + 1).startsWith("= ") ? lines.get(i + 1).substring(2) : lines.get(i);
             Check.equal(next, stated(lines.get(i)));
             ++count;
