@@ -159,9 +159,9 @@ class Vocabulary {
   /// The reason why a class is not below another, in one short line: the nearest class, and what is missing.
   [[nodiscard]] std::expected<std::string, Error> why_not(ClassNumber sub, ClassNumber super) const;
 
-  /// The ways to make a candidate match: what it lacks, and what of the request contradicts it, the smallest first. Asks
-  /// the reasoner at most `questions` times, each of which takes up to milliseconds. The vocabulary must be able to
-  /// read expressions.
+  /// The ways to make a candidate match: what it lacks, and what of the request contradicts it, the smallest first.
+  /// Asks the reasoner at most `questions` times, each of which takes up to milliseconds. The vocabulary must be able
+  /// to read expressions.
   [[nodiscard]] NearMisses near_misses(const Expression& request, const Expression& candidate,
                                        std::size_t questions) const;
 

@@ -30,12 +30,12 @@ class OwnDescription {
   OwnDescription(const env::Env& env, const Self& self, matching::Matcher& matcher, Resolver& resolver)
       : env_(env), self_(self), matcher_(matcher), resolver_(resolver) {}
 
-  /// Takes what a client states. 404 for attributes where there is no description; 422 and 413 as for a publication, and 503
-  /// while the expression waits for the ontology; 429 over max_descriptions_per_second. A refused change has changed
-  /// nothing.
+  /// Takes what a client states. 404 for attributes where there is no description; 422 and 413 as for a publication,
+  /// and 503 while the expression waits for the ontology; 429 over max_descriptions_per_second. A refused change has
+  /// changed nothing.
   [[nodiscard]] Refusal change(const gcnp::Describe& change);
-  /// Takes what the owner of the participant states; empty: nothing. It takes the place of what clients have stated, and is
-  /// kept although the ontology may not know it. Gives whether what is announced has changed.
+  /// Takes what the owner of the participant states; empty: nothing. It takes the place of what clients have stated,
+  /// and is kept although the ontology may not know it. Gives whether what is announced has changed.
   bool set(const std::string& concept_name);
   /// Enters it under the identifier that is held now. Gives whether what is announced has changed.
   bool enter();
