@@ -21,9 +21,9 @@ struct Piece {
 };
 
 // A new-handler is a function without an object, and may be called on any thread: so the reserve is the process's.
-std::atomic<Piece*> pieces = nullptr;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
-std::atomic<std::size_t> kept = 0;     // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
-std::atomic<bool> was_short = false;   // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::atomic<Piece*> pieces = nullptr;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): see above
+std::atomic<std::size_t> kept = 0;     // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): see above
+std::atomic<bool> was_short = false;   // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): see above
 
 /// Gives everything back; false: there was nothing.
 bool release() {

@@ -28,7 +28,7 @@ class Cause {
   };
 
   /// Written out because GCC makes a defaulted one fill all members with zeros, which every put() would pay for.
-  Cause() {}  // NOLINT(modernize-use-equals-default)
+  Cause() {}  // NOLINT(modernize-use-equals-default): as said above
   Cause(const Cause&) = delete;
   Cause& operator=(const Cause&) = delete;
   Cause(Cause&&) = default;

@@ -174,9 +174,9 @@ TEST_F(Align, KeepsPropertiesOfOtherDirectionsApart) {
   program_.turtle("c.ttl", ":hasPart a owl:ObjectProperty .");
   program_.write(
       "d.ttl",
-      "@prefix : <http://f/> . @prefix owl: <http://www.w3.org/2002/07/owl#> . :isPartOf a owl:ObjectProperty . "
-      ":consistsOfPart a owl:ObjectProperty .");
-  EXPECT_THAT(program_.run({"align", "c.ttl", "d.ttl"}).out, Not(HasSubstr("http://f/isPartOf\t1.00")));
+      "@prefix : <http://f/> . @prefix owl: <http://www.w3.org/2002/07/owl#> . :isPartOf a owl:ObjectProperty .");
+  const Outcome outcome = program_.run({"align", "c.ttl", "d.ttl"});
+  EXPECT_EQ(outcome.status, 1) << outcome.out;
 }
 
 TEST_F(Align, RefusesAFolderWithoutWordNetThatIsNamed) {

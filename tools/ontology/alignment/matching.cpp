@@ -169,7 +169,6 @@ class Matching {
 
   void look_at_neighbours(std::vector<Candidate>& candidates) const {
     for (Candidate& each : candidates) {
-      if (each.is_by_places) continue;
       const double above = agreement(one_[each.one].above, other_[each.other].above);
       const double below = agreement(one_[each.one].below, other_[each.other].below);
       // Children that are linked elsewhere say less against a link than parents do.

@@ -20,9 +20,10 @@ constexpr double of_rare_synonyms = 0.75;
 constexpr double of_the_same_words = 0.999;
 /// Classes that say the same of other things: a customer's order is no customer.
 constexpr double of_other_heads = 0.7;
-/// Properties with other prepositions: "treated by" and "treated with", "has part" and "is part of".
-constexpr double of_other_prepositions = 0.75;
-/// A name that is the end of the other one. More is needed before they are linked: their neighbours.
+/// Properties with other prepositions: "treated by" and "treated with", "has part" and "is part of". Equal words alone
+/// do not link them.
+constexpr double of_other_prepositions = 0.65;
+/// A name that is the end of the other one: a chapter may be a book's chapter, or another kind of one.
 constexpr double of_an_end = 0.72;
 constexpr std::size_t octets_of_a_beginning = 4;
 constexpr std::size_t least_of_initials = 2;

@@ -14,7 +14,7 @@ namespace geminga::ontology {
 
 /// Compares names of two ontologies: a word counts the more, the rarer it is in both (soft TF-IDF: Cohen, Ravikumar,
 /// Fienberg: A Comparison of String Distance Metrics for Name-Matching Tasks, 2003). Synonyms, initials of several
-/// words and words that are written together count, too. Borrows both lexicons.
+/// words and words that are written together count, too.
 class Similarity {
  public:
   Similarity(const Lexicon& one, const Lexicon& other, const Thesaurus& thesaurus);

@@ -37,7 +37,6 @@ class Thesaurus {
   /// The senses of a word in small letters, or of several joined by `_`; none for an unknown one. A form of a verb in
   /// -ed or -ing has those of the verb.
   [[nodiscard]] std::vector<Sense> senses_of(std::string_view lemma) const;
-  [[nodiscard]] bool is_empty() const { return nouns_.lines.empty() && verbs_.lines.empty(); }
 
  private:
   /// The text of a file, and where each of its lines begins, by lemma.
