@@ -212,8 +212,6 @@ void complain_of_lack(Client& client, const Plan& plan, const Situation& situati
 void complain_of_end(Holders::Verdict verdict) {
   if (verdict == Holders::Verdict::good)
     shell::complain(program, "the search ended early: there may be a better choice");
-  if (verdict == Holders::Verdict::unknown)
-    shell::complain(program, "the search ended before it found a choice: there may be one");
   if (verdict == Holders::Verdict::too_large) {
     shell::complain(program, "more than " + std::to_string(roles::max_robots) +
                                  " robots suit these roles: nobody was chosen, ask for less common ones");

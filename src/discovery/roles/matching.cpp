@@ -55,7 +55,9 @@ class Hungarian {
   }
 
   [[nodiscard]] Matching matching(std::size_t places) const {
-    Matching found{.robot_of = std::vector<std::uint32_t>(places)};
+    Matching found{.robot_of = std::vector<std::uint32_t>(places),
+                   .price_of_place = {of_place_.begin() + 1, of_place_.end()},
+                   .price_of_robot = {of_robot_.begin() + 1, of_robot_.end()}};
     for (std::size_t robot = 1; robot <= robots_; ++robot) {
       if (place_of_[robot] == 0) continue;
       found.robot_of[place_of_[robot] - 1] = static_cast<std::uint32_t>(robot - 1);

@@ -13,8 +13,13 @@ using Cost = std::int64_t;
 /// The cost of a robot that cannot have the place.
 inline constexpr Cost forbidden = Cost{1} << 62;
 
+/// Prices prove that no other matching is cheaper (linear duality): no cost is less than the price of its place and
+/// that of its robot together, and where the place has the robot it is as much. Robots that have no place have the
+/// price 0, the others 0 or less. Places of equal costs have equal prices.
 struct Matching {
   std::vector<std::uint32_t> robot_of;  ///< by place
+  std::vector<Cost> price_of_place;
+  std::vector<Cost> price_of_robot;
   Cost cost = 0;
 };
 

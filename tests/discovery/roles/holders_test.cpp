@@ -9,8 +9,10 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "base/random.hpp"
+#include "discovery/roles/pool.hpp"
 #include "support/rounds.hpp"
 
 namespace geminga::roles {
@@ -115,6 +117,60 @@ TEST(Holders, AreAsGoodAsTheBestOfAllChoicesOfRandomTasks) {
   EXPECT_GT(impossible, 0);
 }
 
+/// Twelve robots, some of them equal; a robot that suits more roles costs more in half of the tasks.
+Task wide_task(base::Random& random) {
+  Task task{.robots = 12, .roles = {}, .former = {}};
+  const std::uint64_t kinds = 3 + random.below(10);
+  const bool is_correlated = random.chance(0.5);
+  const bool has_kinds_of_cost = random.chance(0.5);
+  std::vector<std::uint64_t> kind;
+  std::vector<std::uint32_t> cost;
+  for (std::uint32_t robot = 0; robot < task.robots; ++robot) {
+    kind.push_back(random.below(kinds));
+    cost.push_back(static_cast<std::uint32_t>(random.below(12)));
+  }
+  std::vector<std::uint32_t> suited(task.robots);
+  for (std::uint64_t at = 0; at < 6; ++at) {
+    Role role{.count = static_cast<std::uint32_t>(1 + random.below(3)), .is_shared = random.chance(0.7), .suited = {}};
+    std::vector<bool> suits;
+    for (std::uint64_t one = 0; one < kinds; ++one) suits.push_back(random.chance(0.5));
+    for (std::uint32_t robot = 0; robot < task.robots; ++robot) {
+      if (!suits[kind[robot]]) continue;
+      ++suited[robot];
+      role.suited.push_back({robot, has_kinds_of_cost ? static_cast<std::uint32_t>(kind[robot]) : cost[robot]});
+    }
+    task.roles.push_back(std::move(role));
+  }
+  for (Role& role : task.roles) {
+    for (Suited& one : role.suited) one.cost += is_correlated ? 3 * suited[one.robot] : 0;
+  }
+  return task;
+}
+
+TEST(Holders, AreAsGoodAsThoseOfTheBestOfAllSetsOfRobots) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(20U); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    base::Random random(seed);
+    const Task task = wide_task(random);
+    const auto pool = pool_of(task);
+    std::optional<std::pair<std::size_t, Cost>> best;
+    for (std::uint32_t set = 0; pool && set < 1U << task.robots; ++set) {
+      std::vector<bool> robots;
+      for (std::uint32_t robot = 0; robot < task.robots; ++robot) robots.push_back((set >> robot & 1U) != 0);
+      const auto filling = pool->fill(robots);
+      if (filling && (!best || std::pair(filling->robots(), filling->cost) < *best)) {
+        best.emplace(filling->robots(), filling->cost);
+      }
+    }
+    const Holders found = best_holders(task);
+    ASSERT_EQ(found.verdict, best ? Holders::Verdict::best : Holders::Verdict::nobody);
+    if (!best) continue;
+    EXPECT_TRUE(is_allowed(task, found.of_role));
+    EXPECT_EQ(found.robots, best->first);
+    EXPECT_EQ(static_cast<Cost>(found.cost), best->second);
+  }
+}
+
 TEST(Holders, KeepTheirRolesWhereSomebodyFails) {
   // 0 does both; when it fails, 1 and 2 each do one, and 3 would do both.
   Task task{.robots = 4, .roles = {}, .former = {}};
@@ -139,10 +195,14 @@ TEST(Holders, SayWhereTheSearchEndedEarly) {
     }
     task.roles.push_back(std::move(role));
   }
-  EXPECT_EQ(best_holders(task, 1).verdict, Holders::Verdict::unknown);
-  const Holders early = best_holders(task, 100);
-  EXPECT_EQ(early.verdict, Holders::Verdict::good);
-  EXPECT_TRUE(is_allowed(task, early.of_role));
+  const Holders best = best_holders(task);
+  EXPECT_EQ(best.verdict, Holders::Verdict::best);
+  for (const std::size_t steps : {0U, 1U, 10U, 40U}) {
+    const Holders early = best_holders(task, steps);
+    EXPECT_EQ(early.verdict, Holders::Verdict::good) << steps;
+    EXPECT_TRUE(is_allowed(task, early.of_role)) << steps;
+    EXPECT_GE((Score{early.changes, early.robots, early.cost}), (Score{best.changes, best.robots, best.cost}));
+  }
 }
 
 TEST(Holders, RefuseATaskBeyondTheLimits) {
