@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "law/source_tree.hpp"
@@ -49,6 +51,60 @@ std::vector<std::string> links(const std::string& line) {
     if (!(*at)[1].str().contains("://")) found.push_back((*at)[1]);
   }
   return found;
+}
+
+/// The headings of a document that its page gives a place: `## Seal a team` is at #seal-a-team.
+std::vector<std::string> places(const std::vector<std::string>& lines) {
+  std::vector<std::string> found;
+  bool is_example = false;
+  for (const std::string& line : lines) {
+    if (line.starts_with("```")) is_example = !is_example;
+    const auto text = line.find_first_not_of('#');
+    if (is_example || text == 0 || text == std::string::npos || line[text] != ' ') continue;
+    std::string place;
+    for (const char one : line.substr(text + 1)) {
+      const auto octet = static_cast<unsigned char>(one);
+      if (std::isalnum(octet) != 0 || one == '-' || one == '_' || octet >= 0x80) {
+        place += static_cast<char>(std::tolower(octet));
+      } else if (one == ' ') {
+        place += '-';
+      }
+    }
+    found.push_back(place);
+  }
+  return found;
+}
+
+/// Links of a line to places: the document, empty for the same one, and the place in it.
+std::vector<std::pair<std::string, std::string>> links_to_places(const std::string& line) {
+  static const std::regex link(R"(\]\(([^)#\s:]*)#([^)\s]+)\))");
+  std::vector<std::pair<std::string, std::string>> found;
+  for (auto at = std::sregex_iterator(line.begin(), line.end(), link); at != std::sregex_iterator(); ++at)
+    found.emplace_back((*at)[1], (*at)[2]);
+  return found;
+}
+
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::vector<std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The sections, `## ...`, that a table of contents before the first of them leaves out; none where there is no such
+/// table.
+std::vector<std::string> missing_in_contents(const std::vector<std::string>& lines) {
+  const auto is_section = [](const std::string& line) { return line.starts_with("## "); };
+  const auto first = std::ranges::find_if(lines, is_section);
+  std::set<std::string> named;
+  for (auto line = lines.begin(); line != first; ++line) {
+    if (line->starts_with("- [")) named.insert(line->substr(3, line->find(']') - 3));
+  }
+  std::vector<std::string> missing;
+  for (auto line = first; line != lines.end() && !named.empty(); ++line) {
+    if (is_section(*line) && !named.contains(line->substr(3))) missing.push_back(line->substr(3));
+  }
+  return missing;
 }
 
 /// A file may be named without its ending: `tests/law/paths_test`.
@@ -110,6 +166,19 @@ TEST(Paths, OfDocumentsExist) {
   }
 }
 
+TEST(Paths, ToPlacesInDocumentsExist) {
+  for (const fs::path& document : documents()) {
+    const std::vector<std::string> lines = lines_of(document);
+    for (const std::string& line : lines) {
+      for (const auto& [file, place] : links_to_places(line)) {
+        const std::vector<std::string> there = file.empty() ? lines : lines_of(document.parent_path() / file);
+        EXPECT_THAT(places(there), testing::Contains(place)) << document.string() << ": " << line;
+      }
+    }
+    EXPECT_THAT(missing_in_contents(lines), IsEmpty()) << document.string();
+  }
+}
+
 TEST(Paths, OfFilesInCommentsAreKnown) {
   const std::set<std::string> ends = ends_of_paths();
   for (const char* folder : {"src", "include", "tools"}) {
@@ -146,6 +215,11 @@ TEST(Paths, AreFoundInALine) {
   EXPECT_THAT(file_names("as base/budget.hpp says, and ANNOUNCEMENT.md; *_test.cpp"),
               ElementsAre("base/budget.hpp", "ANNOUNCEMENT.md"));
   EXPECT_THAT(links("[a](b/c.md#d), [e](https://f/g), [h](#i)"), ElementsAre("b/c.md"));
+  EXPECT_THAT(links_to_places("[a](b/c.md#d), [e](https://f/g#k), [h](#i)"),
+              ElementsAre(testing::Pair("b/c.md", "d"), testing::Pair("", "i")));
+  EXPECT_THAT(places({"# One: two", "```", "# no heading", "```", "## `three` and 4"}),
+              ElementsAre("one-two", "three-and-4"));
+  EXPECT_THAT(missing_in_contents({"- [One](#one)", "## One", "## Two"}), ElementsAre("Two"));
 }
 
 }  // namespace
