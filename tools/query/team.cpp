@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
-#include <charconv>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,9 +13,11 @@
 #include "answers/differences.hpp"
 #include "discovery/roles/holders.hpp"
 #include "query/command.hpp"
+#include "query/lack.hpp"
 #include "query/listing.hpp"
 #include "query/near.hpp"
 #include "query/need.hpp"
+#include "query/situation.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
 #include "shell/stop_signals.hpp"
@@ -33,84 +33,6 @@ struct TeamFlags {
   std::vector<std::string> needs;
   std::string prefer;
 };
-
-struct Plan {
-  std::vector<Need> needs;
-  Wish wish;
-};
-
-/// A robot that suits at least one role.
-struct Robot {
-  std::string id;
-  std::string name;
-  std::optional<double> value;  ///< of the attribute that is preferred
-};
-
-/// The living robots for a plan, and the task that they make.
-struct Situation {
-  std::vector<Robot> robots;  ///< by id
-  roles::Task task;
-};
-
-/// The number that a text begins with: `80 %` is 80.
-std::optional<double> number_of(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end != text.data() ? std::optional(value) : std::nullopt;
-}
-
-/// The place of each robot by the wish, from 0; those of equal value share one, and those without a value are last.
-std::vector<std::uint32_t> places(const std::vector<Robot>& robots, const Wish& wish) {
-  std::vector<std::uint32_t> all;
-  const auto is_better = [&](const Robot& one, const Robot& other) {
-    if (!one.value || !other.value) return one.value.has_value() && !other.value.has_value();
-    return wish.is_descending ? *one.value > *other.value : *one.value < *other.value;
-  };
-  for (const Robot& robot : robots) {
-    all.push_back(wish.attribute.empty() ? 0
-                                         : static_cast<std::uint32_t>(std::ranges::count_if(
-                                               robots, [&](const Robot& other) { return is_better(other, robot); })));
-  }
-  return all;
-}
-
-/// Asks for the robots that suit each role. An error says which role was refused.
-std::expected<Situation, ClientError> look(Client& client, const Plan& plan) {
-  std::map<std::string, Robot> by_id;
-  std::vector<std::vector<std::string>> suited;
-  for (const Need& need : plan.needs) {
-    Parameters asked{{"concept", need.expression}};
-    if (!need.condition.empty()) asked.emplace_back("where", need.condition);
-    auto answer = client.query("participants", asked);
-    if (!answer) {
-      answer.error().text =
-          "role " + std::to_string(suited.size() + 1) + " (" + need.text + "): " + answer.error().text;
-      return std::unexpected(answer.error());
-    }
-    suited.emplace_back();
-    for (const Record& record : answer->records) {
-      Robot robot{.id = std::string(record["id"]), .name = std::string(record["name"]), .value = {}};
-      const auto attribute = record.attributes.find(plan.wish.attribute);
-      if (attribute != record.attributes.end()) robot.value = number_of(attribute->second);
-      suited.back().push_back(robot.id);
-      by_id.emplace(robot.id, std::move(robot));
-    }
-  }
-  Situation found;
-  std::map<std::string, std::uint32_t> number_of_id;
-  for (auto& [id, robot] : by_id) {
-    number_of_id.emplace(id, static_cast<std::uint32_t>(found.robots.size()));
-    found.robots.push_back(std::move(robot));
-  }
-  const auto place = places(found.robots, plan.wish);
-  found.task.robots = static_cast<std::uint32_t>(found.robots.size());
-  for (std::size_t role = 0; role < plan.needs.size(); ++role) {
-    roles::Role one{.count = plan.needs[role].count, .is_shared = plan.needs[role].is_shared, .suited = {}};
-    for (const std::string& id : suited[role]) one.suited.push_back({number_of_id.at(id), place[number_of_id.at(id)]});
-    found.task.roles.push_back(std::move(one));
-  }
-  return found;
-}
 
 /// The id and the name of a robot.
 using Holder = std::pair<std::string, std::string>;
@@ -176,11 +98,14 @@ boost::json::object document(Client& client, const Plan& plan, const Situation& 
                                        {"holders", std::move(robots)},
                                        {"near", std::move(near)}});
   }
-  return {{"found", !holders.of_role.empty()},
-          {"best", holders.verdict == Holders::Verdict::best},
-          {"robots", holders.robots},
-          {"changes", holders.changes},
-          {"roles", std::move(list)}};
+  boost::json::object whole{{"found", !holders.of_role.empty()},
+                            {"best", holders.verdict == Holders::Verdict::best},
+                            {"robots", holders.robots},
+                            {"changes", holders.changes},
+                            {"roles", std::move(list)}};
+  if (holders.verdict != Holders::Verdict::nobody) return whole;
+  if (const auto lack = least_lack(client, plan)) whole["lack"] = to_json(*lack);
+  return whole;
 }
 
 void print_table(const Context& context, const Plan& plan, const Situation& situation, const Holders& holders) {
@@ -193,19 +118,24 @@ void print_table(const Context& context, const Plan& plan, const Situation& situ
   table.print(std::cout, context.terminal);
 }
 
-/// Each role that lacks somebody, and what those who come near to it lack.
+/// Each role that lacks somebody, what those who come near to it lack, and the least that the team lacks.
 void complain_of_lack(Client& client, const Plan& plan, const Situation& situation) {
   const auto lacking = roles::shortage(situation.task);
   for (std::size_t role = 0; role < plan.needs.size(); ++role) {
     if (lacking[role] == 0) continue;
-    shell::complain(program, "role " + std::to_string(role + 1) + " (" + plan.needs[role].text + ") lacks " +
-                                 std::to_string(lacking[role]) + " of " + std::to_string(plan.needs[role].count) +
+    shell::complain(program, role_words(plan, role) + " lacks " + std::to_string(lacking[role]) + " of " +
+                                 std::to_string(plan.needs[role].count) +
                                  "; known to suit it: " + std::to_string(situation.task.roles[role].suited.size()));
     for (const Record& record : near_to(client, plan.needs[role], lacking[role])) {
       shell::complain(program, "  " + std::string(record["participant_name"]) + " (" + participant_of(record) +
                                    ") comes near: " + lack_words(record));
     }
   }
+  const auto lack = least_lack(client, plan);
+  if (!lack) return;
+  shell::complain(program,
+                  lack->is_least ? "the least that the team lacks:" : "what the team lacks, and there may be less:");
+  for (const std::string& line : lack_lines(*lack, plan)) shell::complain(program, "  " + line);
 }
 
 /// Says where a choice is not known to be the best.

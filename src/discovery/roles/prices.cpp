@@ -8,8 +8,9 @@ namespace {
 
 constexpr auto no_place = std::numeric_limits<std::uint32_t>::max();
 /// Keeps sums of prices within 64 bits, far above what any role is worth.
-constexpr Cost max_price = Cost{1} << 36;
+constexpr Cost max_price = Cost{1} << 40;
 constexpr Cost max_step = Cost{1} << 40;
+constexpr Cost max_distance = Cost{1} << 44;
 /// The part of a former direction that goes into the next one, out of 16. Measured: 12 needs the fewest steps.
 constexpr Cost kept_direction = 12;
 /// Directions count in 256th of a holder.
@@ -125,7 +126,7 @@ bool Prices::move(Cost distance, Cost part) {
     norm += direction_[role] * direction_[role] / holder;
   }
   if (norm == 0) return false;
-  const Cost step = std::min(max_step, part * distance * holder / norm);
+  const Cost step = std::min(max_step, part * std::min(distance, max_distance) * holder / norm);
   for (std::size_t role = 0; role < prices_.size(); ++role) {
     prices_[role] = std::clamp<Cost>(prices_[role] + step * direction_[role] / (holder * holder), 0, max_price);
   }
@@ -134,8 +135,8 @@ bool Prices::move(Cost distance, Cost part) {
 
 Prices::Match Prices::match(const Decisions& decisions) {
   // Nothing may be negative in a matching. Robots that are bound get a place rather than others.
-  constexpr Cost offset = Cost{1} << 50;
-  constexpr Cost bonus = Cost{1} << 44;
+  constexpr Cost offset = Cost{1} << 52;
+  constexpr Cost bonus = Cost{1} << 47;
   const auto role_of = pool_.roles_of_places();
   std::vector<std::size_t> robots;
   std::vector<Cost> of_robot;

@@ -7,11 +7,13 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "discovery/roles/completion.hpp"
 #include "discovery/roles/holders.hpp"
 #include "reasoning/syntax/functional/read.hpp"
 #include "reasoning/vocabulary/expression.hpp"
@@ -107,6 +109,17 @@ class Suitability {
     return known_.emplace(std::pair(description, asked), is_it).first->second;
   }
 
+  /// The smallest way that contradicts nothing to make a robot what is asked for.
+  std::optional<vocabulary::NearMiss> missing(const std::string& description, const std::string& asked) {
+    constexpr std::size_t questions = 64;
+    const auto found = vocabulary_.near_misses(placed(asked).first, placed(description).first, questions);
+    if (found.ranked.empty() || found.ranked.front().contradicting_count > 0) return std::nullopt;
+    return found.ranked.front();
+  }
+
+  /// Whether something can be that at all.
+  bool is_possible(const std::string& description) { return placed(description).second.is_satisfiable; }
+
  private:
   using Placed = std::pair<vocabulary::Expression, vocabulary::Place>;
   const Placed& placed(const std::string& text) {
@@ -154,6 +167,49 @@ TEST(Tasks, OfTheSuiteAreDoneByAsFewRobotsAsExpected) {
     EXPECT_EQ(answer, one.expected);
     EXPECT_TRUE(found.verdict == Holders::Verdict::best || found.verdict == Holders::Verdict::nobody);
   }
+}
+
+TEST(Tasks, ThatNobodyCanDoAreDoneOnceTheLeastThatIsMissingIsAdded) {
+  const auto all_robots = robots();
+  Suitability suits;
+  std::size_t completed = 0;
+  for (const Case& one : tasks()) {
+    if (one.expected != "nobody") continue;
+    SCOPED_TRACE(one.title);
+    std::vector<Described> there;
+    for (const Described& robot : all_robots) {
+      if (std::ranges::find(one.robots, robot.name) != one.robots.end()) there.push_back(robot);
+    }
+    std::map<std::pair<std::uint32_t, std::size_t>, std::string> added;
+    Task near{.robots = static_cast<std::uint32_t>(there.size()), .roles = {}, .former = {}};
+    for (const Need& need : one.needs) {
+      Role role{.count = need.count, .is_shared = need.is_shared, .suited = {}};
+      for (std::uint32_t robot = 0; robot < there.size(); ++robot) {
+        if (there[robot].battery < need.battery) continue;
+        const auto way = suits.missing(there[robot].description, need.expression);
+        if (!way) continue;
+        EXPECT_EQ(way->lacking_count == 0, suits(there[robot].description, need.expression));
+        role.suited.push_back({robot, static_cast<std::uint32_t>(way->lacking_count)});
+        added.emplace(std::pair(robot, near.roles.size()), way->added);
+      }
+      near.roles.push_back(std::move(role));
+    }
+    const auto found = least_completion(near);
+    ASSERT_TRUE(found && found->is_least);
+    const bool is_short = std::ranges::any_of(found->lacking, [](std::uint32_t count) { return count > 0; });
+    EXPECT_TRUE(is_short || found->missing > 0);
+    for (std::size_t role = 0; role < found->of_role.size(); ++role) {
+      for (const std::uint32_t robot : found->of_role[role]) {
+        const std::string& more = added.at({robot, role});
+        if (more.empty()) continue;
+        const std::string whole = "(" + there[robot].description + ") and (" + more + ")";
+        EXPECT_TRUE(suits(whole, one.needs[role].expression)) << whole;
+        EXPECT_TRUE(suits.is_possible(whole)) << whole;
+      }
+    }
+    if (!is_short) ++completed;
+  }
+  EXPECT_GT(completed, 0U);
 }
 
 }  // namespace

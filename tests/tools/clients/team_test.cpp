@@ -63,10 +63,22 @@ TEST_F(Team, IsChosenByWhatRobotsSayThatTheyAreAndSaysWhatIsMissingWhereNobodyCa
   EXPECT_THAT(nobody.said, ContainsRegex("robot1 \\([0-9a-f]+\\) comes near: not known: capability:hasPart some "
                                          "capability:Gripper\n"));
   EXPECT_THAT(nobody.said, Not(HasSubstr("role 2")));
+  EXPECT_THAT(nobody.said, ContainsRegex("the least that the team lacks:\ngeminga-query:   robot1 \\([0-9a-f]+\\) "
+                                         "would hold role 1: not known: capability:hasPart some capability:Gripper\n"));
   const auto document = query({"--json", "team", "--need", "2: hasPart some Gripper"});
   EXPECT_EQ(document.status, 1);
   EXPECT_THAT(document.said, AllOf(HasSubstr("\"found\":false"), HasSubstr("\"lacking\":1"),
                                    HasSubstr("\"missing\":[\"capability:hasPart some capability:Gripper\"]")));
+
+  // A conjunct that two roles of a robot lack counts once, and a condition counts, too.
+  const auto least =
+      query({"--json", "team", "--need", "shared: hasPart some Mast", "--need",
+             "shared: hasPart some Mast and hasPart some Sonar", "--need", "3: hasPart some ThermalCamera", "--need",
+             "shared: hasPart some Gripper where battery >= 30 %"});
+  EXPECT_EQ(least.status, 1);
+  EXPECT_THAT(least.said, AllOf(HasSubstr("\"lack\":{\"least\":true,\"count\":3,\"to_come\":[0,0,1,0]"),
+                                ContainsRegex("\"roles\":\\[1,2(,4)?\\],\"missing\":\\[[^,]*Mast\",[^,]*Sonar\"\\]"),
+                                HasSubstr("\"conditions\":[\"battery >= 30 %\"]")));
 
   const auto near = query({"participants", "hasPart some Gripper", "--missing"});
   EXPECT_EQ(near.status, 0);
