@@ -29,6 +29,7 @@ struct Choice {
   NodeId a = 0;
   NodeId b = 0;
   std::uint32_t bound = 0;
+  bool meets_neighbour = false;  ///< Neighbours::meets() when it was offered
 };
 
 /// The choice that a clause's head atom stands for, with these nodes for its variables.

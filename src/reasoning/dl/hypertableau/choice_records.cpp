@@ -33,7 +33,12 @@ std::uint64_t burden(const Choice& choice, const Burdens& burdens) {
 
 std::uint64_t ChoiceRecords::failures_of(std::span<const Choice> alternatives) {
   std::uint64_t failures = 0;
-  for (const Choice& choice : alternatives) failures += record_of(choice).failures;
+  for (Choice choice : alternatives) {
+    for (const bool meets : {false, true}) {
+      choice.meets_neighbour = meets;
+      failures += record_of(choice).failures;
+    }
+  }
   return failures;
 }
 

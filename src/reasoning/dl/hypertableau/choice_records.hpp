@@ -13,7 +13,7 @@
 namespace geminga::hypertableau {
 
 /// How often choices of one kind about one predicate were tried in this search, and how often they were to blame for a
-/// clash.
+/// clash. Those that meet a neighbour have a record of their own.
 class ChoiceRecords {
  public:
   void note_try(const Choice& choice) { ++record_of(choice).tries; }
@@ -21,6 +21,7 @@ class ChoiceRecords {
     ++record_of(choice).failures;
     has_failed_ = true;
   }
+  /// Of their kinds, whether they meet a neighbour or not.
   [[nodiscard]] std::uint64_t failures_of(std::span<const Choice> alternatives);
   /// Whether a choice of this question failed.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
@@ -37,13 +38,14 @@ class ChoiceRecords {
     std::uint64_t failures = 0;
   };
   Record& record_of(const Choice& choice) {
-    std::vector<Record>& records = records_[static_cast<std::size_t>(choice.kind)];
+    std::vector<std::array<Record, 2>>& records = records_[static_cast<std::size_t>(choice.kind)];
     if (choice.predicate >= records.size()) records.resize(choice.predicate + std::size_t{1});
-    return records[choice.predicate];
+    return records[choice.predicate][choice.meets_neighbour ? 1 : 0];
   }
 
   static constexpr std::size_t kind_count = static_cast<std::size_t>(ChoiceKind::introduce) + 1;
-  std::array<std::vector<Record>, kind_count> records_;  ///< by kind and predicate
+  /// By kind, predicate, and whether a neighbour is met.
+  std::array<std::vector<std::array<Record, 2>>, kind_count> records_;
   bool has_failed_ = false;
 };
 

@@ -15,6 +15,35 @@ bool Neighbours::is_bound(const Suspect& suspect, DependencySet& dependency) con
   return fact != none;
 }
 
+bool Neighbours::meets(const Choice& choice) const {
+  constexpr std::size_t most_looked_at = 64;
+  const Directions& directions = program_.directions();
+  std::span<const Direction> all;
+  if (choice.kind == ChoiceKind::concept_of) all = directions.of_concept(choice.predicate);
+  if (choice.kind == ChoiceKind::at_least) all = directions.of_at_least(choice.predicate);
+  if (all.empty()) return false;
+  std::size_t looked_at = 0;
+  const auto is_spoken_of = [&](FactId id, bool is_inverse) {
+    ++looked_at;
+    effort_.count_look();
+    const Fact& fact = graph_.fact(id);
+    if (fact.kind == FactKind::at_least)
+      return std::ranges::binary_search(all, directions.of_at_least(fact.predicate).front());
+    return fact.kind == FactKind::role && std::ranges::binary_search(all, direction_of(fact.predicate, is_inverse));
+  };
+  const Node& node = graph_.node(choice.a);
+  for (FactId id = node.others; id != none && looked_at < most_looked_at; id = graph_.next_other(id, choice.a)) {
+    if (is_spoken_of(id, false)) return true;
+  }
+  for (FactId id = node.out; id != none && looked_at < most_looked_at; id = graph_.fact(id).next_a) {
+    if (is_spoken_of(id, false)) return true;
+  }
+  for (FactId id = node.in; id != none && looked_at < most_looked_at; id = graph_.fact(id).next_b) {
+    if (is_spoken_of(id, true)) return true;
+  }
+  return false;
+}
+
 // Whether the bound counts the neighbour. Unites the reasons into `dependency`.
 bool Neighbours::counts(const Bound& bound, NodeId node, DependencySet& dependency) {
   if (bound.filler != no_predicate) {

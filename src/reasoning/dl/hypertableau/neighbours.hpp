@@ -38,6 +38,9 @@ class Neighbours {
   [[nodiscard]] bool is_functional(clauses::Role role, NodeId node) const;
   /// The neighbour in the graph, if the node may have one by the role at most.
   [[nodiscard]] std::optional<Neighbour> only(clauses::Role role, NodeId node);
+  /// Whether the node of the choice has a neighbour, or asks for one, in a direction in which the choice speaks of
+  /// neighbours (program/directions.hpp). It looks at a few facts of the node only.
+  [[nodiscard]] bool meets(const Choice& choice) const;
 
  private:
   [[nodiscard]] bool counts(const Bound& bound, NodeId node, DependencySet& dependency);

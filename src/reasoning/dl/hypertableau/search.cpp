@@ -235,6 +235,7 @@ void Search::note(const Suspect& suspect) {
 void Search::branch(Decision decision) {
   const auto number = static_cast<std::uint32_t>(branches_.size());
   if (is_about_facts_ && !before_choices_) before_choices_ = sizes();
+  for (Choice& choice : decision.alternatives) choice.meets_neighbour = neighbours_.meets(choice);
   records_.order_by_promise(decision.alternatives, program_.burdens());
   const Choice first = decision.alternatives.front();
   const DependencySet dependency = decision.dependency;

@@ -18,7 +18,12 @@ using clauses::number;
 using clauses::Variable;
 
 Program::Program(const clauses::ClauseSet& set, bool counts)
-    : set_(set), domains_(set), denials_(set), burdens_(set, domains_), counts_(counts) {
+    : set_(set),
+      domains_(set),
+      directions_(set, domains_.concept_count()),
+      denials_(set),
+      burdens_(set, domains_),
+      counts_(counts) {
   by_concept_.resize(domains_.concept_count());
   bounds_of_filler_.resize(domains_.concept_count());
   bounds_of_guard_.resize(domains_.concept_count());

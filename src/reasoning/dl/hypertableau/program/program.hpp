@@ -15,6 +15,7 @@
 #include "reasoning/dl/hypertableau/program/bound.hpp"
 #include "reasoning/dl/hypertableau/program/burdens.hpp"
 #include "reasoning/dl/hypertableau/program/denials.hpp"
+#include "reasoning/dl/hypertableau/program/directions.hpp"
 #include "reasoning/dl/hypertableau/program/domains.hpp"
 #include "reasoning/dl/hypertableau/program/number_order.hpp"
 
@@ -93,6 +94,8 @@ class Program {
 
   /// The concepts that follow from an at-least; see domains.hpp.
   [[nodiscard]] const Domains& domains() const { return domains_; }
+  /// Along which properties concepts and at-leasts speak of neighbours; see directions.hpp.
+  [[nodiscard]] const Directions& directions() const { return directions_; }
   /// Fillers that a neighbour may have without being told; see denials.hpp.
   [[nodiscard]] const Denials& denials() const { return denials_; }
   /// The requirements of facts; see burdens.hpp.
@@ -123,6 +126,7 @@ class Program {
 
   const clauses::ClauseSet& set_;
   Domains domains_;
+  Directions directions_;
   Denials denials_;
   Burdens burdens_;
   std::vector<Step> steps_;
