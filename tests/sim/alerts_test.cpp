@@ -172,24 +172,23 @@ std::vector<Injection> injections() {
                  [](Watched& team) { team.hosts[0]->set_island(0); }});
   all.push_back({"plan", "its process is stopped", [](Watched& team) { team.hosts[0]->pause(Host::Pause::stopped); },
                  [](Watched& team) { team.hosts[0]->resume(); }});
+  const auto of_both = [](const std::function<void(Watched&, std::size_t)>& act) {
+    return [act](Watched& team) {
+      for (const std::size_t robot : {1U, 2U}) act(team, robot);
+    };
+  };
+  const auto offers_ball = [](Watched& team, std::size_t robot) {
+    team.modules[robot]->say("1 pub create mode=otm/stream text=ball port=5001");
+  };
   all.push_back({"ball", "both balls are withdrawn",
-                 [](Watched& team) {
-                   for (const std::size_t robot : {1U, 2U}) team.modules[robot]->say("1 pub remove");
-                 },
-                 [](Watched& team) {
-                   for (const std::size_t robot : {1U, 2U})
-                     team.modules[robot]->say("1 pub create mode=otm/stream text=ball port=5001");
-                 }});
+                 of_both([](Watched& team, std::size_t robot) { team.modules[robot]->say("1 pub remove"); }),
+                 of_both(offers_ball)});
   all.push_back({"ball", "both modules hang up",
-                 [](Watched& team) {
-                   for (const std::size_t robot : {1U, 2U}) team.modules[robot]->hang_up();
-                 },
-                 [](Watched& team) {
-                   for (const std::size_t robot : {1U, 2U}) {
-                     team.modules[robot] = &team.connected("module", robot);
-                     team.modules[robot]->say("1 pub create mode=otm/stream text=ball port=5001");
-                   }
-                 }});
+                 of_both([](Watched& team, std::size_t robot) { team.modules[robot]->hang_up(); }),
+                 of_both([offers_ball](Watched& team, std::size_t robot) {
+                   team.modules[robot] = &team.connected("module", robot);
+                   offers_ball(team, robot);
+                 })});
   for (std::size_t robot = 0; robot < 3; ++robot) {
     const std::size_t next = (robot + 1) % 3;
     const auto both = [robot, next](const std::string& words) {
@@ -240,7 +239,7 @@ TEST(Alerts, RaiseExactlyTheOneOfEachFaultWithinItsTimeAndOneDeadline) {
   }
 }
 
-/// GEMINGA_ROUNDS=50000 runs a thousand seeds.
+/// tools/dev/quiet-alerts runs a thousand seeds.
 TEST(Alerts, AreNotRaisedWithoutAFaultWhereAThirdIsLost) {
   const std::uint64_t first = World::seed_or(1);
   for (std::uint64_t seed = first; seed < first + test::rounds(std::uint64_t{2}); ++seed) {

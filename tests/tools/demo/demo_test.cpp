@@ -54,7 +54,9 @@ class Demo : public testing::Test {
   /// Waits until the team's process of that name has said `text`.
   [[nodiscard]] bool is_logged(const std::string& name, const std::string& text) const {
     const std::string log = folder_ + "/geminga-demo-" + std::to_string(::getuid()) + "/log/" + name;
-    Process reader({.words = {"/usr/bin/tail", "-F", log}, .environment = {}, .before = {}});
+    // It polls: with inotify tail never reads a file that comes to be between its first look and its watch.
+    const std::vector<std::string> words{"/usr/bin/tail", "---disable-inotify", "-s", "0.1", "-F", log};
+    Process reader({.words = words, .environment = {}, .before = {}});
     return reader.wait_for(text);
   }
   /// The processes with the folder in their environment.
