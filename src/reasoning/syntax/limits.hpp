@@ -38,8 +38,13 @@ struct FileLimits {
   std::size_t nesting = 512;
   /// Of one Turtle statement: raptor keeps it as a whole.
   std::size_t statement_triples = 200'000;
-  /// Different prefixes of all files together.
+  /// Of one file: different pairs of a prefix and its IRI; in Turtle all declarations, which raptor searches from the
+  /// first on.
   std::size_t prefixes = 10'000;
+  /// Different pairs of a prefix and its IRI of all files together. Published files have ten, and most have the same.
+  std::size_t all_prefixes = 50'000;
+  /// Not a limit: how many imports that no file answers are left out under names of their own; others are counted.
+  std::size_t named_imports = 1000;
   /// Of one XML element: libxml2 compares each with each.
   std::size_t attributes = 1024;
   /// Of one XML tag.

@@ -2,10 +2,8 @@
 #include "reasoning/syntax/rdf/load.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
-#include <map>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -17,6 +15,7 @@
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/rdf/catalog.hpp"
+#include "reasoning/syntax/rdf/declared_prefixes.hpp"
 #include "reasoning/syntax/rdf/mapping/mapping.hpp"
 #include "reasoning/syntax/rdf/scan/encoding.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
@@ -26,9 +25,6 @@
 
 namespace geminga::rdf {
 namespace {
-
-/// The most different ontologies that are imported. Imports beyond it are ignored.
-constexpr std::size_t max_imports = 1000;
 
 /// Ontology headers: what the files call themselves, and what they import.
 class Headers {
@@ -49,8 +45,7 @@ class Headers {
   }
   void version(std::string_view iri) { names_.emplace(iri); }
   void import(std::size_t file, std::string_view iri, std::uint32_t line) {
-    if (!seen_.emplace(iri).second) return;
-    if (imports_.size() < max_imports) imports_.push_back({std::string(iri), file, line});
+    if (seen_.emplace(iri).second) imports_.push_back({std::string(iri), file, line});
   }
 
   void read(const Graph& graph) {
@@ -69,9 +64,10 @@ class Headers {
 
   [[nodiscard]] const std::string& own(std::size_t file) const { return own_[file]; }
 
-  /// Leaves out the imports that no file answers, and returns them.
+  /// Leaves out the imports that no file answers, and returns them. So many of them are left out under names of their
+  /// own, because every left-out is compared with each.
   [[nodiscard]] std::vector<UnresolvedImport> leave_out_unanswered(const std::vector<std::string>& paths,
-                                                                   owl::Ontology& source) const {
+                                                                   std::size_t max_named, owl::Ontology& source) const {
     std::vector<UnresolvedImport> missing;
     std::set<std::string> own_in_lower_case;
     for (const std::string& own : own_) own_in_lower_case.insert(base::in_lower_case(own));
@@ -79,9 +75,10 @@ class Headers {
       // The case of letters is ignored, because file systems may ignore it: SOMA-HOME imports .../SOMA-ALL.owl, whose
       // name is .../SOMA-All.owl.
       if (is_known(import.iri) || own_in_lower_case.contains(base::in_lower_case(import.iri))) continue;
+      const bool is_named = missing.size() < max_named;
       missing.push_back({import.iri, paths[import.file], import.line});
-      source.leave_out("owl:imports <" + import.iri + ">", owl::FileId{static_cast<std::uint32_t>(import.file)},
-                       import.line);
+      source.leave_out(is_named ? "owl:imports <" + import.iri + ">" : "other owl:imports",
+                       owl::FileId{static_cast<std::uint32_t>(import.file)}, import.line);
     }
     return missing;
   }
@@ -105,38 +102,6 @@ class Headers {
   std::set<std::string, std::less<>> seen_;
   std::vector<Import> imports_;
 };
-
-/// Gives every prefix one IRI: the one that most files declare, and the smallest of these, so that neither the order of
-/// files nor that of lines matters. The empty prefix has another meaning in every file, so it counts only if all files
-/// agree.
-std::vector<PrefixConflict> choose_prefixes(const std::vector<DeclaredPrefix>& declared, owl::Ontology& source) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> fixed{{{"rdf", syntax::rdf_namespace},
-                                                                                {"rdfs", syntax::rdfs_namespace},
-                                                                                {"owl", syntax::owl_namespace},
-                                                                                {"xsd", syntax::xsd_namespace}}};
-  std::map<std::string, std::map<std::string, std::set<std::uint32_t>>> files_of;
-  for (const DeclaredPrefix& prefix : declared) files_of[prefix.prefix][prefix.iri].insert(prefix.file);
-  for (const auto& [prefix, iri] : fixed) {
-    auto& iris = files_of[std::string(prefix)];
-    iris[std::string(iri)];
-  }
-  std::vector<PrefixConflict> conflicts;
-  for (const auto& [prefix, iris] : files_of) {
-    auto chosen = std::ranges::max_element(iris, {}, [](const auto& entry) { return entry.second.size(); });
-    for (const auto& [name, iri] : fixed) {
-      if (name == prefix) chosen = iris.find(std::string(iri));
-    }
-    if (prefix.empty() && iris.size() > 1) continue;
-    source.add_prefix(prefix, chosen->first);
-    if (iris.size() == 1) continue;
-    PrefixConflict conflict{prefix, chosen->first, {}};
-    for (const auto& [iri, files] : iris) {
-      if (iri != chosen->first) conflict.others.push_back(iri);
-    }
-    conflicts.push_back(std::move(conflict));
-  }
-  return conflicts;
-}
 
 /// A file that was unpacked if necessary, and scanned.
 struct ScannedFile {
@@ -198,7 +163,10 @@ class Loading {
     if (scanned->id_line != 0)
       loaded_.source.remark("rdf:ID given twice or no name of XML, read as rdf:about", file, scanned->id_line);
     loaded_.syntaxes.push_back(syntax);
-    if (syntax::has_triples(syntax)) return redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_);
+    if (syntax::has_triples(syntax)) {
+      if (auto error = redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_)) return error;
+      return take_prefixes(number, redland_.prefixes());
+    }
     graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
     if (auto error = refuse_other(number, syntax)) return error;
     if (!syntax::is_read_last(syntax)) return read_other(number, syntax, scanned->bytes.view());
@@ -242,12 +210,10 @@ class Loading {
       if (auto error = read_other(waiting.number, loaded_.syntaxes[waiting.number], waiting.bytes.view()))
         return std::unexpected(std::move(*error));
     }
-    std::vector<DeclaredPrefix> prefixes = redland_.prefixes();
-    prefixes.insert(prefixes.end(), other_prefixes_.begin(), other_prefixes_.end());
-    loaded_.conflicts = choose_prefixes(prefixes, loaded_.source);
+    loaded_.conflicts = prefixes_.choose(loaded_.source);
     for (std::uint32_t number = 0; number < paths_.size(); ++number)
       loaded_.source.set_ontology_iri(owl::FileId{number}, headers_.own(number));
-    loaded_.unresolved = headers_.leave_out_unanswered(paths_, loaded_.source);
+    loaded_.unresolved = headers_.leave_out_unanswered(paths_, limits_.named_imports, loaded_.source);
     if (const auto& problem = loaded_.source.problem()) return std::unexpected(syntax::LoadError{{}, 0, *problem});
     return std::move(loaded_);
   }
@@ -273,9 +239,14 @@ class Loading {
     if (!document->ontology_iri.empty()) headers_.name(number, document->ontology_iri);
     if (!document->version_iri.empty()) headers_.version(document->version_iri);
     for (const owl::Import& import : document->imports) headers_.import(number, import.iri, import.line);
-    for (const auto& [prefix, iri] : document->prefixes)
-      other_prefixes_.push_back({prefix, iri, static_cast<std::uint32_t>(number)});
-    return std::nullopt;
+    return take_prefixes(number, document->prefixes);
+  }
+
+  std::optional<syntax::LoadError> take_prefixes(std::size_t number, std::span<const owl::DeclaredPrefix> prefixes) {
+    prefixes_.add(prefixes);
+    if (prefixes_.size() <= limits_.all_prefixes) return std::nullopt;
+    return syntax::LoadError{base::printable(paths_[number], 4096), 0,
+                             "is beyond " + std::to_string(limits_.all_prefixes) + " different prefixes of all files"};
   }
 
   const std::vector<std::string>& paths_;
@@ -284,7 +255,7 @@ class Loading {
   Redland redland_;
   Graph graph_;
   Headers headers_;
-  std::vector<DeclaredPrefix> other_prefixes_;
+  DeclaredPrefixes prefixes_;
   std::vector<Waiting> waiting_;
   Loaded loaded_;
 };

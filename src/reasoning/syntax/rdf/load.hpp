@@ -16,6 +16,7 @@
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/folders.hpp"
 #include "reasoning/syntax/limits.hpp"
+#include "reasoning/syntax/rdf/declared_prefixes.hpp"
 #include "reasoning/syntax/rdf/scan/bases.hpp"
 #include "reasoning/syntax/rdf/used_names.hpp"
 #include "reasoning/syntax/syntax.hpp"
@@ -27,13 +28,6 @@ struct UnresolvedImport {
   std::string iri;
   std::string file;
   std::uint32_t line = 0;
-};
-
-/// A prefix that files declare for different IRIs; the other IRIs have no short names.
-struct PrefixConflict {
-  std::string prefix;
-  std::string chosen;
-  std::vector<std::string> others;  ///< sorted
 };
 
 /// Reads files in syntaxes without triples into the source, with their ontology IRIs.
@@ -57,7 +51,7 @@ struct Loaded {
   syntax::Listing listing;               ///< the files of the arguments
   std::uint64_t triples = 0;
   std::vector<syntax::LoadError> refused;    ///< files of folders that were left out
-  std::vector<UnresolvedImport> unresolved;  ///< in the order of reading, each IRI once; in source's left-outs, too
+  std::vector<UnresolvedImport> unresolved;  ///< in the order of reading, each IRI once; among source's left-outs
   std::vector<PrefixConflict> conflicts;     ///< sorted by prefix
   /// Of files without triples where their reader keeps them, and of triples where the limits say so.
   std::vector<owl::Annotation> annotations;

@@ -51,6 +51,12 @@ std::vector<Boundary> boundaries() {
          for (std::size_t i = 0; i < n; ++i) text += "@prefix p" + std::to_string(i) + ": <http://e/> .\n";
          return text;
        }},
+      {"prefixes of elements", [](syntax::FileLimits& l, std::size_t n) { l.prefixes = n + 3; }, "a.owl",
+       [](std::size_t n) {  // the root declares three
+         std::string text;
+         for (std::size_t i = 0; i < n; ++i) text += "<e:A xmlns:p='http://e/" + std::to_string(i) + "'/>";
+         return xml(text + text);
+       }},
       {"attributes", [](syntax::FileLimits& l, std::size_t n) { l.attributes = n; }, "a.owl",
        [](std::size_t n) {
          std::string text = "<e:A";
@@ -97,6 +103,52 @@ TEST(Limits, ExpansionsOfEntitiesAreCountedTogether) {
   EXPECT_EQ(told(4), "accepted");
   EXPECT_EQ(told(5), "accepted");
   EXPECT_THAT(told(6), HasSubstr("a.owl:9: expands its entities to more than 50 bytes"));
+}
+
+/// Loads files that declare prefixes with these numbers, from the first to before the last.
+std::string told_of(const std::vector<std::pair<std::size_t, std::size_t>>& files, const syntax::FileLimits& limits) {
+  const Scratch scratch;
+  std::vector<std::string> paths;
+  for (const auto& [first, last] : files) {
+    std::string text;
+    for (std::size_t i = first; i < last; ++i) text += "@prefix p: <http://e/" + std::to_string(i) + "> .\n";
+    paths.push_back(scratch.write(std::to_string(paths.size()) + ".ttl", text));
+  }
+  const auto loaded = load(paths, limits);
+  return loaded ? "accepted" : loaded.error().text;
+}
+
+TEST(Limits, ADeclarationThatManyFilesShareCountsOnce) {
+  syntax::FileLimits limits;
+  limits.prefixes = 4;
+  limits.all_prefixes = 6;
+  EXPECT_EQ(told_of({{0, 4}, {0, 4}, {0, 4}, {0, 4}}, limits), "accepted");
+  EXPECT_EQ(told_of({{0, 4}, {1, 5}}, limits), "accepted");
+  EXPECT_EQ(told_of({{0, 4}, {2, 6}}, limits), "accepted");
+  EXPECT_EQ(told_of({{0, 4}, {3, 7}}, limits), "is beyond 6 different prefixes of all files");
+  EXPECT_EQ(told_of({{0, 5}}, limits), "declares more than 4 prefixes");
+}
+
+TEST(Limits, UnansweredImportsBeyondThoseWithNamesAreCounted) {
+  syntax::FileLimits limits;
+  limits.named_imports = 2;
+  const auto left_out = [&](std::size_t count) {
+    std::string text = std::string(turtle_prefixes) + "<http://e/o> a owl:Ontology .\n";
+    for (std::size_t i = 0; i < count; ++i) text += "<http://e/o> owl:imports <http://e/" + std::to_string(i) + "> .\n";
+    const auto loaded = load_text("a.ttl", text, limits);
+    if (!loaded) return to_string(loaded.error());
+    EXPECT_EQ(loaded->unresolved.size(), count);
+    std::string all;
+    for (const auto& omission : loaded->source.omissions())
+      all += std::string(loaded->source.name(omission.construct)) + " x" + std::to_string(omission.count) + '\n';
+    return all;
+  };
+  const std::string first = "owl:imports <http://e/0> x1\n";
+  const std::string second = "owl:imports <http://e/1> x1\n";
+  EXPECT_EQ(left_out(1), first);
+  EXPECT_EQ(left_out(2), first + second);
+  EXPECT_EQ(left_out(3), first + second + "other owl:imports x1\n");
+  EXPECT_EQ(left_out(5), first + second + "other owl:imports x3\n");
 }
 
 TEST(Limits, HoldForTheNumberOfFiles) {

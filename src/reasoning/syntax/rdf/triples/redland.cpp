@@ -104,6 +104,7 @@ std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::
   const std::string base = syntax::base_iri(path);
   const std::string blank_prefix = owl::blank_prefix_of(bytes.view());
   const FileText text{bytes, syntax, base, blank_prefix, layout};
+  prefixes_.clear();
   known_prefixes_.clear();
   graph.begin_file();
   auto error = read_pieces(text, graph);
@@ -121,15 +122,15 @@ std::optional<syntax::LoadError> Redland::read_pieces(const FileText& text, Grap
 }
 
 std::optional<syntax::LoadError> Redland::take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
-                                                    std::uint64_t triples, std::uint32_t file) {
+                                                    std::uint64_t triples) {
   for (const auto& [prefix, iri] : prefixes) {
     std::string both = prefix;
     both.append(" ").append(iri);
-    if (known_prefixes_.insert(std::move(both)).second) prefixes_.push_back({prefix, iri, file});
+    if (known_prefixes_.insert(std::move(both)).second) prefixes_.push_back({prefix, iri});
   }
   triples_ += triples;
   if (prefixes_.size() > limits_.prefixes)
-    return syntax::LoadError{{}, 0, "is beyond " + std::to_string(limits_.prefixes) + " prefixes in all files"};
+    return syntax::LoadError{{}, 0, "declares more than " + std::to_string(limits_.prefixes) + " prefixes"};
   if (triples_ > limits_.triples)
     return syntax::LoadError{{}, 0, "is beyond " + std::to_string(limits_.triples) + " triples in all files"};
   return std::nullopt;
@@ -143,10 +144,9 @@ std::vector<std::unique_ptr<RaptorParser>>& Redland::parsers_for(syntax::Syntax 
 
 std::optional<syntax::LoadError> Redland::read_in_turn(const FileText& text, Graph& graph) {
   RaptorParser& parser = *parsers_for(text.syntax, 1).front();
-  const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
   for (std::size_t number = 0; number < text.layout.pieces.parts().size(); ++number) {
     if (auto error = parser.read(text, number, graph)) return error;
-    if (auto error = take_over(parser.prefixes(), parser.triple_count(), file)) return error;
+    if (auto error = take_over(parser.prefixes(), parser.triple_count())) return error;
   }
   return std::nullopt;
 }
@@ -170,13 +170,12 @@ std::optional<syntax::LoadError> Redland::read_at_once(const FileText& text, Gra
 }
 
 std::optional<syntax::LoadError> Redland::join_pieces(PieceQueue& queue, std::size_t count, Graph& graph) {
-  const auto file = static_cast<std::uint32_t>(graph.file_count() - 1);
   for (std::size_t number = 0; number < count; ++number) {
     const auto piece = queue.take(number);
     if (piece == nullptr) return std::nullopt;  // a parser has thrown
     if (piece->error) return std::move(piece->error);
     graph.append(piece->graph);
-    if (auto error = take_over(piece->prefixes, piece->triples, file)) return error;
+    if (auto error = take_over(piece->prefixes, piece->triples)) return error;
   }
   return std::nullopt;
 }

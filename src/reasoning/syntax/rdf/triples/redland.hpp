@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "reasoning/owl/document.hpp"
 #include "reasoning/syntax/error.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/limits.hpp"
@@ -19,13 +20,6 @@
 #include "reasoning/syntax/syntax.hpp"
 
 namespace geminga::rdf {
-
-/// One `@prefix` or `xmlns` as a file declares it.
-struct DeclaredPrefix {
-  std::string prefix;  ///< without the colon; empty: the default one
-  std::string iri;
-  std::uint32_t file = 0;
-};
 
 class PieceQueue;
 
@@ -40,8 +34,8 @@ class Redland {
   [[nodiscard]] std::optional<syntax::LoadError> read(const std::string& path, syntax::Syntax syntax,
                                                       syntax::FileBytes& bytes, const Layout& layout, Graph& graph);
 
-  /// The prefixes of all files so far, in the order of reading.
-  [[nodiscard]] const std::vector<DeclaredPrefix>& prefixes() const { return prefixes_; }
+  /// The prefixes of the file that was read last, each pair of a prefix and an IRI once, in the order of reading.
+  [[nodiscard]] const std::vector<owl::DeclaredPrefix>& prefixes() const { return prefixes_; }
   /// Triples of all files so far, kept or not.
   [[nodiscard]] std::uint64_t triple_count() const { return triples_; }
 
@@ -52,16 +46,16 @@ class Redland {
   std::optional<syntax::LoadError> read_in_turn(const FileText& text, Graph& graph);
   std::optional<syntax::LoadError> read_at_once(const FileText& text, Graph& graph);
   std::optional<syntax::LoadError> join_pieces(PieceQueue& queue, std::size_t count, Graph& graph);
-  /// Counts what a piece held, against the limits of all files.
+  /// Counts what a piece held, against the limits of its file and of all files.
   std::optional<syntax::LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
-                                             std::uint64_t triples, std::uint32_t file);
+                                             std::uint64_t triples);
 
   const syntax::FileLimits& limits_;
   /// By syntax, one a thread; opened when they are first needed.
   std::map<syntax::Syntax, std::vector<std::unique_ptr<RaptorParser>>> parsers_;
   unsigned threads_;
-  std::vector<DeclaredPrefix> prefixes_;
-  std::unordered_set<std::string> known_prefixes_;  ///< of the file that is being read
+  std::vector<owl::DeclaredPrefix> prefixes_;       ///< of the file that is being read
+  std::unordered_set<std::string> known_prefixes_;  ///< the same, to find them
   std::uint64_t triples_ = 0;
 };
 
