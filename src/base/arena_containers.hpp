@@ -24,16 +24,14 @@ class ArenaList {
   using value_type = T;
   void push_back(const T& item, Arena& arena) {
     const T copy = item;  // it may be an item of this list
-    if (size_ == capacity_) grow(arena);
+    if (size_ == capacity_) grow(capacity_ * 2, arena);
     items_[size_++] = copy;
   }
   /// Removes the last item and returns it. Requires one.
   T pop_back() { return items_[--size_]; }
-  /// Makes room for so many, if the list has no memory yet.
+  /// Makes room for so many.
   void reserve(std::uint32_t count, Arena& arena) {
-    if (capacity_ != 0 || count == 0) return;
-    capacity_ = std::max<std::uint32_t>(std::bit_ceil(count), Arena::min_block_bytes / sizeof(T));
-    items_ = static_cast<T*>(arena.allocate(capacity_ * sizeof(T)));
+    if (count > capacity_) grow(std::bit_ceil(count), arena);
   }
   void clear(Arena& arena) {
     if (capacity_ != 0) arena.release(items_, capacity_ * sizeof(T));
@@ -50,10 +48,10 @@ class ArenaList {
   [[nodiscard]] T* end() { return items_ + size_; }
 
  private:
-  void grow(Arena& arena) {
+  void grow(std::uint32_t count, Arena& arena) {
     // The first block is a whole one of the arena's smallest size.
-    const std::uint32_t wanted =
-        capacity_ == 0 ? std::max<std::uint32_t>(1, Arena::min_block_bytes / sizeof(T)) : capacity_ * 2;
+    const auto wanted =
+        std::max({count, std::uint32_t{1}, static_cast<std::uint32_t>(Arena::min_block_bytes / sizeof(T))});
     T* larger = static_cast<T*>(arena.allocate(wanted * sizeof(T)));
     if (size_ != 0) std::memcpy(static_cast<void*>(larger), items_, size_ * sizeof(T));
     if (capacity_ != 0) arena.release(items_, capacity_ * sizeof(T));
@@ -86,10 +84,20 @@ class ArenaSet {
     if (items_.size() * 4ULL > slot_count() * 3) make_table(items_.size(), arena);
     return true;
   }
-  /// Makes room for so many, if there is no table yet.
-  void reserve(std::uint32_t count, Arena& arena) {
-    items_.reserve(count, arena);
-    if (slots_ == nullptr && count > max_scanned) make_table(count, arena);
+  /// Inserts keys that differ from each other. While there is no table, they are compared with those that were there
+  /// and not with each other, and the table is made once.
+  void insert_all(std::span<const Key> keys, Arena& arena) {
+    if (slots_ != nullptr) {
+      for (const Key key : keys) insert(key, arena);
+      return;
+    }
+    const std::uint32_t known = items_.size();
+    items_.reserve(known + static_cast<std::uint32_t>(keys.size()), arena);
+    for (const Key key : keys) {
+      const Key* end = items_.data() + known;
+      if (std::find(items_.data(), end, key) == end) items_.push_back(key, arena);
+    }
+    if (items_.size() > max_scanned) make_table(items_.size(), arena);
   }
   [[nodiscard]] bool contains(Key key) const {
     if (slots_ == nullptr) return std::find(items_.begin(), items_.end(), key) != items_.end();

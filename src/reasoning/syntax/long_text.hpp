@@ -36,11 +36,17 @@ class LongText {
 
  private:
   enum class Within : std::uint8_t { nothing, iri, comment, text, long_text };
+  [[nodiscard]] std::optional<std::uint32_t> look_at_xml(std::string_view stretch);
+  [[nodiscard]] std::optional<std::uint32_t> look_at_words(std::string_view stretch);
+  void begin_comment();
+  /// Goes on in an XML comment from a place to the next one where it may end, and returns that.
+  std::size_t step_comment(std::string_view stretch, std::size_t at);
+  /// Octets at the beginning of a stretch that only make longer what is open, and take it no further.
+  [[nodiscard]] std::size_t run_in(std::string_view stretch) const;
+  void take_run(std::string_view run);
   void step(char c);
-  void step_xml(char c);
   void begin_text(Within within);
-  void note_blank(bool is_blank);
-  void note_name(bool is_name);
+  void note_blank(std::size_t blanks);
   [[nodiscard]] std::optional<std::uint32_t> found(Kind kind, std::uint32_t line) {
     kind_ = kind;
     return line;
@@ -53,7 +59,8 @@ class LongText {
   char quote_ = '"';
   bool is_escaped_ = false;
   unsigned quotes_ = 0;      ///< in a row: three open and close a long text
-  std::uint32_t last_ = 0;   ///< the three octets before, of XML
+  std::size_t opened_ = 0;   ///< octets of `<!--` that stand before this one, of XML
+  std::size_t dashes_ = 0;   ///< in an XML comment, in a row before this octet
   std::uint32_t line_ = 1;   ///< of this octet
   std::uint32_t begin_ = 1;  ///< the line in which the text begins
   std::size_t text_bytes_ = 0;

@@ -234,8 +234,7 @@ void InheritanceWorker::compose_with_link(std::uint32_t node, RoleId first, std:
 void InheritanceWorker::add_inherited(std::uint32_t node, Items items) {
   Node& self = nodes_[node];
   const std::uint32_t begin = self.items.size();
-  self.items.reserve(begin + static_cast<std::uint32_t>(items.size()), arena_);
-  for (const std::uint32_t item : items) self.items.insert(item, arena_);
+  self.items.insert_all(items, arena_);
   const std::uint32_t end = self.items.size();
   conclusions_ += end - begin;
   work_.add(items.size());

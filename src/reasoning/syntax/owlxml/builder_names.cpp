@@ -27,8 +27,10 @@ Listener::Refusal Builder::check_iri(std::string_view iri) {
   if (iri.size() > limits_.iri_bytes)
     return beyond_limit("an IRI of more than " + std::to_string(limits_.iri_bytes) + " bytes");
   // The characters that would make the identity of a concept ambiguous. Others stand in published files.
-  if (iri.find_first_of("<>") != std::string_view::npos || base::has_control_character(iri))
-    return "an IRI with an angle bracket or a control character";
+  const auto is_forbidden = [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '<' || c == '>';
+  };
+  if (std::ranges::any_of(iri, is_forbidden)) return "an IRI with an angle bracket or a control character";
   return std::nullopt;
 }
 

@@ -120,6 +120,8 @@ class XmlScan {
   void start_tag() {
     const std::size_t begin = place_++;
     std::size_t attributes = 0;
+    bool has_parse_type = false;
+    bool has_id = false;
     while (place_ < bytes_.size() && bytes_[place_] != '>') {
       const char c = bytes_[place_];
       if (c != '"' && c != '\'') {
@@ -127,7 +129,10 @@ class XmlScan {
         continue;
       }
       const std::size_t close = std::min(bytes_.find(c, place_ + 1), bytes_.size());
-      if (is_base(bytes_.substr(begin, place_ - begin))) add_base(place_ + 1, close);
+      const std::string_view name = attribute_name(bytes_.substr(begin, place_ - begin));
+      if (name == "xml:base") add_base(place_ + 1, close);
+      has_parse_type = has_parse_type || name.ends_with("parseType");
+      has_id = has_id || name.ends_with(":ID");
       const std::size_t value_bytes = close - place_ + references(place_, close);
       if (value_bytes > limits_.literal_bytes)
         return fail("has an attribute of more than " + std::to_string(limits_.literal_bytes) + " bytes");
@@ -144,19 +149,22 @@ class XmlScan {
     ++place_;
     end_of_tag(begin);
     const std::string_view tag = bytes_.substr(begin, place_ - begin);
-    if (!is_empty_element && literal_depth_ == 0 && makes_literal(tag)) literal_depth_ = depth_;
+    if (has_parse_type && !is_empty_element && literal_depth_ == 0 && makes_literal(tag)) literal_depth_ = depth_;
     if (depth_ == 1 && !is_empty_element) root(tag);
-    if (names_by_id(tag)) pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
+    if (!has_id) return;
+    pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
     note_id(begin, tag, is_empty_element ? depth_ + 1 : depth_);
   }
 
-  /// Whether a tag up to a quotation mark ends with the name of xml:base.
-  [[nodiscard]] static bool is_base(std::string_view tag) {
-    constexpr std::string_view name = "xml:base";
-    while (!tag.empty() && (tag.back() == '=' || xml_space.find(tag.back()) != std::string_view::npos))
-      tag.remove_suffix(1);
-    return tag.ends_with(name) && tag.size() > name.size() &&
-           xml_space.find(tag[tag.size() - name.size() - 1]) != std::string_view::npos;
+  [[nodiscard]] static constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+  /// The name of the attribute before whose value a tag was cut off. It ends at quotation marks, too, so that a tag is
+  /// walked once however it is written.
+  [[nodiscard]] static std::string_view attribute_name(std::string_view tag) {
+    while (!tag.empty() && (tag.back() == '=' || is_space(tag.back()))) tag.remove_suffix(1);
+    std::size_t begin = tag.size();
+    while (begin > 0 && !is_space(tag[begin - 1]) && tag[begin - 1] != '"' && tag[begin - 1] != '\'') --begin;
+    return tag.substr(begin);
   }
 
   void add_base(std::size_t begin, std::size_t end) {
@@ -171,13 +179,6 @@ class XmlScan {
     const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
     if (name != "RDF" && !name.ends_with(":RDF")) return pieces_.forbid();
     pieces_.begin_at(place_, line_here() - 1, "</" + std::string(name) + ">");
-  }
-
-  [[nodiscard]] static bool names_by_id(std::string_view tag) {
-    for (std::size_t at = tag.find(":ID"); at != std::string_view::npos; at = tag.find(":ID", at + 1)) {
-      if (tag.substr(at + 3, 1).find_first_of("= \t\r\n") == 0) return true;
-    }
-    return false;
   }
 
   /// A name by rdf:ID that is given twice, or is no name of XML, stands as rdf:about, which may be anything. Only on

@@ -39,6 +39,11 @@ const char* Graph::store(std::string_view text) {
   return place;
 }
 
+NodeId Graph::push(NodeKind kind, bool is_nameless, std::string_view text, NodeId datatype, NodeId language) {
+  nodes_.push_back({store(text), static_cast<std::uint32_t>(text.size()), kind, is_nameless, datatype, language});
+  return NodeId{static_cast<std::uint32_t>(nodes_.size() - 1)};
+}
+
 NodeId Graph::intern(NodeKind kind, std::string_view text, NodeId datatype, NodeId language) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   const std::uint32_t found =
@@ -47,22 +52,21 @@ NodeId Graph::intern(NodeKind kind, std::string_view text, NodeId datatype, Node
         return record.size == text.size() && record.kind == kind && record.datatype == datatype &&
                record.language == language && std::string_view(record.text, record.size) == text;
       });
-  if (found != NodeTable::none) return NodeId{found};
-  nodes_.push_back({store(text), static_cast<std::uint32_t>(text.size()), kind, datatype, language});
-  return NodeId{number};
+  return found != NodeTable::none ? NodeId{found} : push(kind, false, text, datatype, language);
 }
 
 void Graph::append(const Graph& other) {
   constexpr auto words = static_cast<std::size_t>(syntax::Word::count);
   std::vector<NodeId> here(other.nodes_.size());
-  for (std::size_t number = 0; number < other.nodes_.size(); ++number) {
-    const Record& record = other.nodes_[number];
+  const auto node_from = [&](const Record& record) {
+    const std::string_view text(record.text, record.size);
+    if (record.is_nameless) return new_blank(text);
     // A literal comes behind its datatype and language.
-    here[number] = number < words ? NodeId{static_cast<std::uint32_t>(number)}
-                                  : intern(record.kind, {record.text, record.size},
-                                           here[static_cast<std::size_t>(record.datatype)],
-                                           here[static_cast<std::size_t>(record.language)]);
-  }
+    return intern(record.kind, text, here[static_cast<std::size_t>(record.datatype)],
+                  here[static_cast<std::size_t>(record.language)]);
+  };
+  for (std::size_t number = 0; number < other.nodes_.size(); ++number)
+    here[number] = number < words ? NodeId{static_cast<std::uint32_t>(number)} : node_from(other.nodes_[number]);
   const auto node_here = [&](NodeId node) { return here[static_cast<std::size_t>(node)]; };
   for (const Triple& triple : other.triples_)
     triples_.push_back({node_here(triple.subject), node_here(triple.predicate), node_here(triple.object), triple.line});

@@ -96,6 +96,7 @@ struct RaptorParser::World {
   std::vector<std::pair<std::string, std::string>> prefixes;
   std::unordered_set<std::string> known_prefixes;
   std::uint32_t generated = 0;
+  std::vector<NodeId> made_up;  ///< the blank nodes that raptor made up, by their numbers from 1; none: not seen yet
   std::optional<syntax::LoadError> error;
   bool out_of_memory = false;
 
@@ -130,17 +131,10 @@ struct RaptorParser::World {
 
   NodeId node(raptor_term* term) {
     switch (term->type) {
-      case RAPTOR_TERM_TYPE_URI: {
-        const std::string_view iri = full_iri(term->value.uri);
-        if (iri.size() > limits.iri_bytes)
-          fail("has an IRI of more than " + std::to_string(limits.iri_bytes) + " bytes");
-        if (!is_writable(iri)) fail("has an IRI with a control character or an angle bracket in it");
-        return graph->iri(iri);
-      }
+      case RAPTOR_TERM_TYPE_URI:
+        return iri(full_iri(term->value.uri));
       case RAPTOR_TERM_TYPE_BLANK:
-        label = file->blank_prefix;
-        label += view_of(term->value.blank.string, term->value.blank.string_len);
-        return graph->blank(label);
+        return blank(view_of(term->value.blank.string, term->value.blank.string_len));
       case RAPTOR_TERM_TYPE_LITERAL:
         return literal(term->value.literal);
       default:
@@ -149,12 +143,38 @@ struct RaptorParser::World {
     }
   }
 
+  NodeId iri(std::string_view text) {
+    const std::size_t known = graph->node_count();
+    const NodeId node = graph->iri(text);
+    if (graph->node_count() == known) return node;
+    if (text.size() > limits.iri_bytes) fail("has an IRI of more than " + std::to_string(limits.iri_bytes) + " bytes");
+    if (!is_writable(text)) fail("has an IRI with a control character or an angle bracket in it");
+    return node;
+  }
+
+  NodeId blank(std::string_view name) {
+    const std::uint32_t number = number_of(name);
+    if (number >= made_up.size()) made_up.resize(number + std::size_t{1});
+    if (made_up[number] != NodeId{}) return made_up[number];
+    label = file->blank_prefix;
+    label += name;
+    return number == 0 ? graph->blank(label) : made_up[number] = graph->new_blank(label);
+  }
+
+  /// The number of a blank node that on_blank() made up for this piece; 0: the file names it. The N-Triples reader
+  /// takes names as they are, and makes none up.
+  [[nodiscard]] std::uint32_t number_of(std::string_view name) const {
+    if (!name.starts_with(blank_letters)) return 0;
+    const auto number = base::parse_number<std::uint32_t>(name.substr(blank_letters.size()));
+    return number && *number <= generated ? *number : 0;
+  }
+
   NodeId literal(const raptor_term_literal_value& value) {
     const std::string_view lexical = view_of(value.string, value.string_len);
     if (lexical.size() > limits.literal_bytes)
       fail("has a literal of more than " + std::to_string(limits.literal_bytes) + " bytes");
     if (lexical.find('\0') != std::string_view::npos) fail("has a literal with a NUL in it");
-    const NodeId datatype = value.datatype == nullptr ? NodeId{} : graph->iri(full_iri(value.datatype));
+    const NodeId datatype = value.datatype == nullptr ? NodeId{} : iri(full_iri(value.datatype));
     if (value.language == nullptr) return graph->literal(lexical, datatype, NodeId{});
     // Raptor does this for RDF/XML and not for Turtle.
     const std::string language = base::in_lower_case(view_of(value.language, value.language_len));
@@ -193,7 +213,7 @@ struct RaptorParser::World {
       if (!world->known_prefixes.insert(declared.first + ' ' + declared.second).second) return;
       world->prefixes.push_back(std::move(declared));
       if (world->prefixes.size() > world->limits.prefixes)
-        world->fail("is beyond " + std::to_string(world->limits.prefixes) + " prefixes in all files");
+        world->fail("declares more than " + std::to_string(world->limits.prefixes) + " prefixes");
     } catch (const std::exception&) {
       world->stop_for_memory();
     }
@@ -308,6 +328,7 @@ std::optional<syntax::LoadError> RaptorParser::read(const FileText& text, std::s
   state.place = part.triples;
   state.triples = 0;
   state.generated = 0;
+  state.made_up.clear();
   state.prefixes.clear();
   state.known_prefixes.clear();
   state.error.reset();
