@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -315,8 +316,9 @@ void Ontology::note(std::vector<Omission>& notes, std::string_view text, FileId 
                     std::uint32_t count) {
   if (problem_) return;
   const NameId name = intern(text.substr(0, limits_.name_bytes), limits_.name_bytes);
-  // One record for each construct and file, so that a hostile file cannot make this list long by repetition.
-  for (Omission& known : notes) {
+  // One record for each construct and file, so that a hostile file cannot make this list long by repetition. Those of
+  // the file that is read stand at the end.
+  for (Omission& known : std::views::reverse(notes)) {
     if (known.construct == name && known.file == file) {
       known.count += count;
       known.line = std::min(known.line, line);

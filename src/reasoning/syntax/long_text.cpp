@@ -152,9 +152,10 @@ std::optional<std::uint32_t> LongText::look_at_xml(std::string_view stretch) {
   std::size_t open = stretch.find('<');
   std::size_t close = stretch.find('>');
   std::size_t at = 0;
-  while (at < stretch.size() && comment_bytes_ <= limits_.xml_comment) {
+  while (at < stretch.size()) {
     if (within_ == Within::comment) {
       at = step_comment(stretch, at);
+      if (comment_bytes_ > limits_.xml_comment) break;
       if (within_ == Within::nothing) begin = at - 1;
       continue;
     }

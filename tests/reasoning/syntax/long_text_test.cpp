@@ -73,6 +73,8 @@ TEST(LongText, FindsAnXmlCommentThatLibxml2WouldKeepAsAWhole) {
     EXPECT_EQ(found(Syntax::rdf_xml, comment(79), stretch), std::nullopt);
     EXPECT_EQ(found(Syntax::rdf_xml, comment(80), stretch), std::nullopt);
     EXPECT_EQ(found(Syntax::rdf_xml, comment(81), stretch), 2U);
+    EXPECT_EQ(found(Syntax::rdf_xml, "<a>\n<!--" + std::string(78, '\n') + "--></a>", stretch), 2U)
+        << "where it begins";
   }
 }
 
