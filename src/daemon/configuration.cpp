@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "base/address.hpp"
@@ -18,6 +19,10 @@ namespace geminga::daemon {
 namespace {
 
 constexpr std::uint16_t default_port = 4717;
+/// The most participants of --adopt-from.
+constexpr std::size_t max_publishers = 16;
+/// The folder of what is adopted, in the state folder.
+constexpr const char* adopted_name = "adopted";
 /// The peer that stands for every host with the team's key.
 constexpr std::string_view any_peer = "*";
 constexpr std::array<std::pair<std::string_view, base::LogLevel>, 4> log_levels{{{"debug", base::LogLevel::debug},
@@ -121,6 +126,21 @@ class Resolver {
     if (const Stated* folder = single("state-folder")) {
       if (folder->text.empty()) fail(*folder, "an empty path: name a folder");
       result_.state_folder = folder->text;
+    }
+    read_publishers();
+  }
+
+  /// Each is also the name of a folder.
+  void read_publishers() {
+    for (const Stated& publisher : list("adopt-from", max_publishers)) {
+      if (!announcement::is_valid_name(publisher.text) || publisher.text.starts_with('.')) {
+        refuse(publisher, "is no participant whose ontologies could be adopted: use a name without '.' in front");
+      } else if (result_.state_folder.empty()) {
+        fail(publisher, "there is no place for adopted ontologies: give --state-folder, too");
+      } else if (std::ranges::find(result_.adopted.publishers, publisher.text) == result_.adopted.publishers.end()) {
+        result_.adopted.folder = (std::filesystem::path(result_.state_folder) / adopted_name).string();
+        result_.adopted.publishers.push_back(publisher.text);
+      }
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include "base/log.hpp"
 #include "base/time.hpp"
+#include "daemon/adoption/adoption.hpp"
 #include "daemon/layer.hpp"
 #include "discovery/sealing/seal.hpp"
 #include "env/asio/asio_env.hpp"
@@ -40,6 +41,7 @@ struct GcnpAddress {
 struct Configuration {
   std::vector<std::string> ontologies;
   bool is_strict = false;  ///< one file of a folder that cannot be read refuses all ontologies at a start, too
+  Adopted adopted;         ///< from whom, and below the state folder; without a folder where it is from nobody
   std::map<std::string, std::string> prefixes;  ///< of names, beside those of the ontologies
   std::string group = "default";
   std::string name;

@@ -61,6 +61,8 @@ std::string to_toml(const Configuration& configuration) {
   std::string text;
   text += line("ontology", in_quotes(configuration.ontologies));
   text += line("strict", configuration.is_strict ? "true" : "false");
+  if (!configuration.adopted.publishers.empty())
+    text += line("adopt-from", in_quotes(configuration.adopted.publishers));
   text += line("group", in_quotes(configuration.group));
   text += line("interface", in_quotes(configuration.air.interfaces));
   text += line("peer", in_quotes(peers));

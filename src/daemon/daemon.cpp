@@ -57,7 +57,8 @@ Daemon::Daemon(Configuration configuration, ConfigurationInForce::Reader read, c
       stop_patience_(context_),
       watchdog_(context_),
       env_(context_, log),
-      ontology_(context_, env_, log, [this] { after_event(); }) {}
+      ontology_(context_, env_, log, [this] { after_event(); }),
+      adoption_(context_, [this] { adopt(); }) {}
 
 std::expected<void, Lines> Daemon::check() {
   ontology_.load_consistent(configuration_.current(), [this](OntologyInForce::Loaded loaded) {
@@ -104,6 +105,7 @@ void Daemon::open() {
   start_patience_.async_wait([this](const boost::system::error_code& error) {
     if (!error && participant_ == nullptr) begin();
   });
+  adoption_.watch(configuration.adopted);
   ontology_.start(configuration, [this] { begin(); });
 }
 
@@ -276,8 +278,16 @@ void Daemon::reload() {
     log_.write(LogLevel::info, sealing_line(configuration.sealing));
   }
   if (change->description) env_.event([&] { participant_->describe(configuration.description); });
+  adoption_.watch(configuration.adopted);
   ontology_.reload(configuration);
   tell_ready();
+}
+
+void Daemon::adopt() {
+  must_reload_ = must_reload_ || participant_ == nullptr;  // begin() reloads then
+  if (participant_ == nullptr || is_stopping_) return;
+  log_.write(LogLevel::info, "reading the ontologies again: another one has come to be adopted");
+  ontology_.reload(configuration_.current());
 }
 
 }  // namespace geminga::daemon

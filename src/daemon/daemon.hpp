@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/adoption/adoption.hpp"
 #include "daemon/cage_in_force.hpp"
 #include "daemon/configuration_in_force.hpp"
 #include "daemon/log.hpp"
@@ -62,6 +63,8 @@ class Daemon final : private env::EventSink {
   void watch_memory();
   void await_signal();
   void reload();
+  /// Loads the ontologies again, with what the owner adopts.
+  void adopt();
   void stop();
 
   void on_timer() override {
@@ -94,6 +97,7 @@ class Daemon final : private env::EventSink {
   env::AsioEnv env_;
   std::unique_ptr<participant::Participant> participant_;  ///< null until begin()
   OntologyInForce ontology_;
+  AdoptionWatch adoption_;
   std::uint32_t lasting_ = 0;         ///< the identity that the daemon keeps across restarts; 0: it keeps none
   std::vector<std::string> failure_;  ///< lines for the user
   bool is_announced_ = false;         ///< the log says that the daemon is ready

@@ -26,11 +26,14 @@ struct Key {
   std::string_view help;
 };
 
-inline constexpr std::array<Key, 22> keys{{
+inline constexpr std::array<Key, 23> keys{{
     {"ontology", ValueType::texts, "FILE-OR-FOLDER",
      "Ontology to load; a folder means every ontology file in it. May be given many times"},
     {"strict", ValueType::truth, "true|false",
      "Start without any ontology where one file of a folder cannot be read (default: false: start with the others)"},
+    {"adopt-from", ValueType::texts, "PARTICIPANT",
+     "Put an ontology in force, beside those named here, that this participant offers and geminga-ontology adopt has "
+     "fetched, whenever its version rises; may be given many times (default: nobody)"},
     {"group", ValueType::text, "NAME", "Only participants of the same group see each other (default: default)"},
     {"interface", ValueType::texts, "NAME",
      "Use only this network interface; may be given many times. The loopback is used only when named: --interface lo"},

@@ -1,5 +1,6 @@
 #include "daemon/ontology_in_force.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/text.hpp"
@@ -15,6 +16,19 @@ OntologyInForce::Loaded without_contradiction(OntologyInForce::Loaded loaded, co
   auto contradiction = contradiction_in(*loaded, files);
   if (!contradiction) return loaded;
   return std::unexpected(std::vector<std::string>{std::move(*contradiction)});
+}
+
+/// The reason why the adopted ontologies among those that were loaded cannot be used; nothing where they can.
+std::optional<std::string> fault_of_adopted(const OntologyInForce::Loaded& loaded,
+                                            const std::vector<std::string>& adopted) {
+  if (!loaded) return loaded.error().front();
+  const auto is_of_adopted = [&](const std::string& line) {
+    return std::ranges::any_of(adopted, [&](const std::string& folder) { return line.contains(folder); });
+  };
+  const auto left_out = std::ranges::find_if(loaded->left_out, is_of_adopted);
+  if (left_out != loaded->left_out.end()) return *left_out;
+  if (contradiction_in(*loaded, adopted)) return "the ontologies contradict themselves with it";
+  return std::nullopt;
 }
 
 }  // namespace
@@ -64,9 +78,32 @@ void OntologyInForce::prepare_if_wanted() {
   });
 }
 
-/// A load that is under way is given up.
 void OntologyInForce::load(const Configuration& configuration, bool leaves_out_refused,
                            std::function<void(Loaded)> done) {
+  load_adopting(configuration, 0, leaves_out_refused, std::move(done));
+}
+
+/// Loads with the adopted versions of this level. Where they cannot be read whole, or make a contradiction, those of
+/// the next level are taken, and at last none, so that nobody's ontology takes away the owner's.
+void OntologyInForce::load_adopting(const Configuration& configuration, std::size_t level, bool leaves_out_refused,
+                                    std::function<void(Loaded)> done) {
+  const std::vector<std::string> adopted = adopted_versions(configuration.adopted, level);
+  if (adopted.empty()) return load_with(configuration, adopted, leaves_out_refused, std::move(done));
+  load_with(configuration, adopted, leaves_out_refused,
+            [this, configuration, level, leaves_out_refused, adopted, done = std::move(done)](Loaded loaded) {
+              if (is_stopped_) return;
+              const auto fault = fault_of_adopted(loaded, adopted);
+              if (!fault) return done(std::move(loaded));
+              log_.write(LogLevel::warning, "ontology: " + base::joined(adopted, ", ") + " is not adopted: " + *fault);
+              load_adopting(configuration, level + 1, leaves_out_refused, done);
+            });
+}
+
+/// A load that is under way is given up.
+void OntologyInForce::load_with(const Configuration& configuration, const std::vector<std::string>& adopted,
+                                bool leaves_out_refused, std::function<void(Loaded)> done) {
+  std::vector<std::string> files = configuration.ontologies;
+  files.insert(files.end(), adopted.begin(), adopted.end());
   const auto began = std::chrono::steady_clock::now();
   const auto take = [this, done = std::move(done), began](Loaded loaded) {
     if (loaded) {
@@ -76,7 +113,7 @@ void OntologyInForce::load(const Configuration& configuration, bool leaves_out_r
     }
     done(std::move(loaded));
   };
-  loader_.load(configuration.ontologies, configuration.prefixes, take, leaves_out_refused);
+  loader_.load(files, configuration.prefixes, take, leaves_out_refused);
 }
 
 void OntologyInForce::change_to(Loaded loaded) {

@@ -60,6 +60,10 @@ class OntologyInForce {
 
  private:
   void load(const Configuration& configuration, bool leaves_out_refused, std::function<void(Loaded)> done);
+  void load_with(const Configuration& configuration, const std::vector<std::string>& adopted, bool leaves_out_refused,
+                 std::function<void(Loaded)> done);
+  void load_adopting(const Configuration& configuration, std::size_t level, bool leaves_out_refused,
+                     std::function<void(Loaded)> done);
   void change_to(Loaded loaded);
   void report_failure(const std::vector<std::string>& lines);
   void put_in_force(vocabulary::Vocabulary vocabulary, const std::vector<std::string>& left_out);

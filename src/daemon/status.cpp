@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 
@@ -103,6 +104,10 @@ std::vector<gcnp::Parameter> status_fields(const ConfigurationInForce& configura
   };
   for (const auto& [key, count] : counts) {
     if (count != 0) fields.push_back({key, std::to_string(count)});
+  }
+  if (const Adopted& adopted = configuration.current().adopted; !adopted.publishers.empty()) {
+    fields.push_back({"adopt_from", base::joined(adopted.publishers, ",")});
+    fields.push_back({"adopted_folder", std::filesystem::absolute(adopted.folder).string()});
   }
   if (!configuration.failure().empty()) fields.push_back({"configuration_failed", configuration.failure()});
   return fields;

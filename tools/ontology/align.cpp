@@ -150,6 +150,7 @@ Exit align(const AlignRequest& request, const WorkLimits& limits) {
   const Lexicon second(other->loaded);
   std::vector<Link> links = match(first, second, thesaurus);
   if (request.wants_narrower) std::ranges::move(narrower_classes(first, second, links), std::back_inserter(links));
+  drop_links_of_shared(first, second, links);
   progress.show("mending the alignment");
   const Mended mended = mend(*both, std::move(links), {*one, *other, request.is_conservative}, budget);
   progress.clear();

@@ -34,6 +34,8 @@ void close_cage(const CLI::App& command, const Choice& choice) {
     const std::filesystem::path folder = std::filesystem::path(output).parent_path();
     freedom.writable_folders.push_back(folder.empty() ? "." : folder.string());
   }
+  freedom.may_talk = choice.may_talk;
+  freedom.may_make_folders = choice.may_make_folders;
   cage::close(freedom);
 }
 

@@ -31,6 +31,9 @@ void add_diff(CLI::App& program, Choice& choice);
 void add_extract(CLI::App& program, Choice& choice);
 void add_report(CLI::App& program, Choice& choice);
 void add_align(CLI::App& program, Choice& choice);
+void add_serve(CLI::App& program, Choice& choice);
+void add_fetch(CLI::App& program, Choice& choice);
+void add_adopt(CLI::App& program, Choice& choice);
 
 /// Chooses `run` for this request when the command line names `command`. Where the request has an output, that is the
 /// command's output.

@@ -1,4 +1,4 @@
-// geminga-ontology: checks, classifies, explains, draws and compiles ontologies; needs no daemon.
+// geminga-ontology: checks, classifies, explains, draws and compiles ontologies; only serve and fetch need a daemon.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -40,11 +40,14 @@ Examples:
   geminga-ontology realize team/                    the most specific types of each individual
   geminga-ontology instances team/ 'soccer:BallInfo'
   geminga-ontology rank --services services/ --requests queries/ --ontologies ontology/
+  geminga-ontology serve team/ --version 7          offer it to the team
+  geminga-ontology fetch --from base -o theirs/     take it
 
 FILES are RDF/XML, Turtle, N-Triples, OWL functional syntax, OWL Manchester syntax or OWL/XML, also packed by gzip
 (.gz), or folders of them, with all below. Nothing is fetched from a network: owl:imports are looked for among the
 files that are named. Names are prefix:Name, <IRI>, a label, or, where it is unique, Name alone.
-Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 4 a limit was reached.)";
+Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file that cannot be loaded, 3 no daemon
+(serve, fetch), 4 a limit was reached.)";
 
 int run(int argc, char** argv) {
   CLI::App program("Checks, classifies, explains, draws and compiles ontologies.", "geminga-ontology");
@@ -54,9 +57,9 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   Choice choice;
   for (const auto add :
-       {add_check,   add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
-        add_compile, add_draw,     add_infer,    add_convert, add_merge,      add_realize, add_instances,
-        add_query,   add_rank,     add_repair,   add_diff,    add_extract,    add_report,  add_align})
+       {add_check,  add_classify, add_subsumes, add_entails, add_consistent, add_explain,   add_id,    add_compile,
+        add_draw,   add_infer,    add_convert,  add_merge,   add_realize,    add_instances, add_query, add_rank,
+        add_repair, add_diff,     add_extract,  add_report,  add_align,      add_serve,     add_fetch, add_adopt})
     add(program, choice);
   if (const auto description = geminga::manual::described(program, argc, argv)) {
     return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0

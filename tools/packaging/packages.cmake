@@ -64,7 +64,7 @@ geminga-unseal, which opens sealed datagrams of a recording."
   RECOMMENDS "geminga-ontologies (= ${PROJECT_VERSION}), geminga-ontology (= ${PROJECT_VERSION})"
   CONTROL ${here}/control/geminga/conffiles ${here}/control/geminga/postinst ${here}/control/geminga/prerm
           ${here}/control/geminga/postrm)
-in_package(geminga lib/systemd/system ${here}/gemingad.service ${here}/gemingad.socket)
+in_package(geminga lib/systemd/system ${here}/gemingad.service ${here}/gemingad.socket ${here}/geminga-adopt.service)
 install(FILES ${here}/geminga.sysusers DESTINATION lib/sysusers.d RENAME geminga.conf COMPONENT geminga EXCLUDE_FROM_ALL)
 in_package(geminga /etc/geminga ${here}/gemingad.toml)
 in_package(geminga /etc/geminga/conf.d ${here}/conf.d/README)

@@ -26,6 +26,11 @@ struct Freedom {
   /// Folders in which files may be written, renamed and removed. Without Landlock any file may be, if there is such a
   /// folder.
   std::vector<std::string> writable_folders;
+  /// Folders may also be made, renamed and removed in them.
+  bool may_make_folders = false;
+  /// Allows sockets of the network and of this host as a server has them, and no processes. Of ports Landlock forbids
+  /// none then: a provider may be at any.
+  bool may_talk = false;
   /// Allows what a server does: sockets of the network and of this host, and processes, which are in this cage, too.
   /// It may open files for writing, but makes none that has a name and cuts none short, and removes none but in
   /// `removable_folders`. It listens nowhere but where it listens already, and speaks TCP to name servers only

@@ -40,7 +40,9 @@ constexpr std::uint64_t execute = bit(0);
 constexpr std::uint64_t write_file = bit(1);
 constexpr std::uint64_t read_file = bit(2);
 constexpr std::uint64_t read_dir = bit(3);
+constexpr std::uint64_t remove_folder = bit(4);
 constexpr std::uint64_t remove_file = bit(5);
+constexpr std::uint64_t make_folder = bit(7);
 constexpr std::uint64_t make_regular = bit(8);
 constexpr std::uint64_t truncate = bit(14);
 constexpr std::uint64_t connect_tcp = bit(1);
@@ -98,15 +100,16 @@ bool restrict_paths(const Freedom& freedom) {
   Ruleset ruleset;
   ruleset.handled_fs = all_rights(version);
   if (freedom.may_read_all) ruleset.handled_fs &= ~(execute | read_file | read_dir);
-  if (version >= 4) ruleset.handled_net = bit(2) - 1;  // bind and connect
-  if (version >= 6) ruleset.scoped = bit(2) - 1;       // abstract sockets and signals
+  if (version >= 4 && !freedom.may_talk) ruleset.handled_net = bit(2) - 1;  // bind and connect
+  if (version >= 6) ruleset.scoped = bit(2) - 1;                            // abstract sockets and signals
   // A kernel refuses a structure that is longer than the one that it knows.
   const std::size_t size = version >= 6 ? 24 : version >= 4 ? 16 : 8;
   Rules rules(ruleset, size);
   if (is_sanitized) rules.allow("/proc", read_file | read_dir);
   for (const std::string& path : freedom.readable) rules.allow(path, read_file | read_dir);
+  const std::uint64_t folders = freedom.may_make_folders ? make_folder | remove_folder : 0;
   for (const std::string& folder : freedom.writable_folders)
-    rules.allow(folder, write_file | truncate | make_regular | remove_file);
+    rules.allow(folder, write_file | truncate | make_regular | remove_file | folders);
   for (const std::string& path : freedom.rewritable) rules.allow(path, write_file);
   for (const std::string& folder : freedom.removable_folders) rules.allow(folder, remove_file);
   if (freedom.may_serve && version >= 4) rules.allow_connections_to(name_server_port);

@@ -54,14 +54,14 @@ constexpr std::array plain{
 constexpr std::array to_become{SCMP_SYS(execve), SCMP_SYS(arch_prctl)};
 constexpr std::array to_write_files{SCMP_SYS(open),      SCMP_SYS(openat), SCMP_SYS(rename),   SCMP_SYS(renameat),
                                     SCMP_SYS(renameat2), SCMP_SYS(unlink), SCMP_SYS(unlinkat), SCMP_SYS(fchmod)};
+constexpr std::array to_make_folders{SCMP_SYS(mkdir), SCMP_SYS(mkdirat), SCMP_SYS(rmdir), SCMP_SYS(fsync)};
 constexpr std::array to_be_sanitized{
     SCMP_SYS(mmap),           SCMP_SYS(getdents),          SCMP_SYS(mprotect),   SCMP_SYS(ptrace),
     SCMP_SYS(prctl),          SCMP_SYS(personality),       SCMP_SYS(arch_prctl), SCMP_SYS(process_vm_readv),
     SCMP_SYS(sched_getparam), SCMP_SYS(sched_getscheduler)};
 
-/// A server's calls without a look at their arguments: what is done with sockets, waiting for many things at once, and
-/// processes.
-constexpr std::array to_serve{
+/// Calls without a look at their arguments: what is done with sockets, and waiting for many things at once.
+constexpr std::array to_talk{
     // sockets
     SCMP_SYS(bind), SCMP_SYS(listen), SCMP_SYS(accept), SCMP_SYS(accept4), SCMP_SYS(connect), SCMP_SYS(shutdown),
     SCMP_SYS(getsockname), SCMP_SYS(getpeername), SCMP_SYS(getsockopt), SCMP_SYS(send), SCMP_SYS(sendto),
@@ -69,12 +69,13 @@ constexpr std::array to_serve{
     // waiting
     SCMP_SYS(epoll_create), SCMP_SYS(epoll_create1), SCMP_SYS(epoll_ctl), SCMP_SYS(epoll_wait), SCMP_SYS(epoll_pwait),
     SCMP_SYS(epoll_pwait2), SCMP_SYS(eventfd2), SCMP_SYS(timerfd_create), SCMP_SYS(timerfd_settime),
-    SCMP_SYS(timerfd_gettime), SCMP_SYS(select), SCMP_SYS(pselect6),
-    // the child that compiles the ontology
-    SCMP_SYS(execve), SCMP_SYS(arch_prctl), SCMP_SYS(setpgid), SCMP_SYS(close_range), SCMP_SYS(waitid),
-    SCMP_SYS(pidfd_open),
+    SCMP_SYS(timerfd_gettime), SCMP_SYS(select), SCMP_SYS(pselect6), SCMP_SYS(signalfd4), SCMP_SYS(rt_sigpending),
     // files and memory
     SCMP_SYS(fallocate), SCMP_SYS(getcpu), SCMP_SYS(membarrier)};
+/// Calls of a server beside these.
+constexpr std::array to_serve{// the child that compiles the ontology
+                              SCMP_SYS(execve),      SCMP_SYS(arch_prctl), SCMP_SYS(setpgid),
+                              SCMP_SYS(close_range), SCMP_SYS(waitid),     SCMP_SYS(pidfd_open)};
 constexpr std::array to_remove_files{SCMP_SYS(unlink), SCMP_SYS(unlinkat)};
 
 class Filter {
@@ -202,13 +203,17 @@ void add_rules(Filter& filter, const Freedom& freedom) {
   allow_on_descriptors(filter);
   allow_memory(filter, freedom);
   if (freedom.may_become) filter.allow(to_become);
+  if (freedom.may_talk || freedom.may_serve) {
+    filter.allow(to_talk);
+    allow_sockets(filter);
+  }
   if (freedom.may_serve) {
     filter.allow(to_serve);
-    allow_sockets(filter);
     allow_children(filter);
   }
   if (!freedom.removable_folders.empty()) filter.allow(to_remove_files);
   if (!freedom.writable_folders.empty()) filter.allow(to_write_files);
+  if (freedom.may_make_folders) filter.allow(to_make_folders);
   if (is_sanitized) filter.allow(to_be_sanitized);
 }
 

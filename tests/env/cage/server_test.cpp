@@ -289,6 +289,40 @@ TEST_F(ServerCage, SpeaksTcpToNameServersAloneAndListensNowhereElse) {
             EACCES);
 }
 
+TEST_F(ServerCage, OfATalkerHasSocketsFoldersWhereItMayAndNoPrograms) {
+  Freedom talker;
+  talker.may_talk = true;
+  talker.writable_folders = {folder.string()};
+  talker.may_make_folders = true;
+  const auto listen_and_connect = [] {
+    sockaddr_in any{};
+    any.sin_family = AF_INET;
+    const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
+    if (::bind(listener, reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0 || ::listen(listener, 1) != 0)
+      return errno;
+    const int error = connection_error(9);
+    return error == ECONNREFUSED ? 0 : error;
+  };
+  const int talked = inside(talker, listen_and_connect);
+  if (talked == no_cage) GTEST_SKIP() << "this kernel has no seccomp";
+  EXPECT_EQ(talked, 0);
+  const std::string made = folder / "made";
+  EXPECT_EQ(inside(talker, [&] { return error_of(::mkdir(made.c_str(), 0700)); }), 0);
+  EXPECT_EQ(inside(talker, [&] { return error_of(::rename(made.c_str(), (folder / "other").c_str())); }), 0);
+  EXPECT_EQ(inside(talker, [] { return error_of(::fork()); }), EACCES);
+  EXPECT_EQ(inside(talker,
+                   [] {
+                     const char* arguments[] = {"true", nullptr};
+                     return error_of(::execv("/bin/true", const_cast<char**>(arguments)));
+                   }),
+            EACCES);
+  talker.may_make_folders = false;
+  EXPECT_EQ(inside(talker, [&] { return error_of(::mkdir(made.c_str(), 0700)); }), EACCES);
+  if (landlock_version() < 1) return;
+  talker.may_make_folders = true;
+  EXPECT_EQ(inside(talker, [] { return error_of(::mkdir("/tmp/geminga-talker", 0700)); }), EACCES);
+}
+
 TEST_F(ServerCage, LooksIntoNoOtherProcess) {
   if (landlock_version() < 1) GTEST_SKIP() << "this kernel has no Landlock";
   const std::string process = "/proc/" + std::to_string(::getpid());

@@ -137,6 +137,18 @@ class Examples : public testing::Test {
     EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();
   }
 
+  /// Runs an example that takes an ontology, which this host offers.
+  void fetch(std::string example) {
+    auto server = start("geminga-ontology serve team/ --open --version 7");
+    ASSERT_TRUE(server->wait_for("offering")) << server->said();
+    example = replaced(replaced(example, "--from base", "--from robot0"), "/tmp/", "");
+    example = replaced(example, "--align rescue1", "--align robot0");
+    for (const char* made : {"theirs", "rescue"}) fs::remove_all(folder_ / made);
+    run(example + " --open");
+    server->signal(SIGTERM);
+    EXPECT_EQ(server->wait(), 0) << server->said();
+  }
+
   void expect_to_work(std::string example) {
     example = replaced(example, "127.0.0.1:4718", "127.0.0.1:" + std::to_string(bench_.lab().gcnp_port(0)));
     example = replaced(example, "/usr/local/share/geminga/ontology", "ontology");
@@ -148,12 +160,16 @@ class Examples : public testing::Test {
     example = replaced(example, "--at 14:03:10", "--speed 2");  // a recording of these seconds has another moment
     if (example.starts_with("geminga-bridge")) return;          // needs what is beyond it: tests/tools/bridge
     if (example.starts_with("geminga-query record")) return record(example);
+    const bool is_taken = example.starts_with("geminga-ontology fetch") || example.contains("--align");
+    if (is_taken) return fetch(example);
+    const bool is_served = example.starts_with("geminga-ontology serve");
+    if (is_served && !example.contains("--open")) example += " --open";  // this team has no key
     const bool is_replay = example.starts_with("geminga-query replay");
     if (is_replay && !fs::exists(folder_ / "field-test.jsonl")) record("geminga-query record field-test.jsonl");
     const bool is_alerts = example.starts_with("geminga-query") && example.contains(" alerts ");
     example = replaced(example, "logger -t alerts", "echo");
     const bool is_web = example.starts_with("geminga-web");
-    const bool goes_on = is_web || (is_alerts && !example.contains("--check")) ||
+    const bool goes_on = is_web || is_served || (is_alerts && !example.contains("--check")) ||
                          (is_replay && !example.contains("--mcap")) || example.starts_with("geminga-publish") ||
                          example.contains("--watch");
     if (!goes_on) {

@@ -194,5 +194,14 @@ TEST_F(Align, EndsWithOneWhereNothingIsAlikeAndWithTwoWhereAFileIsBroken) {
   EXPECT_EQ(program_.run({"align", "a.ttl", "b.ttl", "-o", "a.ttl"}).status, 2) << "its own source";
 }
 
+TEST_F(Align, LinksNothingThatBothOntologiesHave) {
+  const std::string shared = ":Box a owl:Class . :Crate a owl:Class ; rdfs:label \"box\" . ";
+  program_.turtle("one.ttl", shared + ":Parcel a owl:Class ; rdfs:label \"parcel\" .");
+  program_.turtle("other.ttl", shared + ":Packet a owl:Class ; rdfs:label \"parcel\" .");
+  const auto links = program_.run({"align", "one.ttl", "other.ttl"});
+  EXPECT_EQ(links.status, 0) << links.err;
+  EXPECT_THAT(links.out, AllOf(HasSubstr("http://e/Parcel\t=\thttp://e/Packet"), Not(HasSubstr("Crate"))));
+}
+
 }  // namespace
 }  // namespace geminga::ontology

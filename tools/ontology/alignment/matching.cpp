@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -236,6 +238,17 @@ class Matching {
 char sign_of(Relation relation) {
   if (relation == Relation::equivalent) return '=';
   return relation == Relation::narrower ? '<' : '>';
+}
+
+void drop_links_of_shared(const Lexicon& one, const Lexicon& other, std::vector<Link>& links) {
+  const auto names_of = [](const Lexicon& lexicon) {
+    std::set<std::string_view> names;
+    for (const LexiconEntry& entry : lexicon.entities()) names.insert(entry.iri);
+    return names;
+  };
+  const auto of_one = names_of(one);
+  const auto of_other = names_of(other);
+  std::erase_if(links, [&](const Link& link) { return of_other.contains(link.one) || of_one.contains(link.other); });
 }
 
 std::vector<Link> match(const Lexicon& one, const Lexicon& other, const Thesaurus& thesaurus) {

@@ -39,6 +39,10 @@ inline constexpr double least_confidence = 0.66;
 [[nodiscard]] std::vector<Link> narrower_classes(const Lexicon& one, const Lexicon& other,
                                                  const std::vector<Link>& equivalences);
 
+/// Drops links of entities that both ontologies have, such as those of an ontology that both import: the two mean the
+/// same by them already, and a link would only say something new within one of them.
+void drop_links_of_shared(const Lexicon& one, const Lexicon& other, std::vector<Link>& links);
+
 }  // namespace geminga::ontology
 
 #endif

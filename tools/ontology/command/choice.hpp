@@ -18,6 +18,8 @@ struct Choice {
   std::function<Exit()> prepare;
   std::vector<std::string> outputs;   ///< files that it writes
   std::vector<std::string> readable;  ///< files and folders that it reads beside those on the command line
+  bool may_talk = false;              ///< it talks to the daemon and to providers or consumers
+  bool may_make_folders = false;      ///< beside its outputs
   unsigned memory_limit_mib = 0;      ///< 0: no limit
   WorkLimits limits;
 };

@@ -16,6 +16,14 @@ CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files) {
   return command.add_option("FILES", files, "ontology files, or folders of them")->required()->type_name("");
 }
 
+void add_connect(CLI::App& command, std::string& connect) {
+  command
+      .add_option("--connect", connect,
+                  "where the daemon listens, or the path of its socket; $GEMINGA_CONNECT, else 127.0.0.1:4717 and "
+                  "[::1]:4717")
+      ->type_name("ADDRESS:PORT");
+}
+
 void add_lenient(CLI::App& command, bool& is_lenient) {
   command.add_flag("--lenient", is_lenient,
                    "read a bound or literal of another numeric datatype as the number that it writes, such as "

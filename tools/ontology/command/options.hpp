@@ -16,6 +16,8 @@ namespace geminga::ontology {
 
 /// Adds the positional FILES, required.
 CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files);
+/// Adds `--connect`, for a command that talks to the daemon.
+void add_connect(CLI::App& command, std::string& connect);
 /// Adds `--lenient`, for a command that reads files.
 void add_lenient(CLI::App& command, bool& is_lenient);
 /// Adds `-o OUT`, required.
