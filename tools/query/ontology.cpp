@@ -2,7 +2,9 @@
 #include "answers/ontology.hpp"
 
 #include <iostream>
+#include <memory>
 
+#include "query/align.hpp"
 #include "query/command.hpp"
 #include "query/listing.hpp"
 #include "shell/describe.hpp"
@@ -75,9 +77,36 @@ void print_words(const Context& context, const Ontology& parts) {
 
 void add_ontology(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("ontology", "What is loaded, what of it is not used, who has another one");
-  command->footer("Example: geminga-query ontology\nExit status 0: one is loaded; 1: none is.");
-  command->callback([&selected] {
-    selected = [](const Context& context, Client& client) {
+  const auto flags = std::make_shared<AlignFlags>();
+  CLI::Option* participant =
+      command
+          ->add_option(
+              "--align", flags->participant,
+              "Fetch what this participant offers by geminga-ontology serve, link it with what is loaded here, "
+              "and show what would be understood")
+          ->type_name("PARTICIPANT");
+  command->add_option("-o,--output", flags->folder, "The folder to make, with their ontology and the links")
+      ->type_name("FOLDER")
+      ->needs(participant);
+  command->add_flag("--open", flags->is_open, "Also where the team has no key")->needs(participant);
+  command
+      ->add_flag("--conservative", flags->is_conservative,
+                 "Leave out links by which something new follows within one ontology")
+      ->needs(participant);
+  command->add_flag("--subsumptions", flags->has_subsumptions, "Also link what is narrower or broader")
+      ->needs(participant);
+  command->footer(
+      "Links are guesses by names and structure. They are not in force until a person has read them and given the "
+      "folder\n"
+      "to the daemon; the output says how. Conversions are never guessed.\n"
+      "Examples:\n  geminga-query ontology\n  geminga-query ontology --align rescue1 -o rescue/\n"
+      "Exit status 0: one is loaded, or there are links; 1: none is, or there are none.");
+  command->callback([&selected, flags] {
+    if (!flags->participant.empty() && flags->folder.empty())
+      throw CLI::ValidationError("-o", "names the folder for their ontology and the links: give it");
+    selected = [flags](const Context& context, Client& client) {
+      if (!flags->participant.empty())
+        return refuses_watch(context, "ontology") ? shell::ExitStatus::wrong_use : align(context, client, *flags);
       return show_once(context, client, "ontology", {}, [&](const Answer& answer) {
         const Ontology parts = answers::ontology_of(answer);
         if (context.common.is_json) {
