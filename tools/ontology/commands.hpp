@@ -34,6 +34,7 @@ void add_align(CLI::App& program, Choice& choice);
 void add_serve(CLI::App& program, Choice& choice);
 void add_fetch(CLI::App& program, Choice& choice);
 void add_adopt(CLI::App& program, Choice& choice);
+void add_task(CLI::App& program, Choice& choice);
 
 /// Chooses `run` for this request when the command line names `command`. Where the request has an output, that is the
 /// command's output.

@@ -34,6 +34,15 @@ std::vector<std::uint32_t> places(const std::vector<Robot>& robots, const Wish& 
 
 }  // namespace
 
+std::optional<std::string> too_much(const Plan& plan) {
+  std::uint64_t holders = 0;
+  for (const Need& need : plan.needs) holders += need.count;
+  if (plan.needs.size() <= roles::max_roles && holders <= roles::max_holders) return std::nullopt;
+  return "there are " + std::to_string(plan.needs.size()) + " roles for " + std::to_string(holders) +
+         " holders: a task has at most " + std::to_string(roles::max_roles) + " roles and " +
+         std::to_string(roles::max_holders) + " holders";
+}
+
 std::string role_words(const Plan& plan, std::size_t role) {
   return "role " + std::to_string(role + 1) + " (" + plan.needs[role].text + ")";
 }

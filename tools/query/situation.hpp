@@ -33,6 +33,9 @@ struct Situation {
   roles::Task task;
 };
 
+/// The reason why a plan is beyond the limits of discovery/roles/task.hpp.
+[[nodiscard]] std::optional<std::string> too_much(const Plan& plan);
+
 /// `role 2 (hasPart some Gripper)`, as it is called in errors.
 [[nodiscard]] std::string role_words(const Plan& plan, std::size_t role);
 

@@ -18,6 +18,7 @@
 #include "query/near.hpp"
 #include "query/need.hpp"
 #include "query/situation.hpp"
+#include "query/task_file.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
 #include "shell/stop_signals.hpp"
@@ -30,6 +31,8 @@ namespace {
 using roles::Holders;
 
 struct TeamFlags {
+  std::string file;
+  std::string task;
   std::vector<std::string> needs;
   std::string prefer;
 };
@@ -210,7 +213,7 @@ shell::ExitStatus watch_team(const Context& context, Client& client, const Plan&
   }
 }
 
-/// Throws CLI::ValidationError with the number of the role.
+/// The roles of the flags. Throws CLI::ValidationError with the number of the role.
 Plan plan_of(const TeamFlags& flags) {
   Plan plan;
   for (const std::string& text : flags.needs) {
@@ -219,12 +222,7 @@ Plan plan_of(const TeamFlags& flags) {
     if (!need) throw CLI::ValidationError(place, need.error());
     plan.needs.push_back(std::move(*need));
   }
-  std::uint64_t holders = 0;
-  for (const Need& need : plan.needs) holders += need.count;
-  if (plan.needs.size() > roles::max_roles || holders > roles::max_holders) {
-    throw CLI::ValidationError("--need", "is given too often: a task has at most " + std::to_string(roles::max_roles) +
-                                             " roles and " + std::to_string(roles::max_holders) + " holders");
-  }
+  if (const auto fault = too_much(plan)) throw CLI::ValidationError("--need", *fault);
   if (flags.prefer.empty()) return plan;
   auto wish = read_wish(flags.prefer);
   if (!wish) throw CLI::ValidationError("--prefer", wish.error());
@@ -237,6 +235,12 @@ Plan plan_of(const TeamFlags& flags) {
 void add_team(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("team", "Which robots together fill the roles of a task, as few as can be");
   const auto flags = std::make_shared<TeamFlags>();
+  CLI::Option* file =
+      command->add_option("FILE", flags->file, "A task in any syntax of OWL, in the words of ontology/capability.ttl");
+  file->type_name("FILE");
+  command->add_option("--task", flags->task, "The name or IRI of the task, where the file has several")
+      ->type_name("NAME")
+      ->needs(file);
   command
       ->add_option(
           "--need", flags->needs,
@@ -244,20 +248,28 @@ void add_team(CLI::App& app, Run& selected) {
           "description, and where with a condition over its attributes. A robot holds one role, and any number "
           "of shared ones")
       ->type_name("ROLE")
-      ->required()
+      ->excludes(file)
       ->allow_extra_args(false);
   command->add_option("--prefer", flags->prefer, "Of choices with as few robots the one whose attributes are best")
       ->type_name("'KEY asc|desc'");
   command->footer(
-      "Examples:\n  geminga-query team --need '2: canSee some WarmThing where battery >= 30 %' --need 'hasPart some "
+      "Examples:\n  geminga-query team task.ttl\n  geminga-query team --need '2: canSee some WarmThing where battery "
+      ">= 30 %' --need 'hasPart some "
       "Gripper'\n"
       "  geminga-query team --need 'hasPart some Arm' --need '1 shared: hasPart some Radio' --prefer 'battery desc'\n"
       "  geminga-query --watch team --need 'hasPart some Gripper'\n"
       "With --watch holders keep their roles while they suit; where somebody fails, as few as can be change.\n"
       "Exit status 0: here they are; 1: nobody can; each role says what it lacks and who comes near.");
   command->callback([flags, &selected] {
-    selected = [plan = plan_of(*flags)](const Context& context, Client& client) {
-      return context.is_watching ? watch_team(context, client, plan) : show_team(context, client, plan);
+    if (flags->file.empty() && flags->needs.empty()) throw CLI::RequiredError("FILE or --need");
+    selected = [said = *flags, plan = plan_of(*flags)](const Context& context, Client& client) {
+      if (said.file.empty()) {
+        return context.is_watching ? watch_team(context, client, plan) : show_team(context, client, plan);
+      }
+      auto task = plan_of_file(client, said.file, said.task);
+      if (!task) return task.error();
+      if (!plan.wish.attribute.empty()) task->wish = plan.wish;
+      return context.is_watching ? watch_team(context, client, *task) : show_team(context, client, *task);
     };
   });
 }

@@ -80,6 +80,17 @@ TEST_F(Team, IsChosenByWhatRobotsSayThatTheyAreAndSaysWhatIsMissingWhereNobodyCa
                                 ContainsRegex("\"roles\":\\[1,2(,4)?\\],\"missing\":\\[[^,]*Mast\",[^,]*Sonar\"\\]"),
                                 HasSubstr("\"conditions\":[\"battery >= 30 %\"]")));
 
+  const std::string example = GEMINGA_SOURCE_DIR "/examples/rescue-team/task.ttl";
+  const auto file = query({"team", example});
+  EXPECT_EQ(file.status, 1) << "nobody moves";
+  EXPECT_THAT(file.said,
+              AllOf(HasSubstr("role 1 (searcher) lacks 1 of 1"), HasSubstr("role 3 (watcher) lacks 1 of 1")));
+  const auto other = query({"team", example, "--task", "rest"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.said, HasSubstr("has no task 'rest': name one by --task, there are 'find people and free them'\n"));
+  EXPECT_EQ(query({"team"}).status, 2);
+  EXPECT_EQ(query({"team", example, "--need", "hasPart some Gripper"}).status, 2);
+
   const auto near = query({"participants", "hasPart some Gripper", "--missing"});
   EXPECT_EQ(near.status, 0);
   EXPECT_THAT(near.said, AllOf(ContainsRegex("robot0 +narrower"), ContainsRegex("robot1 +-.*hasPart some cap")))
