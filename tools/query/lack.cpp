@@ -159,8 +159,7 @@ std::optional<TeamLack> least_lack(Client& client, const Plan& plan) {
     const auto [task, ids] = task_of(plan, near);
     const auto found = roles::least_completion(task);
     if (!found) return std::nullopt;
-    TeamLack team{
-        .is_least = found->is_least && near.is_proven, .robots = {}, .to_come = found->lacking, .holders = {}};
+    TeamLack team{.is_least = near.is_proven, .robots = {}, .to_come = found->lacking, .holders = {}};
     for (const auto& robots : found->of_role) {
       auto& holders = team.holders.emplace_back();
       for (const std::uint32_t robot : robots) holders.push_back(ids[robot]);

@@ -27,12 +27,12 @@ std::optional<Completion> least_completion(const Task& task, std::size_t steps) 
       role.suited.push_back({task.robots + at, static_cast<std::uint32_t>(all_missing)});
     }
   }
-  auto pool = pool_of(filled);
+  const auto pool = pool_of_least_cost(filled);
   if (!pool) return std::nullopt;
   Steps left{.left = steps};
-  const auto filling = cheapest_holders(*pool, left);
+  const auto filling = fewest_robots(*pool, left);
   if (!filling) return std::nullopt;
-  Completion result{.is_least = !left.are_used_up, .of_role = filling->of_role, .lacking = {}};
+  Completion result{.of_role = filling->of_role, .lacking = {}};
   for (std::size_t role = 0; role < result.of_role.size(); ++role) {
     auto& holders = result.of_role[role];
     result.lacking.push_back(

@@ -16,7 +16,6 @@ namespace geminga::roles {
 inline constexpr std::uint32_t max_missing = 255;
 
 struct Completion {
-  bool is_least = false;                              ///< else the search ended early
   std::vector<std::vector<std::uint32_t>> of_role{};  ///< robots, ascending
   std::vector<std::uint32_t> lacking{};               ///< by role: holders that no robot can be, whatever is added
   std::uint64_t missing = 0;                          ///< of all holders of `of_role` together
@@ -24,8 +23,8 @@ struct Completion {
 
 /// Holders for a task whose costs say how much a robot lacks for a role (0: it suits it), and which has no robot that
 /// can never suit. As few holders as can be are lacking, then as little as can be is missing, counted for each role of
-/// a robot, then the robots are as few as can be. Former holders are not looked at. Nothing for a task beyond the
-/// limits of task.hpp.
+/// a robot: both without a search. Then the robots are as few as the steps can tell. Former holders are not looked at.
+/// Nothing for a task beyond the limits of task.hpp.
 [[nodiscard]] std::optional<Completion> least_completion(const Task& task, std::size_t steps = usual_steps);
 
 }  // namespace geminga::roles

@@ -37,7 +37,7 @@ void measure(const Task& task, Holders& result) {
 
 Holders best_holders(const Task& task, std::size_t steps) {
   if (!task.is_within_limits()) return {.verdict = Holders::Verdict::too_large};
-  const auto pool = pool_of(task);
+  const auto pool = pool_of_fewest_changes(task);
   if (!pool) return {};
   Steps left{.left = steps};
   auto filling = fewest_robots(*pool, left);

@@ -10,42 +10,48 @@ namespace {
 constexpr Cost cost_of_unbound = Cost{1} << 40;
 static_assert(Cost{max_holders} * max_cost < cost_of_unbound && max_holders * cost_of_unbound < forbidden / 2);
 
-bool is_former(const Task& task, std::size_t role, std::uint32_t robot) {
-  return !task.former.empty() && std::ranges::binary_search(task.former[role], robot);
-}
+/// By role and then as the robots that suit it: what is to be as little as can be, before anything else counts.
+using FirstCosts = std::vector<std::vector<Cost>>;
 
-/// Settles the former holders of a shared role, or chooses among them where there are enough.
-void add_shared(const Task& task, std::uint32_t role, Pool& pool) {
-  const auto& suited = task.roles[role].suited;
-  const auto stays = [&](const Suited& one) { return is_former(task, role, one.robot); };
-  const auto staying = static_cast<std::uint32_t>(std::ranges::count_if(suited, stays));
-  const bool is_kept = staying >= task.roles[role].count;
-  for (const Suited& one : suited) {
-    if (!is_kept && stays(one)) {
-      pool.settled[role].push_back(one.robot);
+/// Those who cost less than the last holder needed hold a shared role in any case, and those who cost as much are
+/// chosen among.
+void add_shared(const Role& role, std::uint32_t number, const std::vector<Cost>& first, Pool& pool) {
+  std::vector<Cost> sorted = first;
+  std::ranges::nth_element(sorted, sorted.begin() + (role.count - 1));
+  const Cost last = sorted[role.count - 1];
+  for (std::size_t at = 0; at < role.suited.size(); ++at) {
+    const Suited& one = role.suited[at];
+    if (first[at] < last) {
+      pool.settled[number].push_back(one.robot);
       pool.robots[one.robot].is_needed = true;
-    } else if (!is_kept || stays(one)) {
-      pool.robots[one.robot].shared.push_back({role, one.cost});
+      --pool.counts[number];
+    } else if (first[at] == last) {
+      pool.robots[one.robot].shared.push_back({number, one.cost});
     }
   }
-  if (!is_kept) pool.counts[role] -= staying;
 }
 
-/// Lets robots hold what they hold in some matching with the fewest changes: that is where an optimal price is met
-/// exactly, and a robot that has a price is in each such matching (complementary slackness). False if there is none.
-bool add_alone(const Task& task, Pool& pool) {
-  if (task.former.empty()) {
-    for (std::uint32_t role = 0; role < task.roles.size(); ++role) {
-      if (pool.is_shared[role] || pool.counts[role] == 0) continue;
-      for (const Suited& one : task.roles[role].suited) pool.robots[one.robot].alone.push_back({role, one.cost});
+/// Lets robots hold what they hold in some cheapest matching: that is where an optimal price is met exactly, and a
+/// robot that has a price is in each such matching (complementary slackness). False if there is none.
+bool add_alone(const Task& task, const FirstCosts& first, Pool& pool) {
+  const auto places = pool.roles_of_places();
+  const auto is_free = [&](std::uint32_t role) {
+    return std::ranges::count(first[role], 0) == std::ssize(first[role]);
+  };
+  if (std::ranges::all_of(places, is_free)) {  // any matching will do
+    for (std::size_t place = 0; place < places.size(); ++place) {
+      if (place > 0 && places[place - 1] == places[place]) continue;
+      for (const Suited& one : task.roles[places[place]].suited) {
+        pool.robots[one.robot].alone.push_back({places[place], one.cost});
+      }
     }
     return true;
   }
-  const auto places = pool.roles_of_places();
   std::vector<Cost> costs(places.size() * task.robots, forbidden);
   for (std::size_t place = 0; place < places.size(); ++place) {
-    for (const Suited& one : task.roles[places[place]].suited) {
-      costs[place * task.robots + one.robot] = is_former(task, places[place], one.robot) ? 0 : 1;
+    const auto& suited = task.roles[places[place]].suited;
+    for (std::size_t at = 0; at < suited.size(); ++at) {
+      costs[place * task.robots + suited[at].robot] = first[places[place]][at];
     }
   }
   const auto found = cheapest_matching(places.size(), task.robots, costs);
@@ -66,6 +72,23 @@ bool add_alone(const Task& task, Pool& pool) {
   return true;
 }
 
+std::optional<Pool> pool_by(const Task& task, const FirstCosts& first) {
+  Pool pool;
+  pool.robots.resize(task.robots);
+  pool.settled.resize(task.roles.size());
+  for (const Role& role : task.roles) {
+    pool.counts.push_back(role.count);
+    pool.is_shared.push_back(role.is_shared);
+    if (!role.is_shared) pool.places += role.count;
+    if (role.suited.size() < role.count) return std::nullopt;
+  }
+  for (std::uint32_t role = 0; role < task.roles.size(); ++role) {
+    if (pool.is_shared[role] && pool.counts[role] > 0) add_shared(task.roles[role], role, first[role], pool);
+  }
+  if (pool.places > 0 && !add_alone(task, first, pool)) return std::nullopt;
+  return pool;
+}
+
 }  // namespace
 
 std::size_t Filling::robots() const { return static_cast<std::size_t>(std::ranges::count(is_there, true)); }
@@ -78,21 +101,25 @@ std::vector<std::uint32_t> Pool::roles_of_places() const {
   return all;
 }
 
-std::optional<Pool> pool_of(const Task& task) {
-  Pool pool;
-  pool.robots.resize(task.robots);
-  pool.settled.resize(task.roles.size());
+std::optional<Pool> pool_of_fewest_changes(const Task& task) {
+  FirstCosts changes;
+  for (std::size_t role = 0; role < task.roles.size(); ++role) {
+    auto& of_role = changes.emplace_back();
+    for (const Suited& one : task.roles[role].suited) {
+      const bool is_new = !task.former.empty() && !std::ranges::binary_search(task.former[role], one.robot);
+      of_role.push_back(is_new ? 1 : 0);
+    }
+  }
+  return pool_by(task, changes);
+}
+
+std::optional<Pool> pool_of_least_cost(const Task& task) {
+  FirstCosts costs;
   for (const Role& role : task.roles) {
-    pool.counts.push_back(role.count);
-    pool.is_shared.push_back(role.is_shared);
-    if (!role.is_shared) pool.places += role.count;
-    if (role.suited.size() < role.count) return std::nullopt;
+    auto& of_role = costs.emplace_back();
+    for (const Suited& one : role.suited) of_role.push_back(one.cost);
   }
-  for (std::uint32_t role = 0; role < task.roles.size(); ++role) {
-    if (pool.is_shared[role] && pool.counts[role] > 0) add_shared(task, role, pool);
-  }
-  if (pool.places > 0 && !add_alone(task, pool)) return std::nullopt;
-  return pool;
+  return pool_by(task, costs);
 }
 
 std::optional<Filling> Pool::fill(const std::vector<bool>& chosen) const {

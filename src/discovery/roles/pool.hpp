@@ -33,13 +33,13 @@ struct Filling {
   [[nodiscard]] std::size_t robots() const;
 };
 
-/// The part of a task that is left to choose once as few roles as possible change their holders. Each choice from the
-/// pool has that many changes, and each choice with that many changes can be had from the pool.
+/// The part of a task that is left to choose once something is as little as can be: each choice from the pool is so,
+/// and each choice that is so can be had from the pool.
 struct Pool {
   std::vector<std::uint32_t> counts{};  ///< by role: holders that are still to be chosen
   std::vector<bool> is_shared{};
   std::vector<Candidate> robots{};
-  std::vector<std::vector<std::uint32_t>> settled{};  ///< by role: former holders of shared roles, who stay
+  std::vector<std::vector<std::uint32_t>> settled{};  ///< by role: who holds a shared role in any case
   std::size_t places = 0;                             ///< of all roles that are not shared
 
   /// Holders among these robots, as cheap as can be; nothing where they do not fill all roles.
@@ -48,8 +48,11 @@ struct Pool {
   [[nodiscard]] std::vector<std::uint32_t> roles_of_places() const;
 };
 
-/// Nothing where nobody can do the task.
-[[nodiscard]] std::optional<Pool> pool_of(const Task& task);
+/// As few roles as can be change their holders. Nothing where nobody can do the task.
+[[nodiscard]] std::optional<Pool> pool_of_fewest_changes(const Task& task);
+/// The holders cost as little as can be, however many robots they are; former ones are not looked at. Nothing where
+/// nobody can do the task.
+[[nodiscard]] std::optional<Pool> pool_of_least_cost(const Task& task);
 
 }  // namespace geminga::roles
 

@@ -10,7 +10,6 @@ constexpr auto no_place = std::numeric_limits<std::uint32_t>::max();
 /// Keeps sums of prices within 64 bits, far above what any role is worth.
 constexpr Cost max_price = Cost{1} << 40;
 constexpr Cost max_step = Cost{1} << 40;
-constexpr Cost max_distance = Cost{1} << 44;
 /// The part of a former direction that goes into the next one, out of 16. Measured: 12 needs the fewest steps.
 constexpr Cost kept_direction = 12;
 /// Directions count in 256th of a holder.
@@ -126,7 +125,7 @@ bool Prices::move(Cost distance, Cost part) {
     norm += direction_[role] * direction_[role] / holder;
   }
   if (norm == 0) return false;
-  const Cost step = std::min(max_step, part * std::min(distance, max_distance) * holder / norm);
+  const Cost step = std::min(max_step, part * distance * holder / norm);
   for (std::size_t role = 0; role < prices_.size(); ++role) {
     prices_[role] = std::clamp<Cost>(prices_[role] + step * direction_[role] / (holder * holder), 0, max_price);
   }

@@ -209,20 +209,14 @@ std::optional<Filling> first_filling(const Pool& pool) {
   return pool.fill(helpful.empty() ? needed : helpful);
 }
 
-/// The pool with other costs of holdings.
-template <typename Change>
-Pool with_costs(Pool pool, const Change& change) {
-  for (Candidate& robot : pool.robots) {
-    for (Holding& one : robot.shared) one.cost = change(one.cost);
-    for (Holding& one : robot.alone) one.cost = change(one.cost);
-  }
-  return pool;
-}
-
 }  // namespace
 
 std::optional<Filling> fewest_robots(const Pool& pool, Steps& steps) {
-  const Pool equal = with_costs(pool, [](Cost) { return Cost{0}; });
+  Pool equal = pool;
+  for (Candidate& robot : equal.robots) {
+    for (Holding& one : robot.shared) one.cost = 0;
+    for (Holding& one : robot.alone) one.cost = 0;
+  }
   auto first = first_filling(equal);
   if (!first) return std::nullopt;
   const Filling fewest = Search(equal, 1, pool.robots.size(), std::move(*first), steps).run();
@@ -232,16 +226,6 @@ std::optional<Filling> fewest_robots(const Pool& pool, Steps& steps) {
 Filling cheapest_robots(const Pool& pool, Filling filling, Steps& steps) {
   const std::size_t most = filling.robots();
   return Search(pool, 0, most, std::move(filling), steps).run();
-}
-
-std::optional<Filling> cheapest_holders(const Pool& pool, Steps& steps) {
-  // All robots together cost less than one unit of what they hold.
-  const Cost weight = static_cast<Cost>(pool.robots.size()) + 1;
-  const Pool weighted = with_costs(pool, [&](Cost cost) { return cost * weight; });
-  auto first = first_filling(weighted);
-  if (!first) return std::nullopt;
-  const Filling best = Search(weighted, 1, pool.robots.size(), std::move(*first), steps).run();
-  return pool.fill(best.is_there);
 }
 
 }  // namespace geminga::roles

@@ -21,10 +21,6 @@ struct Steps {
 /// The cheapest choice of at most as many robots as `filling` has, which is one.
 [[nodiscard]] Filling cheapest_robots(const Pool& pool, Filling filling, Steps& steps);
 
-/// The cheapest choice of any number of robots, and of equally cheap ones that with the fewest. Nothing if not even all
-/// robots fill all roles.
-[[nodiscard]] std::optional<Filling> cheapest_holders(const Pool& pool, Steps& steps);
-
 }  // namespace geminga::roles
 
 #endif

@@ -152,7 +152,7 @@ TEST(Holders, AreAsGoodAsThoseOfTheBestOfAllSetsOfRobots) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     base::Random random(seed);
     const Task task = wide_task(random);
-    const auto pool = pool_of(task);
+    const auto pool = pool_of_fewest_changes(task);
     std::optional<std::pair<std::size_t, Cost>> best;
     for (std::uint32_t set = 0; pool && set < 1U << task.robots; ++set) {
       std::vector<bool> robots;
