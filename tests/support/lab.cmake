@@ -7,3 +7,6 @@ target_include_directories(geminga_lab PUBLIC ${PROJECT_SOURCE_DIR}/tests ${PROJ
 target_compile_definitions(geminga_lab PRIVATE GEMINGA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                GEMINGA_BINARY_DIR="${PROJECT_BINARY_DIR}")
 target_link_libraries(geminga_lab PRIVATE geminga_flags)
+# A site of a thousand in one program, for tests and benchmarks of bridges.
+add_executable(crowd ${CMAKE_CURRENT_LIST_DIR}/crowd.cpp)
+target_link_libraries(crowd PRIVATE geminga_flags geminga_discovery_relaying)

@@ -105,6 +105,8 @@ void append_tried(Line& line, const DeafHosts& deaf_hosts) {
 void append_relayed(Line& line, const Beyond& beyond) {
   if (beyond.is_relay()) append_flag(line, "relay", true);
   append_over_zero(line, "relay_passed", beyond.words());
+  append_over_zero(line, "relay_kept", beyond.kept());
+  append_over_zero(line, "recalled", beyond.recalled());
   for (const auto& [reason, count] : beyond.refusals()) append_over_zero(line, "relay_" + std::string(reason), count);
 }
 

@@ -44,6 +44,9 @@ class Relay {
   [[nodiscard]] std::vector<env::InterfaceIndex> links_for(ParticipantId participant, env::InterfaceIndex from,
                                                            ParticipantId self, bool is_sealed) const;
 
+  /// Whether we speak for a participant on a link.
+  [[nodiscard]] bool speaks_for(const membership::Reach& reach, env::InterfaceIndex link, ParticipantId self) const;
+
   /// Takes one word of the budget; false: it is used up.
   [[nodiscard]] bool may_pass();
 
@@ -86,8 +89,6 @@ class Relay {
  private:
   /// Whether a participant is heard on this link: itself, or through another relay there.
   [[nodiscard]] bool is_heard_on(const membership::Reach& reach, env::InterfaceIndex link) const;
-  /// Whether we speak for a participant on a link.
-  [[nodiscard]] bool speaks_for(const membership::Reach& reach, env::InterfaceIndex link, ParticipantId self) const;
   [[nodiscard]] env::InterfaceIndex link_of(env::InterfaceIndex interface) const;
 
   const env::Env& env_;

@@ -60,16 +60,25 @@ std::span<const std::byte> Seal::seal(std::span<const std::byte> text, env::Inte
   const Greeting greeting = challenges_.greeting(interface, policy_.keys, max_text_bytes - text.size(), now);
   const std::size_t greeted = greeting.is_empty() ? 0 : write_greeting(greeting, greeted_);
   std::copy_n(text.data(), text.size(), greeted_.data() + greeted);
-  const Header header{
-      .protection = policy_.mode == Mode::authenticated ? Protection::authenticated : Protection::encrypted,
-      .has_greeting = greeted > 0,
-      .is_compressed = compressed > 0,
-      .key = policy_.keys.first().id(),
-      .session = session_,
-      .counter = counter_++};
+  const Header header = next_header(greeted > 0, compressed > 0);
   const std::size_t size =
       sealing::seal(policy_.keys.first(), header, std::span(greeted_).first(greeted + text.size()), said_);
   return std::span(said_).first(size);
+}
+
+std::span<const std::byte> Seal::seal_kept(std::span<const std::byte> text, base::Instant now) {
+  GEMINGA_ASSERT(is_sealing() && text.size() <= max_text_bytes);
+  if (counter_ == std::numeric_limits<std::uint32_t>::max()) begin_session(now);
+  return std::span(said_).first(sealing::seal(policy_.keys.first(), next_header(false, false), text, said_));
+}
+
+Header Seal::next_header(bool has_greeting, bool is_compressed) {
+  return {.protection = policy_.mode == Mode::authenticated ? Protection::authenticated : Protection::encrypted,
+          .has_greeting = has_greeting,
+          .is_compressed = is_compressed,
+          .key = policy_.keys.first().id(),
+          .session = session_,
+          .counter = counter_++};
 }
 
 std::expected<Opened, Rejection> Seal::open(std::span<const std::byte> datagram, const Arrival& arrival) {

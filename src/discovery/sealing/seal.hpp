@@ -79,6 +79,10 @@ class Seal {
   /// Requires that the text has at most max_text_bytes octets.
   [[nodiscard]] std::span<const std::byte> seal(std::span<const std::byte> text, env::InterfaceIndex interface,
                                                 base::Instant now);
+  /// The envelope of a text that a server keeps (SEALING.md, "Kept words"), in the same session, without greeting: who
+  /// opens it later owes nothing. Borrowed until the next call. Requires that we seal, and at most max_text_bytes
+  /// octets.
+  [[nodiscard]] std::span<const std::byte> seal_kept(std::span<const std::byte> text, base::Instant now);
   /// The text of a datagram, if it is to be heard. Takes bytes from anywhere; a forged datagram costs less than 1 us.
   [[nodiscard]] std::expected<Opened, Rejection> open(std::span<const std::byte> datagram, const Arrival& arrival);
   /// The text of a word that a relay has passed on (SEALING.md, "Relayed words"). The relay's own datagram was opened
@@ -113,6 +117,8 @@ class Seal {
   [[nodiscard]] bool is_sealing() const { return policy_.mode > Mode::prepared; }
   [[nodiscard]] bool hears_plain() const { return policy_.mode <= Mode::mixed; }
   void begin_session(base::Instant now);
+  /// The header of our next datagram.
+  [[nodiscard]] Header next_header(bool has_greeting, bool is_compressed);
   /// Opens the envelope; `outcome` says what was found.
   [[nodiscard]] std::expected<Opened, Rejection> open_sealed(std::span<const std::byte> datagram,
                                                              const Arrival& arrival, Outcome& outcome);

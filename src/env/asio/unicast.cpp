@@ -210,7 +210,7 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
       if (!reception && errno == ECONNREFUSED) continue;  // a peer that is not there yet
       if (!reception) return;
       const address from = reception->from.address();
-      const auto peer = std::ranges::find_if(peers_, [&](const NamedPeer& each) { return each.is_at(from); });
+      const auto peer = speaker(reception->from);
       const bool is_named = peer != peers_.end() && can_come_in(*peer, from, InterfaceIndex{reception->interface});
       if (is_named) {
         peer->heard_from(from, Clock::now());
@@ -228,6 +228,15 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
       is_named_speaking_ = false;
       speaking_.reset();
     }
+  }
+
+  /// The named peer that speaks from there. Several may be at one address, as two bridges of this host are: then the
+  /// port tells them apart, which a translation of addresses may have changed otherwise.
+  std::vector<NamedPeer>::iterator speaker(const udp::endpoint& from) {
+    const auto is_there = [&](const NamedPeer& each) { return each.is_at(from.address()); };
+    const auto exact = std::ranges::find_if(
+        peers_, [&](const NamedPeer& each) { return is_there(each) && each.name().port == from.port(); });
+    return exact != peers_.end() ? exact : std::ranges::find_if(peers_, is_there);
   }
 
   /// Whether a datagram of this peer from one of its addresses can come in on that interface.

@@ -2,7 +2,8 @@
 // how it starts and recovers, and what it takes. Each receiver loses datagrams for itself, by nftables on the bridge
 // between the namespaces. With --hundred a hundred of them without loss: start, steady state and telling; with --relays
 // thirty on three links with relays between them, at 30 % loss and without; with --server one more that knows a hundred
-// over a server of NATS alone. Writes tab-separated rows `name, size, figure, ratio, target, verdict` for tools/bench.
+// over a server of NATS alone; with --crowd one that learns of a thousand (or COUNT) so. Writes tab-separated rows
+// `name, size, figure, ratio, target, verdict` for tools/bench.
 #include <array>
 #include <cstdlib>
 #include <span>
@@ -77,6 +78,11 @@ int main(int argc, char** argv) {
   }
   if (argc > 1 && std::string_view(argv[1]) == "--server") {
     measure_over_server(100);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--crowd") {
+    const std::size_t count = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1000;
+    for (const bool keeps : {true, false}) measure_crowd_over_server(count, keeps);
     return 0;
   }
   measure_all(10, of_ten);

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <deque>
 #include <string>
 #include <vector>
 
+#include "bench/discovery/measures.hpp"
 #include "bench/table.hpp"
 #include "bench/times.hpp"
 #include "support/lab.hpp"
@@ -28,6 +30,14 @@ constexpr int joinings = 5;
 std::vector<std::string> beside_bridge(std::vector<std::string> flags) {
   flags.insert(flags.end(), {"--interface", "lo", "--peer", "127.0.0.1:4720"});
   return flags;
+}
+
+/// Octets that the host's wireless interface has received.
+double received_octets(const Lab& lab, std::size_t host) {
+  const std::string all = system::run(lab.on(host, {"/bin/cat", "/proc/net/dev"})).said;
+  const std::string name = lab.interface_of(host) + ':';
+  const auto at = all.find(name);
+  return at == std::string::npos ? 0 : std::strtod(all.c_str() + at + name.size(), nullptr);
 }
 
 }  // namespace
@@ -85,6 +95,55 @@ void measure_over_server(std::size_t hosts) {
   };
   told("median", 0.5);
   told("slowest", 1);
+}
+
+void measure_crowd_over_server(std::size_t count, bool keeps) {
+  constexpr std::size_t services = 3;
+  const std::string name = std::string("a newcomer beyond a server of NATS ") + (keeps ? "with" : "without") +
+                           " JetStream is told of one service of each host of a site";
+  const std::string size = std::to_string(count);
+  if (::access(server_program, X_OK) != 0) return row_without(name, size, "needs nats-server");
+  const system::Folder folder;
+  const std::string key = folder.path("team.key");
+  (void)system::run({.words = {system::program("gemingad"), "--generate-key", key}, .environment = {}, .before = {}});
+  Lab lab(2);
+  const std::string address = lab.address_of(0);
+  std::vector<std::string> words{server_program, "-a", address};
+  if (keeps) words.insert(words.end(), {"-js", "-sd", folder.path("js")});
+  Process server(lab.on(0, words));
+  if (!server.wait_for("Server is ready")) return row_without(name, size, "nats-server has failed");
+  std::deque<Process> bridges;
+  for (const std::size_t host : {0U, 1U}) {
+    Process& bridge = bridges.emplace_back(
+        lab.on(host, {system::program("geminga-bridge-nats"), "nats://" + address, "--team", "bench"}));
+    if (!bridge.wait_for(keeps ? "words are kept" : "keeps no words")) return row_without(name, size, bridge.said());
+  }
+  auto flags = beside_bridge({"--key-file", key});
+  flags.insert(flags.end(), {"--peer", "127.0.0.2:4717", "--relay"});
+  lab.start(0, flags);
+  Process crowd(lab.on(0, {system::program("crowd"), "127.0.0.2", "127.0.0.1", key, size, std::to_string(services)}));
+  if (!crowd.wait_for("all said") || !lab.wait_for_participants(0, count + 2))
+    return row_without(name, size, "the site did not meet");
+  if (keeps) rest(3000);  // until all is kept
+  std::vector<double> times;
+  std::vector<double> octets;
+  for (int joining = 0; joining < joinings; ++joining) {
+    const double before = received_octets(lab, 1);
+    lab.start(1, beside_bridge({"--key-file", key}));
+    Talk consumer = lab.talk(1);
+    const auto began = Clock::now();
+    consumer.say("7 sub create mode=otm/stream text=ball");
+    std::size_t told = 0;
+    while (told < count && consumer.line_with({"7 pub add"})) ++told;
+    if (told < count) return row_without(name, size, "told of " + std::to_string(told));
+    times.push_back(milliseconds_since(began));
+    octets.push_back(received_octets(lab, 1) - before);
+    lab.daemon(1).signal(SIGKILL);
+    if (!lab.wait_for_participants(0, count + 2)) return row_without(name, size, "the dead are kept");
+  }
+  row(name + ", median of " + std::to_string(joinings), size, quantile(times, 0.5), "ms", {.limit = 2000});
+  row(name + ", slowest of " + std::to_string(joinings), size, quantile(times, 1), "ms", {.limit = 2000});
+  row("octets that reach that host from the server meanwhile, median", size, quantile(octets, 0.5), "B");
 }
 
 }  // namespace geminga::bench

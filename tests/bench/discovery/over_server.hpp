@@ -10,6 +10,11 @@ namespace geminga::bench {
 /// and no other link; its daemon is started five times. Prints the time until it is told of all services.
 void measure_over_server(std::size_t hosts);
 
+/// A site of so many participants with three services each, played by one program behind its relay, and a newcomer that
+/// has nothing but a server of NATS between itself and them, started five times. `keeps`: the server has JetStream, so
+/// that words are kept. Prints the time until it is told of one service of each, and the octets that reach it.
+void measure_crowd_over_server(std::size_t count, bool keeps);
+
 }  // namespace geminga::bench
 
 #endif

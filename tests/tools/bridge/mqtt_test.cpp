@@ -22,7 +22,7 @@ class Mqtt : public testing::Test {
 
   Folder folder_;
   std::string configuration_ = folder_.write("mosquitto.conf", "listener 1883 10.47.17.1\nallow_anonymous true\n");
-  ServerLink link_{{mosquitto, "-v", "-c", configuration_}, "running", "mqtt", "mqtt://10.47.17.1"};
+  ServerLink link_{{mosquitto, "-c", configuration_}, "running", "mqtt", "mqtt://10.47.17.1"};
 };
 
 TEST_F(Mqtt, JoinsDaemonsThatHaveNothingElseBetweenThem) {
@@ -35,6 +35,11 @@ TEST_F(Mqtt, JoinsDaemonsThatHaveNothingElseBetweenThem) {
   link_.bridge(2).signal(SIGTERM);
   EXPECT_EQ(link_.bridge(2).wait(), 0);
   EXPECT_TRUE(link_.bridge(0).wait_for("other sites on the server: 0"));
+}
+
+TEST_F(Mqtt, TellsANewcomerOfASiteByWhatIsRetained) {
+  link_.give_flags(0, {"--mqtt", "5"});
+  expect_newcomer_over(link_);
 }
 
 TEST_F(Mqtt, CountsWhatALyingServerSays) {

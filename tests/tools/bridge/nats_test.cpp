@@ -20,7 +20,9 @@ class Nats : public testing::Test {
     if (!link_.lab().has_namespaces()) GTEST_SKIP() << "no network namespaces can be made";
   }
 
-  ServerLink link_{{server, "-a", "10.47.17.1"}, "Server is ready", "nats", "nats://10.47.17.1"};
+  Folder folder_;
+  ServerLink link_{
+      {server, "-a", "10.47.17.1", "-js", "-sd", folder_.path("js")}, "Server is ready", "nats", "nats://10.47.17.1"};
 };
 
 TEST_F(Nats, JoinsDaemonsThatHaveNothingElseBetweenThem) {
@@ -31,6 +33,8 @@ TEST_F(Nats, JoinsDaemonsThatHaveNothingElseBetweenThem) {
 }
 
 TEST_F(Nats, JoinsASiteThroughItsRelay) { expect_site_over(link_); }
+
+TEST_F(Nats, TellsANewcomerOfASiteByWhatItHasKept) { expect_newcomer_over(link_); }
 
 TEST_F(Nats, KeepsASiteThatHasTwoRelaysAndLosesOne) { expect_standby_over(link_); }
 

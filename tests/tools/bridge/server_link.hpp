@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <memory>
 #include <string>
@@ -58,6 +59,33 @@ class ServerLink {
     words.insert(words.end(), flags_.at(host).begin(), flags_.at(host).end());
     bridges_.at(host) = std::make_unique<Process>(lab_.on(host, std::move(words)));
   }
+  /// Starts a relay on host 0 that has a bridge and a crowd of so many participants behind it, and waits until it knows
+  /// them.
+  void start_crowd(std::size_t count) {
+    start_bridge(0);
+    lab_.start(0, {"--interface", "lo", "--peer", "127.0.0.1:4720", "--peer", "127.0.0.2:4717", "--interval", "0.1",
+                   "--key-file", key_, "--relay"});
+    crowd_ = std::make_unique<Process>(
+        lab_.on(0, {program("crowd"), "127.0.0.2", "127.0.0.1", key_, std::to_string(count), "2"}));
+    EXPECT_TRUE(lab_.wait_for_participants(0, count + 2)) << crowd_->said();
+  }
+  void kill_crowd() { crowd_.reset(); }
+  /// A number of the daemon's `query status`; 0 where it says none.
+  [[nodiscard]] std::size_t status(std::size_t host, const std::string& key) {
+    Talk talk = lab_.talk(host);
+    talk.say("1 query status");
+    const auto line = talk.line_with({"1 msg status"});
+    const std::string number = line ? field(*line, key) : "";
+    return number.empty() ? 0 : std::stoul(number);
+  }
+  /// Waits until a relay has handed over so many words that are kept.
+  [[nodiscard]] bool wait_until_kept(std::size_t host, std::size_t count) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (status(host, "relay_kept") < count) {
+      if (std::chrono::steady_clock::now() > deadline) return false;
+    }
+    return true;
+  }
   void kill_bridge(std::size_t host) { bridges_.at(host).reset(); }
   /// Starts a daemon of the site whose relays are the hosts that have a bridge.
   void start_on_site(std::size_t host) {
@@ -79,6 +107,7 @@ class ServerLink {
   Folder folder_;
   Lab lab_{all_hosts};
   std::unique_ptr<Process> server_;
+  std::unique_ptr<Process> crowd_;
   std::array<std::unique_ptr<Process>, all_hosts> bridges_;
   std::array<std::vector<std::string>, all_hosts> flags_;
 };
@@ -133,6 +162,34 @@ inline void expect_site_over(ServerLink& link) {
   EXPECT_EQ(field(*told, "address"), link.lab().address_of(1));
   link.lab().daemon(1).signal(SIGKILL);
   EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=expired"}));
+}
+
+/// A newcomer is told of a site by what the server has kept; who has died meanwhile is not among them, also when the
+/// server has begun anew and when the relay has.
+inline void expect_newcomer_over(ServerLink& link) {
+  constexpr std::size_t crowd = 40;
+  link.start_server();
+  link.make_key();
+  link.start_crowd(crowd);
+  EXPECT_TRUE(link.wait_until_kept(0, crowd + 1));
+  link.start_bridge(2);
+  link.start_daemon(2);
+  EXPECT_TRUE(link.lab().wait_for_participants(2, crowd + 3));
+  EXPECT_EQ(link.status(2, "recalled"), crowd + 1) << "all that the relay hears, and the relay itself has answered";
+
+  link.lab().daemon(2).signal(SIGKILL);
+  link.kill_server();
+  link.start_server();
+  EXPECT_TRUE(link.lab().wait_for_participants(0, crowd + 2));
+  link.start_daemon(2);
+  EXPECT_TRUE(link.lab().wait_for_participants(2, crowd + 3)) << "the server has lost nothing that lives";
+
+  link.lab().daemon(2).signal(SIGKILL);
+  link.kill_crowd();
+  EXPECT_TRUE(link.lab().wait_for_participants(0, 1));
+  link.start_daemon(2);
+  EXPECT_TRUE(link.lab().wait_for_participants(2, 2)) << link.lab().daemon(2).said();
+  EXPECT_EQ(link.status(2, "recalled"), 0U) << "nobody testifies for the dead";
 }
 
 /// Two hosts of a site are relays with a bridge each; one dies with both, and nobody beyond loses the site.

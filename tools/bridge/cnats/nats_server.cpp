@@ -26,7 +26,12 @@ NatsServer::NatsServer(client::Reactor& reactor, WordSettings settings, Credenti
       daemon_(daemon),
       tell_(std::move(tell)),
       own_("geminga." + settings_.team + ".word." + settings_.site),
-      second_(reactor, [this] { on_second(); }) {}
+      bucket_("geminga_" + settings_.team),
+      kept_subject_("$KV." + bucket_ + '.'),
+      keeper_(reactor, tally, *this),
+      second_(reactor, [this] { on_second(); }) {
+  keeper_.set_daemon(daemon);
+}
 
 NatsServer::~NatsServer() {
   disconnect();
@@ -84,7 +89,91 @@ natsStatus NatsServer::connect() {
                            : status;
 }
 
+natsStatus NatsServer::open_bucket() {
+  jsOptions options;
+  natsStatus status = jsOptions_Init(&options);
+  options.Wait = second_in_ms;
+  if (status == NATS_OK) status = natsConnection_JetStream(&stream_, connection_, &options);
+  kvConfig bucket;
+  kvConfig_Init(&bucket);
+  bucket.Bucket = bucket_.c_str();
+  bucket.Description = "the last words of a team of Geminga, sealed: tools/bridge/README.md";
+  bucket.MaxValueSize = static_cast<std::int32_t>(keeping::max_kept_bytes);
+  bucket.History = 1;
+  bucket.TTL = std::chrono::nanoseconds(kept_time).count();
+  bucket.StorageType = js_MemoryStorage;  // all that is kept is written again when the server is back
+  kvStore* store = nullptr;
+  if (status == NATS_OK) status = js_CreateKeyValue(&store, stream_, &bucket);
+  // A bucket that its owner has made with other settings.
+  if (status == NATS_ERR) status = js_KeyValue(&store, stream_, bucket_.c_str());
+  kvStore_Destroy(store);
+  return status;
+}
+
+void NatsServer::begin_keeping() {
+  if (const natsStatus status = open_bucket(); status != NATS_OK) {
+    tell_("the server keeps no words (" + reason_of(status) + "): newcomers are told by those that live");
+    return jsCtx_Destroy(std::exchange(stream_, nullptr));
+  }
+  tell_("words are kept in the bucket " + bucket_);
+  keeper_.begin();
+}
+
+void NatsServer::put(const std::string& participant, unsigned index, Word word) {
+  if (natsConnection_Buffered(connection_) > max_unsent_kept_octets ||
+      natsConnection_Publish(connection_, subject(participant, index).c_str(), word.data(),
+                             static_cast<int>(word.size())) != NATS_OK) {
+    tally_.count("words to keep that the server did not take in time");
+  }
+}
+
+/// Purges the key, as `nats kv purge` does.
+void NatsServer::remove(const std::string& participant, unsigned index) {
+  natsMsg* message = nullptr;
+  if (natsMsg_Create(&message, subject(participant, index).c_str(), nullptr, nullptr, 0) != NATS_OK) return;
+  natsMsgHeader_Set(message, "KV-Operation", "PURGE");
+  natsMsgHeader_Set(message, "Nats-Rollup", "sub");
+  natsConnection_PublishMsg(connection_, message);
+  natsMsg_Destroy(message);
+}
+
+void NatsServer::read() {
+  natsSubscription_Destroy(std::exchange(reading_, nullptr));
+  is_read_ = false;
+  jsSubOptions how;
+  jsSubOptions_Init(&how);
+  how.Ordered = true;
+  how.Config.DeliverPolicy = js_DeliverLastPerSubject;
+  const auto on_kept = [](natsConnection*, natsSubscription*, natsMsg* message, void* user) {
+    static_cast<NatsServer*>(user)->on_kept(message);
+    natsMsg_Destroy(message);
+  };
+  const std::string all = kept_subject_ + '>';
+  const natsStatus status = js_Subscribe(&reading_, stream_, all.c_str(), on_kept, this, nullptr, &how, nullptr);
+  if (status != NATS_OK) tell_("the kept words cannot be read (" + reason_of(status) + ')');
+}
+
+/// On a thread of libnats.
+void NatsServer::on_kept(natsMsg* message) {
+  jsMsgMetaData* about = nullptr;
+  if (natsMsg_GetMetaData(&about, message) == NATS_OK && about->NumPending == 0) is_read_ = true;
+  jsMsgMetaData_Destroy(about);
+  if (std::string_view(natsMsg_GetSubject(message)).starts_with(kept_subject_ + settings_.site + '.')) return;
+  const int size = natsMsg_GetDataLength(message);
+  keeper_.take(Word(reinterpret_cast<const std::byte*>(natsMsg_GetData(message)),
+                    static_cast<std::size_t>(size < 0 ? 0 : size)));
+}
+
+void NatsServer::leave() {
+  if (!is_up()) return;
+  keeper_.leave();
+  natsConnection_FlushTimeout(connection_, second_in_ms);
+}
+
 void NatsServer::disconnect() {
+  keeper_.end();
+  natsSubscription_Destroy(std::exchange(reading_, nullptr));
+  jsCtx_Destroy(std::exchange(stream_, nullptr));
   if (connection_ != nullptr) natsConnection_Close(connection_);
   natsSubscription_Destroy(std::exchange(subscription_, nullptr));
   natsConnection_Destroy(std::exchange(connection_, nullptr));
@@ -108,6 +197,7 @@ void NatsServer::on_second() {
   second_.set(reactor_.now() + std::chrono::seconds(1));
   for (auto left = too_long_.exchange(0); left > 0; --left) tally_.count("words of no size that a word has");
   for (auto left = too_many_.exchange(0); left > 0; --left) tally_.count("words over the limit of a second");
+  if (is_read_.exchange(false)) natsSubscription_Destroy(std::exchange(reading_, nullptr));
   if (is_up()) return;
   const std::string where = settings_.host + ':' + std::to_string(settings_.port);
   if (connection_ != nullptr) {
@@ -122,6 +212,7 @@ void NatsServer::on_second() {
     return disconnect();
   }
   tell_once("carrying words by " + where + " as " + settings_.site);
+  begin_keeping();
 }
 
 void NatsServer::tell_once(const std::string& line) {

@@ -32,7 +32,9 @@ MqttServer::MqttServer(client::Reactor& reactor, WordSettings settings, Version 
       tally_(tally),
       told_(std::move(told)),
       second_(reactor, [this] { on_second(); }),
-      again_(reactor, [this] { connect(); }) {
+      again_(reactor, [this] { connect(); }),
+      keeper_(reactor, tally, *this),
+      read_(reactor, [this] { end_reading(); }) {
   mosquitto_lib_init();
 }
 
@@ -96,6 +98,8 @@ void MqttServer::lose(const std::string& why) {
   copy_.close();
   second_.set(base::never);
   is_up_ = false;
+  keeper_.end();
+  read_of_.clear();
   unsent_ = 0;
   sites_.clear();
   tell_once("no words from " + settings_.host + ':' + std::to_string(settings_.port) + " (" + why + "): trying again");
@@ -115,27 +119,84 @@ void MqttServer::on_connect(int code) {
   mosquitto_publish(client_, nullptr, own.c_str(), static_cast<int>(std::strlen(there)), there, 1, true);
   for (const char* kind : {"word", "site"}) mosquitto_subscribe(client_, nullptr, topic(kind, "+").c_str(), 0);
   told_.log("carrying words by " + settings_.host + ':' + std::to_string(settings_.port) + " as " + settings_.site);
+  keeper_.begin();
 }
 
 void MqttServer::on_message(const mosquitto_message& message) {
   const std::string words = topic("word", "");
   const std::string sites = topic("site", "");
-  const std::string_view from(message.topic);
+  const std::string kept = topic("kept", "");
+  const std::string from(message.topic);
   const Word payload(static_cast<const std::byte*>(message.payload), static_cast<std::size_t>(message.payloadlen));
-  if (from.starts_with(words)) {
-    if (from.substr(words.size()) == settings_.site) return;
-    // A word that a server has kept proves nothing and may be old.
-    if (message.retain) return tally_.count("words that the server had kept");
-    return told_.word(payload);
-  }
+  if (from.starts_with(words)) return on_word(from.substr(words.size()), payload, message.retain);
+  if (from.starts_with(kept)) return on_kept(from, payload);
   if (!from.starts_with(sites)) return tally_.count("messages that nobody has asked for");
-  const std::string site(from.substr(sites.size()));
+  on_site(from.substr(sites.size()), !payload.empty());
+}
+
+void MqttServer::on_word(std::string_view site, Word payload, bool is_retained) {
   if (site == settings_.site) return;
-  if (payload.empty()) {
-    sites_.erase(site);
+  // A word that a server has kept proves nothing and may be old. Those that it is to keep are given in another way.
+  if (is_retained) return tally_.count("words that the server had kept");
+  told_.word(payload);
+}
+
+void MqttServer::on_site(const std::string& site, bool is_there) {
+  if (site == settings_.site) return;
+  if (!is_there) {
+    if (sites_.erase(site) > 0) ask_for_kept(site);
   } else if (sites_.size() < max_sites) {
     sites_.insert(site);
   }
+}
+
+void MqttServer::on_kept(const std::string& topic_of_word, Word payload) {
+  const std::string kept = topic("kept", "");
+  const std::string site = topic_of_word.substr(kept.size(), topic_of_word.find('/', kept.size()) - kept.size());
+  if (site == settings_.site || payload.empty()) return;
+  // The server has told of all sites before, and of each before its words.
+  const bool is_left = !sites_.contains(site) && sites_.size() < max_sites;
+  if (is_left) return retain(topic_of_word, {});
+  if (read_of_.contains("+")) keeper_.take(payload);
+}
+
+void MqttServer::put(const std::string& participant, unsigned index, Word word) {
+  if (unsent_ >= max_unsent_kept) return tally_.count("words to keep that the server did not take in time");
+  retain(topic("kept", settings_.site) + '/' + participant + '/' + std::to_string(index), word);
+}
+
+void MqttServer::remove(const std::string& participant, unsigned index) {
+  retain(topic("kept", settings_.site) + '/' + participant + '/' + std::to_string(index), {});
+}
+
+void MqttServer::retain(const std::string& where, Word payload) {
+  mosquitto_property* properties = nullptr;
+  if (version_ == Version::v5 && !payload.empty()) {
+    mosquitto_property_add_int32(&properties, MQTT_PROP_MESSAGE_EXPIRY_INTERVAL,
+                                 static_cast<std::uint32_t>(kept_time.count()));
+  }
+  ++unsent_;
+  const int result = mosquitto_publish_v5(client_, nullptr, where.c_str(), static_cast<int>(payload.size()),
+                                          payload.data(), 0, true, properties);
+  mosquitto_property_free_all(&properties);
+  if (is_up_) watch_.want(true, true);
+  if (result != MOSQ_ERR_SUCCESS) tally_.count("words to keep that the server did not take in time");
+}
+
+void MqttServer::read() { ask_for_kept("+"); }
+
+void MqttServer::ask_for_kept(const std::string& site) {
+  if (!is_up_) return;
+  mosquitto_subscribe(client_, nullptr, (topic("kept", site) + "/+/+").c_str(), 0);
+  read_of_.insert(site);
+  read_.set(reactor_.now() + reading_time);
+}
+
+void MqttServer::end_reading() {
+  for (const std::string& site : std::exchange(read_of_, {})) {
+    if (is_up_) mosquitto_unsubscribe(client_, nullptr, (topic("kept", site) + "/+/+").c_str());
+  }
+  if (is_up_) watch_.want(true, true);
 }
 
 void MqttServer::on_second() {
@@ -154,6 +215,7 @@ void MqttServer::say(Word word) {
 
 void MqttServer::leave() {
   if (!is_up_) return;
+  keeper_.leave();
   const std::string own = topic("site", settings_.site);
   mosquitto_publish(client_, nullptr, own.c_str(), 0, nullptr, 1, true);
   mosquitto_loop_write(client_, packets_at_once);

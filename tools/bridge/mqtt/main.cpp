@@ -24,8 +24,9 @@ constexpr const char* examples = R"(Examples:
 
 The daemon names the bridge as its peer, and the server is a link for it: what it says there is heard by the daemons of all other
 sites, and the other way round. Words are the daemon's datagrams, sealed with the team's key where there is one. The server sees
-their sizes and times; without a key it could say what it likes. It keeps none of them: who is gone is gone at its deadline, and
-a newcomer is told by those that live. Which sites are there is retained below geminga/TEAM/site, and taken away by last wills.
+their sizes and times; without a key it could say what it likes. The last state of those behind a relay is retained, sealed, below
+geminga/TEAM/kept, so that a site that joins later is told at once; that counts when the relay has spoken for it, and who is gone
+is gone at its deadline. Which sites are there is retained below geminga/TEAM/site, and taken away by last wills.
 
 Exit status: 0 ended by a signal, 2 wrong usage, or the address of --listen is taken.)";
 
@@ -61,9 +62,12 @@ int run(int argc, char** argv) {
                          },
                      .log = log});
   auto opened = DaemonSocket::open(settings->own, settings->daemon, reactor, tally,
-                                   [&server](DaemonSocket::Word word) { server.say(word); });
+                                   {.word = [&server](DaemonSocket::Word word) { server.say(word); },
+                                    .frame = [&server](DaemonSocket::Word frame) { server.keeper().on_frame(frame); },
+                                    .began = [&server] { server.keeper().on_daemon_began(); }});
   if (!opened) return fail(opened.error());
   daemon = std::move(*opened);
+  server.keeper().set_daemon(*daemon);
   if (const auto started = server.start(); !started) return fail(started.error());
   while (signals.wait(reactor.descriptor(), std::nullopt) != shell::StopSignals::Woken::stopped) reactor.process();
   server.leave();

@@ -24,8 +24,9 @@ constexpr const char* examples = R"(Examples:
 
 The daemon names the bridge as its peer, and the server is a link for it: what it says there is heard by the daemons of all other
 sites, and the other way round. Words are the daemon's datagrams, sealed with the team's key where there is one. The server sees
-their sizes and times; without a key it could say what it likes. It keeps none of them: who is gone is gone at its deadline, and
-a newcomer is told by those that live. Accounts, clusters and leaf nodes are the server's.
+their sizes and times; without a key it could say what it likes. Where it has JetStream it keeps the last state of those behind a
+relay, sealed, in the bucket geminga_TEAM, so that a site that joins later is told at once; that counts when the relay has spoken
+for it, and who is gone is gone at its deadline. Accounts, clusters and leaf nodes are the server's.
 
 Exit status: 0 ended by a signal, 2 wrong usage, or the address of --listen is taken.)";
 
@@ -59,15 +60,17 @@ int run(int argc, char** argv) {
   client::Reactor reactor(log);
   Tally tally(reactor, log);
   std::optional<NatsServer> server;
-  auto daemon = DaemonSocket::open(settings->own, settings->daemon, reactor, tally, [&server](DaemonSocket::Word word) {
-    if (server) server->say(word);
-  });
+  auto daemon = DaemonSocket::open(settings->own, settings->daemon, reactor, tally,
+                                   {.word = [&server](DaemonSocket::Word word) { server->say(word); },
+                                    .frame = [&server](DaemonSocket::Word frame) { server->keeper().on_frame(frame); },
+                                    .began = [&server] { server->keeper().on_daemon_began(); }});
   if (!daemon) return fail(daemon.error());
   server.emplace(reactor, *settings, credentials, tally, **daemon, log);
   const auto started = server->start();
   while (started && signals.wait(reactor.descriptor(), std::nullopt) != shell::StopSignals::Woken::stopped) {
     reactor.process();
   }
+  server->leave();
   server.reset();  // its threads give words to the socket
   return started ? static_cast<int>(shell::ExitStatus::found) : fail(started.error());
 }

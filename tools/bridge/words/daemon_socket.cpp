@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "client/protocol/peer_address.hpp"
+#include "discovery/keeping/frame.hpp"
 
 namespace geminga::bridge {
 namespace {
@@ -19,7 +20,7 @@ constexpr int words_at_once = 64;
 std::expected<std::unique_ptr<DaemonSocket>, std::string> DaemonSocket::open(const client::Endpoint& own,
                                                                              const client::Endpoint& daemon,
                                                                              client::Reactor& reactor, Tally& tally,
-                                                                             OnWord on_word) {
+                                                                             Told told) {
   auto socket = client::open_datagrams({.address = own.address, .port = own.port});
   if (!socket) return std::unexpected(client::to_string(own) + ": " + socket.error().text);
   const auto peer = client::peer_address(daemon.address, daemon.port);
@@ -28,14 +29,14 @@ std::expected<std::unique_ptr<DaemonSocket>, std::string> DaemonSocket::open(con
   if (::connect(socket->get(), place->get(), place->size) != 0) {
     return std::unexpected(client::to_string(daemon) + ": " + std::strerror(errno));
   }
-  return std::unique_ptr<DaemonSocket>(new DaemonSocket(std::move(*socket), reactor, tally, std::move(on_word)));
+  return std::unique_ptr<DaemonSocket>(new DaemonSocket(std::move(*socket), reactor, tally, std::move(told)));
 }
 
-DaemonSocket::DaemonSocket(client::Socket socket, client::Reactor& reactor, Tally& tally, OnWord on_word)
+DaemonSocket::DaemonSocket(client::Socket socket, client::Reactor& reactor, Tally& tally, Told told)
     : socket_(std::move(socket)),
       reactor_(reactor),
       tally_(tally),
-      on_word_(std::move(on_word)),
+      told_(std::move(told)),
       out_(words_per_second),
       in_(words_per_second),
       watch_(reactor.watch(socket_, [this](client::Reactor::Ready) { read(); })) {}
@@ -46,14 +47,29 @@ void DaemonSocket::read() {
     if (size < 0) return;  // nothing more; or the daemon is away, which the next datagram tells
     if (size == 0) continue;
     const auto octets = static_cast<std::size_t>(size);
-    if (octets > max_word_bytes) {
+    if (keeping::is_frame(Word(room_.data(), octets))) {
+      if (told_.frame) told_.frame(Word(room_.data(), octets));
+    } else if (octets > max_word_bytes) {
       tally_.count("words of the daemon that are too long");
     } else if (!out_.take(reactor_.now())) {
       tally_.count("words of the daemon over the limit of a second");
     } else {
-      on_word_(Word(room_.data(), octets));
+      look_at_session(Word(room_.data(), octets));
+      told_.word(Word(room_.data(), octets));
     }
   }
+}
+
+/// A sealed datagram says its session in the clear, in its octets 4 to 11 (SEALING.md, "The datagram").
+void DaemonSocket::look_at_session(Word word) {
+  if (word.size() < 12 || word[0] != std::byte{'G'}) return;
+  std::uint64_t session = 0;
+  std::memcpy(&session, word.data() + 4, sizeof session);
+  if (std::exchange(session_, session) != session && told_.began) told_.began();
+}
+
+void DaemonSocket::tell(Word frame) {
+  [[maybe_unused]] const auto sent = ::send(socket_.get(), frame.data(), frame.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
 }
 
 DaemonSocket::Given DaemonSocket::give(Word word) {

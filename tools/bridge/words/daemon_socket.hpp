@@ -31,14 +31,18 @@ inline constexpr std::uint32_t words_per_second = 4096;
 class DaemonSocket {
  public:
   using Word = std::span<const std::byte>;
-  /// Takes a datagram of the daemon, within Reactor::process().
-  using OnWord = std::function<void(Word)>;
+  /// Called within Reactor::process().
+  struct Told {
+    std::function<void(Word)> word;     ///< a datagram of the daemon for others
+    std::function<void(Word)> frame{};  ///< one for this bridge: discovery/keeping/frame.hpp
+    std::function<void()> began{};      ///< the daemon seals with another session than before
+  };
 
   /// Opens the socket at `own`, towards the daemon at `daemon`. The error is one line. Borrows reactor and tally.
   [[nodiscard]] static std::expected<std::unique_ptr<DaemonSocket>, std::string> open(const client::Endpoint& own,
                                                                                       const client::Endpoint& daemon,
                                                                                       client::Reactor& reactor,
-                                                                                      Tally& tally, OnWord on_word);
+                                                                                      Tally& tally, Told told);
   DaemonSocket(const DaemonSocket&) = delete;
   DaemonSocket& operator=(const DaemonSocket&) = delete;
 
@@ -46,15 +50,19 @@ class DaemonSocket {
   enum class Given : std::uint8_t { given, too_long, too_many };
   /// Gives a word from beyond to the daemon. May be called by any thread.
   Given give(Word word);
+  /// Says a frame to the daemon. May be called by any thread.
+  void tell(Word frame);
 
  private:
-  DaemonSocket(client::Socket socket, client::Reactor& reactor, Tally& tally, OnWord on_word);
+  DaemonSocket(client::Socket socket, client::Reactor& reactor, Tally& tally, Told told);
   void read();
+  void look_at_session(Word word);
 
   client::Socket socket_;
   client::Reactor& reactor_;
   Tally& tally_;
-  OnWord on_word_;
+  Told told_;
+  std::uint64_t session_ = 0;  ///< of the daemon's last sealed datagram
   Allowance out_;
   std::mutex mutex_;
   Allowance in_;  ///< under the mutex

@@ -7,6 +7,7 @@
 
 #include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/keeping/frame.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -72,6 +73,10 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   const env::Interface* on = find(env_, interface);
   if (on == nullptr) return std::nullopt;  // It came in just before the interface went away.
   ++counters_.interfaces[interface].received;
+  if (keeping::is_frame(datagram)) {
+    if (env_.is_sender_named()) beyond_.hear_frame(datagram, *on);
+    return std::nullopt;
+  }
   const sealing::Arrival arrival{.interface = interface,
                                  .interface_name = on->name,
                                  .source = source,
@@ -115,15 +120,24 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (heard.kind == announcement::Kind::presence) {
     one_way_.hear(heard, neighbours_, source, on->name, env_.log());
+    if (is_sealed && !recall(heard, *opened->session, hearing, *on, served)) return Announcer::Consequence::failed;
     beyond_.hear_presence(heard, *on, hearing, is_sealed || env_.is_sender_named());
   } else {
-    beyond_.pass_on({.datagram = datagram, .source = source}, links, hearing);
+    beyond_.pass_on({.datagram = datagram, .source = source}, heard, links, hearing);
   }
   reach(heard, *on, source);
   if (is_sealed) meet(heard, *on);
   speak_to(heard, *on, hearing, is_sealed);
   return announcer_.heard(
       {.announcement = heard, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+}
+
+bool Air::recall(const announcement::Announcement& presence, sealing::Session session, membership::Hearing hearing,
+                 const env::Interface& on, ParticipantId served) {
+  for (const announcement::Announcement& kept : beyond_.recall(presence, session, hearing)) {
+    if (take_in_relayed(kept, on, true, served) == Announcer::Consequence::failed) return false;
+  }
+  return true;
 }
 
 std::optional<Announcer::Consequence> Air::take_in_relayed(const announcement::Announcement& heard,
@@ -143,7 +157,7 @@ std::optional<Announcer::Consequence> Air::take_in_relayed(const announcement::A
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (hearing == membership::Hearing::own) return std::nullopt;
   beyond_.pass_on({.datagram = relayed.word, .age = relayed.age, .through = relayed.through, .source = relayed.source},
-                  links, hearing);
+                  *word, links, hearing);
   return announcer_.heard(
       {.announcement = *word, .hearing = hearing, .datagram = relayed.word, .source = relayed.source, .on = on});
 }
@@ -241,7 +255,9 @@ std::vector<membership::Change> Air::take_changes() {
   auto changes = neighbours_.take_changes();
   for (const membership::Change& change : changes) {
     const auto* gone = std::get_if<membership::RemoveParticipant>(&change);
-    if (gone != nullptr && gone->reason == membership::Departure::expired) ++counters_.lost;
+    if (gone == nullptr) continue;
+    beyond_.forget(gone->participant);
+    if (gone->reason == membership::Departure::expired) ++counters_.lost;
   }
   return changes;
 }

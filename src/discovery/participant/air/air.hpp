@@ -70,6 +70,9 @@ class Air {
   [[nodiscard]] std::optional<Announcer::Consequence> take_in_relayed(const announcement::Announcement& heard,
                                                                       const env::Interface& on, bool is_sealed,
                                                                       ParticipantId served);
+  /// Takes in the kept words for which a presence testifies. False: no identifier can be held.
+  [[nodiscard]] bool recall(const announcement::Announcement& presence, sealing::Session session,
+                            membership::Hearing hearing, const env::Interface& on, ParticipantId served);
   [[nodiscard]] std::optional<Announcer::Consequence> take_in(env::InterfaceIndex interface, std::string_view source,
                                                               std::span<const std::byte> datagram,
                                                               ParticipantId served);

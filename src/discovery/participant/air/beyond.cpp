@@ -2,6 +2,7 @@
 
 #include "discovery/announcement/codec.hpp"
 #include "discovery/announcement/limits.hpp"
+#include "discovery/keeping/frame.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -16,8 +17,10 @@ bool is_taken(Hearing hearing) {
 
 }  // namespace
 
-Beyond::Beyond(const Means& means) : means_(means), voucher_(means.seal) {
-  if (means.settings.relay) relay_.emplace(means.env, means.neighbours);
+Beyond::Beyond(const Means& means) : means_(means), voucher_(means.seal), recall_(means.seal) {
+  if (!means.settings.relay) return;
+  relay_.emplace(means.env, means.neighbours);
+  keeping_.emplace(means.env, means.neighbours, *relay_);
 }
 
 const announcement::Announcement* Beyond::unwrap(const announcement::Announcement& relayed, bool is_believed) {
@@ -100,8 +103,11 @@ Beyond::Links Beyond::links_for(const announcement::Announcement& word, const en
   return relay_->links_for(word.participant, relaying::link_of(on), means_.announcer.id(), is_vouched);
 }
 
-void Beyond::pass_on(const relaying::Word& word, const Links& links, Hearing hearing) {
-  if (links.empty() || !is_taken(hearing)) return;
+void Beyond::pass_on(const relaying::Word& word, const announcement::Announcement& said, const Links& links,
+                     Hearing hearing) {
+  if (!is_taken(hearing)) return;
+  if (keeping_ && sealing::is_sealed(word.datagram)) keeping_->take(said, word);
+  if (links.empty()) return;
   const auto relayed = voucher_.wrap(word, means_.announcer.id());
   if (!relayed) return;
   if (hearing == Hearing::newcomer) {
@@ -116,6 +122,29 @@ void Beyond::pass_on(const relaying::Word& word, const Links& links, Hearing hea
     say(link, *relayed);
     relay_->repeat(link, *relayed);
   }
+}
+
+void Beyond::hear_frame(std::span<const std::byte> datagram, const env::Interface& on) {
+  const auto frame = keeping::read(datagram);
+  // Without a seal nobody could tell what was kept from what the server has made.
+  if (!frame || !seals()) return;
+  if (const auto* hello = std::get_if<keeping::Hello>(&*frame); hello != nullptr && keeping_ && on.is_named_peer) {
+    keeping_->hear_keeper(relaying::link_of(on), hello->life);
+  }
+  if (const auto* kept = std::get_if<keeping::Kept>(&*frame)) recall_.take(kept->envelope, means_.env.now());
+}
+
+std::vector<announcement::Announcement> Beyond::recall(const announcement::Announcement& presence,
+                                                       sealing::Session session, Hearing hearing) {
+  std::vector<announcement::Announcement> all;
+  if (hearing != Hearing::known || recall_.pending() == 0) return all;
+  for (const announcement::Behind& one : presence.behind) {
+    if (one.participant == means_.announcer.id() || means_.neighbours.is_known(one.participant)) continue;
+    auto words = recall_.recall(session, presence.participant, one);
+    recalled_ += words.empty() ? 0 : 1;
+    std::ranges::move(words, std::back_inserter(all));
+  }
+  return all;
 }
 
 std::vector<announcement::Behind> Beyond::behind(const env::Interface& on) const {
@@ -135,10 +164,48 @@ std::vector<std::pair<std::string_view, std::uint64_t>> Beyond::refusals() const
 void Beyond::proceed() {
   if (!relay_ || !means_.announcer.is_held()) return;
   while (const auto repeat = relay_->take_repeat()) say(repeat->link, repeat->relayed);
-  if (relay_->takes_over()) means_.announcer.show();
+  if (relay_->takes_over()) {
+    means_.announcer.show();
+    keeping_->look_at_all();
+  }
+  keep_what_is_due();
   if (testimony_due_ > means_.env.now()) return;
   means_.announcer.show();
   testimony_due_ = testimony_due_ < last_testimony_ ? last_testimony_ : base::never;
+}
+
+void Beyond::keep_what_is_due() {
+  using What = relaying::Keeping::Errand::What;
+  while (const auto errand = keeping_->next(means_.announcer.id())) {
+    if (errand->what == What::keep && seals()) keep(*errand);
+    if (errand->what == What::ask) means_.neighbours.suspect(errand->participant, means_.env.now());
+    if (errand->what == What::drop) {
+      means_.announcer.outlet().hand(errand->link, keeping::write(keeping::Drop{errand->participant}));
+    }
+  }
+}
+
+void Beyond::keep(const relaying::Keeping::Errand& errand) {
+  const base::Instant now = means_.env.now();
+  const auto& words = errand.chain->words();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const announcement::Relayed& heard = words[i].relayed;
+    const auto relayed =
+        voucher_.wrap({.datagram = heard.word,
+                       .age = std::min(heard.age + (now - words[i].heard), announcement::max_relayed_age),
+                       .through = heard.through,
+                       .source = heard.source},
+                      means_.announcer.id());
+    if (!relayed) return;
+    const auto envelope = means_.seal.seal_kept(announcement::encode(*relayed).front(), now);
+    if (envelope.size() > keeping::max_kept_bytes) return;
+    means_.announcer.outlet().hand(errand.link,
+                                   keeping::write(keeping::Keep{.participant = errand.participant,
+                                                                .index = static_cast<std::uint8_t>(i),
+                                                                .count = static_cast<std::uint8_t>(words.size()),
+                                                                .envelope = envelope}));
+    ++kept_;
+  }
 }
 
 void Beyond::say(env::InterfaceIndex link, const announcement::Announcement& relayed) {

@@ -16,4 +16,11 @@ void Outlet::send(env::InterfaceIndex interface, std::span<const std::byte> text
   means_.counters.bytes_sent += datagram.size();
 }
 
+void Outlet::hand(env::InterfaceIndex link, std::span<const std::byte> frame) {
+  means_.env.send(link, frame);
+  ++means_.counters.datagrams_sent;
+  ++means_.counters.interfaces[link].sent;
+  means_.counters.bytes_sent += frame.size();
+}
+
 }  // namespace geminga::participant

@@ -28,6 +28,8 @@ class Outlet {
 
   /// Says one encoded announcement on an interface, and to hosts that are tried alone there.
   void send(env::InterfaceIndex interface, std::span<const std::byte> text);
+  /// Hands a frame to the bridge on this link, as it is. A frame is no announcement, and nobody else hears it.
+  void hand(env::InterfaceIndex link, std::span<const std::byte> frame);
   /// Whether this very datagram was sent of late.
   [[nodiscard]] bool has_sent(std::span<const std::byte> datagram) const { return sent_.contains(datagram); }
 
