@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <deque>
+#include <memory>
 #include <string>
 
 #include "tools/bridge/lying_server.hpp"
@@ -37,6 +39,54 @@ TEST_F(Nats, JoinsASiteThroughItsRelay) { expect_site_over(link_); }
 TEST_F(Nats, TellsANewcomerOfASiteByWhatItHasKept) { expect_newcomer_over(link_); }
 
 TEST_F(Nats, KeepsASiteThatHasTwoRelaysAndLosesOne) { expect_standby_over(link_); }
+
+TEST_F(Nats, StandsBesideMqttAtOneDaemonAndEitherIsEnough) {
+  constexpr const char* broker = "/usr/sbin/mosquitto";
+  const std::string other_kind = program("geminga-bridge-mqtt");
+  if (::access(broker, X_OK) != 0 || ::access(other_kind.c_str(), X_OK) != 0) GTEST_SKIP() << "there is no MQTT";
+  link_.start_server();
+  link_.make_key();
+  const std::string file = folder_.write("mosquitto.conf", "listener 1883 10.47.17.1\nallow_anonymous true\n");
+  auto mqtt = std::make_unique<Process>(link_.lab().on(0, {broker, "-c", file}));
+  ASSERT_TRUE(mqtt->wait_for("running")) << mqtt->said();
+  std::deque<Process> others;
+  for (const std::size_t host : {1U, 2U}) {
+    link_.start_bridge(host);
+    Process& other =
+        others.emplace_back(link_.lab().on(host, {other_kind, "mqtt://10.47.17.1", "--listen", "127.0.0.1:4721"}));
+    EXPECT_TRUE(other.wait_for("carrying words")) << other.said();
+    link_.start_between_two(host);
+  }
+  for (const std::size_t host : {1U, 2U}) EXPECT_TRUE(link_.lab().wait_for_participants(host, 2)) << host;
+  Talk consumer = link_.lab().talk(2);
+  consumer.say("7 sub create mode=otm/stream text=ball");
+  Talk provider = link_.lab().talk(1);
+  const std::size_t came_back = link_.status(1, "relay_own");
+  for (const char* port : {"5000", "5001", "5002"}) {
+    provider.say(std::string("4 pub create mode=otm/stream text=ball port=") + port);
+    EXPECT_TRUE(consumer.line_with({"7 pub add", std::string("port=") + port}));
+    provider.say("4 pub remove");
+    EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=withdrawn"}));
+  }
+  EXPECT_EQ(link_.status(1, "relay_own"), came_back) << "both hear each other on both links: no word goes round";
+  EXPECT_EQ(link_.status(1, "relay_repeated"), 0U);
+  EXPECT_EQ(link_.status(2, "sealing_replayed"), 0U);
+
+  provider.say("4 pub create mode=otm/stream text=ball port=5003");
+  EXPECT_TRUE(consumer.line_with({"7 pub add", "port=5003"}));
+  link_.bridge(1).forget();
+  link_.bridge(2).forget();
+  link_.kill_server();
+  provider.say("5 pub create mode=otm/stream text=ball port=5004");
+  const auto next = consumer.line_with({"7 pub "});
+  ASSERT_TRUE(next);
+  EXPECT_EQ(field(*next, "port"), "5004") << "MQTT alone is enough, and nothing was lost";
+  link_.start_server();
+  for (const std::size_t host : {1U, 2U}) EXPECT_TRUE(link_.bridge(host).wait_for("carrying words by")) << host;
+  mqtt.reset();
+  provider.say("6 pub create mode=otm/stream text=ball port=5005");
+  EXPECT_TRUE(consumer.line_with({"7 pub add", "port=5005"})) << "and so is NATS";
+}
 
 TEST_F(Nats, IsAUserByNKeyOverTlsAndSaysWhyItIsRefused) {
   Folder folder;

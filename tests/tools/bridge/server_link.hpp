@@ -94,6 +94,11 @@ class ServerLink {
       flags.insert(flags.end(), {"--interface", "lo", "--peer", "127.0.0.1:4720", "--relay"});
     lab_.start(host, flags);
   }
+  /// Starts a daemon that has two bridges as its peers, each of which is a link.
+  void start_between_two(std::size_t host) {
+    lab_.start(host, {"--interface", "lo", "--peer", "127.0.0.1:4720", "--peer", "127.0.0.1:4721", "--interval", "0.1",
+                      "--key-file", key_, "--relay"});
+  }
   void start_daemon(std::size_t host) {
     const std::string file = folder_.write("daemon" + std::to_string(host) + ".toml",
                                            "announce-address = [\"lo=" + lab_.address_of(host) + "\"]\n");
