@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text.hpp"
@@ -83,13 +83,14 @@ class Adopting {
   /// Looks once at each publisher.
   Exit look() {
     auto client = Client::connect({.connect = request_.connect, .name = {}});
-    if (!client) return say_error(client.error().text, exit_of_client(client.error()));
+    if (!client) return say_once(client.error());
     const auto adopted = adopted_by(*client);
-    if (!adopted) return say_error(adopted.error().text, exit_of_client(adopted.error()));
+    if (!adopted) return say_once(adopted.error());
     if (!adopted->publishers.empty() && adopted->folder != request_.folder)
       return say_error("the daemon adopts into another folder: start this anew");
     const auto all = candidates(*client);
-    if (!all) return say_error(all.error().text, exit_of_client(all.error()));
+    if (!all) return say_once(all.error());
+    said_.clear();
     Exit exit = Exit::yes;
     for (const std::string& publisher : adopted->publishers) {
       if (const Exit taken = take_newer(publisher, *all); taken != Exit::yes) exit = taken;
@@ -98,6 +99,12 @@ class Adopting {
   }
 
  private:
+  /// Says what keeps the daemon from answering, unless it was said at the last look.
+  Exit say_once(const ClientError& error) {
+    if (std::exchange(said_, error.text) != error.text) say_error(error.text);
+    return exit_of_client(error);
+  }
+
   Exit take_newer(const std::string& publisher, const std::vector<Candidate>& all) {
     const std::string folder = (fs::path(request_.folder) / publisher).string();
     const std::vector<std::uint64_t> versions = versions_in(folder);
@@ -125,16 +132,15 @@ class Adopting {
       return say_error(taken.provider.service + " announces another version than it offers", Exit::no);
     ::mkdir(folder.c_str(), 0777);
     const std::string version = (fs::path(folder) / std::to_string(manifest.version)).string();
-    const auto written = write_folder(version, manifest, taken.arrival.content(), tag());
+    const auto written = write_folder(version, manifest, taken.arrival.content(), random_tag());
     if (!written) return say_error(written.error(), Exit::no);
-    keep_newest_versions(folder, kept_versions, tag());
+    keep_newest_versions(folder, kept_versions, random_tag());
     return say_error(version + ": fetched, " + taken.provider.digest, Exit::yes);
   }
 
-  static std::uint64_t tag() { return std::uint64_t{std::random_device{}()} << 32U | std::random_device{}(); }
-
   const AdoptRequest& request_;
   std::map<std::string, Clock::time_point> next_tries_;  ///< by digest
+  std::string said_;                                     ///< of the daemon, at the last look
 };
 
 Exit adopt(const AdoptRequest& request) {

@@ -3,7 +3,6 @@
 #include <boost/json.hpp>
 #include <filesystem>
 #include <memory>
-#include <random>
 #include <string>
 
 #include "base/text.hpp"
@@ -66,8 +65,7 @@ Exit fetch(const FetchRequest& request) {
   const auto taken = take(wish, warn);
   if (!taken) return say_failure(taken.error().text, request.as_json, exit_of_taking(taken.error()));
   const Manifest& manifest = *taken->arrival.manifest();
-  const auto written = write_folder(request.folder, manifest, taken->arrival.content(),
-                                    std::uint64_t{std::random_device{}()} << 32U | std::random_device{}());
+  const auto written = write_folder(request.folder, manifest, taken->arrival.content(), random_tag());
   if (!written) return say_failure(written.error(), request.as_json);
   if (request.as_json) return print_or_say(json_text(taken_as_object(request, *taken, *written)) + '\n');
   std::string text;

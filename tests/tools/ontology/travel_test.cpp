@@ -231,8 +231,10 @@ TEST(Delivery, RepeatsForWhomSomethingWasLeftOutAndNotForEver) {
     ASSERT_LT(++messages, 1000U);
   }
   EXPECT_EQ(messages, 3U * max_laps);
+  EXPECT_TRUE(delivery.is_repeating());
   delivery.remove(Life{1});
   delivery.add(Life{2});
+  EXPECT_FALSE(delivery.is_repeating()) << "somebody waits for the first round";
   EXPECT_THAT(sent(delivery), ElementsAre(-1, 0, 1));
 }
 
@@ -292,6 +294,8 @@ TEST_F(Folder, RemovesWhatAWriterLeftThatWasCutOffLongAgo) {
   EXPECT_TRUE(fs::exists(path(".new.2.part"))) << "its writer may be at work";
   EXPECT_TRUE(fs::exists(path(".newer.1.part"))) << "of another folder";
 }
+
+TEST(RandomTags, Differ) { EXPECT_NE(random_tag(), random_tag()); }
 
 TEST_F(Folder, OfVersionsKeepsTheNewestOnes) {
   fs::create_directory(path("base"));

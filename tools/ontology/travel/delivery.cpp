@@ -35,4 +35,9 @@ std::optional<Delivery::Next> Delivery::next() {
   return Next{piece};
 }
 
+bool Delivery::is_repeating() const {
+  return std::ranges::none_of(lacking_,
+                              [](const auto& each) { return each.second.messages > 0 && each.second.laps == 1; });
+}
+
 }  // namespace geminga::ontology

@@ -28,6 +28,8 @@ class Delivery {
   void note_left_out();
   /// The next message; nothing where nobody lacks one. O(consumers).
   [[nodiscard]] std::optional<Next> next();
+  /// Whether all who lack messages have been sent a whole round before. O(consumers).
+  [[nodiscard]] bool is_repeating() const;
 
  private:
   struct Lacking {

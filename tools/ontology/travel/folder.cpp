@@ -1,6 +1,7 @@
 #include "ontology/travel/folder.hpp"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -99,6 +100,13 @@ fs::path partial_beside(const fs::path& folder, std::uint64_t tag) {
 }
 
 }  // namespace
+
+std::uint64_t random_tag() {
+  std::uint64_t tag = 0;
+  // It gives so few octets whole; without any, a name that is taken is an error of its own.
+  [[maybe_unused]] const ssize_t octets = ::getrandom(&tag, sizeof tag, 0);
+  return tag;
+}
 
 std::vector<std::uint64_t> versions_in(const std::string& folder) {
   std::vector<std::uint64_t> versions;

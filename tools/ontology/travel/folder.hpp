@@ -23,6 +23,9 @@ enum class Written : std::uint8_t { made, was_there };
 [[nodiscard]] std::expected<Written, std::string> write_folder(const std::string& folder, const Manifest& manifest,
                                                                std::string_view content, std::uint64_t tag);
 
+/// A number that no other writer has, from the kernel's source of chance.
+[[nodiscard]] std::uint64_t random_tag();
+
 /// The versions in a folder, each a folder named by its number, ascending. A folder that is not there has none.
 [[nodiscard]] std::vector<std::uint64_t> versions_in(const std::string& folder);
 /// Removes all versions but the newest ones. Each is taken away as a whole, so that no reader finds half of one.

@@ -28,8 +28,10 @@ inline constexpr std::uint32_t max_laps = 8;
 inline constexpr std::size_t max_useless_rounds = max_laps + 1;
 inline constexpr std::size_t max_useless_octets = std::size_t{1} << 20U;
 
-/// The time for which a consumer that does not keep up delays a piece for all.
-inline constexpr std::chrono::milliseconds piece_patience{50};
+/// The time for which a consumer that does not keep up delays a piece for all; and where all who lack pieces are those
+/// for whom one was left out already.
+inline constexpr std::chrono::milliseconds piece_patience{5};
+inline constexpr std::chrono::milliseconds repeated_piece_patience{500};
 /// The time within which a provider must bring something new. TCP that loses three of ten segments is silent for half
 /// a minute now and then.
 inline constexpr std::chrono::seconds stall_patience{45};

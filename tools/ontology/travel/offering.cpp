@@ -21,6 +21,8 @@ using std::chrono::milliseconds;
 constexpr const char* peer_name = "ontology";
 /// The longest time for which the seal that was looked at counts.
 constexpr std::chrono::seconds seal_look{1};
+/// The time until it is looked again whether there is room.
+constexpr milliseconds between_tries{2};
 /// The messages that are sent between two looks at signals and sockets.
 constexpr int messages_per_turn = 16;
 
@@ -93,7 +95,8 @@ class Sending {
       const std::string& message = next_->piece ? parcel_.pieces()[*next_->piece] : parcel_.manifest_message();
       if (!publisher_.has_room(message.size())) {
         if (!waits_since_) waits_since_ = Clock::now();
-        if (Clock::now() - *waits_since_ < piece_patience) return milliseconds{5};
+        const milliseconds patience = delivery_.is_repeating() ? repeated_piece_patience : piece_patience;
+        if (Clock::now() - *waits_since_ < patience) return between_tries;
       }
       waits_since_.reset();
       const std::uint64_t left_out = publisher_.count().left_out;

@@ -133,8 +133,13 @@ class Search {
     if (!*sealed && !wish_.is_open) return std::unexpected(of_client(not_sealed()));
     std::optional<Arrival> arrival;
     while (true) {
-      const auto all = candidates(*client);
-      if (!all) return std::unexpected(of_client(all.error()));
+      auto all = candidates(*client);
+      if (!all) {  // the daemon may have been started again
+        client = Client::connect({.connect = wish_.connect, .name = {}});
+        if (!client) return std::unexpected(of_client(client.error()));
+        all = candidates(*client);
+        if (!all) return std::unexpected(of_client(all.error()));
+      }
       const auto chosen = choose(*all);
       if (!chosen) return std::unexpected(chosen.error());
       if (Clock::now() - begin_ > wish_.time)
