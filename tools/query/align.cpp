@@ -2,11 +2,10 @@
 #include "query/align.hpp"
 
 #include <stdlib.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <boost/json.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,11 +13,10 @@
 #include <optional>
 
 #include "query/aligning/understood.hpp"
+#include "query/ontology_program.hpp"
 #include "shell/describe.hpp"
-#include "shell/event_variables.hpp"
 #include "shell/json.hpp"
 #include "shell/report.hpp"
-#include "shell/running_command.hpp"
 #include "shell/table.hpp"
 
 namespace geminga::query {
@@ -27,8 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using shell::ExitStatus;
 
-/// The longest time for one run of geminga-ontology.
-constexpr std::chrono::minutes step_time{11};
+/// The seconds of one search of geminga-ontology.
+constexpr const char* search_seconds = "300";
 
 /// A folder for what is needed in between, removed with it.
 class Workshop {
@@ -51,32 +49,8 @@ class Workshop {
   fs::path folder_;
 };
 
-/// geminga-ontology beside this program, or its name for PATH.
-std::string program_of_ontologies() {
-  std::error_code error;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "geminga-ontology";
-  return !error && ::access(beside.c_str(), X_OK) == 0 ? beside.string() : "geminga-ontology";
-}
-
-/// Runs geminga-ontology, with standard output in a file where one is named. Words reach the shell by its environment,
-/// so that none is read as more than a word. Gives the exit status.
-int run_ontology(const std::vector<std::string>& words, const std::string& connect, const std::string& output) {
-  std::vector<std::string> variables{"GEMINGA_OUTPUT=" + (output.empty() ? "/dev/null" : output)};
-  std::string line = "exec \"$GEMINGA_WORD0\"";
-  for (std::size_t number = 0; number <= words.size(); ++number) {
-    const std::string name = "GEMINGA_WORD" + std::to_string(number);
-    variables.push_back(name + "=" + (number == 0 ? program_of_ontologies() : words[number - 1]));
-    if (number > 0) line += " \"$" + name + "\"";
-  }
-  const auto running =
-      shell::RunningCommand::start(line + " > \"$GEMINGA_OUTPUT\"", shell::environment_with(variables, connect), "");
-  if (!running) {
-    shell::complain(program, running.error());
-    return -1;
-  }
-  if (!(*running)->has_ended(step_time)) (*running)->signal(SIGKILL);
-  const int status = (*running)->reap();
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+ClientError no_closure() {
+  return {ClientError::Kind::wrong_use, "what follows from the ontologies cannot be found out: see above"};
 }
 
 struct Link {
@@ -96,7 +70,7 @@ std::vector<Link> links_in(const std::string& file) {
   if (error || !document.is_object() || !document.as_object().contains("links")) return links;
   for (const auto& value : document.at("links").as_array()) {
     const auto word = [&](const char* key) { return std::string(value.at(key).as_string()); };
-    const auto hundredths = static_cast<int>(value.at("confidence").to_number<double>() * 100 + 0.5);
+    const long hundredths = std::lround(value.at("confidence").to_number<double>() * 100);
     links.push_back({word("one"), word("relation"), word("other"), std::to_string(hundredths) + " %", word("reason")});
   }
   return links;
@@ -148,15 +122,12 @@ class Alignment {
     return ExitStatus::wrong_use;
   }
 
-  int run_step(std::vector<std::string> words, const std::string& output = {}) {
-    return run_ontology(words, context_.common.connect, output);
-  }
-
   /// Nothing where it has gone well, as of the others.
   std::optional<ExitStatus> fetch() {
-    std::vector<std::string> words{"fetch", "--newest", "--from", flags_.participant, "-o", theirs_};
+    std::vector<std::string> words{"fetch", "--newest", "--from=" + flags_.participant, "-o", theirs_};
+    if (!context_.common.connect.empty()) words.push_back("--connect=" + context_.common.connect);
     if (flags_.is_open) words.emplace_back("--open");
-    const int status = run_step(words);
+    const int status = run_ontology_program(words, "/dev/null");
     if (status == 0) return std::nullopt;
     std::error_code ignored;
     fs::remove(flags_.folder, ignored);  // it is empty
@@ -168,11 +139,13 @@ class Alignment {
     std::vector<std::string> merge{"merge"};
     merge.insert(merge.end(), ours_.begin(), ours_.end());
     merge.insert(merge.end(), {"-o", merged});
-    if (run_step(merge) != 0) return refuse("the files that the daemon has loaded cannot be read any more");
-    std::vector<std::string> words{"align", merged, theirs_, "-o", links_file_, "--json"};
+    if (run_ontology_program(merge, "/dev/null") != 0)
+      return refuse("the files that the daemon has loaded cannot be read any more");
+    std::vector<std::string> words{"align",     merged,   theirs_,        "-o",
+                                   links_file_, "--json", "--time-limit", search_seconds};
     if (flags_.is_conservative) words.emplace_back("--conservative");
     if (flags_.has_subsumptions) words.emplace_back("--subsumptions");
-    const int status = run_step(words, workshop_ / "links.json");
+    const int status = run_ontology_program(words, workshop_ / "links.json");
     if (status != 0 && status != 1 && status != 4) return refuse("the two ontologies cannot be aligned");
     links_ = links_in(workshop_ / "links.json");
     return std::nullopt;
@@ -183,10 +156,10 @@ class Alignment {
     if (!services) return std::unexpected(services.error());
     const auto requests = client_.query("requests", {{"iris", "1"}});
     if (!requests) return std::unexpected(requests.error());
-    std::vector<std::string> classify{"classify", "--closure", workshop_ / "ours.ttl"};
-    run_step(classify, workshop_ / "today");
+    std::vector<std::string> classify{"classify", "--closure", "--time-limit", search_seconds, workshop_ / "ours.ttl"};
+    if (run_ontology_program(classify, workshop_ / "today") < 0) return std::unexpected(no_closure());
     classify.insert(classify.end(), {theirs_, links_file_});
-    run_step(classify, workshop_ / "with");
+    if (run_ontology_program(classify, workshop_ / "with") < 0) return std::unexpected(no_closure());
     auto wanted = concepts_of(services->records, requests->records);
     const Closure with = closure_in(workshop_ / "with", wanted);
     const std::vector<std::string> stated(wanted.begin(), wanted.end());

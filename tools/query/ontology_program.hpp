@@ -16,6 +16,10 @@ namespace geminga::query {
                                                               const std::vector<std::string>& ontologies,
                                                               std::size_t most_bytes);
 
+/// Runs geminga-ontology with these words, with its standard output in the file `output`. Returns its exit status; -1
+/// where it could not be started, which is said on standard error, or was killed.
+[[nodiscard]] int run_ontology_program(std::vector<std::string> words, const std::string& output);
+
 }  // namespace geminga::query
 
 #endif
