@@ -59,6 +59,7 @@ TEST(Bridge, RefusesWhatIsNoCredentialOfItsServer) {
     return bridge(line).status == 2;
   };
   EXPECT_TRUE(refuses("nats", {"--nkey", "UABC"}));
+  EXPECT_TRUE(refuses("nats", {"--jetstream-domain", "a.b"}));
   EXPECT_TRUE(refuses("nats", {"--nkey", "UABC", "--nkey-seed", "/nowhere"}));
   EXPECT_TRUE(refuses("nats", {"--nkey", "UABC", "--nkey-seed", "/dev/null", "--credentials", "/dev/null"}));
   EXPECT_TRUE(refuses("mqtt", {"--mqtt", "4"}));

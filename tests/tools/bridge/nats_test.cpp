@@ -88,6 +88,28 @@ TEST_F(Nats, StandsBesideMqttAtOneDaemonAndEitherIsEnough) {
   EXPECT_TRUE(consumer.line_with({"7 pub add", "port=5005"})) << "and so is NATS";
 }
 
+TEST_F(Nats, CarriesWordsToALeafNodeWhoseSiteReadsWhatTheHubKeeps) {
+  constexpr std::size_t crowd = 10;
+  const std::string hub =
+      folder_.write("hub.conf", "listen: \"10.47.17.1:4222\"\njetstream { store_dir: \"" + folder_.path("js") +
+                                    "\", domain: hub }\nleafnodes { listen: \"10.47.17.1:7422\" }\n");
+  const std::string leaf = folder_.write("leaf.conf",
+                                         "listen: \"127.0.0.1:4222\"\n"
+                                         "leafnodes { remotes: [ { url: \"nats-leaf://10.47.17.1:7422\" } ] }\n");
+  ServerLink link({server, "-c", hub}, "Server is ready", "nats", "nats://10.47.17.1");
+  link.start_server();
+  link.make_key();
+  link.start_crowd(crowd);
+  EXPECT_TRUE(link.wait_until_kept(0, crowd + 1));
+  Process leaf_server(link.lab().on(2, {server, "-c", leaf}));
+  EXPECT_TRUE(leaf_server.wait_for("Leafnode connection created")) << leaf_server.said();
+  Process bridge(link.lab().on(2, {program("geminga-bridge-nats"), "nats://127.0.0.1", "--jetstream-domain", "hub"}));
+  EXPECT_TRUE(bridge.wait_for("words are kept in the bucket geminga_geminga")) << bridge.said();
+  link.start_daemon(2);
+  EXPECT_TRUE(link.lab().wait_for_participants(2, crowd + 3)) << bridge.said();
+  EXPECT_EQ(link.status(2, "recalled"), crowd + 1);
+}
+
 TEST_F(Nats, IsAUserByNKeyOverTlsAndSaysWhyItIsRefused) {
   Folder folder;
   const std::string certificate = folder.path("server.pem");

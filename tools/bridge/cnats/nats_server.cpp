@@ -27,6 +27,8 @@ NatsServer::NatsServer(client::Reactor& reactor, WordSettings settings, Credenti
       tell_(std::move(tell)),
       own_("geminga." + settings_.team + ".word." + settings_.site),
       bucket_("geminga_" + settings_.team),
+      written_subject_((credentials_.domain.empty() ? "" : "$JS." + credentials_.domain + ".API.") + "$KV." + bucket_ +
+                       '.'),
       kept_subject_("$KV." + bucket_ + '.'),
       keeper_(reactor, tally, *this),
       second_(reactor, [this] { on_second(); }) {
@@ -93,6 +95,7 @@ natsStatus NatsServer::open_bucket() {
   jsOptions options;
   natsStatus status = jsOptions_Init(&options);
   options.Wait = second_in_ms;
+  if (!credentials_.domain.empty()) options.Domain = credentials_.domain.c_str();
   if (status == NATS_OK) status = natsConnection_JetStream(&stream_, connection_, &options);
   kvConfig bucket;
   kvConfig_Init(&bucket);

@@ -39,6 +39,7 @@ class NatsServer : public Shelf {
     std::string file;       ///< a user's credentials: a JWT and an NKey
     std::string nkey;       ///< a public NKey, which is no secret
     std::string nkey_seed;  ///< the file with its seed
+    std::string domain;     ///< the domain of JetStream in which words are kept; empty: the server's own
   };
   using Tell = std::function<void(const std::string& line)>;
 
@@ -76,7 +77,7 @@ class NatsServer : public Shelf {
   [[nodiscard]] natsStatus open_bucket();
   void begin_keeping();
   [[nodiscard]] std::string subject(const std::string& participant, unsigned index) const {
-    return kept_subject_ + settings_.site + '.' + participant + '.' + std::to_string(index);
+    return written_subject_ + settings_.site + '.' + participant + '.' + std::to_string(index);
   }
 
   client::Reactor& reactor_;
@@ -85,9 +86,10 @@ class NatsServer : public Shelf {
   Tally& tally_;
   DaemonSocket& daemon_;
   Tell tell_;
-  std::string own_;           ///< the subject of this site
-  std::string bucket_;        ///< the name of the bucket
-  std::string kept_subject_;  ///< the beginning of the subjects of all kept words
+  std::string own_;              ///< the subject of this site
+  std::string bucket_;           ///< the name of the bucket
+  std::string written_subject_;  ///< the same where they are written, which differs for another domain
+  std::string kept_subject_;     ///< the beginning of the subjects of all kept words
   natsOptions* options_ = nullptr;
   natsConnection* connection_ = nullptr;
   natsSubscription* subscription_ = nullptr;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/text.hpp"
 #include "bridge/cnats/nats_server.hpp"
 #include "bridge/words/daemon_socket.hpp"
 #include "bridge/words/word_options.hpp"
@@ -49,9 +50,17 @@ int run(int argc, char** argv) {
   app.add_option("--nkey-seed", credentials.nkey_seed, "A file with the seed of --nkey")
       ->type_name("FILE")
       ->check(CLI::ExistingFile, "", "");
+  app.add_option("--jetstream-domain", credentials.domain,
+                 "The domain of JetStream in which words are kept, as of a hub behind a leaf node (the server's own "
+                 "unless told)")
+      ->type_name("NAME");
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
   const auto settings = options.settings("nats", "tls", 4222, 4222);
   if (!settings) return fail(settings.error());
+  if (!credentials.domain.empty() &&
+      (!base::is_key(credentials.domain) || credentials.domain.find('.') != std::string::npos)) {
+    return fail("--jetstream-domain: " + base::printable(credentials.domain) + " is no name: letters, digits, - and _");
+  }
   if (credentials.nkey.empty() != credentials.nkey_seed.empty()) return fail("--nkey and --nkey-seed go together");
   if (!credentials.nkey.empty() && !credentials.file.empty()) return fail("--credentials or --nkey, not both");
 
