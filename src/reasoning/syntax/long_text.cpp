@@ -65,6 +65,7 @@ std::size_t LongText::run_in(std::string_view stretch) const {
   };
   switch (within_) {
     case Within::nothing:
+      if (stretch.starts_with(' ')) return until([](char c) { return c != ' '; });
       return until([](char c) { return c == '\\' || ends_name[static_cast<unsigned char>(c)]; });
     case Within::iri:
       return until([](char c) { return c == '>' || c == '\n' || c == ' '; });
@@ -79,11 +80,13 @@ std::size_t LongText::run_in(std::string_view stretch) const {
 
 void LongText::take_run(std::string_view run) {
   switch (within_) {
-    case Within::nothing:
-      note_blank(0);
+    case Within::nothing: {
+      const bool is_blank = run.front() == ' ';
+      note_blank(is_blank ? run.size() : 0);
+      name_bytes_ = is_blank ? 0 : name_bytes_ + run.size();
       quotes_ = 0;
-      name_bytes_ += run.size();
       return;
+    }
     case Within::iri:
       name_bytes_ += run.size();
       return;

@@ -49,8 +49,7 @@ class Graph {
 
   NodeId iri(std::string_view text) { return intern(NodeKind::iri, text, NodeId{}, NodeId{}); }
   NodeId blank(std::string_view label) { return intern(NodeKind::blank, label, NodeId{}, NodeId{}); }
-  /// A blank node that no file names, under a label that is used once: it is not looked up, which saves half of all
-  /// searches in an ontology of restrictions.
+  /// A blank node that no file names, under a label that is used once: no search finds it, and none has to.
   NodeId new_blank(std::string_view label) { return push(NodeKind::blank, true, label, NodeId{}, NodeId{}); }
   NodeId literal(std::string_view lexical, NodeId datatype, NodeId language) {
     return intern(NodeKind::literal, lexical, datatype, language);
