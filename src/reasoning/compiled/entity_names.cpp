@@ -53,6 +53,21 @@ std::string_view end_of_iri(std::string_view iri) {
   return end == std::string_view::npos ? iri : iri.substr(end + 1);
 }
 
+std::vector<std::uint32_t> classes_with_local_name(const Ontology& ontology, std::string_view name) {
+  std::vector<std::uint32_t> found;
+  if (name.find_first_of(":/# ") != std::string_view::npos) return found;
+  for (const auto& [word, space] : ontology.prefixes()) {
+    if (!word.empty()) break;  // they ascend
+    if (const auto number = ontology.find_iri(std::string(space) += name)) {
+      found.push_back(static_cast<std::uint32_t>(*number));
+    }
+  }
+  for (std::uint32_t number = 0, all = found.empty() ? ontology.class_count() : 0; number < all; ++number) {
+    if (end_of_iri(ontology.iri(taxonomy::ClassNumber{number})) == name) found.push_back(number);
+  }
+  return found;
+}
+
 EntityNames::EntityNames(const Ontology& ontology) : ontology_(ontology) {
   const taxonomy::ClassifiedView& view = ontology.axioms();
   for (std::uint32_t term = 0; term < view.term_count(); ++term) {
@@ -134,12 +149,11 @@ std::expected<std::string, std::string> EntityNames::find(owl::TermKind kind, st
   }
   std::vector<std::string> found;
   if (kind == owl::TermKind::named_class) {
-    // This looks at labels, too, and gives the same errors as for names outside of expressions.
+    // This looks at labels and local names, too, and gives the same errors as for names outside of expressions.
     const auto number = ontology_.find(name);
     if (number) return std::string(ontology_.iri(*number));
     if (number.error().kind == NameError::Kind::ambiguous) return std::unexpected(number.error().text);
     found = candidates(kind, name);  // the usual prefixes
-    if (found.empty()) found = with_local_name(kind, name);
     if (found.empty()) return std::unexpected(number.error().text + did_you_mean(similar_to(kind, name)));
   } else {
     found = candidates(kind, name);

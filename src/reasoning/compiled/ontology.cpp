@@ -10,6 +10,7 @@
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/container.hpp"
 #include "reasoning/compiled/container_header.hpp"
+#include "reasoning/compiled/entity_names.hpp"
 #include "reasoning/compiled/mapped_file.hpp"
 #include "reasoning/compiled/similar.hpp"
 #include "reasoning/modules/module.hpp"
@@ -289,6 +290,7 @@ std::expected<taxonomy::ClassNumber, NameError> Ontology::find(std::string_view 
     if (const auto number = mapped_->find_class(name); number && found.empty()) found.push_back(*number);
   }
   if (found.empty()) found = mapped_->find_label(name);
+  if (found.empty()) found = classes_with_local_name(*this, name);
   base::sort_unique(found);
   if (found.size() == 1) return taxonomy::ClassNumber{found.front()};
   if (found.size() > 1) {

@@ -83,8 +83,9 @@ class Ontology {
   /// False if some individual cannot exist; then every class is below every other.
   [[nodiscard]] bool is_consistent() const;
 
-  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or an unambiguous label. The labels are read only if the name is
-  /// nothing else.
+  /// Resolves `prefix:Name`, `<IRI>`, a bare IRI, or an unambiguous label, and if it is none of these a local name,
+  /// which is what follows the last `#` or `/` of an IRI and must be unambiguous, too. The labels are read only if the
+  /// name is no IRI; to look for a local name is linear in the classes.
   [[nodiscard]] std::expected<taxonomy::ClassNumber, NameError> find(std::string_view name) const;
   [[nodiscard]] std::optional<taxonomy::ClassNumber> find_iri(std::string_view iri) const;
 

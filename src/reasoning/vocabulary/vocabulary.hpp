@@ -62,8 +62,8 @@ class Vocabulary {
 
   // Names.
 
-  /// The class of `prefix:Name`, `<IRI>`, a bare IRI or a label. The error is one line that says what is wrong and
-  /// which classes may have been meant. Requires an ontology.
+  /// The class of `prefix:Name`, `<IRI>`, a bare IRI, a label or a local name. The error is one line that says what is
+  /// wrong and which classes may have been meant. Requires an ontology.
   [[nodiscard]] std::expected<ClassNumber, std::string> find(std::string_view name) const;
   [[nodiscard]] std::optional<ClassNumber> find_iri(std::string_view iri) const;
   /// The class of `prefix:Name`, `<IRI>` or a bare IRI, or nothing. Looks for no label and no likely meaning, so that

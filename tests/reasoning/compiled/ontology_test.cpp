@@ -86,6 +86,26 @@ TEST(Ontology, SaysThatAPrefixWithTwoMeaningsIsAmbiguousOnlyWhereBothNameAClass)
   EXPECT_EQ(ontology.short_name(*ontology.find("t:B")), "<https://t.example/#B>");
 }
 
+TEST(Ontology, FindsAClassByItsLocalNameWhereNothingElseFits) {
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("team.ttl");
+  for (const char* one : {"capability#Robot", "soccer#Ball", "rescue/Ball", "soccer#Mast"}) {
+    source.add(owl::AxiomKind::sub_class_of,
+               {source.named_class("https://t.example/" + std::string(one)), source.named_class("urn:t:Thing")}, file,
+               1);
+  }
+  source.add_label("urn:t:Thing", "Mast");
+  const Ontology ontology = owl::loaded(source);
+  const auto robot = ontology.find("Robot");
+  ASSERT_TRUE(robot);
+  EXPECT_EQ(ontology.iri(*robot), "https://t.example/capability#Robot");
+  EXPECT_EQ(ontology.iri(*ontology.find("Mast")), "urn:t:Thing") << "a label comes first";
+  EXPECT_EQ(ontology.find("Ball").error().kind, NameError::Kind::ambiguous);
+  for (const char* none : {"Rob", "robot", "t#Robot", "other:Robot", "capability Robot", "https", ""}) {
+    EXPECT_FALSE(ontology.find(none)) << none;
+  }
+}
+
 TEST(Ontology, HasThingAndNothing) {
   const Ontology ontology = owl::loaded(owl::robots);
   const auto thing = ontology.find("owl:Thing");
