@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/graph/graph.hpp"
 #include "reasoning/syntax/owlxml/writer.hpp"
 

@@ -37,6 +37,25 @@ TEST_F(Export, IsAskedByInferenceInBothSyntaxes) {
   }
 }
 
+TEST_F(Export, WritesClassExpressionsSoThatInferenceSeesWhatTheyDescribe) {
+  peer_.say("0 sys describe concept=\"capability:Robot and capability:hasPart some capability:Gripper\"");
+  peer_.say(
+      "5 pub create mode=oto port=5002 concept=\"soccer:SharedBallInfo and geminga:carries some soccer:BallInfo\"");
+  EXPECT_THAT(peer_.lines_until_pong(), IsEmpty());
+  for (const std::string format : {"turtle", "ntriples"}) {
+    const auto service = asked(bench_, format,
+                               "SELECT ?port WHERE { ?service geminga:provides ?it ; geminga:port ?port . "
+                               "?it a <https://geminga.example/soccer#BallInfo> }");
+    EXPECT_THAT(service.out, HasSubstr("5002")) << format << service.errors;
+    const auto robot =
+        asked(bench_, format,
+              "PREFIX owl: <http://www.w3.org/2002/07/owl#> PREFIX c: <https://geminga.example/capability#> "
+              "SELECT ?name WHERE { ?robot geminga:name ?name ; a [ a owl:Restriction ; "
+              "owl:onProperty c:hasCapability ; owl:someValuesFrom c:Grasping ] }");
+    EXPECT_THAT(robot.out, HasSubstr("robot0")) << format << robot.errors;
+  }
+}
+
 TEST_F(Export, TellsAHostileNameAsTextAndNothingElse) {
   Talk hostile = bench_.talk();
   hostile.say("0 sys hello name=intruder");

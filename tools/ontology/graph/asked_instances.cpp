@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "ontology/individuals/realized_files.hpp"
 #include "reasoning/realization/realization.hpp"
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/rdf/mapping/class_expression.hpp"
 
 namespace geminga::ontology {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reasoning/owl/loaded_file.hpp"
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::ontology {

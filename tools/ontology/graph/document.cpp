@@ -6,7 +6,7 @@
 
 #include "ontology/graph/asserted.hpp"
 #include "reasoning/owl/loaded_file.hpp"
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::ontology {

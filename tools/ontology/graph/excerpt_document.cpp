@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "reasoning/owl/datatypes.hpp"
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::ontology {

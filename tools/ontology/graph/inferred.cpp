@@ -8,7 +8,7 @@
 #include "base/budget.hpp"
 #include "ontology/loading/hierarchy.hpp"
 #include "reasoning/owl/left_out.hpp"
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::ontology {

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "query/triples/class_triples.hpp"
+
 namespace geminga::query {
 namespace {
 
@@ -46,6 +48,7 @@ class Writing {
       triples_.add_type(it, iri);
     } else {
       add_text(it, "expression", record["concept"]);
+      classes_.add(it, record["concept"]);
     }
     add_attributes(it, record);
   }
@@ -53,10 +56,12 @@ class Writing {
   void add_service(const Record& record) {
     const std::string it = add_common(record, record["service"], "Publication", "offers");
     add_number(it, "used", record["used"] == "1" ? "true" : "false", "boolean");
-    const std::string_view concept_iri = iri_in(record["concept"]);
+    const std::string_view concept_text = record["concept"];
+    const std::string_view concept_iri = iri_in(concept_text);
     const std::string_view representation = iri_in(record["representation"]);
-    if (concept_iri.empty() && representation.empty()) return;
     const std::string information = it + "#information";
+    const bool has_expression = concept_iri.empty() && !concept_text.empty() && classes_.add(information, concept_text);
+    if (concept_iri.empty() && !has_expression && representation.empty()) return;
     triples_.add_word(it, "provides", iri_node(information));
     if (!concept_iri.empty()) triples_.add_type(information, concept_iri);
     if (representation.empty()) return;
@@ -72,6 +77,7 @@ class Writing {
 
   [[nodiscard]] std::string finish() && {
     for (const std::string& property : properties_) triples_.add_type(property, datatype_property);
+    classes_.write(triples_);
     return std::move(triples_).finish();
   }
 
@@ -130,6 +136,7 @@ class Writing {
   }
 
   Triples triples_;
+  ClassTriples classes_;              ///< individuals of class expressions
   std::set<std::string> properties_;  ///< of attributes
 };
 

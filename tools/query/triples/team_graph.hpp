@@ -18,8 +18,9 @@ struct Team {
   std::vector<Record> requests;
 };
 
-/// The document, in the order of the records. An offered class is the type of the publication's information, so that
-/// what is subsumed is found by inference. Attributes are properties of https://geminga.example/attribute#, which are
+/// The document, in the order of the records. An offered class is the type of the publication's information, and what
+/// describes a participant its type, so that what is subsumed is found by inference; a class expression is one as OWL
+/// writes it, and beside that a text. Attributes are properties of https://geminga.example/attribute#, which are
 /// declared. Linear in the records.
 [[nodiscard]] std::string team_document(const Team& team, TripleSyntax syntax);
 

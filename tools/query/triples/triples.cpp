@@ -83,14 +83,14 @@ std::string Triples::predicate_node(std::string_view predicate) const {
   return is_ours ? "geminga:" + std::string(predicate.substr(core_namespace.size())) : iri_node(predicate);
 }
 
-void Triples::add(std::string_view subject, std::string_view predicate, std::string_view object) {
+void Triples::add_nodes(const std::string& subject, std::string_view predicate, std::string_view object) {
   const bool goes_on = syntax_ == TripleSyntax::turtle && subject == subject_;
   if (goes_on) {
     text_ += " ;\n    ";
   } else {
     if (!subject_.empty()) text_ += " .\n";
     if (syntax_ == TripleSyntax::turtle) subject_ = subject;
-    text_ += (syntax_ == TripleSyntax::turtle ? "\n" : "") + iri_node(subject) + ' ';
+    text_ += (syntax_ == TripleSyntax::turtle ? "\n" : "") + subject + ' ';
   }
   text_ += predicate_node(predicate) + ' ';
   text_ += object;

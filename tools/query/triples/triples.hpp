@@ -27,7 +27,11 @@ class Triples {
   explicit Triples(TripleSyntax syntax);
 
   /// The subject and the predicate are IRIs, the object is a node.
-  void add(std::string_view subject, std::string_view predicate, std::string_view object);
+  void add(std::string_view subject, std::string_view predicate, std::string_view object) {
+    add_nodes(iri_node(subject), predicate, object);
+  }
+  /// The subject is a node, too, which may be a blank one such as `_:g1`.
+  void add_nodes(const std::string& subject, std::string_view predicate, std::string_view object);
   /// A triple with a word of the core vocabulary's namespace as its predicate.
   void add_word(std::string_view subject, std::string_view word, std::string_view object) {
     add(subject, std::string(core_namespace) + std::string(word), object);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/graph/literals.hpp"
 
 namespace geminga::graph {

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reasoning/syntax/graph/node.hpp"
+#include "reasoning/syntax/graph/axioms/node.hpp"
 #include "reasoning/syntax/graph/statements.hpp"
 #include "reasoning/syntax/graph/world.hpp"
 

@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "reasoning/syntax/error.hpp"
+#include "reasoning/syntax/graph/axioms/node.hpp"
 #include "reasoning/syntax/graph/limits.hpp"
-#include "reasoning/syntax/graph/node.hpp"
 
 namespace geminga::graph {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reasoning/syntax/graph/node.hpp"
+#include "reasoning/syntax/graph/axioms/node.hpp"
 #include "reasoning/syntax/graph/world.hpp"
 
 namespace geminga::graph {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "reasoning/syntax/graph/node.hpp"
+#include "reasoning/syntax/graph/axioms/node.hpp"
 
 namespace geminga::graph {
 

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 
 namespace geminga::graph {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "reasoning/syntax/graph/axiom_triples.hpp"
+#include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/graph/graph.hpp"
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "reasoning/syntax/rdf/reading.hpp"
