@@ -56,6 +56,7 @@ struct NamedSubscription {
   std::string rank{};
   std::string scope{};
   std::uint32_t convert = 0;
+  std::string on{};  ///< a class or a class expression that must describe the provider's participant; empty: any
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
@@ -101,6 +102,7 @@ struct SubscriptionChange {
   std::optional<std::string> rank{};                      ///< empty: the usual order again
   std::optional<std::string> scope{};                     ///< empty: all hosts again
   std::optional<std::uint32_t> convert{};                 ///< 0: no conversions
+  std::optional<std::string> on{};                        ///< empty: any participant again
   friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
 };
 

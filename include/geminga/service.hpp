@@ -110,6 +110,8 @@ struct Subscription {
   /// choice.
   std::vector<ServiceKey> chosen{};
   std::uint32_t convert = 0;  ///< the largest cost of converting (CONVERSIONS.md); 0: not at all
+  /// The class expression that must describe the provider's participant, or a class as `<IRI>`; empty: any participant.
+  std::string on{};
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

@@ -74,6 +74,7 @@ constexpr auto why_keys = std::to_array<Key>(
      {"rank", "The criteria by which providers are ranked first"},
      where_key,
      {"protocol", "In one of these protocols, separated by commas"},
+     {"on", "On participants that are known to be this: a class or a class expression"},
      {"scope", "From these hosts: host, group, any or names, and ! before what is excluded"},
      {"limit", "From so many at most", number},
      convert_key,

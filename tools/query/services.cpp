@@ -41,7 +41,7 @@ shell::Table table_of_services(const std::vector<Record>& records, bool unused) 
 
 std::string request_words(const Record& record) {
   std::string words;
-  for (const char* key : {"convert", "protocol", "scope", "favour", "prefer", "rank"}) {
+  for (const char* key : {"convert", "protocol", "scope", "on", "favour", "prefer", "rank"}) {
     if (record[key].empty()) continue;
     const bool is_of_several = record[key].contains(' ');
     words += std::string(words.empty() ? "" : " ") + key + '=' + (is_of_several ? "\"" : "") +

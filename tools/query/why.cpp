@@ -43,6 +43,7 @@ constexpr auto request_flags = std::to_array<Flag>({
     {"--favour", "favour", "PARTICIPANT[/PEER],...", "First from these, then from all others"},
     {"--prefer", "prefer", "WISHES", "Those whose attributes are best, e.g. 'rate desc'"},
     {"--rank", "rank", "CRITERIA", "By what providers are ranked first"},
+    {"--on", "on", "EXPRESSION", "On participants that are known to be this, by their descriptions"},
     {"--scope", "scope", "HOSTS", "From these hosts: host, group, any, names, and ! before what is excluded"},
     {"--convert", "convert", "yes|no|COST", "Also what can be converted at this cost"},
     {"--limit", "limit", "N", "From so many at most; unless told from one where the mode is oto, else from all"},

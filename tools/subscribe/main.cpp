@@ -82,6 +82,9 @@ void add_to(CLI::App& app, Options& options) {
       ->allow_extra_args(false);
   app.add_option("--scope", options.subscription.scope, "Only services on these hosts: host, any, HOST[/PEER], !HOST")
       ->type_name("SCOPE");
+  app.add_option("--on", options.subscription.on,
+                 "Only on robots that are known to be this by their descriptions: a class or a class expression")
+      ->type_name("EXPRESSION");
   app.add_option("--favour", options.favoured, "First these providers, in this order, then all others")
       ->type_name("PARTICIPANT[/PEER]")
       ->delimiter(',')

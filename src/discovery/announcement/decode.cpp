@@ -229,6 +229,7 @@ Decoded<NumberedSubscription> subscription_of(const wire::Subscription& message,
   if (!chosen) return Failure(DecodeError::bad_identifier);
   subscription.chosen = std::move(*chosen);
   subscription.convert = message.convert();
+  subscription.on = message.on();
   if (const auto fault = find_fault(subscription)) return Failure(fault->word);
   return numbered;
 }

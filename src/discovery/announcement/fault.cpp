@@ -44,15 +44,16 @@ Found iri_fault(std::string_view field, std::string_view iri) {
   return fault(word, ErrorCode::malformed, std::string(field) + " is no IRI: " + base::printable(iri));
 }
 
-Found concept_fault(const std::string& text) {
+Found concept_fault(const std::string& text, std::size_t most) {
   constexpr auto word = DecodeError::bad_identity;
   if (!has_expression(SemanticIdentity{text, {}})) return iri_fault("concept", text);
-  if (text.size() > max_expression_bytes) return oversized(word, "the expression", text.size(), max_expression_bytes);
+  if (text.size() > most) return oversized(word, "the expression", text.size(), most);
   if (base::is_valid_utf8(text) && !base::has_control_character(text)) return std::nullopt;
   return fault(word, ErrorCode::malformed, "an expression must be UTF-8 without control characters");
 }
 
-Found identity_fault(const Identity& identity) {
+/// `most`: octets of an expression.
+Found identity_fault(const Identity& identity, std::size_t most = max_expression_bytes) {
   constexpr auto word = DecodeError::bad_identity;
   if (const auto* text = std::get_if<TextIdentity>(&identity)) {
     if (text->text.size() > max_text_identity_bytes) {
@@ -64,7 +65,7 @@ Found identity_fault(const Identity& identity) {
     return fault(word, ErrorCode::malformed, "text must be UTF-8 without control characters, and not empty");
   }
   if (const auto* semantic = std::get_if<SemanticIdentity>(&identity)) {
-    if (auto found = concept_fault(semantic->concept_iri)) return found;
+    if (auto found = concept_fault(semantic->concept_iri, most)) return found;
     if (!semantic->representation_iri.empty()) return iri_fault("representation", semantic->representation_iri);
   }
   return std::nullopt;
@@ -167,6 +168,7 @@ Found filters_fault(const Subscription& subscription) {
   if (auto found = providers_fault(subscription.favoured)) return found;
   if (auto found = filter_fault("prefer", subscription.prefer, max_prefer_bytes)) return found;
   if (auto found = filter_fault("rank", subscription.rank, max_rank_bytes)) return found;
+  if (auto found = filter_fault("on", subscription.on, max_expression_bytes)) return found;
   return filter_fault("scope", subscription.scope, max_scope_bytes);
 }
 
@@ -183,8 +185,9 @@ bool is_valid_iri(std::string_view iri) {
 }
 
 std::optional<Fault> find_fault(const Publication& publication) {
-  if (auto found = identity_fault(publication.identity)) return found;
   const bool is_description = publication.mode == ChannelMode::participant;
+  const std::size_t most = is_description ? max_described_bytes : max_expression_bytes;
+  if (auto found = identity_fault(publication.identity, most)) return found;
   if (is_description && !std::holds_alternative<SemanticIdentity>(publication.identity)) {
     return fault(DecodeError::bad_identity, ErrorCode::malformed, "a participant is described by a class expression");
   }

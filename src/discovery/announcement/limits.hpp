@@ -25,6 +25,8 @@ inline constexpr std::size_t max_entry_bytes = 720;
 inline constexpr std::size_t max_iri_bytes = 255;
 /// A class expression that is asked for instead of a concept, in octets of its canonical form.
 inline constexpr std::size_t max_expression_bytes = 400;
+/// The class expression of a description, which has no other large part. The rest of max_entry_bytes is for attributes.
+inline constexpr std::size_t max_described_bytes = 640;
 /// Services of a choice that are written one by one. For more than these each participant is written once
 /// (wire_choice.hpp).
 inline constexpr std::size_t max_listed_choice = 16;

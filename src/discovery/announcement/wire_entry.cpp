@@ -121,6 +121,7 @@ wire::Subscription to_wire(const NumberedSubscription& numbered, TermTable& term
   message.set_scope(numbered.subscription.scope);
   write_choice(numbered.subscription.chosen, message);
   message.set_convert(numbered.subscription.convert);
+  message.set_on(numbered.subscription.on);
   return message;
 }
 

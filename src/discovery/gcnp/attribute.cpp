@@ -62,7 +62,8 @@ std::string shown_key(std::string_view attribute) {
 }
 
 std::string stated_key(std::string_view attribute) {
-  const bool is_bare = !attribute.starts_with(attribute_prefix) && attribute_name(attribute).has_value();
+  const bool is_like_a_key = is_key_of_requests(attribute) || mistyped_key(attribute, keys_of_requests);
+  const bool is_bare = !attribute.starts_with(attribute_prefix) && !is_like_a_key && attribute_name(attribute);
   return std::string(is_bare ? "" : attribute_prefix) + std::string(attribute);
 }
 

@@ -22,7 +22,8 @@ namespace geminga::gcnp {
 
 /// The key under which the daemon shows an attribute: its name, or `attr.NAME` if that could be taken for a key.
 [[nodiscard]] std::string shown_key(std::string_view attribute);
-/// The key under which a client states an attribute: its name if attribute_name() takes it, else `attr.NAME`.
+/// The key under which a client states an attribute: its name if no statement takes it for a key or a mistyped one,
+/// else `attr.NAME`.
 [[nodiscard]] std::string stated_key(std::string_view attribute);
 
 }  // namespace geminga::gcnp

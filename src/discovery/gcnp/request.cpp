@@ -90,6 +90,7 @@ void read_wishes(KeyReader& keys, NamedSubscription& subscription) {
   subscription.rank = keys.text("rank", max_rank_bytes).value_or("");
   subscription.scope = keys.text("scope", max_scope_bytes).value_or("");
   subscription.convert = keys.conversion().value_or(0);
+  subscription.on = keys.text("on", max_concept_bytes).value_or("");
 }
 
 Request read_sub_create(KeyReader& keys) {
@@ -125,6 +126,7 @@ Request read_sub_modify(KeyReader& keys) {
   change.rank = keys.text("rank", max_rank_bytes);
   change.scope = keys.text("scope", max_scope_bytes);
   change.convert = keys.conversion();
+  change.on = keys.text("on", max_concept_bytes);
   change.attributes = keys.attributes();
   return change;
 }
@@ -147,7 +149,10 @@ Request read_query_participants(KeyReader& keys) {
   query.weakest = keys.degree("degree").value_or(Degree::narrower);
   query.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
   query.where = keys.text("where", max_where_bytes).value_or("");
-  const bool has_conditions = query.weakest != Degree::narrower || !query.providers.empty() || !query.where.empty();
+  query.limit = keys.number("limit").value_or(0);
+  query.missing = keys.flag("missing");
+  const bool has_conditions = query.weakest != Degree::narrower || !query.providers.empty() || !query.where.empty() ||
+                              query.limit != 0 || query.missing;
   keys.require(!has_conditions || !query.concept_name.empty(), "concept", "say concept=EXPRESSION, what they shall be");
   return query;
 }
@@ -378,7 +383,8 @@ Subscription with_identity(const NamedSubscription& named, Identity identity) {
           .prefer = named.prefer,
           .rank = named.rank,
           .scope = named.scope,
-          .convert = named.convert};
+          .convert = named.convert,
+          .on = named.on};
 }
 
 void apply(const PubModify& change, Publication& publication) { apply_stated(change, publication); }

@@ -90,7 +90,9 @@ struct QueryParticipants {
   std::string concept_name;  ///< a class or an expression: only those that it describes; empty: all
   Degree weakest = Degree::narrower;
   std::vector<ProviderFilter> providers;
-  std::string where;  ///< about the attributes of the description
+  std::string where;        ///< about the attributes of the description
+  std::uint32_t limit = 0;  ///< the best so many; 0: all
+  bool missing = false;     ///< also those that come near, with what they lack
   friend bool operator==(const QueryParticipants&, const QueryParticipants&) = default;
 };
 struct QueryServices {

@@ -58,6 +58,7 @@ void append_wishes(Parameters& parameters, const NamedSubscription& subscription
   append_stated(parameters, "rank", subscription.rank);
   append_stated(parameters, "scope", subscription.scope);
   if (subscription.convert != 0) append(parameters, "convert", conversion_word(subscription.convert));
+  append_stated(parameters, "on", subscription.on);
   if (subscription.limit) append(parameters, "limit", *subscription.limit);
 }
 
@@ -156,6 +157,7 @@ struct Writer {
     if (change.rank) append(parameters, "rank", *change.rank);
     if (change.scope) append(parameters, "scope", *change.scope);
     if (change.convert) append(parameters, "convert", conversion_word(*change.convert));
+    if (change.on) append(parameters, "on", *change.on);
     if (change.limit) append(parameters, "limit", *change.limit);
     append_own_attributes(parameters, change.attributes);
   }
@@ -167,6 +169,8 @@ struct Writer {
     if (query.weakest != Degree::narrower) append(parameters, "degree", std::string(to_string(query.weakest)));
     append_stated(parameters, "provider", provider_list(query.providers));
     append_stated(parameters, "where", query.where);
+    if (query.limit != 0) append(parameters, "limit", query.limit);
+    if (query.missing) append(parameters, "missing", "1");
   }
   void operator()(const QueryServices& query) const {
     auto& parameters = begin("query", "services");

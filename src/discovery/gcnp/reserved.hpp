@@ -47,7 +47,15 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
 
 /// Keys of the daemon's own lines that a client may still state as attributes. Such attributes are written `attr.NAME`
 /// in every line of the daemon, so that none can be taken for a key. Words are only ever appended.
-inline constexpr auto keys_of_lines = std::to_array<std::string_view>({"why", "because", "unplaced", "placed"});
+inline constexpr auto keys_of_lines = std::to_array<std::string_view>({"why", "because", "unplaced", "placed", "on"});
+
+/// Keys of a `sub` that a `pub` may state as attributes. Both may state such an attribute as `attr.NAME`. Words are
+/// only ever appended.
+inline constexpr auto keys_of_requests = std::to_array<std::string_view>({"on"});
+
+[[nodiscard]] constexpr bool is_key_of_requests(std::string_view key) {
+  return std::ranges::find(keys_of_requests, key) != keys_of_requests.end();
+}
 
 [[nodiscard]] constexpr bool is_key_of_lines(std::string_view key) {
   return std::ranges::find(keys_of_lines, key) != keys_of_lines.end();

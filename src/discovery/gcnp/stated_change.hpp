@@ -45,6 +45,7 @@ void apply_stated(const SubscriptionChange& change, Subscription& subscription) 
   subscription.prefer = change.prefer.value_or(subscription.prefer);
   subscription.rank = change.rank.value_or(subscription.rank);
   subscription.convert = change.convert.value_or(subscription.convert);
+  subscription.on = change.on.value_or(subscription.on);
 }
 
 }  // namespace geminga::gcnp

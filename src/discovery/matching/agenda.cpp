@@ -35,7 +35,8 @@ void replace_by_null(std::vector<const Stored*>& entries, const Stored& gone) {
 }  // namespace
 
 bool Agenda::is_empty() const {
-  if (!spreads_.empty() || !reviews_.empty() || !anew_.empty() || pairs_.has_postponed()) return false;
+  if (!spreads_.empty() || !reviews_.empty() || !anew_.empty() || !described_.empty()) return false;
+  if (pairs_.has_postponed()) return false;
   const auto& other = editions_.other().converters;
   return !editions_.in_force().converters->has_stale() && (other == nullptr || !other->has_stale());
 }
@@ -55,6 +56,10 @@ bool Agenda::next() {
     anew_.pop_back();
     ++passed_;
     if (subscription != nullptr) reviews_.push_back(review(*subscription, Review::Kind::all));
+    if (reviews_.empty()) return true;
+  }
+  if (reviews_.empty() && !described_.empty()) {
+    take_described();
     if (reviews_.empty()) return true;
   }
   if (!reviews_.empty()) {
@@ -105,6 +110,10 @@ Agenda::Review Agenda::review(const StoredSubscription& subscription, Review::Ki
 void Agenda::judge(const StoredSubscription& subscription, std::unique_ptr<Cause> cause) {
   reviews_.push_back(review(subscription, Review::Kind::all));
   reviews_.back().cause = std::move(cause);
+}
+
+void Agenda::judge_services_of(ParticipantId participant) {
+  for (const ServiceKey& subscription : directory_.asking_on()) described_.emplace(subscription, participant);
 }
 
 void Agenda::judge_anew(const std::vector<const StoredSubscription*>& subscriptions) {
@@ -198,6 +207,20 @@ void Agenda::take_postponed() {
   for (const auto* subscription : pairs_.take_postponed()) {
     reviews_.push_back(review(*subscription, Review::Kind::refill));
   }
+}
+
+void Agenda::take_described() {
+  const auto [key, participant] = *described_.begin();
+  described_.erase(described_.begin());
+  ++passed_;
+  const StoredSubscription* subscription = directory_.subscriptions().find(key);
+  if (subscription == nullptr || directory_.is_going(*subscription)) return;
+  Review one{.subscription = subscription, .kind = Review::Kind::all, .cause = nullptr, .candidates = {}, .left = {}};
+  for (const StoredPublication* publication : directory_.publications().of_participant(participant)) {
+    const bool is_considered = pairs_.considered_by(*publication).contains(subscription->slot);
+    (is_considered ? one.candidates : one.left).push_back(publication);
+  }
+  if (!one.candidates.empty() || !one.left.empty()) reviews_.push_back(std::move(one));
 }
 
 bool Agenda::take_stale() {

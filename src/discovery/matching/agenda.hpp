@@ -7,6 +7,8 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "discovery/matching/cause.hpp"
@@ -24,8 +26,8 @@ inline constexpr std::size_t max_passed_in_step = 512;
 inline constexpr std::size_t max_rejudged_at_once = 64;
 
 /// The rest of changes: publications that are judged with all who may ask for them, subscriptions that are judged with
-/// all that they may meet, and subscriptions that are stale because a converter came or went. Each of them keeps
-/// what it was given until its step.
+/// all that they may meet or with the services of a participant that is another by its description, and subscriptions
+/// that are stale because a converter came or went. Each of them keeps what it was given until its step.
 class Agenda {
  public:
   Agenda(const Editions& editions, const Directory& directory, const Judge& judge, Pairs& pairs)
@@ -50,6 +52,9 @@ class Agenda {
              std::vector<const registry::StoredSubscription*> concerned, bool must_look_back);
   /// Judges a subscription with all that it may meet, and settles it. Without a cause nothing was replaced.
   void judge(const registry::StoredSubscription& subscription, std::unique_ptr<Cause> cause);
+  /// Judges the services of a participant with the subscriptions that ask for what it is, because its description has
+  /// come, changed or gone.
+  void judge_services_of(ParticipantId participant);
   void judge_anew(const std::vector<const registry::StoredSubscription*>& subscriptions);
   /// Takes up the consumers that wait for a publication which has room again.
   void relieve();
@@ -101,6 +106,7 @@ class Agenda {
                    const Cause& cause);
   [[nodiscard]] Review review(const registry::StoredSubscription& subscription, Review::Kind kind) const;
   void take_postponed();
+  void take_described();
   bool take_stale();
 
   const Editions& editions_;
@@ -110,6 +116,8 @@ class Agenda {
   std::deque<Spread> spreads_;
   std::deque<Review> reviews_;
   std::vector<const registry::StoredSubscription*> anew_;  ///< subscriptions whose review has not begun
+  /// Subscriptions that ask for what participants are, each with one whose services it has to judge again.
+  std::set<std::pair<ServiceKey, ParticipantId>> described_;
   std::uint64_t passed_ = 0;
 };
 

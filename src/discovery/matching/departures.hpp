@@ -60,7 +60,9 @@ class Departures {
   void erase(const Stored& stored, std::set<Id32>& numbers) {
     if (clashes_.contains(stored.identity)) numbers.insert(stored.identity);
     agenda_.forget(stored);
+    const ServiceKey key = stored.entry.key;
     directory_.erase(stored);
+    if (key == description_key(key.participant)) agenda_.judge_services_of(key.participant);
   }
   /// Has judged what may be another match after entries with these clashing numbers were erased. Takes some of them.
   void review(std::set<Id32>& numbers);

@@ -44,6 +44,7 @@ const StoredSubscription& Directory::add(SubscriptionEntry entry, Request reques
   if (stored.slot >= of_subscription_.size()) of_subscription_.resize(stored.slot + 1);
   known(stored) = {
       .stored = &stored, .request = kept(std::move(request)), .generation = editions_.in_force().generation};
+  if (!stored.entry.subscription.on.empty()) asking_on_.insert(stored.entry.key);
   watch(stored);
   return stored;
 }
@@ -55,6 +56,11 @@ ReplacedSubscription Directory::replace(const StoredSubscription& stored, Subscr
   ReplacedSubscription before{subscriptions_.replace(stored, std::move(entry), plan.filing()),
                               *std::exchange(subscription.request, kept(std::move(request))),
                               std::exchange(subscription.generation, editions_.in_force().generation)};
+  if (stored.entry.subscription.on.empty()) {
+    asking_on_.erase(stored.entry.key);
+  } else {
+    asking_on_.insert(stored.entry.key);
+  }
   watch(stored);
   return before;
 }
@@ -83,6 +89,7 @@ void Directory::erase(const StoredPublication& stored) {
 
 void Directory::erase(const StoredSubscription& stored) {
   unwatch(stored);
+  asking_on_.erase(stored.entry.key);
   known(stored) = {};
   subscriptions_.erase(stored);
 }

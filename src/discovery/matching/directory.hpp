@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -117,6 +118,8 @@ class Directory {
   /// The same in no particular order, and perhaps more than once. Looks at none of them.
   [[nodiscard]] std::vector<const registry::StoredSubscription*> subscriptions_found_for(
       const registry::StoredPublication& publication) const;
+  /// The subscriptions that ask for what the provider's participant is.
+  [[nodiscard]] const std::set<ServiceKey>& asking_on() const { return asking_on_; }
   /// Every slot of a subscription is less than this.
   [[nodiscard]] std::size_t subscription_slots() const { return of_subscription_.size(); }
   /// Calls `visit` once for each publication that a subscription may meet, those that are about to be erased included.
@@ -184,6 +187,7 @@ class Directory {
   registry::Subscriptions subscriptions_;
   std::vector<KnownPublication> of_publication_;    ///< by slot
   std::vector<KnownSubscription> of_subscription_;  ///< by slot
+  std::set<ServiceKey> asking_on_;
   std::uint64_t arrivals_ = 0;
   std::uint64_t filed_ = 0;
 };

@@ -41,7 +41,10 @@ Finding Examination::examine(const StoredSubscription& stored, const Offer& offe
   const auto* requested = std::get_if<SemanticIdentity>(&asked.subscription.identity);
   const bool may_overlap = requested != nullptr && asked.subscription.weakest == Degree::overlapping;
   const bool may_compare = offer.classes.place && has_expression(asked.subscription.identity);
-  if (is_current && !may_overlap && !may_compare) return judge_.examine(asked, known, offer, edition);
+  const bool may_compare_on = known.on && known.on->compares;
+  if (is_current && !may_overlap && !may_compare && !may_compare_on) {
+    return judge_.examine(asked, known, offer, edition);
+  }
   Request anew = is_current ? known : preparation_.prepare(asked, false);
   // Questions are those of the peer that examines, and take nothing of the consumer's share.
   if (may_overlap) {
@@ -50,12 +53,14 @@ Finding Examination::examine(const StoredSubscription& stored, const Offer& offe
       return preparation_.overlap(offered, of_offer, *requested, classes);
     };
   }
-  if (may_compare && anew.classes.place) {
-    anew.compares = [this, requested, classes = anew.classes](
-                        const vocabulary::Vocabulary&, const SemanticIdentity& offered, const Classes& of_offer) {
-      return preparation_.compare(offered, of_offer, *requested, classes);
+  const auto comparing = [this](const SemanticIdentity& wanted, const Classes& wanted_classes) -> AskComparison {
+    return [this, wanted, wanted_classes](const vocabulary::Vocabulary&, const SemanticIdentity& offered,
+                                          const Classes& of_offer) {
+      return preparation_.compare(offered, of_offer, wanted, wanted_classes);
     };
-  }
+  };
+  if (may_compare && anew.classes.place) anew.compares = comparing(*requested, anew.classes);
+  if (anew.on && anew.on->compares) anew.on->compares = comparing(anew.on->identity, anew.on->classes);
   return judge_.examine(asked, anew, offer, edition);
 }
 

@@ -174,6 +174,7 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
     say("protocol: " + base::printable(offered.protocol) + " is offered, and none of those asked for");
   }
   if (!found.is_scope_met) say(scope_misfit(subscription, request, offer));
+  if (!found.is_on_met) say("on: the participant is not known to be " + subscription.subscription.on);
   if (!request.where) {
     const std::string problem = unit_problem(asked.where, vocabulary.units());
     say("filter: it cannot be read" + (problem.empty() ? "" : ": " + problem));

@@ -29,6 +29,8 @@ class Judge {
   /// The finding about an offer and a request made by the vocabulary of the edition.
   [[nodiscard]] Finding examine(const registry::SubscriptionEntry& asked, const Request& request, const Offer& offer,
                                 const Edition& edition) const;
+  /// The offer with the description of its participant, where the request asks for that. Borrows both.
+  [[nodiscard]] Offer described(Offer offer, const Request& request, const Edition& edition) const;
   /// Counts a pair that is judged elsewhere. Whether a clash of numbers keeps it apart.
   [[nodiscard]] bool is_kept_apart(const Identity& offered, const Identity& requested) const {
     ++judged_;

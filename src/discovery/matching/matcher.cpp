@@ -78,6 +78,8 @@ void Matcher::put(PublicationEntry entry) {
     }
     pairs_.judge_anew(anew, cause);
   }
+  if (known->entry.publication.mode == ChannelMode::participant)
+    agenda_.judge_services_of(known->entry.key.participant);
   agenda_.relieve();
   if (was_idle) agenda_.take_some();
 }

@@ -46,8 +46,9 @@ constexpr std::string_view words[] = {"none",
                                       "nobody",
                                       "ontology_differs",
                                       "incomplete",
-                                      "unclassified_offer"};
-static_assert(std::size(words) == std::to_underlying(Obstacle::unclassified_offer) + 1U);
+                                      "unclassified_offer",
+                                      "on"};
+static_assert(std::size(words) == std::to_underlying(Obstacle::on) + 1U);
 
 bool is_similar(const std::string& a, const std::string& b) {
   const std::size_t limit = base::tolerated_slips(a);
@@ -165,6 +166,7 @@ Obstacle Finding::first() const {
   if (!is_protocol_met) return Obstacle::protocol;
   if (!is_provider_met) return Obstacle::provider;
   if (!is_scope_met) return is_scope_readable ? Obstacle::scope : Obstacle::unreadable;
+  if (!is_on_met) return Obstacle::on;
   if (!is_where_met) return is_where_readable ? Obstacle::where : Obstacle::unreadable;
   if (!is_for_met) return is_for_readable ? Obstacle::for_whom : Obstacle::unreadable;
   return is_signature_met ? Obstacle::none : Obstacle::signature;
@@ -172,7 +174,7 @@ Obstacle Finding::first() const {
 
 std::size_t Finding::count() const {
   return std::size_t{identity != Obstacle::none} + !is_mode_met + !is_protocol_met + !is_provider_met + !is_scope_met +
-         !is_where_met + !is_for_met + !is_signature_met;
+         !is_on_met + !is_where_met + !is_for_met + !is_signature_met;
 }
 
 std::tuple<unsigned, std::size_t, unsigned, Match> Finding::remoteness() const {
@@ -194,6 +196,7 @@ Finding compared(const registry::SubscriptionEntry& subscription, const Request&
   finding.is_where_readable = request.where.has_value();
   finding.is_for_readable = offer.audience.condition.has_value();
   finding.is_scope_met = is_in_scope(subscription, request, offer);
+  finding.is_on_met = is_on(request, offer, vocabulary);
   finding.is_where_met = request.where && request.where->accepts(offer.entry, vocabulary.units());
   finding.is_for_met = offer.audience.condition && offer.audience.condition->accepts(subscription, vocabulary.units());
   std::optional<Match> by_signature;

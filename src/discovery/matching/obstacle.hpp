@@ -51,6 +51,7 @@ enum class Obstacle : std::uint8_t {
   ontology_differs,    ///< the consumer's host has another ontology, and the name is unknown here
   incomplete,          ///< neither is known to subsume the other, and the place of an expression may be incomplete
   unclassified_offer,  ///< the same as unclassified, of the offered expression
+  on,                  ///< the provider's participant is not known to be what is asked for
 };
 
 /// The word of GCNP. Static storage.
@@ -63,6 +64,7 @@ struct Finding {
   bool is_protocol_met = true;
   bool is_provider_met = true;
   bool is_scope_met = true;
+  bool is_on_met = true;
   bool is_where_met = true;
   bool is_for_met = true;
   bool is_signature_met = true;
@@ -75,7 +77,7 @@ struct Finding {
   std::optional<Match> match{};        ///< of identity and signature
 
   [[nodiscard]] bool meets() const { return first() == Obstacle::none; }
-  /// The first obstacle in the order identity, mode, protocol, provider, scope, conditions of both, signature.
+  /// The first obstacle in the order identity, mode, protocol, provider, scope, on, conditions of both, signature.
   [[nodiscard]] Obstacle first() const;
   /// How many of these are not met.
   [[nodiscard]] std::size_t count() const;

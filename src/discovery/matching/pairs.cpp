@@ -49,9 +49,11 @@ bool Pairs::was_chosen_unseen(const StoredPublication& publication, const Cause&
   const bool was_kept_apart =
       replaced->was_clashing && before.subscription.identity.index() != publication.entry.publication.identity.index();
   const bool was_announced = before.subscription.chosen.empty() || is_announced_choice(before, publication.entry);
-  return was_announced && !is_of_interest(before, publication.entry) && is_provider_told(before.subscription.mode) &&
-         !was_kept_apart &&
-         meets(before, replaced->before.request, directory_.offer(publication, edition), edition.vocabulary);
+  if (!was_announced || was_kept_apart || !is_provider_told(before.subscription.mode)) return false;
+  if (is_of_interest(before, publication.entry)) return false;
+  const Request& request = replaced->before.request;
+  const Offer offer = judge_.described(directory_.offer(publication, edition), request, edition);
+  return meets(before, request, offer, edition.vocabulary).has_value();
 }
 
 bool Pairs::is_hopeless(const StoredSubscription& subscription, const StoredPublication& publication,

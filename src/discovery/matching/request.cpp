@@ -25,22 +25,35 @@ AskOverlap asking(const Subscription& subscription, const Classes& classes, Part
 }
 
 /// The function by which a request asks about offered expressions; empty where it is for none.
-AskComparison asking(const Subscription& subscription, const Classes& classes, ParticipantId from,
-                     const Comparing& comparing) {
+AskComparison asking(const Identity& identity, const Classes& classes, ParticipantId from, const Comparing& comparing) {
   if (!classes.place) return {};
-  return [requested = std::get<SemanticIdentity>(subscription.identity), classes, from,
-          ask = comparing ? &comparing : nullptr](const vocabulary::Vocabulary& vocabulary,
-                                                  const SemanticIdentity& offered, const Classes& offered_classes) {
-    return ask == nullptr ? compared_at_once(vocabulary, offered, offered_classes, requested, classes)
-                          : (*ask)(vocabulary, offered, offered_classes, requested, classes, from);
-  };
+  return
+      [requested = std::get<SemanticIdentity>(identity), classes, from, ask = comparing ? &comparing : nullptr](
+          const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes) {
+        return ask == nullptr ? compared_at_once(vocabulary, offered, offered_classes, requested, classes)
+                              : (*ask)(vocabulary, offered, offered_classes, requested, classes, from);
+      };
 }
 
-/// The match of a pair; nothing where it does not meet. `overlaps` and `compares` are asked in the place of the
-/// request's own.
+/// The class of `<IRI>`, or the expression.
+SemanticIdentity identity_of(const std::string& on) {
+  const bool is_class = on.starts_with('<') && on.find('>') == on.size() - 1;
+  return {is_class ? on.substr(1, on.size() - 2) : on, {}};
+}
+
+bool is_described(const Robot& wanted, const Offer& offer, const vocabulary::Vocabulary& vocabulary,
+                  const AskComparison& compares) {
+  if (offer.described_as == nullptr) return false;
+  const auto match = degree_of_concept(*offer.described_as, *offer.described_classes, wanted.identity, wanted.classes,
+                                       vocabulary, compares);
+  return match && !is_weaker(match->degree, Degree::narrower);
+}
+
+/// The match of a pair; nothing where it does not meet. `overlaps`, `compares` and `compares_on` are asked in the place
+/// of the request's own.
 std::optional<Match> match_of(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
                               const vocabulary::Vocabulary& vocabulary, const AskOverlap& overlaps,
-                              const AskComparison& compares) {
+                              const AskComparison& compares, const AskComparison& compares_on) {
   const Subscription& asked = subscription.subscription;
   const PublicationEntry& entry = offer.entry;
   if (asked.mode != entry.publication.mode || !request.where) return std::nullopt;
@@ -52,6 +65,7 @@ std::optional<Match> match_of(const SubscriptionEntry& subscription, const Reque
   if (!request.where->accepts(entry, vocabulary.units())) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription, vocabulary.units()))
     return std::nullopt;
+  if (request.on && !is_described(*request.on, offer, vocabulary, compares_on)) return std::nullopt;
   if (!request.signature) return match;
   const auto by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);
   return by_signature ? std::optional(combined(*match, *by_signature)) : std::nullopt;
@@ -78,6 +92,10 @@ bool is_in_scope(const SubscriptionEntry& subscription, const Request& request, 
          offer.audience.scope->admits(provider, consumer);
 }
 
+bool is_on(const Request& request, const Offer& offer, const vocabulary::Vocabulary& vocabulary) {
+  return !request.on || is_described(*request.on, offer, vocabulary, request.on->compares);
+}
+
 Classes placed_classes(const Identity& identity, const vocabulary::Vocabulary& vocabulary, const Placing& placing,
                        ParticipantId from) {
   Classes classes = classes_of(identity, vocabulary);
@@ -96,15 +114,24 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
   auto scope = Scope::parse(subscription.scope);
   request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
   request.overlaps = asking(subscription, request.classes, from, overlapping);
-  request.compares = asking(subscription, request.classes, from, comparing);
+  request.compares = asking(subscription.identity, request.classes, from, comparing);
+  if (!subscription.on.empty()) {
+    Robot& on = request.on.emplace();
+    on.identity = identity_of(subscription.on);
+    on.classes = placed_classes(on.identity, vocabulary, placing, from);
+    on.compares = asking(on.identity, on.classes, from, comparing);
+  }
   if (has_signature(subscription.attributes)) request.signature = signature_of(subscription.attributes, vocabulary);
   return request;
 }
 
 Judgement judgement_of(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
                        const vocabulary::Vocabulary& vocabulary) {
-  const bool may_ask = request.overlaps || (request.compares && offer.classes.place);
-  if (!may_ask) return {match_of(subscription, request, offer, vocabulary, request.overlaps, request.compares)};
+  const AskComparison compares_on = request.on ? request.on->compares : AskComparison();
+  const bool may_ask = request.overlaps || (request.compares && offer.classes.place) || compares_on;
+  if (!may_ask) {
+    return {match_of(subscription, request, offer, vocabulary, request.overlaps, request.compares, compares_on)};
+  }
   bool waits = false;
   const auto noting = [&waits](const auto& ask) -> std::decay_t<decltype(ask)> {
     if (!ask) return {};
@@ -114,7 +141,8 @@ Judgement judgement_of(const SubscriptionEntry& subscription, const Request& req
       return answer;
     };
   };
-  auto match = match_of(subscription, request, offer, vocabulary, noting(request.overlaps), noting(request.compares));
+  auto match = match_of(subscription, request, offer, vocabulary, noting(request.overlaps), noting(request.compares),
+                        noting(compares_on));
   return {match, waits};
 }
 

@@ -22,6 +22,13 @@
 
 namespace geminga::matching {
 
+/// The class or expression that has to describe the provider's participant.
+struct Robot {
+  SemanticIdentity identity;
+  Classes classes;
+  AskComparison compares{};  ///< empty: it is no expression with a place
+};
+
 /// A subscription as it is compared: its classes, its parsed conditions and its preferences.
 struct Request {
   Classes classes;
@@ -31,6 +38,7 @@ struct Request {
   std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and admits nobody
   AskOverlap overlaps{};                 ///< empty: it accepts no overlapping concepts
   AskComparison compares{};              ///< empty: it asks for no expression
+  std::optional<Robot> on{};             ///< of the provider's participant; nothing: any participant
   AskChain chains{};                     ///< empty: declared conversions alone, or it asks for no representation
   AskChain chains_of_all{};              ///< of all converters, also those that it takes no part with; may be empty
   std::shared_ptr<const Consumer> consumer{};  ///< the consumer that asks `chains`; null where that is empty
@@ -39,7 +47,7 @@ struct Request {
   [[nodiscard]] static Request plain() { return {.classes = {}, .where = Where()}; }
   [[nodiscard]] bool is_plain() const {
     const bool has_class = classes.concept_class || classes.representation_class || classes.place;
-    const bool is_unconditional = where && where->is_empty() && scope && scope->is_everybody() && !signature;
+    const bool is_unconditional = !on && where && where->is_empty() && scope && scope->is_everybody() && !signature;
     return !has_class && is_unconditional && preferences.is_usual() && !overlaps && !chains && !chains_of_all &&
            consumer == nullptr;
   }
@@ -66,6 +74,9 @@ struct Offer {
   const Audience& audience;
   const Classes& classes;
   const Signature* signature = nullptr;  ///< null: it states none
+  // The description of the provider's participant, where the request asks for it; null: it has none.
+  const SemanticIdentity* described_as = nullptr;
+  const Classes* described_classes = nullptr;
 };
 
 /// An offer of a publication that is not stored. Borrows the entry.
@@ -88,6 +99,9 @@ struct Imagined {
 /// Whether each is in the scope of the other.
 [[nodiscard]] bool is_in_scope(const registry::SubscriptionEntry& subscription, const Request& request,
                                const Offer& offer);
+
+/// Whether the provider's participant is known to be what the request wants. What is not known is not so.
+[[nodiscard]] bool is_on(const Request& request, const Offer& offer, const vocabulary::Vocabulary& vocabulary);
 
 /// Whether the subscription accepts the degree of a match. Where the representation is converted, `match` limits the
 /// degree of the concept alone.

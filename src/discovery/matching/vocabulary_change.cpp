@@ -73,7 +73,7 @@ void VocabularyChange::catch_up(const StoredSubscription& subscription) {
 }
 
 bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Request& request) const {
-  if (!request.overlaps && !request.compares) return true;
+  if (!request.overlaps && !request.compares && !(request.on && request.on->compares)) return true;
   bool waits = false;
   directory_.visit_publications_for(
       subscription.entry.subscription, request, [&](const StoredPublication& publication) {
@@ -150,6 +150,8 @@ bool VocabularyChange::place_publications() {
   directory_.file(*waiting, edition);
   if (directory_.classes(*waiting, edition).place) {
     agenda_.judge(*waiting, nullptr, directory_.subscriptions_found_for(*waiting), false);
+    if (waiting->entry.publication.mode == ChannelMode::participant)
+      agenda_.judge_services_of(waiting->entry.key.participant);
   }
   return false;
 }
@@ -161,7 +163,9 @@ bool VocabularyChange::place_subscriptions() {
   const bool is_over = directory_.subscriptions().visit_after(place_walk_->at, [&](const StoredSubscription& stored) {
     before = std::exchange(place_walk_->at, stored.entry.key);
     const bool is_placed = directory_.request(stored).classes.place != nullptr;
-    const bool must_be_placed = !is_placed && has_expression(stored.entry.subscription.identity);
+    const auto& on = directory_.request(stored).on;
+    const bool is_on_unplaced = on && has_expression(on->identity) && on->classes.place == nullptr;
+    const bool must_be_placed = is_on_unplaced || (!is_placed && has_expression(stored.entry.subscription.identity));
     const bool is_due = must_be_placed || pairs_.is_waiting(stored);
     if (is_due && !directory_.is_going(stored)) waiting = &stored;
     return waiting == nullptr && ++passed < entries_in_step;

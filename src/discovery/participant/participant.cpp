@@ -186,8 +186,7 @@ void Participant::claimed() {
     all.clients.own().list_returning();
   }
   knowledge.self.id = all.air.announcer().id();
-  if (all.phase != Phase::ready && !all.settings.description.empty())
-    all.clients.own().describe(all.settings.description);
+  if (all.phase != Phase::ready) all.clients.own().begin_description(all.settings.description);
   all.phase = Phase::ready;
   all.air.announcer().changed();
   const std::string who = to_string(knowledge.self.id);

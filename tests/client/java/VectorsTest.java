@@ -223,6 +223,7 @@ final class VectorsTest {
     static void attributesAreToldFromSlips() throws Exception {
         for (String slip : List.of("wehre", "Where", "wheres", "whre", "atr.x", "pot")) Check.fails(LineException.class, () -> Keys.stated(slip));
         for (String name : List.of("rate", "camera", "ports2", "channel", "modes1", "x")) Check.equal(name, Keys.stated(name));
+        for (String name : List.of("on", "in")) Check.equal("attr." + name, Keys.stating(name));
         for (String key : Keys.reserved()) {
             Check.fails(LineException.class, () -> Keys.stated(key));
             Check.equal(key, Keys.stated(Keys.stating(key)));

@@ -80,6 +80,8 @@ test('who converts is a key behind a conversion, and else an attribute', () => {
 test('options become parameters, and a word that is none is told', () => {
   assert.deepEqual(parametersOf({ mode: 'oto', text: 'x', protocol: ['udp', 'tcp'], attributes: { rate: 30, port: 1 } }, 'sub'),
     [['mode', 'oto'], ['text', 'x'], ['protocol', 'udp,tcp'], ['rate', '30'], ['attr.port', '1']]);
+  assert.deepEqual(parametersOf({ mode: 'oto', id: 1, on: 'a:Robot', attributes: { on: 1, in: 2 } }, 'sub'),
+    [['mode', 'oto'], ['id', '1'], ['on', 'a:Robot'], ['attr.on', '1'], ['attr.in', '2']]);
   assert.throws(() => parametersOf({ mode: 'oto', prority: 3 }, 'pub'), /prority is no option/);
 });
 
@@ -91,6 +93,7 @@ test('limits of a request hold at their edges', () => {
   };
   edge(limits.maxCondition, (n) => `where=${'x'.repeat(n)}`);
   edge(limits.maxScope, (n) => `scope=${'x'.repeat(n)}`);
+  edge(limits.maxConcept, (n) => `on=${'x'.repeat(n)}`);
   edge(limits.maxPrefer, (n) => `prefer=${'x'.repeat(n)}`);
   edge(limits.maxRank, (n) => `rank=${'x'.repeat(n)}`);
   edge(limits.maxProviders, (n) => `provider=${Array(n).fill('a').join(',')}`);

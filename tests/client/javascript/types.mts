@@ -15,7 +15,7 @@ export async function use(signal: AbortSignal): Promise<number> {
   if (!publisher.send(new Uint8Array(8))) await publisher.drained({ signal });
   await publisher.modify({ attributes: { rate: 15 } });
   const subscriber: Subscriber = node.subscribe({
-    mode: 'oto', id: 7, provider: ['robot2', 'robot3'], convert: true, limit: 2, queue: 16, signal,
+    mode: 'oto', id: 7, provider: ['robot2', 'robot3'], convert: true, on: 'a:Robot', limit: 2, queue: 16, signal,
     conversions: { 'a:A>a:B': (payload) => payload.subarray(1) },
   });
   subscriber.convert('a:B>a:C', (payload) => payload);

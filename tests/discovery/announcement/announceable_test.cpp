@@ -86,11 +86,28 @@ TEST(Announceable, KeepsEachNamedLimitOfASubscription) {
   expect_limit(max_scope_bytes, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.scope = std::string(n, 's'); });
   });
+  expect_limit(max_expression_bytes, [](std::size_t n) {
+    return subscription_code_of([&](Subscription& s) { s.on = '<' + std::string(n - 2, 'o') + '>'; });
+  });
   expect_limit(max_accepted_protocols, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.protocols.assign(n, "udp"); });
   });
   expect_limit(max_protocol_bytes, [](std::size_t n) {
     return subscription_code_of([&](Subscription& s) { s.protocols = {std::string(n, 'p')}; });
+  });
+}
+
+TEST(Announceable, ADescriptionMayHaveALongerExpressionThanAService) {
+  const auto expression = [](std::size_t n) { return SemanticIdentity{"not <" + std::string(n - 6, 'c') + ">", ""}; };
+  expect_limit(max_expression_bytes,
+               [&](std::size_t n) { return code_of([&](Publication& p) { p.identity = expression(n); }); });
+  expect_limit(max_described_bytes, [&](std::size_t n) {
+    Publication description;
+    description.mode = ChannelMode::participant;
+    description.identity = expression(n);
+    description.attributes = {{"battery", "80 %"}};
+    const auto error = check(description);
+    return error ? std::optional(error->code) : std::nullopt;
   });
 }
 

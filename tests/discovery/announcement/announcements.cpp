@@ -109,6 +109,7 @@ Subscription random_subscription(Random& random) {
   std::ranges::sort(subscription.chosen);
   subscription.chosen.erase(std::ranges::unique(subscription.chosen).begin(), subscription.chosen.end());
   subscription.convert = random.chance(0.5) ? 0 : static_cast<std::uint32_t>(random.next());
+  if (random.chance(0.2)) subscription.on = "<" + random_iri(random) + ">";
   return subscription;
 }
 

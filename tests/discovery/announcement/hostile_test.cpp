@@ -251,6 +251,7 @@ TEST(Decode, RefusesEachViolationInAServiceByItsWord) {
       {"scope of 201 of a publication", [](M& m) { publication(m).set_scope(std::string(201, 's')); },
        DecodeError::bad_filter},
       {"for of 401", [](M& m) { publication(m).set_for_whom(std::string(401, 'w')); }, DecodeError::bad_filter},
+      {"on of 401", [](M& m) { subscription(m).set_on(std::string(401, 'o')); }, DecodeError::bad_filter},
       {"escape in prefer", [](M& m) { subscription(m).set_prefer("rate\x1b"); }, DecodeError::bad_filter},
       {"where of 400", [](M& m) { subscription(m).set_where(std::string(400, 'w')); }, {}},
       {"expression of 400",

@@ -240,6 +240,7 @@ TEST(Request, HasTextsUpToTheirLimits) {
       {"5 sub create mode=oto id=1 prefer=", max_prefer_bytes},
       {"5 sub create mode=oto id=1 rank=", max_rank_bytes},
       {"5 sub create mode=oto id=1 scope=", max_scope_bytes},
+      {"5 sub create mode=oto id=1 on=", max_concept_bytes},
       {"5 pub create mode=oto id=1 port=1 scope=", max_scope_bytes},
       {"5 pub create mode=oto id=1 port=1 for=", max_where_bytes},
       {"5 sub create mode=oto id=1 provider=", max_name_bytes},

@@ -45,11 +45,23 @@ bool Model::is_kept_apart(const Identity& offered, const Identity& requested) co
   return named != concepts_.end() && named->second.size() > 1;
 }
 
+std::optional<Match> Model::met(const SubscriptionEntry& subscription, const Request& request,
+                                const PublicationEntry& publication, const vocabulary::Vocabulary& by) const {
+  const Imagined imagined(publication, by, placing_);
+  const auto description = publications.find(description_key(publication.key.participant));
+  if (description == publications.end()) return matching::meets(subscription, request, imagined.offer, by);
+  const Imagined described(description->second, by, placing_);
+  Offer offer = imagined.offer;
+  offer.described_as = std::get_if<SemanticIdentity>(&description->second.publication.identity);
+  offer.described_classes = &described.classes;
+  return matching::meets(subscription, request, offer, by);
+}
+
 std::optional<Match> Model::meets(const SubscriptionEntry& subscription, const PublicationEntry& publication) const {
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   const bool is_former = former.contains(subscription.key);
   const vocabulary::Vocabulary& by = is_former ? former_ontology : ontology;
-  return matching::meets(subscription, requests_.at(subscription.key), Imagined(publication, by, placing_).offer, by);
+  return met(subscription, requests_.at(subscription.key), publication, by);
 }
 
 std::optional<Match> Model::would_meet(const SubscriptionEntry& subscription,
@@ -57,7 +69,7 @@ std::optional<Match> Model::would_meet(const SubscriptionEntry& subscription,
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   Request request = prepared(subscription.subscription, ontology, placing_, subscription.key.participant, overlapping);
   request.chains = requests_.at(subscription.key).chains;
-  return matching::meets(subscription, request, Imagined(publication, ontology, placing_).offer, ontology);
+  return met(subscription, request, publication, ontology);
 }
 
 void Model::work_out() {

@@ -64,6 +64,11 @@ class Model {
   }
 
  private:
+  /// The match of two entries, with the description of the provider's participant where there is one.
+  [[nodiscard]] std::optional<Match> met(const registry::SubscriptionEntry& subscription, const Request& request,
+                                         const registry::PublicationEntry& publication,
+                                         const vocabulary::Vocabulary& by) const;
+
   Placing placing_;
   std::map<std::tuple<std::uint64_t, std::string, std::string>, OverlapAnswer> overlaps_;
   std::map<ServiceKey, Request> requests_;

@@ -36,6 +36,7 @@ const auto steps = std::to_array<Step>({
        pair.subscription.subscription.scope.clear();
        pair.publication.publication.scope.clear();
      }},
+    {{Obstacle::on}, [](Pair& pair) { pair.subscription.subscription.on.clear(); }},
     {{Obstacle::where, Obstacle::unreadable}, [](Pair& pair) { pair.subscription.subscription.where.clear(); }},
     {{Obstacle::for_whom, Obstacle::unreadable}, [](Pair& pair) { pair.publication.publication.for_whom.clear(); }},
     {{Obstacle::signature},

@@ -91,11 +91,12 @@ TEST(Obstacle, OfTheRestComesInTheOrderInWhichAPairIsWalked) {
   asked.subscription.providers = {{"robot9", ""}};
   asked.subscription.where = "rate > 5";
   asked.subscription.scope = "host";
+  asked.subscription.on = "<" + iri("Robot") + ">";
   PublicationEntry offered = offer(offering, semantic("Tracked"), 0, ChannelMode::one_to_many_stream);
   offered.publication.for_whom = "rate > 5";
   const auto next = [&] { return found(asked, offered, soccer()); };
   EXPECT_EQ(next().first(), Obstacle::broader);
-  EXPECT_EQ(next().count(), 7U);
+  EXPECT_EQ(next().count(), 8U);
   offered.publication.identity = semantic("Ball");
   EXPECT_EQ(next().first(), Obstacle::mode);
   offered.publication.mode = ChannelMode::one_to_one;
@@ -107,6 +108,8 @@ TEST(Obstacle, OfTheRestComesInTheOrderInWhichAPairIsWalked) {
   asked.subscription.scope = "hsot/a/b";
   EXPECT_EQ(next().first(), Obstacle::unreadable);
   asked.subscription.scope = "any";
+  EXPECT_EQ(next().first(), Obstacle::on) << "the participant does not say what it is";
+  asked.subscription.on.clear();
   EXPECT_EQ(next().first(), Obstacle::where);
   asked.subscription.where = "rate >";
   EXPECT_EQ(next().first(), Obstacle::unreadable);

@@ -41,7 +41,9 @@ class RandomTeam {
     wrong_.clear();
     if (stage_ != Stage::none) change_a_little();
     const std::uint64_t dice = words_.random().below(100);
-    if (dice < (words_.is(Crowd::packed) ? 60 : 40)) {
+    if (dice < 4 && !words_.is(Crowd::packed)) {
+      put_description();
+    } else if (dice < (words_.is(Crowd::packed) ? 60 : 40)) {
       put_publication();
     } else if (dice < 70) {
       put_subscription();
@@ -104,12 +106,21 @@ class RandomTeam {
       default:
         break;  // as it was
     }
-    entry.is_local = is_local(one);
     // In a packed team local ones rank last, so that they are needed only after many have gone at once.
-    if (words_.is(Crowd::packed) && entry.is_local) entry.publication.priority = -2;
+    if (words_.is(Crowd::packed) && is_local(one)) entry.publication.priority = -2;
+    put(std::move(entry));
+  }
+
+  void put(PublicationEntry entry) {
+    entry.is_local = is_local(entry.key);
     entry.updated = now_;
-    model_.publications[one] = entry;
-    matcher_.put(entry);
+    matcher_.put(model_.publications[entry.key] = entry);
+  }
+
+  void put_description() {
+    const ServiceKey one = description_key(words_.some_key(false).participant);
+    if (model_.publications.contains(one) && words_.random().chance(0.3)) return remove(one, false);
+    put(offer(one, words_.described(), 0, ChannelMode::participant));
   }
 
   void put_subscription() {
@@ -154,6 +165,9 @@ class RandomTeam {
       case 12:
         if (!words_.is(Crowd::packed)) words_.state_signature(asked.attributes);
         break;
+      case 14:
+        if (!words_.is(Crowd::packed)) asked.on = words_.random().chance(0.3) ? "" : words_.on();
+        break;
       case 1:
         asked.priority = static_cast<std::int32_t>(words_.random().below(2));
         break;
@@ -196,26 +210,25 @@ class RandomTeam {
 
   void remove_one() {
     const bool is_subscription = words_.random().chance(0.4);
-    const ServiceKey one = words_.some_key(is_subscription);
-    if (is_subscription) {
-      const bool was_there = model_.subscriptions.erase(one) == 1;
-      expect(matcher_.remove_subscription(one, some_reason()) == was_there, name(one) + ": was it there?");
-    } else {
-      const bool was_there = model_.publications.erase(one) == 1;
-      expect(matcher_.remove_publication(one, some_reason()) == was_there, name(one) + ": was it there?");
-    }
+    remove(words_.some_key(is_subscription), is_subscription);
+  }
+
+  void remove(const ServiceKey& one, bool is_subscription) {
+    const auto erased = is_subscription ? model_.subscriptions.erase(one) : model_.publications.erase(one);
+    const Reason why = some_reason();
+    const bool was_there =
+        is_subscription ? matcher_.remove_subscription(one, why) : matcher_.remove_publication(one, why);
+    expect(was_there == (erased == 1), name(one) + ": was it there?");
     replay_.forget(one);
   }
 
   template <typename Gone>
   void erase_from_model(const Gone& is_gone) {
     std::erase_if(model_.publications,
-                  [&](const auto& row) { return is_gone(row.second) && (forget(row.first), true); });
+                  [&](const auto& row) { return is_gone(row.second) && (replay_.forget(row.first), true); });
     std::erase_if(model_.subscriptions,
-                  [&](const auto& row) { return is_gone(row.second) && (forget(row.first), true); });
+                  [&](const auto& row) { return is_gone(row.second) && (replay_.forget(row.first), true); });
   }
-
-  void forget(const ServiceKey& one) { replay_.forget(one); }
 
   void remove_many() {
     const ServiceKey one = words_.some_key(false);

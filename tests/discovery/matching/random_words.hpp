@@ -58,6 +58,21 @@ class RandomWords {
     return SemanticIdentity{expression, random_.chance(0.5) ? "" : iri(frame())};
   }
 
+  /// The identity by which a participant describes itself.
+  Identity described() {
+    const SemanticIdentity named =
+        std::get<SemanticIdentity>(semantic(one_of<6>({"Robot", "OwnRobot", "Tracked", "Ball", "New", "Ghost"})));
+    const Identity wished = random_.chance(0.5) ? wish() : named;
+    const auto* said = std::get_if<SemanticIdentity>(&wished);
+    return said == nullptr ? named : SemanticIdentity{said->concept_iri, ""};
+  }
+
+  /// The text by which a request says what the provider's participant has to be.
+  std::string on() {
+    const std::string text = std::get<SemanticIdentity>(described()).concept_iri;
+    return has_expression(SemanticIdentity{text, ""}) ? text : '<' + text + '>';
+  }
+
   const char* frame() { return one_of<7>({"Frame", "Pitch", "PolarFieldFrame", "NewFrame", "F1", "F2", "F3"}); }
 
   void state_conversion(Attributes& attributes) {

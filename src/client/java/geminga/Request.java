@@ -117,6 +117,16 @@ public final class Request {
     }
 
     /**
+     * States what the robots of providers must be known to be, by their descriptions (src/discovery/gcnp/GCNP.md).
+     *
+     * @param expression a class or a class expression, as {@code soccer:Robot and (soccer:hasPart some soccer:Mast)}; empty for any
+     * @return the request
+     */
+    public Request on(String expression) {
+        return with("on", expression);
+    }
+
+    /**
      * States the protocols over which messages may come.
      *
      * @param protocols {@code udp}, {@code tcp}; none for both

@@ -33,6 +33,8 @@ export interface SubscriptionStatement {
   prefer?: string;
   rank?: string | readonly string[];
   scope?: string;
+  /** A class or a class expression that must describe the provider's robot. */
+  on?: string;
   where?: string;
   /** Whether representations may be converted, or the largest cost of that. */
   convert?: boolean | 'yes' | 'no' | number;

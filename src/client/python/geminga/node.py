@@ -132,6 +132,7 @@ class Node:
         prefer: Words | None = None,
         rank: Words | None = None,
         scope: Words | None = None,
+        on: str | None = None,
         where: str | None = None,
         convert: str | int | None = None,
         conversions: Mapping[str, Conversion] | None = None,
@@ -151,8 +152,8 @@ class Node:
         """
         said = parameters(
             attributes, mode=mode, id=id, text=text, concept=concept, representation=representation, match=match,
-            provider=provider, favour=favour, prefer=prefer, rank=rank, scope=scope, where=where, convert=convert,
-            protocol=protocol, limit=limit, priority=priority, port=port or None, address=address,
+            provider=provider, favour=favour, prefer=prefer, rank=rank, scope=scope, on=on, where=where,
+            convert=convert, protocol=protocol, limit=limit, priority=priority, port=port or None, address=address,
         )  # fmt: skip
         checked(said, 2, port=port, id=id, priority=priority, limit=limit)
         return Opening(self._make(lambda: Subscriber(self, said, conversions, queue, keep)))

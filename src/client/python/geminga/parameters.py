@@ -17,6 +17,7 @@ _CHANGEABLE = {
     "pub": ("id", "text", "concept", "representation", "priority", "scope", "for"),
     "sub": (
         "id", "text", "concept", "representation", "priority", "scope", "match", "provider", "favour", "prefer", "rank", "where", "convert",
+        "on",
     ),
 }  # fmt: skip
 #: Arguments that are numbers, with the least and the greatest value.

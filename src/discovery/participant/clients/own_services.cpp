@@ -165,7 +165,12 @@ bool OwnServices::resolve_again(Session& session, std::uint32_t number, Stated& 
   Refusal refusal;
   if (identity) {
     stated.service.identity = std::move(*identity);
-    refusal = announcement::check(stated.service);  // full IRIs may be longer than what can be announced
+    if constexpr (std::is_same_v<Stated, StatedSubscription>) {
+      const auto on = stated.service.on.empty() ? "" : resolver_.resolve_on(stated.service.on);
+      if (on) stated.service.on = *on;
+      if (!on) refusal = on.error();
+    }
+    if (!refusal) refusal = announcement::check(stated.service);  // full IRIs may be longer than what can be announced
     if (!refusal) refusal = resolver_.check_conditions(stated.service);
   } else {
     refusal = identity.error();

@@ -82,6 +82,11 @@ class OwnServices {
   [[nodiscard]] Refusal describe(const gcnp::Describe& change) { return noting(description_.change(change)); }
   /// Sets or takes back the description that the owner of the participant has given.
   void describe(const std::string& concept_name) { is_changed_ |= description_.set(concept_name); }
+  /// The participant has its identifier: announces the description that came before, else this one. Empty: none.
+  void begin_description(const std::string& concept_name) {
+    is_changed_ |=
+        description_.count() == 0 && !concept_name.empty() ? description_.set(concept_name) : description_.enter();
+  }
   [[nodiscard]] const OwnDescription& description() const { return description_; }
 
   /// Something that is announced has changed.

@@ -132,6 +132,14 @@ Refusal Statements::resolve_and_check(Stated& stated) {
   stated.is_awaited = resolver_.is_awaited(identity);
   if (!identity && !stated.is_awaited) return identity.error();
   if (identity) stated.service.identity = std::move(*identity);
+  if constexpr (!is_offer) {
+    if (!stated.service.on.empty()) {
+      auto on = resolver_.resolve_on(stated.service.on);
+      if (!on && !resolver_.is_awaited(on.error())) return on.error();
+      stated.is_awaited |= !on;
+      if (on) stated.service.on = std::move(*on);
+    }
+  }
   if (auto refusal = announcement::check(stated.service)) return refusal;
   if (auto refusal = matching::check_scope(stated.service.scope)) return refusal;
   if constexpr (is_offer) {

@@ -44,7 +44,8 @@ NamedSubscription named(const vocabulary::Vocabulary& vocabulary, const Subscrip
                            .prefer = subscription.prefer,
                            .rank = subscription.rank,
                            .scope = subscription.scope,
-                           .convert = subscription.convert};
+                           .convert = subscription.convert,
+                           .on = subscription.on};
 }
 
 std::string digest_word(std::uint64_t digest) { return digest == 0 ? "-" : base::to_hex(digest, 16); }

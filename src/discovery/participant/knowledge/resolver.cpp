@@ -9,10 +9,15 @@
 namespace geminga::participant {
 namespace {
 
+/// A key and its value as an error shows them.
+std::string stated(std::string_view key, const std::string& name) {
+  return std::string(key) + '=' + base::printable(name);
+}
+
 std::expected<std::string, Error> resolve_class(const vocabulary::Vocabulary& vocabulary, std::string_view key,
                                                 const std::string& name) {
   const auto impossible = [&](const std::string& why) {
-    return std::unexpected(Error{ErrorCode::impossible, std::string(key) + "=" + base::printable(name) + ": " + why});
+    return std::unexpected(Error{ErrorCode::impossible, stated(key, name) + ": " + why});
   };
   if (vocabulary.is_expression(name)) return impossible("a class expression is no representation: name a class");
   const auto found = vocabulary.find(name);
@@ -41,15 +46,15 @@ bool is_below(const vocabulary::Vocabulary& vocabulary, std::string_view iri, st
 std::expected<std::string, Error> resolve_as(const vocabulary::Vocabulary& vocabulary, std::string_view key,
                                              const std::string& name) {
   auto iri = resolve_class(vocabulary, key, name);
-  const bool is_concept = key == "concept";
+  const bool is_concept = key != "representation";
   if (!iri || !is_below(vocabulary, *iri, is_concept ? representation_class : concept_class)) return iri;
-  const std::string given = std::string(key) + '=' + base::printable(name);
-  return std::unexpected(
-      Error{ErrorCode::impossible,
-            given + (is_concept ? ": this is a representation: name what the information is about as the concept, and "
-                                  "this one as its representation"
-                                : ": this is a concept: name how the information is written down, a class below "
-                                  "geminga:Representation, or leave the representation out")});
+  return std::unexpected(Error{
+      ErrorCode::impossible,
+      stated(key, name) + (is_concept
+                               ? ": this is a representation: name what the information is about as the concept, and "
+                                 "this one as its representation"
+                               : ": this is a concept: name how the information is written down, a class below "
+                                 "geminga:Representation, or leave the representation out")});
 }
 
 /// The identity of a concept whose IRI or canonical expression is known.
@@ -66,41 +71,37 @@ std::expected<Identity, Error> with_representation(const vocabulary::Vocabulary&
 
 }  // namespace
 
-std::unexpected<Error> Resolver::without_ontology(const std::string& concept_name) const {
+std::unexpected<Error> Resolver::without_ontology(std::string_view key, const std::string& name) const {
   Error error = no_ontology();
-  if (error.code == ErrorCode::impossible) error.text = "concept=" + base::printable(concept_name) + ": " + error.text;
+  if (error.code == ErrorCode::impossible) error.text = stated(key, name) + ": " + error.text;
   return std::unexpected(std::move(error));
 }
 
-std::expected<Identity, Error> Resolver::resolve_name(const NamedIdentity& named) const {
+std::expected<std::string, Error> Resolver::resolve_concept(std::string_view key, const std::string& name) {
+  if (!vocabulary().is_loaded()) return without_ontology(key, name);
+  if (!vocabulary().is_expression(name)) return resolve_as(vocabulary(), key, name);
+  auto resolved = expressions_.resolve(vocabulary(), name);
+  if (resolved) return resolved;
+  return std::unexpected(Error{resolved.error().code, stated(key, name) + ": " + resolved.error().text});
+}
+
+std::expected<Identity, Error> Resolver::resolve(const NamedIdentity& named) {
   if (const auto* number = std::get_if<NumericIdentity>(&named)) return *number;
   if (const auto* text = std::get_if<TextIdentity>(&named)) return *text;
   const auto& names = std::get<ConceptNames>(named);
-  if (!vocabulary().is_loaded()) return without_ontology(names.concept_name);
-  auto concept_iri = resolve_as(vocabulary(), "concept", names.concept_name);
+  auto concept_iri = resolve_concept("concept", names.concept_name);
   if (!concept_iri) return std::unexpected(concept_iri.error());
   return with_representation(vocabulary(), std::move(*concept_iri), names.representation_name);
 }
 
-std::expected<Identity, Error> Resolver::resolve(const NamedIdentity& named) {
-  const auto* names = std::get_if<ConceptNames>(&named);
-  const bool is_expression =
-      names != nullptr && vocabulary().is_loaded() && vocabulary().is_expression(names->concept_name);
-  if (!is_expression) return resolve_name(named);
-  auto resolved = expressions_.resolve(vocabulary(), names->concept_name);
-  if (!resolved) {
-    return std::unexpected(
-        Error{resolved.error().code, "concept=" + base::printable(names->concept_name) + ": " + resolved.error().text});
-  }
-  return with_representation(vocabulary(), std::move(*resolved), names->representation_name);
+std::expected<std::string, Error> Resolver::resolve_on(const std::string& on) {
+  auto resolved = resolve_concept("on", on);
+  if (!resolved || has_expression(SemanticIdentity{*resolved, {}})) return resolved;
+  return '<' + *resolved + '>';
 }
 
 Expressions::Place Resolver::place(const std::string& canonical) {
   return expressions_.place(vocabulary(), canonical, std::nullopt, env_.now());
-}
-
-bool Resolver::is_awaited(const std::expected<Identity, Error>& identity) const {
-  return !vocabulary().is_loaded() && !identity && identity.error().code == ErrorCode::not_ready;
 }
 
 Error Resolver::no_ontology() const {

@@ -39,6 +39,9 @@ class Resolver {
   /// (src/reasoning/syntax/manchester/MANCHESTER.md). An expression that is equivalent to a class becomes that class;
   /// of any other the canonical text is the concept. 503 until the ontology is prepared for expressions.
   [[nodiscard]] std::expected<Identity, Error> resolve(const NamedIdentity& named);
+  /// The class or expression that has to describe the provider's participant, as it is announced: `<IRI>` or canonical
+  /// text. Errors as resolve().
+  [[nodiscard]] std::expected<std::string, Error> resolve_on(const std::string& on);
   /// Why class expressions cannot be compared: 503 until the ontology is prepared for them, which this begins. Requires
   /// an ontology.
   [[nodiscard]] std::expected<void, Error> require_expressions() { return expressions_.require(vocabulary()); }
@@ -55,7 +58,12 @@ class Resolver {
   /// Whether an identity is missing only because no ontology is in force yet. Then its statement is kept, and comes
   /// into force with the ontology. (A statement that only waits until the ontology is prepared is handled again
   /// instead.)
-  [[nodiscard]] bool is_awaited(const std::expected<Identity, Error>& identity) const;
+  [[nodiscard]] bool is_awaited(const std::expected<Identity, Error>& identity) const {
+    return !identity && is_awaited(identity.error());
+  }
+  [[nodiscard]] bool is_awaited(const Error& error) const {
+    return !vocabulary().is_loaded() && error.code == ErrorCode::not_ready;
+  }
   /// Whether a class expression has come and the ontology in force is yet to be prepared for it.
   [[nodiscard]] bool is_waiting() const { return expressions_.is_waiting(matcher_.vocabulary()); }
   /// Why nothing can be said of classes where no ontology is in force.
@@ -68,8 +76,9 @@ class Resolver {
 
  private:
   [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return matcher_.vocabulary(); }
-  [[nodiscard]] std::expected<Identity, Error> resolve_name(const NamedIdentity& named) const;
-  [[nodiscard]] std::unexpected<Error> without_ontology(const std::string& concept_name) const;
+  /// The IRI of a class or the canonical text of an expression, which stands behind the key.
+  [[nodiscard]] std::expected<std::string, Error> resolve_concept(std::string_view key, const std::string& name);
+  [[nodiscard]] std::unexpected<Error> without_ontology(std::string_view key, const std::string& name) const;
   [[nodiscard]] Refusal unless_awaited(Refusal refusal) const;
   [[nodiscard]] Refusal check_condition(std::string_view condition, std::string_view key) const;
 

@@ -11,6 +11,7 @@
 #include "discovery/participant/queries/lines.hpp"
 #include "discovery/participant/queries/mending.hpp"
 #include "discovery/participant/queries/missing.hpp"
+#include "discovery/participant/queries/proofs.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
 #include "reasoning/vocabulary/expression.hpp"
 
@@ -41,6 +42,7 @@ SubscriptionEntry only(const SubscriptionEntry& request, const PublicationEntry&
   one.subscription.where.clear();
   one.subscription.protocols.clear();
   one.subscription.scope.clear();
+  one.subscription.on.clear();
   for (const std::string_view key : {matching::inputs_attribute, matching::outputs_attribute}) {
     if (const auto at = one.subscription.attributes.find(key); at != one.subscription.attributes.end()) {
       one.subscription.attributes.erase(at);
@@ -79,64 +81,6 @@ std::string nearest(const matching::Matcher& matcher, const SubscriptionEntry& r
   if (!sub || !super || vocabulary.is_subsumed(*sub, *super)) return "";
   const auto why_not = vocabulary.why_not(*sub, *super);
   return "; " + (why_not ? base::printable(*why_not, max_nearest_bytes) : why_not.error().text);
-}
-
-/// Adds a line where there is room for it.
-void append_axiom(const std::string& axiom, std::string& proof) {
-  const std::string line = base::printable(axiom, max_proof_bytes);
-  if (proof.size() + line.size() + 1 <= max_proof_bytes) proof += (proof.empty() ? "" : "\n") + line;
-}
-
-/// Adds the axioms by which the first name is below the second; none where the names are equal or it is not below.
-void add_proof(const matching::Matcher& matcher, const std::string& sub_iri, const std::string& super_iri,
-               std::string& proof) {
-  if (sub_iri == super_iri) return;
-  const auto& vocabulary = matcher.vocabulary();
-  const auto sub = vocabulary.find_iri(sub_iri);
-  const auto super = vocabulary.find_iri(super_iri);
-  if (!sub || !super || !vocabulary.is_subsumed(*sub, *super)) return;
-  const auto explanation = vocabulary.explain(*sub, *super);
-  if (!explanation) return;
-  for (const auto& axiom : explanation->axioms) append_axiom(axiom.text, proof);
-}
-
-/// The same where one of the two is an expression.
-void add_proof_of_expression(const matching::Matcher& matcher, const std::string& sub, const std::string& super,
-                             std::string& proof) {
-  const auto& vocabulary = matcher.vocabulary();
-  if (sub == super || !vocabulary.check_expressions()) return;
-  const auto text = [](const std::string& name) {
-    return has_expression(SemanticIdentity{name, ""}) ? name : "<" + name + ">";
-  };
-  const auto below = vocabulary.read(text(sub), vocabulary::max_expression_bytes);
-  const auto above = vocabulary.read(text(super), vocabulary::max_expression_bytes);
-  if (!below || !above) return;
-  for (const auto& axiom : vocabulary.proof(*below, *above)) append_axiom(axiom.text, proof);
-}
-
-/// The axioms that prove the degree: that the offer is below the request, or above it where the degree is broader.
-std::string proof_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
-                     const std::optional<matching::Match>& match) {
-  const auto* offer = semantic(offered);
-  const auto* request = semantic(requested);
-  std::string proof;
-  if (offer == nullptr || request == nullptr || !matcher.vocabulary().is_loaded()) return proof;
-  const bool has_expressions = has_expression(*offer) || has_expression(*request);
-  const auto add = [&](const std::string& one, const std::string& other) {
-    const std::size_t before = proof.size();
-    if (has_expressions && &one == &offer->concept_iri) {
-      const bool is_broader = match && match->degree == Degree::broader;
-      if (match) add_proof_of_expression(matcher, is_broader ? other : one, is_broader ? one : other, proof);
-      return;
-    }
-    add_proof(matcher, one, other, proof);
-    if (proof.size() == before) add_proof(matcher, other, one, proof);
-  };
-  add(offer->concept_iri, request->concept_iri);
-  if (!offer->representation_iri.empty() && !request->representation_iri.empty()) {
-    add(offer->representation_iri, request->representation_iri);
-  }
-  return proof;
 }
 
 /// The axioms that prove that nothing can be both.
@@ -279,6 +223,34 @@ Check check_scope(const matching::Matcher& matcher, const Asked& asked, const Pu
           is_readable ? "widen that scope, or leave it out" : newer_elsewhere};
 }
 
+/// Checks whether the provider's participant is known to be what is asked for.
+Check check_on(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
+  const auto shown = [&](const std::string& text) {
+    const auto& vocabulary = matcher.vocabulary();
+    return base::printable(text.contains('<') ? vocabulary.short_expression(text)
+                                              : vocabulary.short_name(std::string_view(text)));
+  };
+  const std::string& on = asked.request->on->identity.concept_iri;
+  const std::string name = offer.participant_name.empty() ? to_string(offer.key.participant) : offer.participant_name;
+  const PublicationEntry* description = matcher.find_publication(description_key(offer.key.participant));
+  const auto* said =
+      description == nullptr ? nullptr : std::get_if<SemanticIdentity>(&description->publication.identity);
+  if (said == nullptr) {
+    return {"on", Obstacle::on, name + " does not say what it is, asked for is " + shown(on),
+            "describe " + name + " (gemingad --describe, or geminga-query describe there), or ask without on"};
+  }
+  const bool is_met = matcher.examine(asked.entry, *asked.request, offer).is_on_met;
+  Check check{
+      "on", is_met ? Obstacle::none : Obstacle::on,
+      name + " is " + shown(said->concept_iri) + (is_met ? ", so it is " : ", which is not known to be ") + shown(on)};
+  if (is_met) {
+    add_proof_of_concepts(matcher, said->concept_iri, on, check.proof);
+  } else {
+    check.mend = "ask on what " + name + " is, or describe it by more";
+  }
+  return check;
+}
+
 /// Checks the provider's condition.
 Check check_for(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   PublicationEntry other = offer;
@@ -340,6 +312,7 @@ std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& aske
   if (!asked.entry.subscription.scope.empty() || !offered.scope.empty()) {
     checks.push_back(check_scope(matcher, asked, offer));
   }
+  if (!asked.entry.subscription.on.empty()) checks.push_back(check_on(matcher, asked, offer));
   if (!offered.for_whom.empty()) checks.push_back(check_for(matcher, asked, offer));
   if (matching::has_signature(asked.entry.subscription.attributes)) {
     checks.push_back(check_signature(matcher, asked, offer));
@@ -351,7 +324,7 @@ std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& aske
 
 const Check* first_obstacle(const std::vector<Check>& checks) {
   for (const std::string_view what :
-       {"identity", "mode", "protocol", "provider", "scope", "where", "for", "signature", "arbitration"}) {
+       {"identity", "mode", "protocol", "provider", "scope", "on", "where", "for", "signature", "arbitration"}) {
     const auto at = std::ranges::find(checks, what, &Check::what);
     if (at != checks.end() && !at->is_ok()) return &*at;
   }
@@ -369,6 +342,8 @@ Check misfit_of(const matching::Matcher& matcher, const Asked& asked, const Publ
       return check_provider(asked, offer);
     case Obstacle::scope:
       return check_scope(matcher, asked, offer);
+    case Obstacle::on:
+      return check_on(matcher, asked, offer);
     case Obstacle::where:
       return check_where(matcher, asked, offer);
     case Obstacle::for_whom:

@@ -87,6 +87,7 @@ Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, Names n
   append_stated(line, "prefer", subscription.prefer);
   append_stated(line, "rank", subscription.rank);
   append_stated(line, "scope", subscription.scope);
+  if (!subscription.on.empty()) append(line, "on", names_of(by, names).short_expression(subscription.on));
   if (subscription.convert != 0) append(line, "convert", gcnp::conversion_word(subscription.convert));
   if (reason != nullptr) append_because(line, *reason);
   gcnp::append_attributes(line, subscription.attributes);

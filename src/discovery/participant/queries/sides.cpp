@@ -32,6 +32,11 @@ std::expected<Asked, Error> imagined(const Stating& by, const gcnp::Hypothetical
   asked.entry.is_local = true;
   asked.entry.updated = by.now;
   asked.entry.subscription = gcnp::with_identity(named, std::move(*identity));
+  if (!named.on.empty()) {
+    auto on = by.resolver.resolve_on(named.on);
+    if (!on) return std::unexpected(on.error());
+    asked.entry.subscription.on = std::move(*on);
+  }
   if (auto error = matching::check_where(named.where, "where", by.matcher.vocabulary().units()))
     return std::unexpected(std::move(*error));
   if (auto error = matching::check_preferences(asked.entry.subscription, by.matcher.vocabulary().units()))

@@ -72,6 +72,7 @@ export interface Request extends Entry {
   favour?: string;
   prefer?: string;
   rank?: string;
+  on?: string;
   convert?: string | number | boolean;
   served: boolean;
   why?: string;

@@ -55,7 +55,7 @@ function admits(request: Request, service: Service): boolean {
 /** Requests of one module name for the same have the same nearest services. */
 const refusal = (request: Request): string => `${request.name} ${JSON.stringify(question(request))}`;
 
-const isPlain = (request: Request): boolean => request.scope === undefined && request.rank === undefined;
+const isPlain = (request: Request): boolean => request.scope === undefined && request.rank === undefined && request.on === undefined;
 
 function question(request: Request): Record<string, string> {
   const parameters: Record<string, string> = { ...identityParameters(request), mode: request.mode, degree: request.match };

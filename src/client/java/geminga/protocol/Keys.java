@@ -9,6 +9,8 @@ public final class Keys {
     public static final String PREFIX = "attr.";
     private static final List<String> RESERVED = List.of(("mode id text concept representation port address protocol priority match provider where limit service name degree "
             + "reason subscription participant_name consumer distance age local used served participant peer favour prefer convert scope rank for").split(" "));
+    /** Keys of a request that are names of attributes in an offer. */
+    private static final List<String> OF_REQUESTS = List.of("on");
     private static final Set<String> RESERVED_SET = Set.copyOf(RESERVED);
 
     private Keys() {}
@@ -37,6 +39,7 @@ public final class Keys {
 
     /** The key under which a client states an attribute. */
     public static String stating(String attribute) {
+        if (OF_REQUESTS.stream().anyMatch(key -> key.equals(attribute) || isSlip(attribute, key))) return PREFIX + attribute;
         try {
             if (!attribute.startsWith(PREFIX) && stated(attribute).equals(attribute)) return attribute;
         } catch (LineException isTakenForAKey) {
@@ -58,7 +61,7 @@ public final class Keys {
     }
 
     private static boolean isKeyOfLines(String key) {
-        return key.equals("why") || key.equals("because");
+        return key.equals("why") || key.equals("because") || key.equals("on");
     }
 
     /** Whether the two differ by one slip: a letter wrong, missing, too many, of the other case, or swapped with its neighbour. */

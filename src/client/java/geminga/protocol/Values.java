@@ -15,7 +15,7 @@ final class Values {
             case "id" -> Long.toString(number(key, value, 0, Statement.MAX_ID));
             case "text" -> text(key, value, 1, 255);
             case "concept" -> text(key, value, 1, 1024);
-            case "representation" -> text(key, value, 0, 1024);
+            case "representation", "on" -> text(key, value, 0, 1024);
             case "port" -> port(value);
             case "address" -> address(value);
             case "protocol" -> protocol(value, isOffer);

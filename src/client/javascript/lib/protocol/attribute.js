@@ -8,7 +8,9 @@ export const reservedKeys = Object.freeze(
     'convert scope rank for').split(' '),
 );
 const reserved = new Set(reservedKeys);
-const keysOfLines = new Set(['why', 'because']);
+const keysOfLines = new Set(['why', 'because', 'on']);
+/** Keys of a request that are names of attributes in an offer. */
+const keysOfRequests = ['on'];
 
 /** Whether the words are one slip from each other: a letter wrong, missing, too many, of the other case, or two swapped. */
 export function isSlip(a, b) {
@@ -43,6 +45,7 @@ export function attributeName(key, keysOfStatement = []) {
 /** The key by which a client states an attribute. */
 export function statedKey(name) {
   if (name.startsWith('attr.')) return `attr.${name}`;
+  if (keysOfRequests.some((key) => key === name || isSlip(key, name))) return `attr.${name}`;
   try {
     return attributeName(name);
   } catch {

@@ -104,5 +104,6 @@ export const readers = Object.freeze({
   prefer: text(limits.maxPrefer),
   rank: text(limits.maxRank),
   convert: conversion,
+  on: text(limits.maxConcept),
   limit: number,
 });

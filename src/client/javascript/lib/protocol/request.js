@@ -5,7 +5,7 @@ import { readers } from './key.js';
 import * as limits from './limits.js';
 
 const identityKeys = ['id', 'text', 'concept', 'representation'];
-const wishes = ['match', 'provider', 'where', 'protocol', 'favour', 'prefer', 'rank', 'scope', 'convert', 'limit'];
+const wishes = ['match', 'provider', 'where', 'protocol', 'favour', 'prefer', 'rank', 'scope', 'convert', 'on', 'limit'];
 const defaults = { match: 'narrower', priority: '0', convert: 'no' };
 
 /**

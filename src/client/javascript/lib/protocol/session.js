@@ -22,7 +22,7 @@ export function merged(parameters, change) {
   return [...kept, ...change.filter(([key, value]) => value !== '' || isAttribute(key))];
 }
 const canBeEmptied =
-  new Set(['representation', 'address', 'provider', 'scope', 'favour', 'prefer', 'rank', 'where', 'for', 'protocol']);
+  new Set(['representation', 'address', 'provider', 'scope', 'favour', 'prefer', 'rank', 'where', 'for', 'protocol', 'on']);
 
 /** One publication or subscription. `parameters` are those that are stated again to the next daemon. */
 class Request {

@@ -13,7 +13,7 @@ RESERVED = frozenset(
 )
 
 #: Keys of the daemon's lines that are no attributes there.
-KEYS_OF_LINES = frozenset({"why", "because"})
+KEYS_OF_LINES = frozenset({"why", "because", "on"})
 
 
 def attribute_of(key: str) -> str | None:
