@@ -20,16 +20,15 @@ shell::Table table_of_near_participants(const std::vector<Record>& records) {
                       {"NOT KNOWN", false, 20, 0, true},
                       {"CONTRADICTS", false, 16, 0, true}});
   for (const auto& record : records) {
-    shown.add({participant_of(record), record["participant_name"], record["degree"].empty() ? "-" : record["degree"],
-               record["concept"], in_one_line(record["missing"]), in_one_line(record["contradicting"])});
+    shown.add({record["id"], record["name"], record["degree"].empty() ? "-" : record["degree"], record["description"],
+               in_one_line(record["missing"]), in_one_line(record["contradicting"])});
   }
   return shown;
 }
 
 std::string near_line(const Record& record) {
-  return participant_of(record) + "  " + std::string(record["participant_name"]) + "  " +
-         std::string(record["concept"]) + "  " +
-         (is_match(record) ? std::string(record["degree"]) : lack_words(record));
+  return std::string(record["id"]) + "  " + std::string(record["name"]) + "  " + std::string(record["description"]) +
+         "  " + (is_match(record) ? std::string(record["degree"]) : lack_words(record));
 }
 
 }  // namespace
@@ -65,10 +64,10 @@ std::string lack_words(const Record& record) {
 }
 
 Listing near_participants(const std::string& expression, const std::string& where) {
-  Listing listing{"match",
-                  {{"mode", "participant"}, {"concept", expression}, {"missing", "1"}},
+  Listing listing{"participants",
+                  {{"concept", expression}, {"missing", "1"}},
                   {},
-                  "service",
+                  "id",
                   table_of_near_participants,
                   near_line,
                   "nobody is known to be that, and nobody comes near: geminga-query participants --json shows the "

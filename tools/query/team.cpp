@@ -130,7 +130,7 @@ void complain_of_lack(Client& client, const Plan& plan, const Situation& situati
                                  std::to_string(plan.needs[role].count) +
                                  "; known to suit it: " + std::to_string(situation.task.roles[role].suited.size()));
     for (const Record& record : near_to(client, plan.needs[role], lacking[role])) {
-      shell::complain(program, "  " + std::string(record["participant_name"]) + " (" + participant_of(record) +
+      shell::complain(program, "  " + std::string(record["name"]) + " (" + std::string(record["id"]) +
                                    ") comes near: " + lack_words(record));
     }
   }

@@ -123,6 +123,8 @@ json::object to_json(const Record& record) {
   if (is_service && (record.kind == "services" || record.kind == "requests" || record.kind == "match")) {
     object["attributes"] = to_object(record.attributes);
   }
+  // Of a description, which not every participant has.
+  if (record.kind == "participants" && !record.attributes.empty()) object["attributes"] = to_object(record.attributes);
   return object;
 }
 

@@ -95,6 +95,13 @@ TEST_F(Team, IsChosenByWhatRobotsSayThatTheyAreAndSaysWhatIsMissingWhereNobodyCa
   EXPECT_EQ(near.status, 0);
   EXPECT_THAT(near.said, AllOf(ContainsRegex("robot0 +narrower"), ContainsRegex("robot1 +-.*hasPart some cap")))
       << "those who are it come first";
+  const auto near_document = query({"--json", "participants", "hasPart some Gripper", "--missing"});
+  EXPECT_THAT(near_document.said, AllOf(ContainsRegex("\"id\":\"[0-9a-f]+\",\"name\":\"robot1\",\"addresses\":"),
+                                        HasSubstr("\"missing\":[\"capability:hasPart some capability:Gripper\"]"),
+                                        Not(HasSubstr("participant_name"))))
+      << "those who come near have the fields of participants";
+  EXPECT_EQ(query({"participants", "Robot"}).status, 0)
+      << "a local name is enough alone, as it is within an expression";
 
   const auto unknown = query({"team", "--need", "hasPart some Arm", "--need", "hasPart some Gripprr"});
   EXPECT_EQ(unknown.status, 2);

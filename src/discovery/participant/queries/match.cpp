@@ -74,10 +74,14 @@ class Ranking {
   using LineOf = std::function<std::optional<Line>(const registry::PublicationEntry& entry,
                                                    const matching::Match& match, const matching::Request& request)>;
 
+  /// The same for one that comes near.
+  using LineOfNear = std::function<std::optional<Line>(const registry::PublicationEntry& entry, const Near& near)>;
+
   Ranking(const Listed& by, const Overlaps& overlaps, const Self& self, Subscription asked,
-          const gcnp::QueryMatch& query, LineOf line_of)
+          const gcnp::QueryMatch& query, LineOf line_of, LineOfNear line_of_near)
       : by_(by),
         line_of_(std::move(line_of)),
+        line_of_near_(std::move(line_of_near)),
         overlaps_(overlaps),
         asked_{.key = {.participant = self.id, .peer = {}},
                .subscription = std::move(asked),
@@ -178,7 +182,9 @@ class Ranking {
     for (; told_near_ < ranked_near_.size(); ++told_near_) {
       if (piece.is_full()) return false;
       const Near& one = ranked_near_[told_near_];
-      if (const auto* entry = by_.matcher.find_publication(one.key)) piece.tell(line_of(by_, *entry, one));
+      if (const auto* entry = by_.matcher.find_publication(one.key)) {
+        if (auto line = line_of_near_(*entry, one)) piece.tell(std::move(*line));
+      }
     }
     return true;
   }
@@ -188,6 +194,7 @@ class Ranking {
 
   Listed by_;
   LineOf line_of_;
+  LineOfNear line_of_near_;
   const Overlaps& overlaps_;
   registry::SubscriptionEntry asked_;  ///< as of a peer of this host that has no name
   std::shared_ptr<const matching::Request> request_;
@@ -208,7 +215,8 @@ class Ranking {
 };
 
 std::expected<Answering, Error> begin(std::string kind, const Listed& by, const Overlaps& overlaps, const Self& self,
-                                      const gcnp::QueryMatch& query, Ranking::LineOf line_of) {
+                                      const gcnp::QueryMatch& query, Ranking::LineOf line_of,
+                                      Ranking::LineOfNear line_of_near) {
   if (!query.where.empty()) {
     if (auto error = matching::check_where(query.where, "where", by.matcher.vocabulary().units()))
       return std::unexpected(std::move(*error));
@@ -226,17 +234,21 @@ std::expected<Answering, Error> begin(std::string kind, const Listed& by, const 
       if (const auto ready = by.resolver.require_expressions(); !ready) return std::unexpected(ready.error());
     }
   }
-  return Answering{.kind = std::move(kind),
-                   .proceed = Ranking(by, overlaps, self, std::move(asked), query, std::move(line_of))};
+  return Answering{
+      .kind = std::move(kind),
+      .proceed = Ranking(by, overlaps, self, std::move(asked), query, std::move(line_of), std::move(line_of_near))};
 }
 
 }  // namespace
 
 std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
                                             const gcnp::QueryMatch& query) {
-  return begin("match", by, overlaps, self, query, [by](const auto& entry, const auto& match, const auto& request) {
-    return std::optional(line_of(by, entry, match, request));
-  });
+  return begin(
+      "match", by, overlaps, self, query,
+      [by](const auto& entry, const auto& match, const auto& request) {
+        return std::optional(line_of(by, entry, match, request));
+      },
+      [by](const auto& entry, const auto& near) { return std::optional(line_of(by, entry, near)); });
 }
 
 std::expected<Answering, Error> begin_participants(const Listed& by, const Overlaps& overlaps, const Self& self,
@@ -246,18 +258,30 @@ std::expected<Answering, Error> begin_participants(const Listed& by, const Overl
                                .weakest = query.weakest,
                                .mode = ChannelMode::participant,
                                .providers = query.providers,
-                               .where = query.where};
-  const auto described = [line_of = std::move(line_of)](const registry::PublicationEntry& entry,
-                                                        const matching::Match& found, const matching::Request&) {
+                               .where = query.where,
+                               .limit = query.limit,
+                               .missing = query.missing};
+  const auto append_own = [](Line& line, const registry::PublicationEntry& entry) {
+    for (const auto& [name, value] : entry.publication.attributes)
+      append(line, std::string(attribute_prefix) + name, value);
+  };
+  const auto described = [line_of, append_own](const registry::PublicationEntry& entry, const matching::Match& found,
+                                               const matching::Request&) {
     auto line = line_of(entry.key.participant);
     if (!line) return line;
     append(*line, "degree", std::string(to_string(found.degree)));
     append(*line, "distance", found.distance);
-    for (const auto& [name, value] : entry.publication.attributes)
-      append(*line, std::string(attribute_prefix) + name, value);
+    append_own(*line, entry);
     return line;
   };
-  return begin("participants", by, overlaps, self, match, described);
+  const auto near = [line_of, append_own](const registry::PublicationEntry& entry, const Near& one) {
+    auto line = line_of(entry.key.participant);
+    if (!line) return line;
+    append_missing(*line, one.near_misses);
+    append_own(*line, entry);
+    return line;
+  };
+  return begin("participants", by, overlaps, self, match, described, near);
 }
 
 }  // namespace geminga::participant
