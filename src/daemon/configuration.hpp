@@ -13,6 +13,7 @@
 #include "daemon/layer.hpp"
 #include "discovery/sealing/seal.hpp"
 #include "env/asio/asio_env.hpp"
+#include "reasoning/syntax/folders.hpp"
 
 namespace geminga::daemon {
 
@@ -45,7 +46,8 @@ struct Configuration {
   std::map<std::string, std::string> prefixes;  ///< of names, beside those of the ontologies
   std::string group = "default";
   std::string name;
-  std::string description;        ///< a class expression of what the participant is; empty: none
+  /// A class expression of what the participant is, or a file with facts about it (describes_by_file()); empty: none.
+  std::string description;
   std::vector<GcnpAddress> gcnp;  ///< empty: not over TCP
   std::string gcnp_socket;        ///< path of a Unix socket; empty: none
   env::AirSettings air;
@@ -61,6 +63,8 @@ struct Configuration {
   base::LogLevel log_level = base::LogLevel::info;
   LogFormat log_format = LogFormat::text;
   CageWish cage = CageWish::wanted;
+  /// Whether the description is the name of a file, which its ending decides.
+  [[nodiscard]] bool describes_by_file() const { return syntax::is_ontology_name(description); }
   friend bool operator==(const Configuration&, const Configuration&) = default;
 };
 

@@ -58,7 +58,8 @@ Daemon::Daemon(Configuration configuration, ConfigurationInForce::Reader read, c
       watchdog_(context_),
       env_(context_, log),
       ontology_(context_, env_, log, [this] { after_event(); }),
-      adoption_(context_, [this] { adopt(); }) {}
+      adoption_(context_, [this] { adopt(); }),
+      description_(context_, env_, log, [this] { after_event(); }) {}
 
 std::expected<void, Lines> Daemon::check() {
   ontology_.load_consistent(configuration_.current(), [this](OntologyInForce::Loaded loaded) {
@@ -68,8 +69,10 @@ std::expected<void, Lines> Daemon::check() {
 }
 
 std::expected<void, Lines> Daemon::run() {
-  if (Lines missing = missing_files(configuration_.current().ontologies); !missing.empty())
-    return std::unexpected(std::move(missing));
+  const Configuration& configuration = configuration_.current();
+  Lines named = configuration.ontologies;
+  if (configuration.describes_by_file()) named.push_back(configuration.description);
+  if (Lines missing = missing_files(named); !missing.empty()) return std::unexpected(std::move(missing));
   await_signal();
   open();
   return run_loop();
@@ -147,7 +150,7 @@ void Daemon::begin() {
   settings.diagnoses = configuration.diagnoses;
   settings.version = GEMINGA_VERSION;
   settings.lasting = lasting_;
-  settings.description = configuration.description;
+  if (!configuration.describes_by_file()) settings.description = configuration.description;
   env_.event([&] {
     participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.vocabulary());
     participant_->set_status_source([this, started = wall_clock()] {
@@ -158,6 +161,7 @@ void Daemon::begin() {
   });
   log_.write(LogLevel::info, sealing_line(configuration.sealing));
   env_.serve(*this);
+  description_.load(configuration, *participant_);
   after_event();
   if (must_reload_) reload();
 }
@@ -244,6 +248,7 @@ void Daemon::stop() {
   if (is_stopping_ || participant_ == nullptr) return context_.stop();  // before the start, or asked again
   is_stopping_ = true;
   ontology_.stop();
+  description_.stop();
   log_.write(LogLevel::info, "stopping: saying goodbye");
   supervisor_.say_stopping();
   env_.stop_listening();
@@ -277,7 +282,10 @@ void Daemon::reload() {
     env_.event([&] { participant_->set_sealing(configuration.sealing); });
     log_.write(LogLevel::info, sealing_line(configuration.sealing));
   }
-  if (change->description) env_.event([&] { participant_->describe(configuration.description); });
+  if (change->description && !configuration.describes_by_file()) {
+    env_.event([&] { participant_->describe(configuration.description); });
+  }
+  description_.load(configuration, *participant_);
   adoption_.watch(configuration.adopted);
   ontology_.reload(configuration);
   tell_ready();

@@ -15,6 +15,7 @@
 #include "daemon/adoption/adoption.hpp"
 #include "daemon/cage_in_force.hpp"
 #include "daemon/configuration_in_force.hpp"
+#include "daemon/description_in_force.hpp"
 #include "daemon/log.hpp"
 #include "daemon/memory_reserve.hpp"
 #include "daemon/ontology_in_force.hpp"
@@ -98,6 +99,7 @@ class Daemon final : private env::EventSink {
   std::unique_ptr<participant::Participant> participant_;  ///< null until begin()
   OntologyInForce ontology_;
   AdoptionWatch adoption_;
+  DescriptionInForce description_;
   std::uint32_t lasting_ = 0;         ///< the identity that the daemon keeps across restarts; 0: it keeps none
   std::vector<std::string> failure_;  ///< lines for the user
   bool is_announced_ = false;         ///< the log says that the daemon is ready

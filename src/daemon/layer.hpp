@@ -47,8 +47,10 @@ inline constexpr std::array<Key, 23> keys{{
     {"announce-address", ValueType::texts, "[INTERFACE=]ADDRESS",
      "Announce this address in place of the interface's own, as behind NAT; may be given many times"},
     {"name", ValueType::text, "NAME", "What the team calls this participant (default: the host's name)"},
-    {"describe", ValueType::text, "EXPRESSION",
-     "Tell the team what this participant is: a class expression such as 'Robot and hasPart some Gripper'"},
+    {"describe", ValueType::text, "EXPRESSION-OR-FILE",
+     "Tell the team what this participant is: a class expression such as 'Robot and hasPart some Gripper', or a file "
+     "of "
+     "facts about geminga:self, whose name ends as those of ontologies do (.ttl, .owl, .omn ...)"},
     {"gcnp", ValueType::texts, "ADDRESS:PORT",
      "Listen for local clients there; may be given many times; none: no TCP (default: 127.0.0.1:4717 and "
      "[::1]:4717)"},

@@ -22,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view program_name = "geminga-ontology";
-constexpr std::string_view compiled_suffix = ".geminga";
 /// The most lines of the compiler's output that are shown, and the most octets of each.
 constexpr std::size_t max_lines = 40;
 constexpr std::size_t max_child_line_bytes = 1000;
@@ -33,19 +32,6 @@ constexpr const char* search_seconds = "30";
 constexpr const char* search_steps = "200000000";
 /// The compiler's exit status when a limit was reached.
 constexpr int limit_reached = 4;
-
-std::vector<std::string> lines_of(std::string_view words) {
-  std::vector<std::string> lines;
-  while (!words.empty() && lines.size() < max_lines) {
-    const auto end = std::min(words.find('\n'), words.size());
-    std::string_view line = words.substr(0, end);
-    words.remove_prefix(std::min(end + 1, words.size()));
-    const std::string prefix = std::string(program_name) + ": ";
-    if (line.starts_with(prefix)) line.remove_prefix(prefix.size());
-    if (!line.empty()) lines.push_back(base::printable(line, max_child_line_bytes));
-  }
-  return lines;
-}
 
 bool is_executable(const std::string& path) {
   std::error_code ignored;
@@ -95,7 +81,7 @@ void add_lines(std::vector<std::string> lines, LoadedOntology& loaded) {
 }
 
 Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::PrivateFile& output) {
-  std::vector<std::string> lines = lines_of(end.words);
+  std::vector<std::string> lines = compiler_lines(end.words);
   if (end.has_succeeded || end.exit_status == limit_reached) {
     auto mapped = map("/proc/self/fd/" + std::to_string(output.descriptor()), "the compiled ontology");
     if (mapped) add_lines(std::move(lines), *mapped);
@@ -124,6 +110,19 @@ std::vector<std::string> compiler_arguments(const std::vector<std::string>& file
 }
 
 }  // namespace
+
+std::vector<std::string> compiler_lines(std::string_view words) {
+  std::vector<std::string> lines;
+  while (!words.empty() && lines.size() < max_lines) {
+    const auto end = std::min(words.find('\n'), words.size());
+    std::string_view line = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    const std::string prefix = std::string(program_name) + ": ";
+    if (line.starts_with(prefix)) line.remove_prefix(prefix.size());
+    if (!line.empty()) lines.push_back(base::printable(line, max_child_line_bytes));
+  }
+  return lines;
+}
 
 std::string find_compiler() {
   std::error_code error;

@@ -9,10 +9,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "daemon/background.hpp"
-#include "daemon/child.hpp"
+#include "daemon/child/child.hpp"
 #include "reasoning/compiled/ontology.hpp"
 
 namespace geminga::base {
@@ -32,11 +33,17 @@ struct LoadedOntology {
 [[nodiscard]] std::optional<std::string> contradiction_in(const LoadedOntology& loaded,
                                                           const std::vector<std::string>& files);
 
+/// The ending of compiled ontologies.
+inline constexpr std::string_view compiled_suffix = ".geminga";
+
 /// IRIs by prefix, both as Turtle can write them.
 using Prefixes = std::map<std::string, std::string>;
 
 /// The path of geminga-ontology: beside this program, else on PATH; the plain name where neither has it.
 [[nodiscard]] std::string find_compiler();
+
+/// The lines that the program wrote to standard error, without its name, harmless for a terminal, at most 40.
+[[nodiscard]] std::vector<std::string> compiler_lines(std::string_view words);
 
 /// Runs `geminga-ontology compile` with bounds, and maps its output. The daemon itself reads no RDF: a hostile file can
 /// hurt the child only. A compiled ontology is copied and verified on a thread, while the event loop serves.

@@ -1,4 +1,4 @@
-#include "daemon/child.hpp"
+#include "daemon/child/child.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -48,6 +48,38 @@ TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
   EXPECT_EQ(refused({"--ontology", broken, "--check-config"}).status, 2) << "a check says that it will not do";
 }
 
+TEST(Start, DescribesItselfByFactsAndServesThoseWhoAskForThat) {
+  const Folder folder;
+  const std::string prefixes =
+      "@prefix : <http://zoo.example/#> . @prefix g: <https://geminga.example/core#> .\n"
+      "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n";
+  const std::string words =
+      folder.write("words.ttl", prefixes + ":has a owl:ObjectProperty . :Robot a owl:Class . :Mast a owl:Class .\n");
+  const std::string facts =
+      folder.write("robot.ttl", prefixes + "g:self a :Robot ; :has [ a :Mast ] ; :says :hello .\n");
+  Lab lab(1);
+  lab.start(0, {"--ontology", words, "--describe", facts});
+  ASSERT_TRUE(lab.daemon(0).wait_for("robot.ttl is in force, as an expression of ")) << lab.daemon(0).said();
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr("robot.ttl:3: left out: ")) << "nobody says what :says is";
+  Talk talk = lab.talk(0);
+  talk.say("1 pub create mode=oto text=relay port=5000");
+  talk.say("2 sub create mode=oto text=relay on=\"Robot and has some Mast\"");
+  EXPECT_TRUE(talk.line_with({"2 pub add", "text=relay"}));
+
+  folder.write("robot.ttl", prefixes + "g:self a :Robot ;\n");
+  lab.daemon(0).signal(SIGHUP);
+  ASSERT_TRUE(lab.daemon(0).wait_for("the description in force is kept")) << lab.daemon(0).said();
+  EXPECT_THAT(lab.daemon(0).said(), HasSubstr(facts + ":3"));
+  EXPECT_THAT(talk.query("services mode=participant"), Contains(HasSubstr("Mast")));
+
+  folder.write("robot.ttl", prefixes + "g:self a :Robot .\n");
+  lab.daemon(0).signal(SIGHUP);
+  EXPECT_TRUE(talk.line_with({"2 pub del", "reason=changed"}));
+
+  const auto missing = refused({"--describe", folder.path("nowhere.ttl")});
+  EXPECT_THAT(missing.said, HasSubstr("nowhere.ttl: cannot be opened")) << "a file, and no expression";
+}
+
 /// A folder with one file that can be read, and one that cannot.
 struct HalfGood {
   HalfGood() {

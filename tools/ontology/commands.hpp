@@ -18,6 +18,7 @@ void add_consistent(CLI::App& program, Choice& choice);
 void add_explain(CLI::App& program, Choice& choice);
 void add_id(CLI::App& program, Choice& choice);
 void add_compile(CLI::App& program, Choice& choice);
+void add_describe(CLI::App& program, Choice& choice);
 void add_draw(CLI::App& program, Choice& choice);
 void add_infer(CLI::App& program, Choice& choice);
 void add_convert(CLI::App& program, Choice& choice);

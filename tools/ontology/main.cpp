@@ -57,10 +57,10 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   Choice choice;
   for (const auto add :
-       {add_check,   add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
-        add_compile, add_draw,     add_infer,    add_convert, add_merge,      add_realize, add_instances,
-        add_query,   add_rank,     add_repair,   add_diff,    add_extract,    add_report,  add_align,
-        add_serve,   add_fetch,    add_adopt,    add_task})
+       {add_check,     add_classify, add_subsumes, add_entails, add_consistent, add_explain, add_id,
+        add_compile,   add_describe, add_draw,     add_infer,   add_convert,    add_merge,   add_realize,
+        add_instances, add_query,    add_rank,     add_repair,  add_diff,       add_extract, add_report,
+        add_align,     add_serve,    add_fetch,    add_adopt,   add_task})
     add(program, choice);
   if (const auto description = geminga::manual::described(program, argc, argv)) {
     return std::fputs(description->c_str(), stdout) >= 0 && std::fflush(stdout) == 0 ? 0

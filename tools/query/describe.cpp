@@ -7,12 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "answers/ontology.hpp"
 #include "query/command.hpp"
 #include "query/listing.hpp"
+#include "query/ontology_program.hpp"
+#include "reasoning/syntax/folders.hpp"
 #include "shell/report.hpp"
 
 namespace geminga::query {
 namespace {
+
+/// Octets of the one line in which geminga-ontology says what facts become; it says less.
+constexpr std::size_t max_answer_bytes = 4096;
 
 struct Described {
   std::vector<std::string> words;
@@ -39,25 +45,42 @@ std::pair<std::optional<std::string>, Attributes> read_description(const Describ
   return {std::move(expression), std::move(attributes)};
 }
 
+/// The files of the daemon's ontology, by which the properties of facts are known.
+std::vector<std::string> files_of(const Answer& ontology) {
+  std::vector<std::string> files;
+  for (const Record& one : answers::ontology_of(ontology).files) files.emplace_back(one["file"]);
+  return files;
+}
+
 }  // namespace
 
 void add_describe(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand("describe", "Say what this host's participant is, for the team to ask for");
   const auto said = std::make_shared<Described>();
   command->add_option("EXPRESSION", said->words,
-                      "A class or a class expression, in place of the present one; KEY=VALUE: an attribute beside it, "
-                      "such as battery='80 %'");
+                      "A class or a class expression, in place of the present one; a name that ends as ontology files "
+                      "do (.ttl, .owl, .omn ...): a file of facts about geminga:self; KEY=VALUE: an attribute beside "
+                      "it, such as battery='80 %'");
   command->add_flag("--none", said->is_end, "Take the description back");
   command->footer(
       "It holds until it is changed or the daemon ends; gemingad --describe has one from the start. What changes often "
       "is\n"
       "an attribute. At most four changes a second.\n\n"
       "Examples:\n  geminga-query describe 'Robot and hasPart some Gripper' battery='80 %'\n"
+      "  geminga-query describe robot.ttl\n"
       "  geminga-query describe battery='79 %'\n  geminga-query describe --none");
   command->callback([said, &selected] {
     selected = [one = read_description(*said)](const Context& context, Client& client) {
       if (refuses_watch(context, "describe")) return shell::ExitStatus::wrong_use;
-      const auto done = client.describe(one.first, one.second);
+      std::optional<std::string> expression = one.first;
+      if (expression && syntax::is_ontology_name(*expression)) {
+        const auto ontology = client.query("ontology");
+        if (!ontology) return shell::report(program, ontology.error());
+        expression = ask_ontology_program("describe", *expression, files_of(*ontology), max_answer_bytes);
+        if (!expression) return shell::ExitStatus::wrong_use;
+        if (expression->ends_with('\n')) expression->pop_back();
+      }
+      const auto done = client.describe(expression, one.second);
       return done ? shell::ExitStatus::found : shell::report(program, done.error());
     };
   });

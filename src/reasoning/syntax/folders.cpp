@@ -29,11 +29,14 @@ LoadError unreadable(const std::string& file, std::string text) {
   return {base::printable(file, 4096), 0, std::move(text), true};
 }
 
-bool is_wanted_name(std::string_view given, std::span<const std::string_view> also) {
+bool has_ending(std::string_view given, std::span<const std::string_view> endings) {
   const std::string name = base::in_lower_case(name_without_gz(given));
-  if (name.starts_with("catalog-v")) return false;
-  const auto is_ending = [&](std::string_view extension) { return name.ends_with(extension); };
-  return std::ranges::any_of(extensions, is_ending) || std::ranges::any_of(also, is_ending);
+  return std::ranges::any_of(endings, [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+bool is_wanted_name(std::string_view given, std::span<const std::string_view> also) {
+  if (base::in_lower_case(given).starts_with("catalog-v")) return false;
+  return has_ending(given, extensions) || has_ending(given, also);
 }
 
 /// Whether a file that is only XML by its name says early that it is about RDF or OWL.
@@ -131,6 +134,8 @@ class Walk {
 };
 
 }  // namespace
+
+bool is_ontology_name(std::string_view text) { return has_ending(text, extensions) && !text.contains("://"); }
 
 std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments, const FileLimits& limits,
                                              std::span<const std::string_view> also, std::vector<LoadError>* left_out) {

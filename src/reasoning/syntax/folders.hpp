@@ -16,6 +16,10 @@ namespace geminga::syntax {
 /// The most files that are left out because they cannot be read; with one more, everything is refused.
 inline constexpr std::size_t max_left_out = 16;
 
+/// Whether a text is the name of a file and not something else that may stand in its place: it ends as the names of
+/// ontology files do (.ttl .nt .rdf .owl .xml .owx .omn .ofn .fss, also with .gz), and is no IRI with `://`.
+[[nodiscard]] bool is_ontology_name(std::string_view text);
+
 /// The files that the arguments mean.
 struct Listing {
   std::vector<std::string> files;    ///< in the order of the arguments; of a folder, sorted by path

@@ -66,6 +66,7 @@ class Examples : public testing::Test {
     }
     fs::create_directory_symlink(shipped, folder_ / "ontology");
     fs::copy_file(GEMINGA_SOURCE_DIR "/examples/rescue-team/task.ttl", folder_ / "task.ttl");
+    fs::copy_file(fs::path(GEMINGA_SOURCE_DIR) / "examples/facts/robot.ttl", folder_ / "robot.ttl");
     const std::string soccer = text_of(shipped / "robot-soccer.ttl");
     const auto prefix = soccer.find("@prefix soccer:");
     const std::string own = "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n" +

@@ -28,8 +28,9 @@ TEST(Check, SaysWhichClassesWhatWasLeftOutMayMatterTo) {
 TEST(Lenient, IsAFlagOfEveryCommandThatReadsOntologies) {
   const Program program;
   for (const std::string command :
-       {"check",   "classify", "subsumes", "entails", "consistent", "explain", "repair", "compile", "draw",   "infer",
-        "convert", "merge",    "query",    "realize", "instances",  "id",      "diff",   "extract", "report", "align"})
+       {"check",     "classify", "subsumes", "entails", "consistent", "explain", "repair",
+        "compile",   "draw",     "infer",    "convert", "merge",      "query",   "realize",
+        "instances", "id",       "diff",     "extract", "report",     "align",   "describe"})
     EXPECT_THAT(program.run({command, "--help"}).out, HasSubstr("--lenient")) << command;
 }
 

@@ -1,0 +1,89 @@
+#include "daemon/description_in_force.hpp"
+
+#include <unistd.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "daemon/adoption/adoption.hpp"
+#include "daemon/ontology_loader.hpp"
+
+namespace geminga::daemon {
+namespace {
+
+using base::LogLevel;
+
+constexpr const char* kept_description = "the description in force is kept";
+
+std::vector<std::string> describing_arguments(const Configuration& configuration) {
+  std::error_code ignored;
+  // Absolute, so that no path looks like a flag.
+  const auto whole = [&](const std::string& path) { return std::filesystem::absolute(path, ignored).string(); };
+  std::vector<std::string> arguments{"describe", whole(configuration.description)};
+  std::vector<std::string> ontologies = configuration.ontologies;
+  const std::vector<std::string> adopted = adopted_versions(configuration.adopted, 0);
+  ontologies.insert(ontologies.end(), adopted.begin(), adopted.end());
+  for (const std::string& file : ontologies) {
+    // A compiled form has no declarations that a reader of other files can use.
+    if (!file.ends_with(compiled_suffix)) arguments.push_back(whole(file));
+  }
+  return arguments;
+}
+
+/// The line that the child has written; nothing where it is not one, or too long.
+std::optional<std::string> line_in(const base::PrivateFile& output) {
+  std::string text(max_description_bytes + 2, '\0');
+  const ssize_t size = ::pread(output.descriptor(), text.data(), text.size(), 0);
+  if (size < 1) return std::nullopt;
+  text.resize(static_cast<std::size_t>(size));
+  if (text.find('\n') != text.size() - 1) return std::nullopt;
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void DescriptionInForce::load(const Configuration& configuration, participant::Participant& participant) {
+  child_.reset();
+  if (!configuration.describes_by_file()) return;
+  file_ = configuration.description;
+  auto output = base::PrivateFile::in_memory();
+  if (!output) return fail({output.error()});
+  output_ = std::make_unique<base::PrivateFile>(std::move(*output));
+  const std::string program = find_compiler();
+  auto started = Child::start(
+      context_, program, describing_arguments(configuration), {},
+      [this, &participant](const ChildEnd& end) { finish(end, participant); }, output_->descriptor());
+  if (!started) return fail({"cannot start " + program + ": " + started.error()});
+  child_ = std::move(*started);
+}
+
+void DescriptionInForce::finish(const ChildEnd& end, participant::Participant& participant) {
+  std::vector<std::string> lines = compiler_lines(end.words);
+  // The child is destroyed in an event of its own, since it is what calls.
+  boost::asio::post(context_, [child = std::shared_ptr<Child>(std::move(child_))] {});
+  const auto expression = end.has_succeeded ? line_in(*output_) : std::nullopt;
+  output_.reset();
+  if (!expression) {
+    if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back("geminga-ontology: " + end.how);
+    return fail(lines);
+  }
+  for (const std::string& line : lines) log_.write(LogLevel::warning, "describe: " + line);
+  log_.write(LogLevel::info, "describe: " + base::printable(file_) + " is in force, as an expression of " +
+                                 std::to_string(expression->size()) + " octets");
+  env_.event([&] { participant.describe(*expression); });
+  after_event_();
+}
+
+void DescriptionInForce::fail(const std::vector<std::string>& lines) {
+  std::vector<std::string> marked;
+  for (const std::string& line : lines) marked.push_back("describe: " + line);
+  log_.write_failed_reading(marked, kept_description);
+}
+
+}  // namespace geminga::daemon

@@ -1,0 +1,47 @@
+// The description of this participant, where it is read from a file with facts.
+#ifndef GEMINGA_DAEMON_DESCRIPTION_IN_FORCE_HPP
+#define GEMINGA_DAEMON_DESCRIPTION_IN_FORCE_HPP
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/private_file.hpp"
+#include "daemon/child/child.hpp"
+#include "daemon/configuration.hpp"
+#include "daemon/log.hpp"
+#include "discovery/participant/participant.hpp"
+#include "env/asio/asio_env.hpp"
+
+namespace geminga::daemon {
+
+/// Runs `geminga-ontology describe` as a child in a cage: the daemon itself reads no RDF.
+class DescriptionInForce {
+ public:
+  /// Borrows all for its life. `after_event` is called on the event loop after the description has changed.
+  DescriptionInForce(boost::asio::io_context& context, env::AsioEnv& env, Log& log, std::function<void()> after_event)
+      : context_(context), env_(env), log_(log), after_event_(std::move(after_event)) {}
+
+  /// Has the file of this configuration read, and describes the participant by it. What cannot be read leaves the
+  /// description as it is. A reading that is under way is given up. `participant` is borrowed until stop().
+  void load(const Configuration& configuration, participant::Participant& participant);
+  /// Changes nothing from now on.
+  void stop() { child_.reset(); }
+
+ private:
+  void finish(const ChildEnd& end, participant::Participant& participant);
+  void fail(const std::vector<std::string>& lines);
+
+  boost::asio::io_context& context_;
+  env::AsioEnv& env_;
+  Log& log_;
+  std::function<void()> after_event_;
+  std::string file_;
+  std::unique_ptr<base::PrivateFile> output_;  ///< of the child
+  std::unique_ptr<Child> child_;               ///< null: nothing is being read
+};
+
+}  // namespace geminga::daemon
+
+#endif
