@@ -51,6 +51,12 @@ TEST(Closure, OfAContradictionIsThatEveryClassIsEmpty) {
   EXPECT_EQ(outcome.out, expected);
 }
 
+TEST(Classify, OfAContradictionWritesTheOneNodeOnce) {
+  const Program program;
+  program.turtle("a.ttl", ":i a :A, :B . :A owl:disjointWith :B .\n");
+  EXPECT_EQ(program.run({"classify", "a.ttl"}).out, "e:A = e:B = owl:Nothing = owl:Thing\n");
+}
+
 TEST(Classify, SaysWhichImportsNoFileAnswersInTheWordsOfCheck) {
   const Program program;
   program.turtle("a.ttl", "<http://e/o> a owl:Ontology ; owl:imports <http://e/nowhere> .\n:A rdfs:subClassOf :B .\n");

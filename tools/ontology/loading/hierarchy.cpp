@@ -125,7 +125,9 @@ bool write_tree(const Hierarchy& hierarchy, const std::function<std::string(std:
       if (*child != bottom) stack.emplace_back(*child, level + 1);
     }
   }
-  if (hierarchy.members[bottom].size() > 1 && !writer.line(name_of(bottom), "", "")) return false;
+  // Where everything is empty, the node of the bottom is that of the top.
+  const bool is_left = hierarchy.members[bottom].size() > 1 && !is_written[bottom];
+  if (is_left && !writer.line(name_of(bottom), "", "")) return false;
   return writer.flush();
 }
 
