@@ -60,17 +60,25 @@ std::vector<std::size_t> UniversalNormaliser::find_ranges_over_chains(const Role
   return found;
 }
 
+// Without the automata, which a question about a few axioms would take longer to make than to answer.
+void UniversalNormaliser::leave_out(std::span<const std::size_t> over_chains, UnusedAxioms& unused) const {
+  for (const std::size_t at : over_chains) unused.emplace_back(ranges_[at].axiom, owl::Construct::range_over_chain);
+  for (const PendingUse& pending : pending_.all()) {
+    if (std::holds_alternative<UniversalUse>(pending.what))
+      unused.emplace_back(pending.axiom, owl::Construct::all_values_from);
+  }
+}
+
 void UniversalNormaliser::finish(const Roles& closed, std::span<const owl::RoleChain> chains, Universals universals,
                                  UnusedAxioms& unused) {
   const std::vector<std::size_t> over_chains = find_ranges_over_chains(closed);
   if (over_chains.empty() && universals_.empty()) return;
+  if (universals == Universals::left_out) return leave_out(over_chains, unused);
   std::vector<owl::RoleInclusion> inclusions;
   for (const auto& [sub, super] : closed.told_supers()) inclusions.push_back({role_of(RoleId{sub}), role_of(super)});
   const owl::RoleBox box(closed.count(), inclusions, chains, max_automaton_states);
   const std::vector<bool> is_partial = find_partial(closed, box, chains);
-  const auto can_use = [&](RoleId role) {
-    return universals == Universals::used && !is_partial[static_cast<std::size_t>(role)];
-  };
+  const auto can_use = [&](RoleId role) { return !is_partial[static_cast<std::size_t>(role)]; };
 
   std::map<RoleId, std::vector<ExprId>> ranges_of;
   for (const std::size_t at : over_chains) {

@@ -53,6 +53,7 @@ class UniversalNormaliser {
   };
 
   [[nodiscard]] std::vector<std::size_t> find_ranges_over_chains(const Roles& closed) const;
+  void leave_out(std::span<const std::size_t> over_chains, UnusedAxioms& unused) const;
   void make_universal(const Universal& universal, const owl::RoleBox& box);
   void make_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box);
 
