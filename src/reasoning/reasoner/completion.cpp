@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/sorted.hpp"
-#include "reasoning/dl/clauses/clausify.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "reasoning/reasoner/named_concepts.hpp"
 
@@ -63,8 +62,10 @@ class Completing {
     for (std::uint32_t of = 0; of < known_.size(); ++of) {
       if (given_.is_settled[of]) possible_[representative(of)] = known_[representative(of)];
     }
-    find_models(given_.clauses);
-    if (result_.is_consistent) ask_pairs();
+    const NamedConcepts concepts(source_, classification_, given_.clauses);
+    hypertableau::Tableau tableau(source_, given_.clauses, question_);
+    find_models(tableau, concepts);
+    if (result_.is_consistent) ask_pairs(tableau, concepts);
     return finish();
   }
 
@@ -75,7 +76,6 @@ class Completing {
   [[nodiscard]] bool is_asked(std::uint32_t of) const {
     return representative(of) == of && of != top_ && of != bottom_;
   }
-  [[nodiscard]] owl::TermId term_of(std::uint32_t of) const { return terms_[of]; }
 
   Completion finish() {
     for (std::uint32_t of = 0; of < possible_.size() && !gaps_.empty(); ++of) {
@@ -95,7 +95,7 @@ class Completing {
   bool may_ask(std::uint32_t of, const hypertableau::Tableau& tableau, double done) {
     if (options_.progress) options_.progress("looking for models", done);
     const auto spent = options_.budget == nullptr ? std::nullopt : options_.budget->reason();
-    const bool has_steps = tableau.steps() - world_steps_ < limits_.steps;
+    const bool has_steps = tableau.steps() - former_steps_ < limits_.steps;
     const bool is_too_hard = unanswered_ >= limits_.unanswered || vain_steps_ >= most_vain_steps();
     if (!spent && has_steps && questions_ < limits_.questions && !is_too_hard) return true;
     if (!result_.held_up_by) result_.held_up_by = of;
@@ -116,9 +116,10 @@ class Completing {
 
   /// Asks about a class. Where there is no answer, later questions may take twice as many steps: the first model may be
   /// large, and when it is kept the others take few.
-  Verdict ask(std::uint32_t of, std::vector<clauses::ConceptId> together, hypertableau::Tableau& tableau) {
+  Verdict ask(std::uint32_t of, clauses::ConceptId inside, hypertableau::Tableau& tableau,
+              std::optional<clauses::ConceptId> outside = std::nullopt) {
     const std::size_t before = tableau.steps();
-    const Verdict verdict = note(tableau.is_satisfiable(std::move(together)), of);
+    const Verdict verdict = note(tableau.is_satisfiable({inside}, outside), of);
     if (verdict != Verdict::unknown) return verdict;
     vain_steps_ += tableau.steps() - before;
     const std::size_t left = most_vain_steps() - std::min(most_vain_steps(), vain_steps_);
@@ -215,12 +216,9 @@ class Completing {
     return order;
   }
 
-  void find_models(const clauses::ClauseSet& clauses) {
-    const NamedConcepts concepts(source_, classification_, clauses);
-    terms_ = concepts.terms();
-    hypertableau::Tableau tableau(source_, clauses, question_);
+  void find_models(hypertableau::Tableau& tableau, const NamedConcepts& concepts) {
     const Verdict world = note(tableau.is_consistent(), std::nullopt);
-    world_steps_ = tableau.steps();
+    former_steps_ = tableau.steps();
     result_.is_consistency_open = world == Verdict::unknown;
     if (world == Verdict::no) result_.is_consistent = false;
     if (world == Verdict::no) return;
@@ -271,7 +269,7 @@ class Completing {
     if (!asked) return true;
     if (!may_ask(of, tableau, done)) return false;
     has_model_[of] = true;
-    const Verdict verdict = ask(of, {*asked}, tableau);
+    const Verdict verdict = ask(of, *asked, tableau);
     if (verdict == Verdict::no) set_empty(of);
     if (verdict != Verdict::yes) return true;
     for (const std::uint32_t above : classes_of(tableau.model().certain, concepts)) {
@@ -294,36 +292,31 @@ class Completing {
     return open;
   }
 
-  void ask_pairs() {
+  void ask_pairs(hypertableau::Tableau& tableau, const NamedConcepts& concepts) {
     // The subsumers of a class need not be asked again for the classes below it.
     Numbers order = lowest_first();
     order.push_back(top_);
     std::ranges::reverse(order);
-    std::set<std::uint32_t> supers;
-    for (const std::uint32_t of : order) {
-      for (const std::uint32_t above : open_above(of)) supers.insert(above);
-    }
-    if (supers.empty()) return;
-    const Numbers asked(supers.begin(), supers.end());
-    std::vector<owl::TermId> complements;
-    for (const std::uint32_t above : asked) complements.push_back(term_of(above));
-    const auto clauses = clauses::clausify(source_, std::nullopt, {}, complements);
-    if (!clauses) {
-      gaps_.insert(clauses.error().text);
-      return;
-    }
-    hypertableau::Tableau tableau(source_, *clauses, question_);
-    world_steps_ = 0;
+    tableau.begin_anew();
+    // Pairs may take as many steps as models may.
+    former_steps_ = tableau.steps();
     const std::size_t unanswered = unanswered_;
-    ask_pairs_of(order, asked, *clauses, tableau);
-    if (unanswered_ > unanswered) ask_pairs_of(order, asked, *clauses, tableau);
+    ask_pairs_of(order, tableau, concepts);
+    if (unanswered_ > unanswered) ask_pairs_of(order, tableau, concepts);
   }
 
-  /// Asks about the pairs of these classes that are open, until no more may be asked. `asked` are the classes above,
-  /// whose complements are in the clauses.
-  void ask_pairs_of(const Numbers& order, const Numbers& asked, const clauses::ClauseSet& clauses,
-                    hypertableau::Tableau& tableau) {
-    const NamedConcepts concepts(source_, classification_, clauses);
+  /// The concept of a class, or of one that is known to be equivalent: an axiom that only el uses may name the class.
+  [[nodiscard]] std::optional<clauses::ConceptId> concept_of_any(std::uint32_t representative_of,
+                                                                 const NamedConcepts& concepts) const {
+    auto found = concepts.concept_of(representative_of);
+    for (std::uint32_t of = 0; of < known_.size() && !found; ++of) {
+      if (representative(of) == representative_of) found = concepts.concept_of(of);
+    }
+    return found;
+  }
+
+  /// Asks about the pairs of these classes that are open, until no more may be asked.
+  void ask_pairs_of(const Numbers& order, hypertableau::Tableau& tableau, const NamedConcepts& concepts) {
     for (std::size_t at = 0; at < order.size(); ++at) {
       const std::uint32_t of = order[at];
       const auto sub = concepts.concept_of(of);
@@ -332,8 +325,7 @@ class Completing {
         if (!sub || contains(known_[of], above) || contains(known_[top_], above)) continue;
         if (!contains(*possible_[of], above)) continue;
         if (!may_ask(of, tableau, 0.5 + 0.5 * static_cast<double>(at) / static_cast<double>(order.size()))) return;
-        const auto place = static_cast<std::size_t>(std::ranges::lower_bound(asked, above) - asked.begin());
-        const Verdict verdict = ask(of, {*sub, clauses.complements[place]}, tableau);
+        const Verdict verdict = ask(of, *sub, tableau, concept_of_any(above, concepts));
         if (verdict == Verdict::no) add(of, above);
         if (verdict == Verdict::yes) learn(tableau.model(), concepts);
       }
@@ -353,8 +345,7 @@ class Completing {
   std::size_t questions_ = 0;
   std::size_t unanswered_ = 0;
   std::size_t vain_steps_ = 0;                    ///< of questions about classes without an answer
-  std::size_t world_steps_ = 0;                   ///< of the question whether there is a model at all
-  std::vector<owl::TermId> terms_;                ///< by class
+  std::size_t former_steps_ = 0;                  ///< before the models of classes, and before the pairs
   std::vector<Numbers> known_;                    ///< by representative: what is strictly above it, ascending
   std::vector<std::optional<Numbers>> possible_;  ///< by representative: what may be above it, itself (but T) included
   std::vector<bool> has_model_;                   ///< by representative: a model of it was looked for

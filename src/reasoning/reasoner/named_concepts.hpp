@@ -26,8 +26,6 @@ class NamedConcepts {
     const auto found = known(concepts_[of]);
     return found ? std::optional(clauses::ConceptId{*found}) : std::nullopt;
   }
-  /// The term of each class.
-  [[nodiscard]] const std::vector<owl::TermId>& terms() const { return terms_; }
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -37,7 +35,6 @@ class NamedConcepts {
 
   std::vector<std::uint32_t> classes_;   ///< by concept
   std::vector<std::uint32_t> concepts_;  ///< by class
-  std::vector<owl::TermId> terms_;
 };
 
 }  // namespace geminga::reasoner

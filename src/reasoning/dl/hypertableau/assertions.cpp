@@ -87,6 +87,34 @@ void Assertions::add_unequal(NodeId a, NodeId b, DependencySet dependency) {
   if (graph_.node(a).kind == NodeKind::value || graph_.node(a).kind == NodeKind::constant) have_values_changed_ = true;
 }
 
+// Nodes of former questions may have the mark, too. They are in kept models, in which nothing is derived any more, and
+// on whose choices no later question depends: see Search::keep().
+void Assertions::set_outside(std::uint32_t concept_of_question) {
+  if (outside_ == concept_of_question) return;
+  outside_ = concept_of_question;
+  is_below_outside_.resize(std::size_t{program_.mark_of_question()} + 1, false);
+  for (const std::uint32_t id : below_outside_) is_below_outside_[id] = false;
+  below_outside_.clear();
+  const auto add = [this](std::uint32_t id) {
+    if (!is_below_outside_[id]) below_outside_.push_back(id);
+    is_below_outside_[id] = true;
+  };
+  if (outside_ != none) add(outside_);
+  for (std::size_t at = 0; at < below_outside_.size(); ++at)
+    std::ranges::for_each(program_.told_below(below_outside_[at]), add);
+}
+
+FactId Assertions::find_mark_against(std::uint32_t id, NodeId node) const {
+  if (outside_ == none || !is_below_outside_[id]) return none;
+  return graph_.find(FactKind::concept_of, program_.mark_of_question(), node);
+}
+
+FactId Assertions::find_opposite(std::uint32_t predicate, NodeId node) const {
+  const std::uint32_t mark = program_.mark_of_question();
+  if (outside_ == none || (predicate != outside_ && predicate != mark)) return none;
+  return graph_.find(FactKind::concept_of, predicate == mark ? outside_ : mark, node);
+}
+
 bool Assertions::holds(const Choice& choice) {
   switch (choice.kind) {
     case ChoiceKind::concept_of:

@@ -60,6 +60,15 @@ class Assertions {
   /// The individual of this number of those that the bound allows the node (NI-rule, bounds.hpp).
   NodeId introduced(NodeId node, std::uint32_t bound, std::uint32_t number);
 
+  /// Says outside of which concept the node with the mark of the question is; none: of no concept.
+  void set_outside(std::uint32_t concept_of_question);
+  /// The fact of the mark if the concept is the one that the node with the mark is outside of, and the other way round;
+  /// none where there is no such fact.
+  [[nodiscard]] FactId find_opposite(std::uint32_t predicate, NodeId node) const;
+  /// The fact of the mark if the concept is told to be below the one that the node with the mark is outside of, or is
+  /// that one; none where there is no such fact.
+  [[nodiscard]] FactId find_mark_against(std::uint32_t id, NodeId node) const;
+
   // Values.
   /// Whether facts of values came since the last call.
   [[nodiscard]] bool take_values_changed() { return std::exchange(have_values_changed_, false); }
@@ -111,6 +120,9 @@ class Assertions {
   Effort& effort_;
   ValueCheck values_;
   const bool has_individuals_;  ///< of the ontology; they are in the graph where individuals_ has them
+  std::uint32_t outside_ = none;
+  std::vector<std::uint32_t> below_outside_;  ///< by what is told, itself included
+  std::vector<bool> is_below_outside_;        ///< by concept
   bool has_clash_ = false;
   DependencySet clash_ = no_dependency;
   bool have_values_changed_ = false;

@@ -93,13 +93,10 @@ bool Bounds::introduce(const Suspect& suspect, std::span<const Neighbour> neighb
 // guard -> alternatives or the bound, once the bound says anything.
 void Bounds::check_conditional(const Suspect& suspect) {
   const Bound& bound = program_.bound(suspect.bound);
-  const std::vector<Neighbour> neighbours = neighbours_.counted(suspect);
-  const bool is_root = program_.has_nominals() && graph_.node(suspect.node).kind == NodeKind::root;
-  if (neighbours.empty() || (neighbours.size() <= bound.count && !is_root)) return;
-  DependencySet dependency = no_dependency;
-  for (const Neighbour& neighbour : neighbours) dependency = unite(dependency, neighbour.dependency);
+  // Most nodes have no guard, so the neighbours are counted behind it.
+  std::optional<DependencySet> reasons_of_count;
   for (const ConditionalBound& rule : program_.conditional(suspect.bound)) {
-    DependencySet reasons = dependency;
+    DependencySet reasons = no_dependency;
     const bool applies = std::ranges::all_of(rule.guard, [&](const Atom& atom) {
       const bool is_role = atom.kind == AtomKind::role;
       const FactId fact = is_role ? graph_.find(FactKind::role, atom.predicate, suspect.node, suspect.node)
@@ -108,6 +105,14 @@ void Bounds::check_conditional(const Suspect& suspect) {
       return fact != none;
     });
     if (!applies) continue;
+    if (!reasons_of_count) {
+      const std::vector<Neighbour> neighbours = neighbours_.counted(suspect);
+      const bool is_root = program_.has_nominals() && graph_.node(suspect.node).kind == NodeKind::root;
+      if (neighbours.empty() || (neighbours.size() <= bound.count && !is_root)) return;
+      reasons_of_count = no_dependency;
+      for (const Neighbour& neighbour : neighbours) reasons_of_count = unite(*reasons_of_count, neighbour.dependency);
+    }
+    reasons = unite(reasons, *reasons_of_count);
     std::vector<Choice> alternatives;
     for (const Atom& atom : rule.alternatives) {
       alternatives.push_back(choice_of(program_, atom, suspect.node, suspect.node));

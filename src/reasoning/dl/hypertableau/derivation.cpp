@@ -100,6 +100,11 @@ void Derivation::process_concept(const Fact& fact, FactId id) {
     const NodeId node = graph_.current(facts_.individuals()[number(individual)], sets_, dependency);
     if (node != fact.a) facts_.add_merge(fact.a, node, dependency);
   }
+  // The mark and the concept that it excludes. Facts that came later wait for their own turn.
+  if (const FactId opposite = facts_.find_opposite(fact.predicate, fact.a); opposite < id) {
+    facts_.clash(unite(fact.dependency, graph_.fact(opposite).dependency));
+    return;
+  }
   for (const Plan& plan : program_.of_concept(fact.predicate)) {
     fire(plan, id);
     if (facts_.has_clash()) return;

@@ -206,6 +206,10 @@ bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, Dependenc
 
 bool Disjunctions::is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency) {
   if (is_excluded_by_bound(id, node, dependency)) return true;
+  if (const FactId mark = facts_.find_mark_against(id, node); mark != none) {
+    dependency = unite(dependency, graph_.fact(mark).dependency);
+    return true;
+  }
   const auto excluders = program_.disjoint_concepts(id);
   if (excluders.size() <= graph_.node(node).label_count) {
     for (const std::uint32_t other : excluders) {

@@ -73,8 +73,10 @@ Outcome Search::find_supposing(Supposition supposed) {
   return run();
 }
 
-Outcome Search::find_instance(std::vector<clauses::ConceptId> together) {
+Outcome Search::find_instance(std::vector<clauses::ConceptId> together, std::optional<clauses::ConceptId> outside) {
   question_ = std::move(together);
+  facts_.set_outside(outside ? number(*outside) : none);
+  is_outside_ = outside.has_value();
   has_question_ = true;
   begin(false);
   ask();
@@ -110,6 +112,7 @@ void Search::ask() {
     // So that cutting it off is seen.
     facts_.add_fact(FactKind::concept_of, number(clauses::thing), question_node_, 0, no_dependency);
   }
+  if (is_outside_) facts_.add_fact(FactKind::concept_of, program_.mark_of_question(), question_node_, 0, no_dependency);
   for (const clauses::ConceptId id : question_) {
     facts_.add_fact(FactKind::concept_of, number(id), question_node_, 0, no_dependency);
   }

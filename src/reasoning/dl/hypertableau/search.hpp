@@ -48,8 +48,8 @@ class Search {
   void reset();
   /// Requires reset(). Looks for a model of the facts of the set.
   Outcome find_world();
-  /// Looks for a model in which one thing is in all of these concepts, together with the base.
-  Outcome find_instance(std::vector<clauses::ConceptId> together);
+  /// Looks for a model in which one thing is in all of these concepts and outside of another, together with the base.
+  Outcome find_instance(std::vector<clauses::ConceptId> together, std::optional<clauses::ConceptId> outside);
   /// The same after find_world() found a model: takes back all choices and what was supposed, and makes others.
   Outcome find_world_again();
   /// Looks for a model of the facts in which these hold, too. Requires find_world() since reset(). Facts that depend on
@@ -149,6 +149,7 @@ class Search {
   std::size_t patience_ = 0;           ///< wrong guesses beyond those that stand, after which the search begins again
 
   std::vector<clauses::ConceptId> question_;
+  bool is_outside_ = false;  ///< it is also outside of a concept, which Assertions know
   Supposition supposed_;
   bool has_question_ = false;
   std::size_t question_mark_ = 0;  ///< facts that are older than it

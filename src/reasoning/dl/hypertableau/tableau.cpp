@@ -62,11 +62,15 @@ void Tableau::prepare_base() {
   search_->keep();
 }
 
-Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together) {
+void Tableau::begin_anew() {
+  if (!search_->has_nominals()) search_->reset();
+}
+
+Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together, std::optional<clauses::ConceptId> outside) {
   const World& world = find_world();
   if (world.answer.verdict != Verdict::yes) return world.answer;
   prepare_base();
-  const Outcome outcome = search_->find_instance(std::move(together));
+  const Outcome outcome = search_->find_instance(std::move(together), outside);
   if (outcome == Outcome::model) model_ = search_->model();
   Answer answer = answer_of(outcome, search_->reason());
   search_->end_question(outcome);

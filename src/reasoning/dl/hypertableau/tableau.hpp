@@ -64,9 +64,14 @@ class Tableau {
 
   /// Whether the ontology has a model.
   [[nodiscard]] Answer is_consistent();
-  /// Whether some model has an instance of all these concepts at once. One concept asks whether it is satisfiable. Two,
-  /// one of them the query of a complement, ask whether a subsumption fails.
-  [[nodiscard]] Answer is_satisfiable(std::vector<clauses::ConceptId> together);
+  /// Whether some model has an instance of all these concepts at once that is outside of another one. One concept asks
+  /// whether it is satisfiable. With `outside`, or with the query of a complement, it asks whether a subsumption fails.
+  /// `outside` is not owl:Thing. It needs no clauses of its own, so that all pairs are asked beside one model.
+  [[nodiscard]] Answer is_satisfiable(std::vector<clauses::ConceptId> together,
+                                      std::optional<clauses::ConceptId> outside = std::nullopt);
+  /// Forgets the models of former questions, and which choices failed in them, before questions of another kind: these
+  /// may be too hard in the order that served the others. The model of the facts stays.
+  void begin_anew();
   /// The model of the last question whose answer was yes.
   [[nodiscard]] const Model& model() const { return model_; }
   /// Gives each later question so many steps.

@@ -90,18 +90,28 @@ bool ValueCheck::can_be_alone(const Counted& counted) const {
          std::ranges::none_of(opaque, [&](const OpaqueSet& set) { return ranges_.is_literal(set.term); });
 }
 
-std::vector<ValueCheck::Variable> ValueCheck::variables_of(const Graph& graph, DependencySets& sets) {
+bool ValueCheck::is_unchanged(const Graph& graph, NodeId node) const {
+  const Look& last = last_looks_[node];
+  return last.version == graph.node(node).version && last.surroundings == graph.node(node).surroundings;
+}
+
+bool ValueCheck::needs_look(const Graph& graph, NodeId node) const {
+  const bool is_there = node < graph.node_count() && is_value(graph.node(node).kind) && graph.is_active(node);
+  return is_there && !(last_looks_[node].is_free && is_unchanged(graph, node));
+}
+
+std::vector<ValueCheck::Variable> ValueCheck::variables_of(Graph& graph, DependencySets& sets) {
   std::vector<Variable> variables;
   std::vector<std::uint32_t> ranges;
   last_looks_.resize(graph.node_count());
   number_of_.resize(graph.node_count(), none);
-  for (const NodeId node : graph.values()) {
-    Look& last = last_looks_[node];
-    const bool is_unchanged =
-        last.version == graph.node(node).version && last.surroundings == graph.node(node).surroundings;
-    if ((is_unchanged && last.is_free) || !graph.is_active(node)) continue;
+  // Values that were free at the last look and have not changed are most of a large model. They are not looked at.
+  for (const NodeId node : graph.take_changed_values()) looked_at_.insert(node);
+  std::erase_if(looked_at_, [&](NodeId node) { return !needs_look(graph, node); });
+  for (const NodeId node : looked_at_) {
     ++looked_;
-    if (!is_unchanged) last = {graph.node(node).version, graph.node(node).surroundings, no_set, false};
+    Look& last = last_looks_[node];
+    if (!is_unchanged(graph, node)) last = {graph.node(node).version, graph.node(node).surroundings, no_set, false};
     Variable variable;
     variable.node = node;
     ranges.clear();
@@ -185,7 +195,7 @@ std::string ValueCheck::separate_opaque(std::vector<Variable>& variables, bool h
   return {};
 }
 
-std::optional<DependencySet> ValueCheck::clash(const Graph& graph, DependencySets& sets, std::string& unknown,
+std::optional<DependencySet> ValueCheck::clash(Graph& graph, DependencySets& sets, std::string& unknown,
                                                bool has_all_facts) {
   std::vector<Variable> variables = variables_of(graph, sets);
   const std::string unsaid = separate_opaque(variables, has_all_facts);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,7 +46,7 @@ class ValueCheck {
   /// The facts because of which the values that are active cannot all exist; nothing where they can. `unknown` is set
   /// to a reason where that could not be found out. Where the facts of individuals are not in the graph, they may say
   /// of some of few values that they are in an opaque set, or not.
-  [[nodiscard]] std::optional<DependencySet> clash(const Graph& graph, DependencySets& sets, std::string& unknown,
+  [[nodiscard]] std::optional<DependencySet> clash(Graph& graph, DependencySets& sets, std::string& unknown,
                                                    bool has_all_facts);
   /// The values that clash() looked at since the last call: all but those that are free and have not changed.
   [[nodiscard]] std::size_t take_looked() { return std::exchange(looked_, 0); }
@@ -76,7 +77,11 @@ class ValueCheck {
 
   /// Whether a value that need not differ from a named one always exists, whatever the others are.
   [[nodiscard]] bool can_be_alone(const Counted& counted) const;
-  [[nodiscard]] std::vector<Variable> variables_of(const Graph& graph, DependencySets& sets);
+  /// Whether the findings of the last look at the value hold.
+  [[nodiscard]] bool is_unchanged(const Graph& graph, NodeId node) const;
+  /// Whether the node is a value that is not known to be free. The node may be gone.
+  [[nodiscard]] bool needs_look(const Graph& graph, NodeId node) const;
+  [[nodiscard]] std::vector<Variable> variables_of(Graph& graph, DependencySets& sets);
   /// Lets the values in an opaque set differ from those outside of it. Returns why that is not all that opaque sets
   /// say; empty: it is.
   std::string separate_opaque(std::vector<Variable>& variables, bool has_all_facts) const;
@@ -89,6 +94,7 @@ class ValueCheck {
   std::map<std::pair<std::vector<std::uint32_t>, std::uint32_t>, std::uint32_t> set_of_ranges_;
   std::vector<Counted> sets_;
   std::vector<Look> last_looks_;          ///< by node
+  std::set<NodeId> looked_at_;            ///< values that were not free at the last look, or have changed since
   std::vector<std::uint32_t> number_of_;  ///< by node: of its variable, while variables_of() runs; else none
   std::size_t looked_ = 0;
   std::map<Value, owl::TermId> representative_;

@@ -12,8 +12,6 @@ constexpr std::uint64_t mixed(std::uint64_t word) {
   return word ^ (word >> 33);
 }
 
-bool is_value(NodeKind kind) { return kind == NodeKind::constant || kind == NodeKind::value; }
-
 bool is_edge(FactKind kind) { return kind == FactKind::role || kind == FactKind::data_role; }
 
 bool is_label(FactKind kind) {
@@ -26,6 +24,25 @@ std::uint64_t Graph::hash_of(const Fact& fact) {
   const std::uint64_t ends = (std::uint64_t{fact.a} << 32) | fact.b;
   return mixed(ends * 0x9e3779b97f4a7c15U + (std::uint64_t{fact.predicate} << 8) +
                static_cast<std::uint64_t>(fact.kind));
+}
+
+void Graph::note_value(NodeId node) {
+  if (!is_value(nodes_[node].kind) || nodes_[node].is_changed) return;
+  nodes_[node].is_changed = true;
+  changed_values_.push_back(node);
+}
+
+void Graph::note_surroundings(const Fact& fact) {
+  nodes_[fact.a].surroundings = nodes_[fact.b].surroundings = ++versions_;
+  note_value(fact.a);
+  note_value(fact.b);
+}
+
+std::vector<NodeId> Graph::take_changed_values() {
+  for (const NodeId node : changed_values_) {
+    if (node < nodes_.size()) nodes_[node].is_changed = false;
+  }
+  return std::exchange(changed_values_, {});
 }
 
 void Graph::count_label(const Fact& fact, bool is_added) {
@@ -56,13 +73,13 @@ NodeId Graph::add_node(NodeKind kind, NodeId parent) {
   node.kind = kind;
   node.parent = parent;
   node.version = ++versions_;
-  note_change(id);
   if (is_value(kind)) values_.push_back(id);
   if (parent != none) {
     node.depth = nodes_[parent].depth + 1;
     node.next_child = nodes_[parent].first_child;
     nodes_[parent].first_child = id;
   }
+  note_change(id);
   return id;
 }
 
@@ -240,7 +257,7 @@ void Graph::cut(const Mark& mark) {
     if (node.parent != none) nodes_[node.parent].first_child = node.next_child;
     if (is_value(node.kind)) values_.pop_back();
     nodes_.pop_back();
-    note_change(static_cast<NodeId>(nodes_.size()));
+    changed_ = std::min(changed_, static_cast<NodeId>(nodes_.size()));
   }
 }
 

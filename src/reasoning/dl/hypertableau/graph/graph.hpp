@@ -44,12 +44,14 @@ enum class NodeKind : std::uint8_t {
   constant,  ///< the value of a literal
   value,     ///< a value made for an at-least of its parent
 };
+[[nodiscard]] constexpr bool is_value(NodeKind kind) { return kind == NodeKind::constant || kind == NodeKind::value; }
 enum class NodeState : std::uint8_t { active, merged, pruned };
 
 struct Node {
   NodeKind kind = NodeKind::tree;
   NodeState state = NodeState::active;
   bool is_blocked = false;  ///< it or an ancestor, when Blocking last looked
+  bool is_changed = false;  ///< of a value: take_changed_values() will have it
   std::uint32_t depth = 0;
   NodeId parent = none;
   NodeId merged_into = none;
@@ -131,6 +133,8 @@ class Graph {
 
   /// The first node whose label, edges or state may have changed since the last call.
   [[nodiscard]] NodeId take_changed() { return std::exchange(changed_, none); }
+  /// The values whose version or surroundings may have changed since the last call, in any order. Some may be gone.
+  [[nodiscard]] std::vector<NodeId> take_changed_values();
   /// Whether they are in the same concepts and number restrictions.
   [[nodiscard]] bool has_label_of(NodeId node, NodeId other) const;
 
@@ -154,8 +158,12 @@ class Graph {
   void unlink(FactId id);
   void grow();
   void set_state(NodeId node, NodeState state);
-  void note_change(NodeId node) { changed_ = std::min(changed_, node); }
-  void note_surroundings(const Fact& fact) { nodes_[fact.a].surroundings = nodes_[fact.b].surroundings = ++versions_; }
+  void note_change(NodeId node) {
+    changed_ = std::min(changed_, node);
+    note_value(node);
+  }
+  void note_value(NodeId node);
+  void note_surroundings(const Fact& fact);
 
   std::vector<Node> nodes_;
   std::vector<Fact> facts_;
@@ -164,6 +172,7 @@ class Graph {
   std::vector<Siblings> siblings_;  ///< ascending by their nodes
   std::vector<NodeId> trail_;       ///< nodes that were merged or pruned
   std::vector<NodeId> values_;
+  std::vector<NodeId> changed_values_;
   NodeId changed_ = 0;
   std::uint64_t versions_ = 0;
 };

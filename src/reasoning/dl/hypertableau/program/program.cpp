@@ -24,9 +24,10 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
       denials_(set),
       burdens_(set, domains_),
       counts_(counts) {
-  by_concept_.resize(domains_.concept_count());
-  bounds_of_filler_.resize(domains_.concept_count());
-  bounds_of_guard_.resize(domains_.concept_count());
+  const std::size_t count = std::size_t{mark_of_question()} + 1;
+  by_concept_.resize(count);
+  bounds_of_filler_.resize(count);
+  bounds_of_guard_.resize(count);
   by_role_.resize(set.properties.size());
   bounds_of_role_.resize(set.properties.size());
   bounds_of_loop_.resize(set.properties.size());
@@ -261,6 +262,10 @@ void Program::find_disjoint_concepts() {
   };
   std::ranges::for_each(set_.clauses, look);
   std::ranges::for_each(domains_.clauses(), look);
+  told_below_.resize(count);
+  for (std::uint32_t id = 0; id < count; ++id) {
+    for (const std::uint32_t super : above[id]) told_below_[super].push_back(id);
+  }
   disjoint_concepts_.resize(count);
   for (std::uint32_t id = 0; id < count; ++id) {
     if (is_chosen[id] || id >= set_.concepts.size()) find_excluded(id, above, excluded);

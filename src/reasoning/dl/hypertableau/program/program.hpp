@@ -85,6 +85,8 @@ class Program {
   [[nodiscard]] std::span<const std::uint32_t> disjoint_concepts(std::uint32_t id) const {
     return disjoint_concepts_[id];
   }
+  /// The concepts of which a clause says A(x) -> B(x) for this B.
+  [[nodiscard]] std::span<const std::uint32_t> told_below(std::uint32_t id) const { return told_below_[id]; }
   /// Data properties that share no value with this one.
   [[nodiscard]] std::span<const std::uint32_t> disjoint_with(std::uint32_t id) const { return disjoint_with_[id]; }
   /// Bounds whose guard has a loop of the role.
@@ -105,6 +107,8 @@ class Program {
   [[nodiscard]] const NumberOrder& numbers() const { return numbers_; }
   /// How many neighbours an at-least needs (clauses/counted_neighbours.hpp).
   [[nodiscard]] std::uint32_t needed(std::uint32_t at_least) const { return needed_[at_least]; }
+  /// The concept, in no clause, of the thing that a question asks to be outside of another concept.
+  [[nodiscard]] std::uint32_t mark_of_question() const { return domains_.concept_count(); }
   /// Whether every node needs the fact that it is in owl:Thing.
   [[nodiscard]] bool needs_thing() const { return needs_thing_; }
   /// Whether anything looks at a node from its successor's side, so that blocking must compare pairs.
@@ -143,6 +147,7 @@ class Program {
   std::vector<std::vector<std::uint32_t>> bounds_of_filler_;
   std::vector<std::vector<std::uint32_t>> bounds_of_guard_;
   std::vector<std::vector<std::uint32_t>> bounds_of_loop_;
+  std::vector<std::vector<std::uint32_t>> told_below_;
   std::vector<std::vector<std::uint32_t>> disjoint_concepts_;
   std::vector<std::vector<std::uint32_t>> disjoint_with_;
   std::vector<std::uint32_t> bound_of_at_most_;
