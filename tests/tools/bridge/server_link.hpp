@@ -181,6 +181,9 @@ inline void expect_newcomer_over(ServerLink& link) {
   link.start_daemon(2);
   EXPECT_TRUE(link.lab().wait_for_participants(2, crowd + 3));
   EXPECT_EQ(link.status(2, "recalled"), crowd + 1) << "all that the relay hears, and the relay itself has answered";
+  Talk asker = link.lab().talk(2);
+  asker.say("1 query participants");
+  EXPECT_TRUE(asker.line_with({"name=r0 ", "hops=2 path=0f000000/robot0"})) << "the way is that of the testimony";
 
   link.lab().daemon(2).signal(SIGKILL);
   link.kill_server();
