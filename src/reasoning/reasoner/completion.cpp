@@ -42,7 +42,8 @@ class Completing {
     const clauses::ClauseSet& set = given.clauses;
     const std::size_t facts =
         set.individuals.size() + set.concept_facts.size() + set.role_facts.size() + set.data_facts.size();
-    question_.world_steps = steps_a_fact * facts + steps_an_inequality * set.equalities.size();
+    // Without an answer to the first question all others have none, so it may take the steps of all.
+    question_.world_steps = steps_a_fact * facts + steps_an_inequality * set.equalities.size() + most_vain_steps();
     question_.nodes += set.individuals.size() + set.data_facts.size();
   }
 

@@ -13,13 +13,15 @@ std::uint64_t burden(const Choice& choice, const Burdens& burdens) {
     case ChoiceKind::at_most:
       return 0;
     case ChoiceKind::concept_of:
-      return std::uint64_t{1} + burdens.of_concept(choice.predicate);
+      return std::uint64_t{1} + (choice.meets_neighbour ? burdens.of_concept_beside(choice.predicate)
+                                                        : burdens.of_concept(choice.predicate));
     case ChoiceKind::role:
     case ChoiceKind::data_role:
     case ChoiceKind::data_range:
       return 1;
     case ChoiceKind::at_least:
-      return std::uint64_t{1} + burdens.of_at_least(choice.predicate);
+      return std::uint64_t{1} + (choice.meets_neighbour ? burdens.of_at_least_beside(choice.predicate)
+                                                        : burdens.of_at_least(choice.predicate));
     case ChoiceKind::data_at_least:
       return 2;
     case ChoiceKind::equal:

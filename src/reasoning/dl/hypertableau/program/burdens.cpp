@@ -27,7 +27,7 @@ bool is_range(const Clause& clause) {
 
 }  // namespace
 
-Burdens::Burdens(const clauses::ClauseSet& set, const Domains& domains)
+Burdens::Burdens(const clauses::ClauseSet& set, const Domains& domains, const Denials& denials)
     : of_concept_(domains.concept_count(), 0),
       of_at_least_(set.at_leasts.size(), 1),
       ranges_(2 * set.properties.size()) {
@@ -44,6 +44,28 @@ Burdens::Burdens(const clauses::ClauseSet& set, const Domains& domains)
     std::ranges::transform(sums, of_concept_.begin(), bounded);
   }
   weigh_at_leasts(set, domains);
+  of_concept_beside_ = of_concept_;
+  for (const Clause& clause : set.clauses) look_beside(clause);
+  of_at_least_beside_ = of_at_least_;
+  for (std::size_t index = 0; index < of_at_least_.size(); ++index) {
+    const clauses::AtLeast& one = set.at_leasts[index];
+    if (one.count == 1 && denials.is_denial(number(one.filler))) of_at_least_beside_[index] = 0;
+  }
+}
+
+// A(x), R(x,y) -> H(y): the neighbour is there, and is asked for H.
+void Burdens::look_beside(const Clause& clause) {
+  if (clause.body.size() != 2 || clause.head.empty()) return;
+  const auto looking = std::ranges::find(clause.body, AtomKind::concept_of, &Atom::kind);
+  const auto edge = std::ranges::find(clause.body, AtomKind::role, &Atom::kind);
+  if (looking == clause.body.end() || edge == clause.body.end() || edge->first == edge->second) return;
+  std::uint64_t least = most;
+  for (const Atom& atom : clause.head) {
+    if (atom.kind == AtomKind::equal || atom.first == looking->first) return;
+    least = std::min(least, std::uint64_t{1} + burden_of(atom));
+  }
+  std::uint32_t& sum = of_concept_beside_[looking->predicate];
+  sum = bounded(sum + least);
 }
 
 void Burdens::weigh_at_leasts(const clauses::ClauseSet& set, const Domains& domains) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
+#include "reasoning/dl/hypertableau/program/denials.hpp"
 #include "reasoning/dl/hypertableau/program/domains.hpp"
 
 namespace geminga::hypertableau {
@@ -20,20 +21,27 @@ class Burdens {
  public:
   static constexpr std::uint32_t most = 1'000'000;
 
-  Burdens(const clauses::ClauseSet& set, const Domains& domains);
+  Burdens(const clauses::ClauseSet& set, const Domains& domains, const Denials& denials);
 
   /// Of a concept, also of one of the domains.
   [[nodiscard]] std::uint32_t of_concept(std::uint32_t id) const { return of_concept_[id]; }
   /// Of an at-least restriction: its neighbours, and those that they ask for.
   [[nodiscard]] std::uint32_t of_at_least(std::uint32_t index) const { return of_at_least_[index]; }
+  /// The same beside a neighbour of which they speak: a universal asks for what its filler does, and an at-least of a
+  /// denial (denials.hpp) for nothing, because most neighbours satisfy it.
+  [[nodiscard]] std::uint32_t of_concept_beside(std::uint32_t id) const { return of_concept_beside_[id]; }
+  [[nodiscard]] std::uint32_t of_at_least_beside(std::uint32_t index) const { return of_at_least_beside_[index]; }
 
  private:
   void look(const clauses::Clause& clause, std::vector<std::uint64_t>& sums) const;
+  void look_beside(const clauses::Clause& clause);
   void weigh_at_leasts(const clauses::ClauseSet& set, const Domains& domains);
   [[nodiscard]] std::uint64_t burden_of(const clauses::Atom& atom) const;
 
   std::vector<std::uint32_t> of_concept_;
   std::vector<std::uint32_t> of_at_least_;
+  std::vector<std::uint32_t> of_concept_beside_;
+  std::vector<std::uint32_t> of_at_least_beside_;
   std::vector<std::vector<std::uint32_t>>
       ranges_;  ///< by property, then that of its inverse: concepts of the neighbour
 };

@@ -22,7 +22,7 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
       domains_(set),
       directions_(set, domains_.concept_count()),
       denials_(set),
-      burdens_(set, domains_),
+      burdens_(set, domains_, denials_),
       counts_(counts) {
   const std::size_t count = std::size_t{mark_of_question()} + 1;
   by_concept_.resize(count);
