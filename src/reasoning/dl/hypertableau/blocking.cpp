@@ -17,6 +17,13 @@ void Blocking::mark(NodeId node, bool is_blocked) {
   graph_.set_blocked(node, is_blocked);
 }
 
+NodeId Blocking::blocker_of(NodeId node) const {
+  if (node >= blocked_by_.size() || !graph_.node(node).is_blocked) return none;
+  const NodeId blocker = blocked_by_[node].blocker;
+  const bool is_there = blocker < node && graph_.is_active(blocker) && !graph_.node(blocker).is_blocked;
+  return is_there ? blocker : none;
+}
+
 std::size_t Blocking::update() {
   // Nodes before the first changed one keep their marks.
   const NodeId changed = graph_.take_changed();

@@ -31,6 +31,8 @@ class Blocking {
   /// Nodes that were blocked, merged or pruned when they were looked at, and at a later look since the last call were
   /// not. Some may be blocked again.
   [[nodiscard]] std::vector<NodeId> take_unblocked() { return std::exchange(unblocked_, {}); }
+  /// The node that blocks this one itself, and not an ancestor of it, as of the last look; none if there is none.
+  [[nodiscard]] NodeId blocker_of(NodeId node) const;
 
  private:
   /// The node that blocks another one, and the versions of the nodes that were compared.

@@ -114,6 +114,10 @@ bool Expansion::expand_functional() {
 
 bool Expansion::expand_one(std::uint32_t at) {
   const Fact fact = graph_.fact(existentials_[at].fact);
+  if (!is_satisfied(fact) && needs_plain(fact)) {
+    make_plain(at);
+    return true;
+  }
   note_done(at);
   if (is_satisfied(fact)) return false;
   if (fact.kind == FactKind::at_least) {
@@ -124,19 +128,49 @@ bool Expansion::expand_one(std::uint32_t at) {
   return true;
 }
 
-// If more than the label matters, the witness must be a child that is not blocked: only then has each copy of the node
-// in the unravelled model a copy of the witness with all that is around it.
+// Most denials of a node hold of one neighbour of which nothing is said. So that one is made first, and the at-least
+// stays open. If something comes to be forbidden of that neighbour, the at-least makes one with the filler.
+bool Expansion::needs_plain(const Fact& fact) const {
+  if (fact.kind != FactKind::at_least || program_.needed(fact.predicate) != 1) return false;
+  const clauses::AtLeast& one = set_.at_leasts[fact.predicate];
+  if (!program_.denials().is_denial(number(one.filler)) || neighbours_.is_functional(one.role, fact.a)) return false;
+  for (std::uint32_t at = newest_[fact.a]; at != none; at = existentials_[at].older) {
+    const NodeId plain = existentials_[at].plain;
+    if (plain >= graph_.node_count() || graph_.node(plain).parent != fact.a) continue;
+    if (set_.at_leasts[graph_.fact(existentials_[at].fact).predicate].role == one.role) return false;
+  }
+  return true;
+}
+
+void Expansion::make_plain(std::uint32_t at) {
+  const Fact fact = graph_.fact(existentials_[at].fact);
+  const clauses::Role role = set_.at_leasts[fact.predicate].role;
+  const NodeId node = facts_.add_node(NodeKind::tree, fact.a, fact.dependency);
+  const auto [from, to] = role.is_inverse ? std::pair(node, fact.a) : std::pair(fact.a, node);
+  facts_.add_fact(FactKind::role, number(role.property), from, to, fact.dependency);
+  existentials_[at].plain = node;
+}
+
+// If more than the label matters, the witness must be a child: only then has each copy of the node in the unravelled
+// model a copy of the witness with all that is around it. What is around a blocked child in the model is its parent,
+// and what is around its blocker.
 bool Expansion::may_be_witness(std::uint32_t denial, NodeId node, NodeId of) const {
   const Node& one = graph_.node(node);
   if (one.state != NodeState::active) return false;
-  return program_.denials().forbidden(denial).empty() ||
-         (one.kind == NodeKind::tree && one.parent == of && !one.is_blocked);
+  if (program_.denials().forbidden(denial).empty()) return true;
+  return one.kind == NodeKind::tree && one.parent == of && (!one.is_blocked || blocking_.blocker_of(node) != none);
 }
 
 std::uint64_t Expansion::version_of_witness(std::uint32_t denial, NodeId node, NodeId of) const {
   const Node& one = graph_.node(node);
-  const bool is_alone = program_.denials().forbidden(denial).empty();
-  return is_alone ? one.version : one.version + one.surroundings + graph_.node(of).version;
+  if (program_.denials().forbidden(denial).empty()) return one.version;
+  std::uint64_t version = one.version + one.surroundings + graph_.node(of).version;
+  if (const NodeId blocker = blocking_.blocker_of(node); blocker != none) {
+    const Node& other = graph_.node(blocker);
+    version += other.version + other.surroundings;
+    if (other.parent != none) version += graph_.node(other.parent).version;
+  }
+  return version;
 }
 
 NodeId Expansion::find_witness(std::uint32_t at_least, NodeId node) {
@@ -150,7 +184,9 @@ NodeId Expansion::find_witness(std::uint32_t at_least, NodeId node) {
     const Fact& edge = graph_.fact(id);
     const NodeId other = is_inverse ? edge.a : edge.b;
     if (edge.kind != FactKind::role || edge.predicate != number(one.role.property)) continue;
-    if (may_be_witness(filler, other, node) && !is_denied(filler, other)) return other;
+    if (!may_be_witness(filler, other, node) || is_denied(filler, other)) continue;
+    const NodeId blocker = program_.denials().forbidden(filler).empty() ? none : blocking_.blocker_of(other);
+    if (blocker == none || !is_denied(filler, blocker)) return other;
   }
   return none;
 }
@@ -168,12 +204,14 @@ bool Expansion::has_witness(Existential& existential) {
   // Changes of an individual beside the witness have no version that is looked at.
   const bool is_noted = !program_.has_nominals() || program_.denials().forbidden(filler).empty();
   const bool is_known = is_noted && known < graph_.node_count() && may_be_witness(filler, known, fact.a) &&
+                        blocking_.blocker_of(known) == existential.blocker &&
                         version_of_witness(filler, known, fact.a) == existential.version &&
                         graph_.find(FactKind::role, number(at_least.role.property), is_inverse ? known : fact.a,
                                     is_inverse ? fact.a : known) != none;
   if (is_known) return true;
   existential.witness = find_witness(fact.predicate, fact.a);
   if (existential.witness == none) return false;
+  existential.blocker = blocking_.blocker_of(existential.witness);
   existential.version = version_of_witness(filler, existential.witness, fact.a);
   return true;
 }

@@ -64,7 +64,9 @@ class Expansion {
     bool is_done = false;
     /// The neighbour that satisfied it when it was last looked at, and the versions of what was looked at.
     NodeId witness = none;
+    NodeId blocker = none;  ///< of the witness
     std::uint64_t version = 0;
+    NodeId plain = none;  ///< the neighbour that was made for it without its filler
   };
 
   struct Open {
@@ -82,6 +84,9 @@ class Expansion {
   bool expand_one(std::uint32_t at);
   void note_done(std::uint32_t at);
   void expand_object(const Fact& fact);
+  /// Whether the at-least asks for a denial, and no neighbour without a filler was made for one of its role and node.
+  [[nodiscard]] bool needs_plain(const Fact& fact) const;
+  void make_plain(std::uint32_t at);
   void expand_data(const Fact& fact);
   [[nodiscard]] bool is_satisfied(const Fact& fact);
   /// Whether some neighbour may be in the filler, because it is a denial (program/denials.hpp) that does not exclude
