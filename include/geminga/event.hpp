@@ -36,12 +36,15 @@ struct ServiceEvent {
   NamedPublication publication;  ///< names are `prefix:Name` or `<IRI>`; the address is one that works here
   Degree degree = Degree::exact;
   std::uint32_t distance = 0;  ///< taxonomy edges between what was asked for and what was found
-  std::string reason;          ///< after `del`: "withdrawn", "expired", "left", "outranked", ...
+  std::string reason;          ///< after `del`: "withdrawn", "expired", "left", "outranked", "unreachable", ...
   std::string
       convert{};  ///< the conversions from its representation to the requested one: "A>B>C"; empty: none is needed
   std::uint32_t cost = 0;  ///< of the conversions
   std::string
       via{};  ///< the service of each step: "-,udp://10.0.0.7:6000/SERVICE", "-" for the consumer; empty: it does all
+  std::uint32_t hops = 0;  ///< relays on the way to its host; 0: it is heard directly
+  std::string path{};      ///< the names of those that are known, joined by '/', the nearest to its host first
+  bool reachable = true;   ///< false: its address cannot be reached from this host, as far as that is certain
   friend bool operator==(const ServiceEvent&, const ServiceEvent&) = default;
 };
 
@@ -56,6 +59,9 @@ struct ConsumerEvent {
   Degree degree = Degree::exact;
   std::uint32_t distance = 0;
   std::string reason;
+  std::uint32_t hops = 0;  ///< relays on the way to its host; 0: it is heard directly
+  std::string path{};      ///< the names of those that are known, joined by '/', the nearest to its host first
+  bool reachable = true;   ///< false: its address cannot be reached from this host, as far as that is certain
   friend bool operator==(const ConsumerEvent&, const ConsumerEvent&) = default;
 };
 

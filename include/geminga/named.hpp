@@ -57,6 +57,7 @@ struct NamedSubscription {
   std::string scope{};
   std::uint32_t convert = 0;
   std::string on{};  ///< a class or a class expression that must describe the provider's participant; empty: any
+  RequiredReach reach = RequiredReach::routed;
   friend bool operator==(const NamedSubscription&, const NamedSubscription&) = default;
 };
 
@@ -103,6 +104,7 @@ struct SubscriptionChange {
   std::optional<std::string> scope{};                     ///< empty: all hosts again
   std::optional<std::uint32_t> convert{};                 ///< 0: no conversions
   std::optional<std::string> on{};                        ///< empty: any participant again
+  std::optional<RequiredReach> reach{};
   friend bool operator==(const SubscriptionChange&, const SubscriptionChange&) = default;
 };
 

@@ -33,6 +33,17 @@ enum class ChannelMode : std::uint8_t {
 /// The mode of a GCNP word, or nothing.
 [[nodiscard]] std::optional<ChannelMode> channel_mode(std::string_view word);
 
+/// The services that a consumer is told of, by whether their address can be reached from its host.
+enum class RequiredReach : std::uint8_t {
+  routed,  ///< those of which it is not certain that they cannot be reached
+  any,     ///< all, as one that reaches them by a way that the host does not know
+};
+
+/// The word of GCNP for it: "routed" or "any". Static storage.
+[[nodiscard]] std::string_view to_string(RequiredReach reach);
+/// The meaning of a GCNP word, or nothing.
+[[nodiscard]] std::optional<RequiredReach> required_reach(std::string_view word);
+
 /// Names one daemon on the air. Drawn at random and claimed before use (paper section 3.5.1); the value 0 is no
 /// participant. Written as eight lower-case hexadecimal digits.
 enum class ParticipantId : std::uint32_t {};
@@ -112,6 +123,7 @@ struct Subscription {
   std::uint32_t convert = 0;  ///< the largest cost of converting (CONVERSIONS.md); 0: not at all
   /// The class expression that must describe the provider's participant, or a class as `<IRI>`; empty: any participant.
   std::string on{};
+  RequiredReach reach = RequiredReach::routed;  ///< stated, and not announced: the consumer's host judges
   friend bool operator==(const Subscription&, const Subscription&) = default;
 };
 

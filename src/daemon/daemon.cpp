@@ -190,6 +190,11 @@ void Daemon::on_interfaces_changed() {
   after_event();
 }
 
+void Daemon::on_routes_changed() {
+  participant_->on_routes_changed();
+  after_event();
+}
+
 void Daemon::on_stream_bytes(env::StreamId stream, std::string_view bytes) {
   participant_->on_stream_bytes(stream, bytes);
   after_event();

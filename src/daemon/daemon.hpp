@@ -75,6 +75,7 @@ class Daemon final : private env::EventSink {
   void on_datagram(env::InterfaceIndex interface, std::string_view source,
                    std::span<const std::byte> datagram) override;
   void on_interfaces_changed() override;
+  void on_routes_changed() override;
   void on_stream_opened(env::StreamId stream, std::string_view user) override {
     participant_->on_stream_opened(stream, user);
   }

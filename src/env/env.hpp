@@ -12,6 +12,7 @@
 
 #include "base/log.hpp"
 #include "base/time.hpp"
+#include "env/route_kind.hpp"
 
 namespace geminga::env {
 
@@ -70,6 +71,12 @@ class Env {
   [[nodiscard]] virtual std::optional<base::Instant> last_heard(InterfaceIndex interface) const {
     (void)interface;
     return std::nullopt;
+  }
+  /// The way by which datagrams and streams to this numeric address would go at this moment. That another answer may
+  /// hold for addresses that were asked about is told by on_routes_changed().
+  [[nodiscard]] virtual RouteKind route(std::string_view address) {
+    (void)address;
+    return RouteKind::unknown;
   }
   /// Multicasts one datagram on one interface. What cannot be sent is lost, like anything on the air.
   virtual void send(InterfaceIndex interface, std::span<const std::byte> datagram) = 0;

@@ -18,6 +18,11 @@ constexpr std::array<std::pair<ChannelMode, std::string_view>, 4> modes{{
     {ChannelMode::participant, "participant"},
 }};
 
+constexpr std::array<std::pair<RequiredReach, std::string_view>, 2> reaches{{
+    {RequiredReach::routed, "routed"},
+    {RequiredReach::any, "any"},
+}};
+
 constexpr std::array<std::pair<Degree, std::string_view>, 6> degrees{{
     {Degree::exact, "exact"},
     {Degree::equivalent, "equivalent"},
@@ -42,6 +47,10 @@ std::optional<Value> value_of(const Table& table, std::string_view word) {
 
 std::string_view to_string(ChannelMode mode) { return word_of(modes, mode); }
 std::optional<ChannelMode> channel_mode(std::string_view word) { return value_of<ChannelMode>(modes, word); }
+
+std::string_view to_string(RequiredReach reach) { return word_of(reaches, reach); }
+
+std::optional<RequiredReach> required_reach(std::string_view word) { return value_of<RequiredReach>(reaches, word); }
 
 std::string_view to_string(Degree degree) { return word_of(degrees, degree); }
 std::optional<Degree> degree(std::string_view word) { return value_of<Degree>(degrees, word); }

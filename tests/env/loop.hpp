@@ -68,6 +68,10 @@ class KeptEvents final : public EventSink {
     ++changes;
     tell();
   }
+  void on_routes_changed() override {
+    ++route_changes;
+    tell();
+  }
   void on_stream_opened(StreamId stream, std::string_view user) override {
     opened.push_back(stream);
     users.emplace_back(user);
@@ -88,6 +92,7 @@ class KeptEvents final : public EventSink {
 
   int timers = 0;
   int changes = 0;
+  int route_changes = 0;
   std::vector<Datagram> datagrams;
   std::vector<StreamId> opened;
   std::map<StreamId, std::string> said;

@@ -190,6 +190,11 @@ void Host::detach(const std::string& interface) {
   event([](participant::Participant& participant) { participant.on_interfaces_changed(); });
 }
 
+void Host::set_routes(Routes routes) {
+  routes_ = std::move(routes);
+  event([](participant::Participant& participant) { participant.on_routes_changed(); });
+}
+
 void Host::event(const std::function<void(participant::Participant&)>& what) {
   if (!is_on()) return;
   what(*participant_);

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_TESTS_SIM_HOST_HPP
 #define GEMINGA_TESTS_SIM_HOST_HPP
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -96,6 +97,11 @@ class Host final : public env::Env {
   [[nodiscard]] std::uint16_t take_port() { return next_port_++; }
 
   void attach(const std::string& interface, std::uint32_t segment, bool is_loopback = false);
+  /// The answers of Env::route() from now on.
+  using Routes = std::function<env::RouteKind(std::string_view address)>;
+  void set_routes(Routes routes);
+  /// The address by which others hear it, as behind a translation of addresses; empty: its own.
+  std::string seen_as;
   /// The interface speaks IPv6, too, which another network carries; one that is not there speaks nothing else.
   void attach_ipv6(const std::string& interface, std::uint32_t segment);
   void detach(const std::string& interface);
@@ -130,6 +136,9 @@ class Host final : public env::Env {
   void send(env::InterfaceIndex interface, std::span<const std::byte> datagram) override;
   void send_alone(env::InterfaceIndex interface, std::string_view address,
                   std::span<const std::byte> datagram) override;
+  [[nodiscard]] env::RouteKind route(std::string_view address) override {
+    return routes_ ? routes_(address) : env::RouteKind::unknown;
+  }
   [[nodiscard]] bool is_sender_named() const override { return alone_from_ && names_others; }
   [[nodiscard]] bool is_sender_unnamed() const override {
     return hears_strangers_alone || (alone_from_ && !names_others);
@@ -183,6 +192,7 @@ class Host final : public env::Env {
   std::uint64_t next_stream_ = 1;
   std::uint32_t next_interface_ = 2;
   int island_ = 0;
+  Routes routes_;  ///< empty: it does not tell
   std::vector<Port> ports_;
   std::vector<env::Interface> interfaces_;
   /// One connection: what waits in either direction.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "discovery/announcement/limits.hpp"
@@ -90,6 +91,83 @@ TEST(Relay, LetsTwoLinksMeetAndLoseEachOther) {
   // The deadline of one link where nothing is lost, and one interval for the relay.
   robots.world.run_for(std::chrono::duration_cast<base::Duration>((membership::shortest_deadline + 1) * interval));
   EXPECT_THAT(robots.participants(a), testing::Not(testing::HasSubstr("name=c"))) << robots.participants(a);
+}
+
+std::string lines_of(const std::vector<std::string>& lines) {
+  std::string all;
+  for (const std::string& line : lines) all += line + "\n";
+  return all;
+}
+
+/// A consumer on one link and a provider on the other, while the route between them goes and comes, and while the
+/// provider is behind a translation of addresses. A host of the same link is never judged.
+TEST(Relay, TellsNoServiceThatCannotBeReachedAndTellsItAgain) {
+  using env::RouteKind;
+  using testing::HasSubstr;
+  using testing::Not;
+  Linked robots(11, {});
+  World& world = robots.world;
+  const auto add = [&](const std::string& name, std::uint32_t link) -> Host& {
+    Host& host = world.add_host(name, link);
+    host.settings.sealing = sealing::policy(Mode::encrypted, {1});
+    return host;
+  };
+  Host& a = add("a", 0);
+  Host& near = add("near", 0);
+  Host& c = add("c", 1);
+  robots.add_relay("b", {0, 1});
+  const std::string behind = c.ports().front().address;
+  RouteKind way = RouteKind::none;
+  const auto routes = [&way](std::string_view) { return way; };
+  robots.switch_all_on();
+  a.set_routes(routes);
+  Client& consumer = world.add_client("consumer");
+  consumer.connect(a);
+  consumer.say("1 sub create mode=otm/pubsub text=ball");
+  consumer.say("2 sub create mode=otm/pubsub text=ball reach=any");
+  Client& far = world.add_client("far");
+  far.connect(c);
+  far.say("1 pub create mode=otm/pubsub text=ball port=5000");
+  far.say("2 pub create mode=otm/pubsub text=ball port=5001 address=203.0.113.9");
+  Client& by = world.add_client("by");
+  by.connect(near);
+  by.say("1 pub create mode=otm/pubsub text=ball port=5002");
+  const auto said = [&] {
+    world.run_for(seconds(5));
+    return lines_of(std::exchange(consumer.lines, {}));
+  };
+  const std::string first = said();
+  EXPECT_THAT(first, Not(testing::ContainsRegex("1 pub add [^\n]*port=5000"))) << first;
+  EXPECT_THAT(first, testing::ContainsRegex("2 pub add [^\n]*port=5000[^\n]*hops=1 path=b reachable=no\r?\n")) << first;
+  EXPECT_THAT(first, testing::ContainsRegex("1 pub add [^\n]*port=5001")) << "a stated address is not judged";
+  EXPECT_THAT(first, testing::ContainsRegex("1 pub add [^\n]*port=5002")) << "a host of the link is not judged";
+  EXPECT_THAT(lines_of(far.lines), testing::ContainsRegex("1 sub add [^\n]*name=consumer")) << "providers are told";
+  EXPECT_THAT(robots.participants(a), testing::ContainsRegex("name=c [^\n]*reachable=no"));
+  EXPECT_THAT(lines_of(world.ask(a, "services")), testing::ContainsRegex("port=5000[^\n]*reachable=no"));
+  EXPECT_THAT(lines_of(world.ask(a, "services")), Not(testing::ContainsRegex("port=500[12][^\n]*reachable=no")));
+
+  way = RouteKind::specific;
+  a.set_routes(routes);
+  const std::string back = said();
+  EXPECT_THAT(back, testing::ContainsRegex("1 pub add [^\n]*port=5000[^\n]*path=b\r?\n")) << back;
+  EXPECT_THAT(back, testing::ContainsRegex("2 pub modify [^\n]*port=5000[^\n]*path=b\r?\n")) << back;
+
+  way = RouteKind::none;
+  a.set_routes(routes);
+  const std::string gone = said();
+  EXPECT_THAT(gone, testing::ContainsRegex("1 pub del [^\n]*reason=unreachable")) << gone;
+  EXPECT_THAT(gone, testing::ContainsRegex("2 pub modify [^\n]*reachable=no")) << gone;
+
+  // The default route leads there, until words come from another address than the one that is announced.
+  way = RouteKind::fallback;
+  a.set_routes(routes);
+  EXPECT_THAT(said(), testing::ContainsRegex("1 pub add [^\n]*port=5000"));
+  EXPECT_THAT(robots.participants(a), Not(HasSubstr("observed=")));
+  c.seen_as = "198.51.100.7";
+  far.say("3 pub create mode=oto text=other port=5003");  // a word is passed on
+  EXPECT_THAT(said(), testing::ContainsRegex("1 pub del [^\n]*reason=unreachable"));
+  EXPECT_THAT(robots.participants(a),
+              testing::ContainsRegex("name=c addresses=" + behind + " [^\n]*observed=198.51.100.7 [^\n]*reachable=no"));
 }
 
 TEST(Relay, IsNotPossibleWithoutAKeyWhereNobodyIsNamed) {

@@ -110,6 +110,14 @@ void World::mend(const Host& from, const Host& to) {
   if (on_reach_changed) on_reach_changed();
 }
 
+namespace {
+
+const std::string& seen_from(const Host& sender, const Host::Port& port) {
+  return sender.seen_as.empty() ? port.address : sender.seen_as;
+}
+
+}  // namespace
+
 void World::transmit(const Host& sender, env::InterfaceIndex interface, std::string_view datagram) {
   const Host::Port* from = sender.port(interface);
   if (from == nullptr) return;
@@ -117,7 +125,7 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
   ++datagrams_;
   datagram_bytes_ += datagram.size();
   if (on_transmit) on_transmit(sender, datagram);
-  const std::uint32_t flight = take_off(from->address, datagram);
+  const std::uint32_t flight = take_off(seen_from(sender, *from), datagram);
   for (const auto& receiver : hosts_) {
     const bool is_sender = receiver.get() == &sender;
     if (!is_sender && !(is_reached(sender, *receiver) && receiver->hears_multicasts)) continue;
@@ -127,7 +135,7 @@ void World::transmit(const Host& sender, env::InterfaceIndex interface, std::str
       if (!is_sender && random_.chance(air.loss)) continue;
       if (!is_sender && air.burst > 0 && links_.is_in_burst(receiver->number(), now_, air, random_)) continue;
       if (!is_sender && air.flip > 0 && random_.chance(air.flip)) {
-        const std::uint32_t other = take_off(from->address, bent(datagram));
+        const std::uint32_t other = take_off(seen_from(sender, *from), bent(datagram));
         add_arrival(other, *receiver, to.index);
         depart(other);
         continue;
@@ -143,7 +151,7 @@ void World::transmit_alone(const Host& sender, env::InterfaceIndex interface, st
                            std::string_view datagram) {
   const Host::Port* from = sender.port(interface);
   if (from == nullptr) return;
-  const std::uint32_t flight = take_off(from->address, datagram);
+  const std::uint32_t flight = take_off(seen_from(sender, *from), datagram);
   flights_[flight]->is_alone = true;
   for (const auto& receiver : hosts_) {
     if (!receiver->hears_datagrams_alone || !is_reached(sender, *receiver)) continue;

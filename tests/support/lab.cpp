@@ -315,6 +315,10 @@ void Lab::route(std::size_t host, const std::string& addresses, const std::strin
   visit(host, [&] { ip({"route", "add", addresses, "via", through}); });
 }
 
+void Lab::end_route(std::size_t host, const std::string& addresses) {
+  visit(host, [&] { ip({"route", "delete", addresses}); });
+}
+
 void Lab::take_ipv4(std::size_t host) {
   visit(host, [] { ip({"-4", "address", "flush", "dev", "wlan0"}); });
 }

@@ -81,6 +81,8 @@ class Lab {
   void translate(std::size_t host, const std::string& outer, const std::string& inside);
   /// Gives a host a way to other addresses through another host on its link.
   void route(std::size_t host, const std::string& addresses, const std::string& through);
+  /// Takes that way away again.
+  void end_route(std::size_t host, const std::string& addresses);
 
   /// Removes the host's IPv4 address. Only with namespaces.
   void take_ipv4(std::size_t host);

@@ -39,9 +39,9 @@ void LabTeam::connect(std::size_t host) {
   }
   for (std::size_t number = 0; number < subscriptions_each; ++number) {
     const std::string text = std::to_string(number);
-    robot.module->say(std::to_string(30 + number) + " sub create mode=otm/stream text=service" + text);
+    robot.module->say(std::to_string(30 + number) + " sub create mode=otm/stream reach=any text=service" + text);
   }
-  robot.module->say("40 sub create mode=otm/stream text=news");
+  robot.module->say("40 sub create mode=otm/stream reach=any text=news");
 }
 
 void LabTeam::publish(std::size_t host, std::uint32_t id, const std::string& text) {

@@ -12,6 +12,31 @@ namespace {
 
 using testing::HasSubstr;
 
+/// Without a route a service behind a relay is known and not told as a match. With one it is, until a translation of
+/// addresses lies between, which a second daemon shows that speaks by it.
+TEST(Relay, TellsAServiceWhenThereIsARouteToItAndNoTranslation) {
+  const Folder folder;
+  ASSERT_EQ(refused({"--generate-key", folder.path("team.key")}).status, 0);
+  Lab lab(3);
+  if (!lab.has_namespaces() || !Lab::can_lose()) GTEST_SKIP() << "namespaces or nftables are not there";
+  lab.add_link(1, {2});
+  const std::vector<std::string> flags{"--interval", "0.2", "--key-file", folder.path("team.key")};
+  lab.start(0, flags);
+  lab.start(1, {"--interval", "0.2", "--key-file", folder.path("team.key"), "--relay"});
+  lab.start(2, flags);
+  ASSERT_TRUE(lab.wait_for_participants(0, 3)) << lab.daemon(0).said();
+  Talk provider = lab.talk(2);
+  provider.say("1 pub create mode=otm/pubsub id=5 port=5000");
+  Talk consumer = lab.talk(0);
+  consumer.say("1 sub create mode=otm/pubsub id=5 reach=any");
+  consumer.say("2 sub create mode=otm/pubsub id=5");
+  EXPECT_TRUE(consumer.line_with({"1 pub add", "name=robot2", "reachable=no"}));
+  lab.route(0, "10.47.18.0/24", lab.address_of(1));
+  EXPECT_TRUE(consumer.line_with({"2 pub add", "name=robot2", "address=10.47.18.3"}));
+  lab.end_route(0, "10.47.18.0/24");
+  EXPECT_TRUE(consumer.line_with({"2 pub del", "reason=unreachable"}));
+}
+
 TEST(Relay, LetsTwoLinksMeetAndLoseEachOther) {
   const Folder folder;
   ASSERT_EQ(refused({"--generate-key", folder.path("team.key")}).status, 0);
@@ -24,10 +49,11 @@ TEST(Relay, LetsTwoLinksMeetAndLoseEachOther) {
   lab.start(2, flags);
   ASSERT_TRUE(lab.wait_for_participants(0, 3)) << lab.daemon(0).said();
   Talk consumer = lab.talk(0);
-  consumer.say("1 sub create mode=otm/pubsub id=5");
+  consumer.say("1 sub create mode=otm/pubsub id=5 reach=any");
   Talk provider = lab.talk(2);
   provider.say("1 pub create mode=otm/pubsub id=5 port=5000");
-  EXPECT_TRUE(consumer.line_with({"1 pub add", "name=robot2", "address=10.47.18.3", "hops=1 path=robot1"}));
+  EXPECT_TRUE(
+      consumer.line_with({"1 pub add", "name=robot2", "address=10.47.18.3", "hops=1 path=robot1 reachable=no"}));
   EXPECT_TRUE(provider.line_with({"1 sub add", "name=robot0", "hops=1 path=robot1"}));
   lab.daemon(2).signal(SIGKILL);
   EXPECT_TRUE(consumer.line_with({"1 pub del", "reason=expired"}));

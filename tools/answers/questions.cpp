@@ -78,6 +78,7 @@ constexpr auto why_keys = std::to_array<Key>(
      {"scope", "From these hosts: host, group, any or names, and ! before what is excluded"},
      {"limit", "From so many at most", number},
      convert_key,
+     {"reach", "any: also what cannot be reached from this host; routed unless told"},
      {"offer.concept", "A concept that might be offered, instead of service"},
      {"offer.representation", "The representation that might be offered"},
      {"offer.id", "The number that might be offered", number},

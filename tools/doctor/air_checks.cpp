@@ -132,6 +132,14 @@ Findings check_addresses(const Host& host, const Answers& answers, bool (*has_ro
   };
   Findings findings;
   std::set<std::string> told;
+  /// What only the daemon knows, since it hears from where words come.
+  const auto translated = [](const Record& service, const Record* provider) {
+    if (service["reachable"] != "no" || provider == nullptr) return std::string();
+    const std::string observed((*provider)["observed"]);
+    return observed.empty()
+               ? "the daemon has no route to it"
+               : "the words of its host come from " + observed + ", so that a translation of addresses lies between";
+  };
   const auto participant_of = [&](const Record& service) -> const Record* {
     const std::string_view provider = service["provider"];
     const std::string_view id = provider.substr(0, provider.find('/'));
@@ -141,10 +149,14 @@ Findings check_addresses(const Host& host, const Answers& answers, bool (*has_ro
   for (const Record& service : answers.services) {
     const std::string address(service["address"]);
     if (service["local"] == "1" || address.empty() || address.find('%') != std::string::npos) continue;
-    const std::string& reason = reason_of(address);
+    const Record* provider = participant_of(service);
+    std::string reason = reason_of(address);
+    const bool has_way = reason.empty();
+    if (has_way) reason = translated(service, provider);
     const std::string key = std::string(service["participant_name"]) + ' ' + address;
     if (reason.empty() || !told.insert(key).second) continue;
-    if (const Record* provider = participant_of(service); provider != nullptr && !(*provider)["path"].empty()) {
+    if (service["reachable"] == "no") reason += "; consumers here are told of them with reach=any alone";
+    if (!has_way && provider != nullptr && !(*provider)["path"].empty()) {
       const std::string path((*provider)["path"]);
       findings.push_back({Severity::failure, "address_unreachable",
                           "Services of " + std::string(service["participant_name"]) + " are announced at " + address +

@@ -19,6 +19,16 @@
 namespace geminga::query {
 namespace {
 
+/// What is to be said of a participant in a few words.
+std::string remark_on(const Record& record) {
+  if (record["self"] == "1") return "(this host)";
+  if (record["hears_us"] == "0") return "(does not hear us)";
+  const std::string way = record["path"].empty() ? "" : "through " + std::string(record["path"]);
+  const std::string reach = record["reachable"] == "no" ? "not reachable" : "";
+  if (way.empty() && reach.empty()) return " ";
+  return '(' + way + (way.empty() || reach.empty() ? "" : ", ") + reach + ')';
+}
+
 shell::Table table_of_participants(const std::vector<Record>& records) {
   shell::Table shown({{"ID"},
                       {"NAME", false, 8},
@@ -31,7 +41,6 @@ shell::Table table_of_participants(const std::vector<Record>& records) {
                       {"ONTOLOGY", false, 0, 6},
                       {"", false, 0, 3}});
   for (const auto& record : records) {
-    const bool is_self = record["self"] == "1";
     std::string loss(record["loss"]);
     if (!loss.empty()) {
       const double share = std::strtod(loss.c_str(), nullptr);
@@ -39,11 +48,7 @@ shell::Table table_of_participants(const std::vector<Record>& records) {
     }
     shown.add({record["id"], record["name"], record["addresses"], shell::duration_words(record["heard"]),
                shell::duration_words(record["interval"]), loss, record["publications"], record["subscriptions"],
-               record["ontology"],
-               is_self                     ? "(this host)"
-               : record["hears_us"] == "0" ? "(does not hear us)"
-               : !record["path"].empty()   ? "(through " + std::string(record["path"]) + ")"
-                                           : " "});
+               record["ontology"], remark_on(record)});
   }
   return shown;
 }

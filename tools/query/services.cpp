@@ -9,6 +9,13 @@ namespace geminga::query {
 namespace {
 
 /// With `unused` nothing is used, so that no column says so.
+/// " (through A/B, not reachable)", as far as there is something to say of the way to a host.
+std::string way_words(const Record& record) {
+  std::string words = record["hops"].empty() ? "" : "through " + std::string(record["path"]);
+  if (record["reachable"] == "no") words += words.empty() ? "not reachable" : ", not reachable";
+  return words.empty() ? "" : " (" + words + ')';
+}
+
 shell::Table table_of_services(const std::vector<Record>& records, bool unused) {
   shell::Table shown({{"PROVIDER", false, 12},
                       {"IDENTITY", false, 16},
@@ -27,8 +34,8 @@ shell::Table table_of_services(const std::vector<Record>& records, bool unused) 
     const auto protocol = record["protocol"] == "udp" ? "" : std::string(record["protocol"]);
     shown.add({shell::who(record["provider"], record["name"], record["participant_name"]),
                shell::identity_words(record), std::string(record["mode"]),
-               shell::place(record["address"], record["port"]), protocol, std::string(record["priority"]),
-               shell::duration_words(record["age"]),
+               shell::place(record["address"], record["port"]) + way_words(record), protocol,
+               std::string(record["priority"]), shell::duration_words(record["age"]),
                unused                  ? ""
                : record["used"] == "1" ? "yes"
                                        : "no",
@@ -41,7 +48,7 @@ shell::Table table_of_services(const std::vector<Record>& records, bool unused) 
 
 std::string request_words(const Record& record) {
   std::string words;
-  for (const char* key : {"convert", "protocol", "scope", "on", "favour", "prefer", "rank"}) {
+  for (const char* key : {"convert", "protocol", "scope", "on", "favour", "prefer", "rank", "reach"}) {
     if (record[key].empty()) continue;
     const bool is_of_several = record[key].contains(' ');
     words += std::string(words.empty() ? "" : " ") + key + '=' + (is_of_several ? "\"" : "") +
@@ -59,6 +66,7 @@ std::string service_line(const Record& record) {
   line += "  " + std::string(record["mode"]);
   const std::string where = shell::place(record["address"], record["port"]);
   if (!where.empty()) line += "  " + where;
+  line += way_words(record);
   if (!record.attributes.empty()) line += "  " + shell::attribute_words(record.attributes);
   if (!is_service && !record["where"].empty()) line += "  where=\"" + std::string(record["where"]) + '"';
   if (const std::string words = request_words(record); !is_service && !words.empty()) line += "  " + words;

@@ -46,6 +46,7 @@ constexpr auto request_flags = std::to_array<Flag>({
     {"--on", "on", "EXPRESSION", "On participants that are known to be this, by their descriptions"},
     {"--scope", "scope", "HOSTS", "From these hosts: host, group, any, names, and ! before what is excluded"},
     {"--convert", "convert", "yes|no|COST", "Also what can be converted at this cost"},
+    {"--reach", "reach", "routed|any", "any: also what cannot be reached from this host"},
     {"--limit", "limit", "N", "From so many at most; unless told from one where the mode is oto, else from all"},
 });
 

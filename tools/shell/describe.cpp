@@ -149,7 +149,8 @@ std::string line_of(const ServiceEvent& event) {
   return sign(event.change) + who(peer_word(event.service), event.peer_name, event.participant_name) +
          details(event, event.publication) +
          (event.convert.empty() ? "" : "  by " + event.convert + " cost " + std::to_string(event.cost)) +
-         (event.via.empty() ? "" : " via " + event.via) + "  " + to_string(event.service);
+         (event.via.empty() ? "" : " via " + event.via) + (event.reachable ? "" : "  not reachable from here") + "  " +
+         to_string(event.service);
 }
 
 std::string line_of(const ConsumerEvent& event) {

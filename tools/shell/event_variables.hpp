@@ -23,6 +23,8 @@ its environment, as far as it says so much:
   GEMINGA_TEXT, GEMINGA_ID                 a text, or a number
   GEMINGA_DEGREE, GEMINGA_DISTANCE         how well it matches
   GEMINGA_CONVERT, GEMINGA_COST            how its representation is converted
+  GEMINGA_HOPS, GEMINGA_PATH               the relays on the way to that host
+  GEMINGA_REACHABLE                        false where its address cannot be reached from here
   GEMINGA_MODE, GEMINGA_PROTOCOL, GEMINGA_ADDRESS, GEMINGA_PORT, GEMINGA_PRIORITY
   GEMINGA_ATTRIBUTE_rate                   its attribute rate; a name that no variable can have is in the JSON alone
 Of other variables GEMINGA_... only GEMINGA_CONNECT is passed on: the daemon that this program talks to. Keep "$GEMINGA_NAME" in

@@ -28,7 +28,7 @@ constexpr auto number_keys = std::to_array<std::string_view>(
      "statements", "line", "classes",    "count",    "left_out",      "sent",
      "received",   "peer", "datagrams",  "offers",   "matching",      "requests",
      "taken",      "cost", "children",   "total",    "missing_count", "contradicting_count",
-     "uncompared"});
+     "uncompared", "hops"});
 constexpr auto flag_keys = std::to_array<std::string_view>(
     {"self", "local", "used", "served", "ok", "loaded", "matches", "subsumed", "unsatisfiable"});
 /// Lists whose elements are lines.
@@ -62,6 +62,7 @@ bool is_measure(std::string_view key, std::string_view kind) {
 }
 
 json::value typed(std::string_view key, std::string_view text, std::string_view kind) {
+  if (key == "reachable") return text != "no";
   if (is_measure(key, kind)) {
     if (auto value = as_number(text)) return *value;
   }
@@ -114,6 +115,16 @@ void append_common(json::object& object, const Event& event, const ServiceKey& k
   if (service.port != 0) object["port"] = service.port;
 }
 
+/// Appends the way to the other side's host, as far as there is something to say.
+template <typename Event>
+void append_way(json::object& object, const Event& event) {
+  if (event.hops != 0) {
+    object["hops"] = event.hops;
+    object["path"] = event.path;
+  }
+  if (!event.reachable) object["reachable"] = false;
+}
+
 }  // namespace
 
 json::object to_json(const Record& record) {
@@ -147,6 +158,7 @@ json::object to_json(const ServiceEvent& event) {
     object["cost"] = event.cost;
     if (!event.via.empty()) object["via"] = event.via;
   }
+  append_way(object, event);
   object["attributes"] = to_object(event.publication.attributes);
   return object;
 }
@@ -158,6 +170,7 @@ json::object to_json(const ConsumerEvent& event) {
   append_common(object, event, event.subscription, "consumer", event.subscribed);
   if (event.change == Change::del) return object;
   object["priority"] = event.subscribed.priority;
+  append_way(object, event);
   object["attributes"] = to_object(event.subscribed.attributes);
   return object;
 }

@@ -99,6 +99,11 @@ void add_to(CLI::App& app, Options& options) {
          "--convert", [&options](const std::string& word) { options.subscription.convert = accepted_cost(word); },
          "Also services whose representation can be converted: yes, no or the largest cost")
       ->type_name("yes|no|COST");
+  app.add_option_function<std::string>(
+         "--reach", [&options](const std::string& word) { options.subscription.reach = *required_reach(word); },
+         "any: also services whose address cannot be reached from this host (routed)")
+      ->type_name("routed|any")
+      ->check(CLI::IsMember({"routed", "any"}), "", "");
   app.add_option("--priority", options.subscription.priority, "Told to the provider")
       ->type_name("K")
       ->check(shell::whole_number(INT32_MIN, INT32_MAX), "", "");

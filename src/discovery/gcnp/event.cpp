@@ -6,6 +6,7 @@
 
 #include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/parameters.hpp"
+#include "discovery/gcnp/way.hpp"
 
 namespace geminga {
 namespace {
@@ -57,6 +58,7 @@ Statement to_statement(std::uint32_t request, const ServiceEvent& event) {
   append(parameters, "priority", publication.priority);
   append_stated(parameters, "participant_name", event.participant_name);
   append_attributes(parameters, event.convert, event.cost, event.via, publication.attributes);
+  append_way(parameters, {.hops = event.hops, .path = event.path, .is_reachable = event.reachable});
   return statement;
 }
 
@@ -78,6 +80,7 @@ Statement to_statement(std::uint32_t request, const ConsumerEvent& event) {
   append(parameters, "priority", subscribed.priority);
   append_stated(parameters, "participant_name", event.participant_name);
   append_attributes(parameters, subscribed.attributes);
+  append_way(parameters, {.hops = event.hops, .path = event.path, .is_reachable = event.reachable});
   return statement;
 }
 

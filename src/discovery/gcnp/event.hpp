@@ -22,13 +22,15 @@ inline constexpr std::string_view cost_key = "cost";
 inline constexpr std::string_view via_key = "via";
 
 /// Writes `N pub add|modify service=S provider=PARTICIPANT/PEER name=... IDENTITY degree=D distance=K mode=M address=A
-/// port=P protocol=... priority=K participant_name=... [convert=A>B cost=K [via=V]] [attributes]`, or `N pub del
-/// service=S reason=...`. `request` is the subscription that is told. An empty name is left out.
+/// port=P protocol=... priority=K participant_name=... [convert=A>B cost=K [via=V]] [attributes] [hops=N path=A/B]
+/// [reachable=no]`, or `N pub del service=S reason=...`. `request` is the subscription that is told. An empty name is
+/// left out.
 [[nodiscard]] Statement to_statement(std::uint32_t request, const ServiceEvent& event);
 
 /// Writes `N sub add|modify subscription=S consumer=PARTICIPANT/PEER name=... IDENTITY degree=D distance=K mode=M
-/// address=A port=P priority=K participant_name=... [attributes]`, or `N sub del subscription=S reason=...`. `request`
-/// is the publication that is told. An address or port that is not stated is left out.
+/// address=A port=P priority=K participant_name=... [attributes] [hops=N path=A/B] [reachable=no]`, or `N sub del
+/// subscription=S reason=...`. `request` is the publication that is told. An address or port that is not stated is left
+/// out.
 [[nodiscard]] Statement to_statement(std::uint32_t request, const ConsumerEvent& event);
 
 /// A line from the daemon: an event or error about a request, or a message (`N msg ...`).

@@ -127,6 +127,14 @@ std::optional<Degree> KeyReader::degree(std::string_view key) {
   return std::nullopt;
 }
 
+std::optional<RequiredReach> KeyReader::reach() {
+  const auto given = value("reach");
+  if (!given) return std::nullopt;
+  const auto reach = required_reach(*given);
+  if (!reach) fail_value("reach", "routed (the default: services that can be reached from here) or any");
+  return reach;
+}
+
 std::optional<std::uint32_t> KeyReader::conversion() {
   const auto given = value("convert");
   if (!given) return std::nullopt;

@@ -41,6 +41,8 @@ class KeyReader {
   std::optional<Degree> degree(std::string_view key);
   /// The largest cost of `convert=yes|no|COST`.
   std::optional<std::uint32_t> conversion();
+  /// `reach=routed|any`.
+  std::optional<RequiredReach> reach();
   std::optional<std::vector<ProviderFilter>> providers(std::string_view key);
   /// Words with commas; none for the empty value.
   std::optional<std::vector<std::string>> protocols();

@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "discovery/gcnp/attribute.hpp"
 #include "discovery/gcnp/event.hpp"
+#include "discovery/gcnp/way.hpp"
 
 namespace geminga::gcnp {
 namespace {
@@ -35,8 +36,10 @@ NamedIdentity identity_of(const Statement& statement) {
 Attributes attributes_of(const Statement& statement) {
   Attributes attributes;
   const bool is_converted = statement.value("convert").has_value();
+  const bool is_relayed = statement.value("hops").has_value();
   for (const auto& parameter : statement.parameters) {
     if (is_converted && (parameter.key == cost_key || parameter.key == via_key)) continue;
+    if (is_relayed && parameter.key == path_key) continue;
     if (const auto name = shown_attribute(parameter.key)) attributes.emplace(*name, parameter.value.value_or(""));
   }
   return attributes;
@@ -68,6 +71,9 @@ std::optional<Error> fill(const Statement& statement, Event& event, Service& ser
   service.port = number_of<std::uint16_t>(statement, "port");
   service.priority = number_of<std::int32_t>(statement, "priority");
   service.attributes = attributes_of(statement);
+  event.hops = number_of<std::uint32_t>(statement, "hops");
+  if (event.hops != 0) event.path = statement.value(path_key).value_or("");
+  event.reachable = statement.value("reachable").value_or("") != "no";
   return std::nullopt;
 }
 

@@ -91,6 +91,7 @@ void read_wishes(KeyReader& keys, NamedSubscription& subscription) {
   subscription.scope = keys.text("scope", max_scope_bytes).value_or("");
   subscription.convert = keys.conversion().value_or(0);
   subscription.on = keys.text("on", max_concept_bytes).value_or("");
+  subscription.reach = keys.reach().value_or(RequiredReach::routed);
 }
 
 Request read_sub_create(KeyReader& keys) {
@@ -127,6 +128,7 @@ Request read_sub_modify(KeyReader& keys) {
   change.scope = keys.text("scope", max_scope_bytes);
   change.convert = keys.conversion();
   change.on = keys.text("on", max_concept_bytes);
+  change.reach = keys.reach();
   change.attributes = keys.attributes();
   return change;
 }
@@ -384,7 +386,8 @@ Subscription with_identity(const NamedSubscription& named, Identity identity) {
           .rank = named.rank,
           .scope = named.scope,
           .convert = named.convert,
-          .on = named.on};
+          .on = named.on,
+          .reach = named.reach};
 }
 
 void apply(const PubModify& change, Publication& publication) { apply_stated(change, publication); }

@@ -59,6 +59,7 @@ void append_wishes(Parameters& parameters, const NamedSubscription& subscription
   append_stated(parameters, "scope", subscription.scope);
   if (subscription.convert != 0) append(parameters, "convert", conversion_word(subscription.convert));
   append_stated(parameters, "on", subscription.on);
+  if (subscription.reach == RequiredReach::any) append(parameters, "reach", std::string(to_string(subscription.reach)));
   if (subscription.limit) append(parameters, "limit", *subscription.limit);
 }
 
@@ -158,6 +159,7 @@ struct Writer {
     if (change.scope) append(parameters, "scope", *change.scope);
     if (change.convert) append(parameters, "convert", conversion_word(*change.convert));
     if (change.on) append(parameters, "on", *change.on);
+    if (change.reach) append(parameters, "reach", std::string(to_string(*change.reach)));
     if (change.limit) append(parameters, "limit", *change.limit);
     append_own_attributes(parameters, change.attributes);
   }

@@ -46,6 +46,7 @@ void apply_stated(const SubscriptionChange& change, Subscription& subscription) 
   subscription.rank = change.rank.value_or(subscription.rank);
   subscription.convert = change.convert.value_or(subscription.convert);
   subscription.on = change.on.value_or(subscription.on);
+  subscription.reach = change.reach.value_or(subscription.reach);
 }
 
 }  // namespace geminga::gcnp

@@ -6,12 +6,14 @@
 namespace geminga::gcnp {
 
 void append_way(std::vector<Parameter>& parameters, const Way& way) {
-  if (way.hops == 0) return;
-  for (Parameter& one : parameters) {
-    if (one.key == "hops" || one.key == "path") one.key = std::string(attribute_prefix) + one.key;
+  if (way.hops != 0) {
+    for (Parameter& one : parameters) {
+      if (one.key == path_key) one.key = std::string(attribute_prefix) + one.key;
+    }
+    append(parameters, "hops", way.hops);
+    append_stated(parameters, path_key, way.path);
   }
-  append(parameters, "hops", way.hops);
-  append_stated(parameters, "path", way.path);
+  if (!way.is_reachable) append(parameters, "reachable", "no");
 }
 
 }  // namespace geminga::gcnp

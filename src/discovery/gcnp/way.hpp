@@ -11,12 +11,16 @@
 namespace geminga::gcnp {
 
 struct Way {
-  std::size_t hops = 0;  ///< relays between the participant and us; 0: it is heard directly
-  std::string path;      ///< those of them that are known, joined by '/', the nearest to the participant first
+  std::size_t hops = 0;      ///< relays between the participant and us; 0: it is heard directly
+  std::string path;          ///< those of them that are known, joined by '/', the nearest to the participant first
+  bool is_reachable = true;  ///< false: the address in the line cannot be reached from here
 };
 
-/// Appends `hops=N path=A/B` of a way through relays; nothing of another one. Neither key is reserved: an attribute of
-/// that name in the same line becomes `attr.hops` or `attr.path`.
+/// The key of the relays' names: a key only in a line with `hops`, otherwise an attribute.
+inline constexpr std::string_view path_key = "path";
+
+/// Appends `hops=N path=A/B` of a way through relays, and `reachable=no`; nothing of a way without either. Beside
+/// `hops` an attribute `path` in the same line becomes `attr.path`.
 void append_way(std::vector<Parameter>& parameters, const Way& way);
 
 }  // namespace geminga::gcnp

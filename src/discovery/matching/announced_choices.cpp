@@ -6,10 +6,11 @@
 
 namespace geminga::matching {
 
-void AnnouncedChoices::update(const registry::StoredSubscription& subscription, const Choice& choice, bool is_other) {
+void AnnouncedChoices::update(const registry::StoredSubscription& subscription, const Choice& choice, bool is_contested,
+                              bool is_other) {
   if (subscription.slot >= of_subscription_.size()) of_subscription_.resize(subscription.slot + 1);
   Announced& announced = of_subscription_[subscription.slot];
-  const bool was_contested = std::exchange(announced.is_contested, choice.is_contested());
+  const bool was_contested = std::exchange(announced.is_contested, is_contested);
   if (!is_other && was_contested == announced.is_contested) return;
   const Subscription& asked = subscription.entry.subscription;
   const bool is_told = asked.limit != 0 && is_provider_told(asked.mode);

@@ -11,11 +11,13 @@
 namespace geminga::matching {
 
 /// A subscription announces what it is given where it has a limit of max_announced_choice at most, its providers are
-/// told of it, and more may match than it admits.
+/// told of it, and more may match than it admits, or one that matches cannot be reached from here: the providers' hosts
+/// would choose among all.
 class AnnouncedChoices {
  public:
-  /// A local subscription was settled. `is_other`: it or what it is given is not what it was.
-  void update(const registry::StoredSubscription& subscription, const Choice& choice, bool is_other);
+  /// A local subscription was settled. `is_contested`: it had to choose. `is_other`: it or what it is given is not what
+  /// it was.
+  void update(const registry::StoredSubscription& subscription, const Choice& choice, bool is_contested, bool is_other);
   /// The subscription is about to be erased.
   void erase(const registry::StoredSubscription& subscription) {
     if (subscription.slot < of_subscription_.size()) of_subscription_[subscription.slot] = {};

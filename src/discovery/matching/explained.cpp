@@ -191,6 +191,7 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   if (!found.is_signature_met) {
     say("signature: " + signature_misfit(stated(offer.signature), *request.signature, asked.weakest, vocabulary));
   }
+  if (!found.is_reach_met) say("reach: the address " + offered.address + " cannot be reached from here");
   if (!why.empty()) return std::unexpected(why);
   return *found.match;
 }

@@ -47,8 +47,9 @@ constexpr std::string_view words[] = {"none",
                                       "ontology_differs",
                                       "incomplete",
                                       "unclassified_offer",
-                                      "on"};
-static_assert(std::size(words) == std::to_underlying(Obstacle::on) + 1U);
+                                      "on",
+                                      "unreachable"};
+static_assert(std::size(words) == std::to_underlying(Obstacle::unreachable) + 1U);
 
 bool is_similar(const std::string& a, const std::string& b) {
   const std::size_t limit = base::tolerated_slips(a);
@@ -169,12 +170,13 @@ Obstacle Finding::first() const {
   if (!is_on_met) return Obstacle::on;
   if (!is_where_met) return is_where_readable ? Obstacle::where : Obstacle::unreadable;
   if (!is_for_met) return is_for_readable ? Obstacle::for_whom : Obstacle::unreadable;
-  return is_signature_met ? Obstacle::none : Obstacle::signature;
+  if (!is_signature_met) return Obstacle::signature;
+  return is_reach_met ? Obstacle::none : Obstacle::unreachable;
 }
 
 std::size_t Finding::count() const {
   return std::size_t{identity != Obstacle::none} + !is_mode_met + !is_protocol_met + !is_provider_met + !is_scope_met +
-         !is_on_met + !is_where_met + !is_for_met + !is_signature_met;
+         !is_on_met + !is_where_met + !is_for_met + !is_signature_met + !is_reach_met;
 }
 
 std::tuple<unsigned, std::size_t, unsigned, Match> Finding::remoteness() const {
@@ -199,6 +201,7 @@ Finding compared(const registry::SubscriptionEntry& subscription, const Request&
   finding.is_on_met = is_on(request, offer, vocabulary);
   finding.is_where_met = request.where && request.where->accepts(offer.entry, vocabulary.units());
   finding.is_for_met = offer.audience.condition && offer.audience.condition->accepts(subscription, vocabulary.units());
+  finding.is_reach_met = !is_withheld(subscription, offer.entry);
   std::optional<Match> by_signature;
   if (request.signature) {
     by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);

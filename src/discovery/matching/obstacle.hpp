@@ -52,6 +52,7 @@ enum class Obstacle : std::uint8_t {
   incomplete,          ///< neither is known to subsume the other, and the place of an expression may be incomplete
   unclassified_offer,  ///< the same as unclassified, of the offered expression
   on,                  ///< the provider's participant is not known to be what is asked for
+  unreachable,         ///< the address of the offer cannot be reached from the consumer's host
 };
 
 /// The word of GCNP. Static storage.
@@ -68,6 +69,7 @@ struct Finding {
   bool is_where_met = true;
   bool is_for_met = true;
   bool is_signature_met = true;
+  bool is_reach_met = true;
   // Whether these can be read; a condition that cannot be read is not met.
   bool is_scope_readable = true;
   bool is_where_readable = true;
@@ -77,7 +79,8 @@ struct Finding {
   std::optional<Match> match{};        ///< of identity and signature
 
   [[nodiscard]] bool meets() const { return first() == Obstacle::none; }
-  /// The first obstacle in the order identity, mode, protocol, provider, scope, on, conditions of both, signature.
+  /// The first obstacle in the order identity, mode, protocol, provider, scope, on, conditions of both, signature,
+  /// reach.
   [[nodiscard]] Obstacle first() const;
   /// How many of these are not met.
   [[nodiscard]] std::size_t count() const;

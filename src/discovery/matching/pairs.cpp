@@ -24,7 +24,7 @@ void Pairs::prepare(const StoredSubscription& subscription, const Request* forme
     forget_dropped(subscription);
   }
   set_terms(subscription, *chooser);
-  chooser->is_waiting = false;
+  chooser->is_waiting = chooser->has_withheld = false;
 }
 
 void Pairs::set_terms(const StoredSubscription& subscription, Chooser& chooser) const {
@@ -74,11 +74,13 @@ void Pairs::judge(const StoredSubscription& subscription, const StoredPublicatio
   if (!is_interesting && known == considered.end()) return;
   auto& choice = chooser_of(subscription).choice;
   if (known == considered.end() && is_hopeless(subscription, publication, cause)) return;
-  const auto [match, waits] = judge_.judge(subscription, publication);
+  const auto [match, waits, is_kept_back] = judge_.judge(subscription, publication);
   if (waits) chooser_of(subscription).is_waiting = true;
+  if (is_kept_back) chooser_of(subscription).has_withheld = true;
   if (!match || !is_interesting) {
     if (known == considered.end()) return;
-    const Reason reason = match ? Reason::outranked : Reason::changed;  // its consumer has chosen others
+    // A match that is of no interest: its consumer has chosen others.
+    const Reason reason = match ? Reason::outranked : is_kept_back ? Reason::unreachable : Reason::changed;
     choice.withdraw(known->second, directory_.reason_to_go(publication).value_or(reason));
     considered.erase(known);
     return;
@@ -139,7 +141,8 @@ void Pairs::settle(const StoredSubscription& subscription, Cause& cause) {
   events_.tell(subscription, verdict, cause);
   if (!subscription.entry.is_local) return;
   const bool is_same = verdict.gone.empty() && verdict.come.empty() && verdict.outranked.empty();
-  announced_.update(subscription, choice(subscription), !is_same || cause.replaces(subscription));
+  const bool is_contested = choice(subscription).is_contested() || (chooser != nullptr && chooser->has_withheld);
+  announced_.update(subscription, choice(subscription), is_contested, !is_same || cause.replaces(subscription));
 }
 
 void Pairs::settle_all(const StoredSubscription& subscription, Cause& cause) {

@@ -106,10 +106,12 @@ class Pairs {
   [[nodiscard]] std::uint64_t passed() const { return passed_; }
 
  private:
-  /// A subscription that chooses, and whether the reasoner has still to decide about one of its pairs.
+  /// A subscription that chooses.
   struct Chooser {
     Choice choice;
-    bool is_waiting = false;
+    bool is_waiting = false;  ///< the reasoner has still to decide about one of its pairs
+    /// A service was kept from it since it cannot be reached, which no other host knows.
+    bool has_withheld = false;
   };
 
   /// Null: no pair of the subscription was ever of interest.

@@ -125,12 +125,24 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
   return request;
 }
 
+namespace {
+
+/// The judgement on a pair, from its match without a look at reach.
+Judgement judged(const SubscriptionEntry& subscription, const Offer& offer, std::optional<Match> match, bool waits) {
+  const bool is_kept_back = match && is_withheld(subscription, offer.entry);
+  return {is_kept_back ? std::nullopt : match, waits, is_kept_back};
+}
+
+}  // namespace
+
 Judgement judgement_of(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
                        const vocabulary::Vocabulary& vocabulary) {
   const AskComparison compares_on = request.on ? request.on->compares : AskComparison();
   const bool may_ask = request.overlaps || (request.compares && offer.classes.place) || compares_on;
   if (!may_ask) {
-    return {match_of(subscription, request, offer, vocabulary, request.overlaps, request.compares, compares_on)};
+    return judged(subscription, offer,
+                  match_of(subscription, request, offer, vocabulary, request.overlaps, request.compares, compares_on),
+                  false);
   }
   bool waits = false;
   const auto noting = [&waits](const auto& ask) -> std::decay_t<decltype(ask)> {
@@ -143,7 +155,7 @@ Judgement judgement_of(const SubscriptionEntry& subscription, const Request& req
   };
   auto match = match_of(subscription, request, offer, vocabulary, noting(request.overlaps), noting(request.compares),
                         noting(compares_on));
-  return {match, waits};
+  return judged(subscription, offer, match, waits);
 }
 
 }  // namespace geminga::matching

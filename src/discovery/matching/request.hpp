@@ -103,6 +103,16 @@ struct Imagined {
 /// Whether the provider's participant is known to be what the request wants. What is not known is not so.
 [[nodiscard]] bool is_on(const Request& request, const Offer& offer, const vocabulary::Vocabulary& vocabulary);
 
+/// Whether a service that meets the subscription is kept from it, since its host cannot reach the service and the
+/// consumer asks for what can be reached. Each host judges for its own consumers, and a description of a participant
+/// has no channel.
+[[nodiscard]] inline bool is_withheld(const registry::SubscriptionEntry& subscription,
+                                      const registry::PublicationEntry& publication) {
+  return subscription.is_local && !publication.is_reachable &&
+         publication.publication.mode != ChannelMode::participant &&
+         subscription.subscription.reach == RequiredReach::routed;
+}
+
 /// Whether the subscription accepts the degree of a match. Where the representation is converted, `match` limits the
 /// degree of the concept alone.
 [[nodiscard]] bool is_accepted_degree(const Subscription& asked, const Request& request, const Offer& offer,
@@ -112,9 +122,10 @@ struct Imagined {
 struct Judgement {
   std::optional<Match> match;  ///< how the offer meets the subscription; nothing where it does not
   bool waits = false;          ///< whether a question to the reasoner about this pair has no answer yet
+  bool is_withheld = false;    ///< whether the pair would meet if the service could be reached
 };
-/// Judges a pair by mode, provider, protocol, scope, identity, conditions of both and signature. `subscription` is what
-/// `request` was prepared from.
+/// Judges a pair by mode, provider, protocol, scope, identity, conditions of both, signature and reach. `subscription`
+/// is what `request` was prepared from.
 [[nodiscard]] Judgement judgement_of(const registry::SubscriptionEntry& subscription, const Request& request,
                                      const Offer& offer, const vocabulary::Vocabulary& vocabulary);
 /// The match of a pair; nothing where it does not meet.

@@ -53,6 +53,11 @@ void NeighbourTable::doubt(ParticipantId id, base::Instant now) {
   update(*known, now);
 }
 
+void NeighbourTable::judge_reach() {
+  if (!judge_) return;
+  for (auto& [id, known] : records_) known.record->judge_reach(judge_, changes_);
+}
+
 std::optional<Reach> NeighbourTable::reach(ParticipantId id) const {
   const auto* known = records_.record(id);
   return known == nullptr ? std::nullopt : std::optional(known->reach());

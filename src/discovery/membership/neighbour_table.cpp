@@ -303,6 +303,7 @@ void NeighbourTable::update(Records::value_type& known, Instant now) {
     ++roster_;
   }
   witnesses_.update(known.first, record.heard(), record.lasting_interval(now), record.held_revision());
+  if (judge_) record.judge_reach(judge_, changes_);
   records_.count(known.second);
   timetable_.set(known.second.slot, record.next_deadline());
 }

@@ -63,6 +63,12 @@ class NeighbourTable final : private ServiceRoom {
   /// Shares the offers of neighbours with other tables of this process. Call before anything is heard.
   using ServiceRoom::set_offers;
 
+  /// Has the addresses of participants that are heard from afar alone judged whenever something is heard of them. Call
+  /// before anything is heard.
+  void set_judge(JudgeReach judge) { judge_ = std::move(judge); }
+  /// Judges all of them anew, since other answers are to be expected.
+  void judge_reach();
+
   /// Takes in one decoded announcement. Cost: its entries times the logarithm of the sender's, and when something has
   /// changed (or a sixteenth of an interval has gone by) all entries of its sender. While the room for services is
   /// full, it also looks at every participant for each service that others make room for.
@@ -192,6 +198,7 @@ class NeighbourTable final : private ServiceRoom {
   Turn turn_ = 0;
   Records records_;
   Timetable timetable_;  ///< when expire() has something to do for which participant
+  JudgeReach judge_;     ///< empty: all count as reachable
   std::uint64_t roster_ = 0;
   std::size_t room_ = announcement::max_participants;  ///< until `room_until_`, since memory was short
   base::Instant room_until_{};

@@ -107,6 +107,13 @@ void Participant::on_interfaces_changed() {
   settle();
 }
 
+void Participant::on_routes_changed() {
+  if (owners_->phase == Phase::created || is_over()) return;
+  owners_->air.judge_reach();
+  feed();
+  settle();
+}
+
 void Participant::shed() {
   Owners& all = *owners_;
   if (all.phase != Phase::claiming && all.phase != Phase::ready) return;

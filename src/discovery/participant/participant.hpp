@@ -52,6 +52,8 @@ class Participant {
   void on_datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram);
   /// Env::interfaces() gives something new.
   void on_interfaces_changed();
+  /// Env::route() may answer otherwise than before.
+  void on_routes_changed();
 
   /// `user` is the user who connected, where the system tells; else empty.
   void on_stream_opened(env::StreamId stream, std::string_view user);

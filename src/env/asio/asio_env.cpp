@@ -32,7 +32,9 @@ std::chrono::steady_clock::time_point to_steady(base::Instant instant) {
 }  // namespace
 
 AsioEnv::AsioEnv(net::io_context& context, base::LogSink& log)
-    : context_(context), log_(log), timer_(context), now_(read_clock()) {
+    : context_(context), log_(log), timer_(context), now_(read_clock()), routes_(context, [this] {
+        tell([](EventSink& sink) { sink.on_routes_changed(); });
+      }) {
   streams_ = std::make_shared<Streams>(
       context,
       Streams::Handlers{

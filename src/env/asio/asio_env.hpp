@@ -19,6 +19,7 @@
 #include "env/asio/links.hpp"
 #include "env/asio/multicast.hpp"
 #include "env/asio/reception.hpp"
+#include "env/asio/routes.hpp"
 #include "env/asio/streams.hpp"
 #include "env/asio/unicast.hpp"
 #include "env/env.hpp"
@@ -79,6 +80,7 @@ class AsioEnv final : public Env {
   [[nodiscard]] const std::vector<Interface>& interfaces() const override { return interfaces_; }
   [[nodiscard]] std::vector<std::string> ignored_interfaces() const override { return ignored_; }
   [[nodiscard]] std::optional<base::Instant> last_heard(InterfaceIndex interface) const override;
+  [[nodiscard]] RouteKind route(std::string_view address) override { return routes_.find(address); }
   void send(InterfaceIndex interface, std::span<const std::byte> datagram) override;
   void send_alone(InterfaceIndex interface, std::string_view address, std::span<const std::byte> datagram) override;
   [[nodiscard]] bool is_sender_named() const override;
@@ -134,6 +136,7 @@ class AsioEnv final : public Env {
   std::set<std::string> missing_;
   std::unique_ptr<Unicast> unicast_;
   std::unique_ptr<LinkWatch> watch_;
+  Routes routes_;
   base::Instant wanted_ = base::never;  ///< the participant wants its timer
   base::Instant armed_ = base::never;   ///< the timer is set
 };

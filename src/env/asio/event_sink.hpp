@@ -21,6 +21,8 @@ class EventSink {
   /// so that it can be counted and refused.
   virtual void on_datagram(InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram) = 0;
   virtual void on_interfaces_changed() = 0;
+  /// Env::route() may answer otherwise than before.
+  virtual void on_routes_changed() = 0;
   /// `user` is the user that connected over a Unix socket, where the system tells; empty over TCP.
   virtual void on_stream_opened(StreamId stream, std::string_view user) = 0;
   virtual void on_stream_bytes(StreamId stream, std::string_view bytes) = 0;

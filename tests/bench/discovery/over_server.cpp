@@ -81,7 +81,7 @@ void measure_over_server(std::size_t hosts) {
     lab.start(last, beside_bridge({"--key-file", key}));
     Talk consumer = lab.talk(last);
     const auto began = Clock::now();
-    consumer.say("7 sub create mode=otm/stream text=ball");
+    consumer.say("7 sub create mode=otm/stream reach=any text=ball");
     for (std::size_t left = last * services_of_host; left > 0; --left) {
       if (!consumer.line_with({"7 pub add"})) return row_without(name, std::to_string(hosts), "not all were told");
     }

@@ -170,6 +170,12 @@ final class VectorsTest {
         Told served = Told.read(Statement.read("1 pub add service=a/1/1 provider=a/1 text=x degree=converted mode=oto port=1 protocol=udp convert=a:A>a:B cost=2 attr.via=x via=udp://10.0.0.7:6000/b/1/1"));
         Check.equal("udp://10.0.0.7:6000/b/1/1", served.match().via());
         Check.equal("x", served.attributes().get("via"));
+        Told far = Told.read(Statement.read("1 pub add service=a/1/1 provider=a/1 text=x degree=exact mode=oto port=1 protocol=udp attr.path=/left hops=2 path=base/tower reachable=no"));
+        Check.equal("2 base/tower false", far.match().hops() + " " + far.match().path() + " " + far.match().reachable());
+        Check.equal("/left", far.attributes().get("path"));
+        Told near = Told.read(Statement.read("1 pub add service=a/1/1 provider=a/1 text=x degree=exact mode=oto port=1 protocol=udp path=/left attr.reachable=no"));
+        Check.equal("0  true", near.match().hops() + " " + near.match().path() + " " + near.match().reachable());
+        Check.equal("/left no", near.attributes().get("path") + " " + near.attributes().get("reachable"));
         Check.equal("attr.via", served.write().parameters().get(served.write().parameters().size() - 1).key());
         Check.equal(List.of("soccer:PolarRobotFrame", "soccer:CartesianRobotFrame"), costly.match().conversion());
     }

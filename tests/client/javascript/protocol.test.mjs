@@ -73,6 +73,10 @@ test('who converts is a key behind a conversion, and else an attribute', () => {
   const served = of('convert=a:A>a:B cost=2 via=udp://10.0.0.7:6000/b/1/1 attr.via=x');
   assert.equal(served.via, 'udp://10.0.0.7:6000/b/1/1');
   assert.equal(served.attributes.via, 'x');
+  const far = of('attr.path=/left hops=2 path=base/tower reachable=no');
+  assert.deepEqual([far.hops, far.path, far.reachable, far.attributes.path], [2, 'base/tower', false, '/left']);
+  const near = of('path=/left attr.reachable=no');
+  assert.deepEqual([near.hops, near.path, near.reachable, near.attributes.path], [0, undefined, true, '/left']);
   assert.equal(of('via=x').via, undefined);
   assert.equal(of('via=x').attributes.via, 'x');
 });

@@ -185,6 +185,18 @@ class Vectors(unittest.TestCase):
             match = read_match(line)
             self.assertEqual((match.via, match.attributes), (via, {"via": "x"}))
 
+    def test_the_way_is_no_attribute(self) -> None:
+        line = read_line(b"1 pub add service=a attr.hops=9 attr.path=/left rate=30 hops=2 path=base/tower reachable=no")
+        assert isinstance(line, Statement)
+        match = read_match(line)
+        self.assertEqual((match.hops, match.path, match.reachable), (2, "base/tower", False))
+        self.assertEqual(match.attributes, {"hops": "9", "path": "/left", "rate": "30"})
+        line = read_line(b"1 pub add service=a path=/left attr.reachable=no")
+        assert isinstance(line, Statement)
+        match = read_match(line)
+        self.assertEqual((match.hops, match.path, match.reachable), (0, "", True))
+        self.assertEqual(match.attributes, {"path": "/left", "reachable": "no"})
+
     def test_a_conversion_between_iris_is_read(self) -> None:
         line = read_line(b"1 pub add service=a convert=<http://a#A>>b:B><http://a#C> cost=2")
         assert isinstance(line, Statement)

@@ -145,8 +145,29 @@ TEST(Way, StandsBesideAttributesOfItsKeys) {
       .id = 1, .command = "pub", .subcommand = "add", .parameters = {{"path", "/camera"}, {"rate", "30"}}};
   append_way(statement.parameters, {});
   EXPECT_EQ(to_line(statement), "1 pub add path=/camera rate=30\r\n");
-  append_way(statement.parameters, {.hops = 2, .path = "base/left tower"});
-  EXPECT_EQ(to_line(statement), "1 pub add attr.path=/camera rate=30 hops=2 path=\"base/left tower\"\r\n");
+  append_way(statement.parameters, {.hops = 0, .path = "", .is_reachable = false});
+  EXPECT_EQ(to_line(statement), "1 pub add path=/camera rate=30 reachable=no\r\n");
+  statement.parameters.pop_back();
+  append_way(statement.parameters, {.hops = 2, .path = "base/left tower", .is_reachable = false});
+  EXPECT_EQ(to_line(statement), "1 pub add attr.path=/camera rate=30 hops=2 path=\"base/left tower\" reachable=no\r\n");
+}
+
+TEST(Way, IsNoAttributeOfAnEvent) {
+  const auto event_of = [](std::string_view rest) {
+    const auto reply =
+        read_reply("1 pub add service=00000001/1/1 id=1 degree=exact mode=oto port=5 " + std::string(rest));
+    return std::get<ServiceEvent>(std::get<Event>(*reply).what);
+  };
+  const ServiceEvent far = event_of("attr.hops=9 attr.path=/left rate=30 hops=2 path=base/tower reachable=no");
+  EXPECT_EQ(far.hops, 2U);
+  EXPECT_EQ(far.path, "base/tower");
+  EXPECT_FALSE(far.reachable);
+  EXPECT_EQ(far.publication.attributes, (Attributes{{"hops", "9"}, {"path", "/left"}, {"rate", "30"}}));
+  const ServiceEvent near = event_of("path=/left attr.reachable=no");
+  EXPECT_EQ(near.hops, 0U);
+  EXPECT_EQ(near.path, "");
+  EXPECT_TRUE(near.reachable);
+  EXPECT_EQ(near.publication.attributes, (Attributes{{"path", "/left"}, {"reachable", "no"}}));
 }
 
 }  // namespace

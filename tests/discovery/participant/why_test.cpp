@@ -200,7 +200,7 @@ TEST(WhyCodes, AreListedInTheOrderOfTheCode) {
     if (is_there && line.starts_with("| `")) listed.push_back(line.substr(3, line.find('`', 3) - 3));
   }
   std::vector<std::string> known;
-  for (int number = 1; number <= static_cast<int>(matching::Obstacle::unclassified_offer); ++number) {
+  for (int number = 1; number <= static_cast<int>(matching::Obstacle::unreachable); ++number) {
     known.emplace_back(to_string(static_cast<matching::Obstacle>(number)));
   }
   EXPECT_EQ(listed, known);

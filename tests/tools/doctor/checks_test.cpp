@@ -163,6 +163,14 @@ TEST(Doctor, SaysOfAHostBehindARelayThatTheRelayCarriesNoDataAndNoQuestions) {
   ASSERT_THAT(codes(findings), ElementsAre("address_unreachable"));
   EXPECT_THAT(findings[0].what, testing::HasSubstr("It is heard through base/tower, and a relay passes on"));
   EXPECT_THAT(check_addresses(healthy_host(), answers, &leads_there), IsEmpty()) << "there is a route";
+  Answers translated = answers;
+  translated.services[0].fields.emplace_back("reachable", "no");
+  translated.participants[1].fields.emplace_back("observed", "198.51.100.7");
+  const Findings behind = check_addresses(healthy_host(), translated, &leads_there);
+  ASSERT_THAT(codes(behind), ElementsAre("address_unreachable"));
+  EXPECT_THAT(behind[0].what, testing::HasSubstr("come from 198.51.100.7, so that a translation of addresses lies"));
+  EXPECT_THAT(behind[0].what, testing::HasSubstr("with reach=any alone"));
+  EXPECT_THAT(behind[0].remedy, testing::HasSubstr("announce-address"));
   EXPECT_THAT(check_team(answers, true), IsEmpty());
   OtherView other;
   other.name = "two (00000002)";

@@ -81,6 +81,7 @@ TEST(Metrics, SayWhatTheIssueOfMonitoringAsksFor) {
         "geminga_neighbour_loss_least_ratio{participant=\"00000002\",name=\"robot \\\"2\\\"\\\\\\n\"} 0.25",
         "geminga_neighbour_age_seconds{participant=\"00000002\",name=\"robot \\\"2\\\"\\\\\\n\"} 0.250",
         "geminga_neighbour_hears_us{participant=\"00000002\",name=\"robot \\\"2\\\"\\\\\\n\"} 0",
+        "geminga_neighbour_reachable{participant=\"00000002\",name=\"robot \\\"2\\\"\\\\\\n\"} 1",
         "geminga_requests_unmatched 1",
         "geminga_request_unmatched{subscription=\"1a2b3c4d/2/"
         "1\",consumer=\"base\",participant=\"us\",identity=\"soccer:Ball in "

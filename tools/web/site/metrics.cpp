@@ -146,6 +146,8 @@ void append_neighbours(std::vector<Family>& families, const Answer& participants
                       "Share of its announcements that was missed at least, if one allows for chance");
   Family age = made("geminga_neighbour_age_seconds", Type::gauge, "seconds", "Time since it was last heard");
   Family hears = made("geminga_neighbour_hears_us", Type::gauge, "", "0 where it has said that it does not hear us");
+  Family reach =
+      made("geminga_neighbour_reachable", Type::gauge, "", "0 where its address cannot be reached from this host");
   std::size_t told = 0;
   for (const Record& record : participants.records) {
     if (record["self"] == "1") continue;
@@ -155,8 +157,9 @@ void append_neighbours(std::vector<Family>& families, const Answer& participants
     if (const auto value = number(record["loss_least"])) least.samples.push_back({labels, *value});
     if (const auto value = number(record["heard"])) age.samples.push_back({labels, *value});
     hears.samples.push_back({labels, record["hears_us"] == "0" ? "0" : "1"});
+    reach.samples.push_back({labels, record["reachable"] == "no" ? "0" : "1"});
   }
-  for (Family* family : {&loss, &least, &age, &hears}) families.push_back(std::move(*family));
+  for (Family* family : {&loss, &least, &age, &hears, &reach}) families.push_back(std::move(*family));
 }
 
 std::string identity_of(const Record& record) {

@@ -24,9 +24,18 @@ import java.util.Map;
  * @param cost the cost of the conversion; 0 if there is none
  * @param via the service of each conversion, with commas: {@code PROTOCOL://ADDRESS:PORT/SERVICE}, or {@code -} for the consumer; empty if the consumer does all
  * @param attributes the attributes that it states
+ * @param hops relays on the way to its host; 0 if it is heard directly
+ * @param path the names of those that are known, joined by {@code /}, the nearest to its host first
+ * @param reachable whether nothing stands against its address being reached from this host
  */
 public record Match(String word, String owner, String name, String host, long life, Identity identity, Degree degree, int distance, Mode mode, String address, int port,
-        String protocol, int priority, List<String> conversion, long cost, String via, Map<String, String> attributes) {
+        String protocol, int priority, List<String> conversion, long cost, String via, Map<String, String> attributes, int hops, String path, boolean reachable) {
+    /** The other side on a host that is heard directly. */
+    public Match(String word, String owner, String name, String host, long life, Identity identity, Degree degree, int distance, Mode mode, String address, int port,
+            String protocol, int priority, List<String> conversion, long cost, String via, Map<String, String> attributes) {
+        this(word, owner, name, host, life, identity, degree, distance, mode, address, port, protocol, priority, conversion, cost, via, attributes, 0, "", true);
+    }
+
     /** {@return the life in sixteen hexadecimal digits} */
     public String lifeText() {
         return Life.write(life);

@@ -127,6 +127,16 @@ public final class Request {
     }
 
     /**
+     * States which services count by whether their address can be reached from this host (src/discovery/gcnp/GCNP.md, "Reach").
+     *
+     * @param reach {@code routed}, as by default, or {@code any}
+     * @return the request
+     */
+    public Request reach(String reach) {
+        return with("reach", reach);
+    }
+
+    /**
      * States the protocols over which messages may come.
      *
      * @param protocols {@code udp}, {@code tcp}; none for both

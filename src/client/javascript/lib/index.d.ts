@@ -38,6 +38,8 @@ export interface SubscriptionStatement {
   where?: string;
   /** Whether representations may be converted, or the largest cost of that. */
   convert?: boolean | 'yes' | 'no' | number;
+  /** `any`: also services whose address cannot be reached from this host; `routed` by default. */
+  reach?: 'routed' | 'any';
   /** The largest number of providers, the best ones; 0: all. */
   limit?: number;
   priority?: number;
@@ -90,10 +92,16 @@ export interface Peer {
   readonly cost?: number;
   /** The service of each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` for the consumer. */
   readonly via?: string;
+  /** The number of relays on the way to its host; 0: it is heard directly. */
+  readonly hops: number;
+  /** The names of those that are known, joined by `/`, the nearest to its host first. */
+  readonly path?: string;
+  /** False: its address cannot be reached from this host, as far as that is certain. */
+  readonly reachable: boolean;
   readonly attributes: Readonly<Record<string, string>>;
 }
 
-/** A change of a provider or consumer. The `reason` of a removal: withdrawn, expired, left, outranked, changed, disconnected, lost, refused, slow; there may be more. */
+/** A change of a provider or consumer. The `reason` of a removal: withdrawn, expired, left, outranked, changed, unreachable, disconnected, lost, refused, slow; there may be more. */
 export type PeerChange = Peer & { readonly change: 'added' | 'modified' | 'removed'; readonly reason?: string };
 
 export interface Message {

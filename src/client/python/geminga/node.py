@@ -135,6 +135,7 @@ class Node:
         on: str | None = None,
         where: str | None = None,
         convert: str | int | None = None,
+        reach: str | None = None,
         conversions: Mapping[str, Conversion] | None = None,
         protocol: Words | None = None,
         limit: int | None = None,
@@ -147,13 +148,14 @@ class Node:
     ) -> Opening[Subscriber]:
         """Asks for services: `await` the result, or enter it. The keys are those of `sub create`; port 0 means any.
 
-        `conversions` are functions from octets to octets by `A>B`, with the names that events use. Subscriber explains `queue` and
+        `reach="any"` also takes services whose address cannot be reached from this host. `conversions` are functions from octets to octets by `A>B`, with the names that events use. Subscriber explains `queue` and
         `keep`. Raises as publish() does.
         """
         said = parameters(
             attributes, mode=mode, id=id, text=text, concept=concept, representation=representation, match=match,
             provider=provider, favour=favour, prefer=prefer, rank=rank, scope=scope, on=on, where=where,
-            convert=convert, protocol=protocol, limit=limit, priority=priority, port=port or None, address=address,
+            convert=convert, reach=reach, protocol=protocol, limit=limit, priority=priority, port=port or None,
+            address=address,
         )  # fmt: skip
         checked(said, 2, port=port, id=id, priority=priority, limit=limit)
         return Opening(self._make(lambda: Subscriber(self, said, conversions, queue, keep)))

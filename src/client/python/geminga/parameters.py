@@ -18,6 +18,7 @@ _CHANGEABLE = {
     "sub": (
         "id", "text", "concept", "representation", "priority", "scope", "match", "provider", "favour", "prefer", "rank", "where", "convert",
         "on",
+        "reach",
     ),
 }  # fmt: skip
 #: Arguments that are numbers, with the least and the greatest value.

@@ -6,8 +6,9 @@
 namespace geminga::matching {
 
 std::string_view to_string(Reason reason) {
-  constexpr std::array<std::string_view, 6> words{"withdrawn", "expired", "left", "outranked", "changed", "renamed"};
-  static_assert(words.size() == std::to_underlying(Reason::renamed) + 1U);
+  constexpr std::array<std::string_view, 7> words{"withdrawn", "expired", "left",       "outranked",
+                                                  "changed",   "renamed", "unreachable"};
+  static_assert(words.size() == std::to_underlying(Reason::unreachable) + 1U);
   return words.at(std::to_underlying(reason));
 }
 

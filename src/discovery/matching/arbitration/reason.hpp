@@ -15,6 +15,8 @@ enum class Reason : std::uint8_t {
   outranked,  ///< a better one took its place under the subscription's limit
   changed,    ///< it was modified, or the ontology was, and it does not match any longer
   renamed,    ///< its participant took a new identifier after a clash
+  /// Its address cannot be reached from here any longer, and the consumer asks for services that can.
+  unreachable,
 };
 [[nodiscard]] std::string_view to_string(Reason reason);
 

@@ -53,8 +53,8 @@ struct Consumer {
   std::optional<Scope> scope;    ///< nothing: it cannot be read, and admits nobody
   vocabulary::Units declared{};  ///< the units that conditions of converters may use beside the table
 
-  /// Whether the consumer takes part with a converter: by protocol, provider, both scopes and the converter's
-  /// condition.
+  /// Whether the consumer takes part with a converter: by protocol, provider, both scopes, the converter's condition,
+  /// and whether it can be reached.
   [[nodiscard]] bool takes_part(const Converter& converter) const;
 
   /// The converters that it takes part with, remembered by Converters for one version of them.

@@ -21,7 +21,8 @@ bool is_same(const Converter& one, const registry::PublicationEntry& entry, cons
   return one.step.from == step.from && one.step.to == step.to && one.step.cost == step.cost &&
          was.protocol == is.protocol && was.address == is.address && was.port == is.port && was.scope == is.scope &&
          was.for_whom == is.for_whom && one.entry.peer_name == entry.peer_name &&
-         one.entry.participant_name == entry.participant_name && one.entry.is_local == entry.is_local;
+         one.entry.participant_name == entry.participant_name && one.entry.is_local == entry.is_local &&
+         one.entry.is_reachable == entry.is_reachable;
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ struct Arrival {
   base::Instant now;
   /// Whether a seal proves who sent it.
   bool is_sealed = false;
+  /// Whether it was sent to us alone, and not to a group.
+  bool is_alone = false;
   /// Null: it was heard directly.
   const Passage* passage = nullptr;
 };

@@ -20,13 +20,15 @@ enum class Departure : std::uint8_t {
 
 /// A remote publication is there, has changed, or was said again (then only `heard` differs). That a presence affirms
 /// it is told by NeighbourTable::affirmed(). The address is empty only if nothing is known of the sender; an IPv6
-/// link-local one has our interface as its zone.
+/// link-local one has our interface as its zone. `is_reachable`: false where it is the address of a participant that
+/// cannot be reached from here; an address that a service states for itself is not judged.
 struct PutPublication {
   ServiceKey key;
   Publication publication;
   std::string peer_name;
   std::string participant_name;
   base::Instant heard;  ///< registry::PublicationEntry::updated
+  bool is_reachable = true;
   friend bool operator==(const PutPublication&, const PutPublication&) = default;
 };
 struct PutSubscription {
@@ -35,6 +37,7 @@ struct PutSubscription {
   std::string peer_name;
   std::string participant_name;
   base::Instant heard;
+  bool is_reachable = true;
   friend bool operator==(const PutSubscription&, const PutSubscription&) = default;
 };
 struct RemovePublication {

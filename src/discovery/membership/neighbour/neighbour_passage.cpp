@@ -58,7 +58,20 @@ Reach NeighbourRecord::reach() const {
           .loss = ways_.loss(),
           .hops = passage_ ? passage_->hops : 0,
           .beyond = passage_ ? passage_->interface : env::InterfaceIndex{},
-          .ways = ways_.all()};
+          .ways = ways_.all(),
+          .reachability = reachability_};
+}
+
+void NeighbourRecord::judge_reach(const JudgeReach& judge, std::vector<Change>& changes) {
+  if (ways_.all().empty()) return;  // Without a way nothing is known that is new.
+  const std::string& address = services_.owner().address;
+  const bool is_afar = passage_ || std::ranges::all_of(ways_.all(), &NeighbourWay::is_heard_alone);
+  const bool is_judged = is_afar && !address.empty();
+  const auto reachability = is_judged ? judge(address, observed_address(reach())) : Reachability::reachable;
+  if (reachability == reachability_) return;
+  reachability_ = reachability;
+  services_.set_reachable(reachability == Reachability::reachable);
+  services_.tell(moment(signs_.heard(), false), changes);
 }
 
 void NeighbourRecord::ask_witnesses(Instant now) {

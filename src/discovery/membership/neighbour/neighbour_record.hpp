@@ -102,6 +102,10 @@ class NeighbourRecord {
   /// Its ways, for a relay.
   [[nodiscard]] Reach reach() const;
 
+  /// Judges whether its address can be reached from here, where it is heard from afar alone: through relays, or by
+  /// datagrams to us alone.
+  void judge_reach(const JudgeReach& judge, std::vector<Change>& changes);
+
   /// Looks up what others have testified about it.
   void ask_witnesses(base::Instant now);
   /// Takes in that a participant of its name claims an identifier or is new, at the address of one of its ways: that
@@ -255,6 +259,7 @@ class NeighbourRecord {
   std::optional<base::Instant> heard_directly_;
   std::optional<Passage> passage_;  ///< present while the last word came through a relay
   base::Instant passed_{};          ///< when that passage was last used
+  Reachability reachability_ = Reachability::reachable;
   NeighbourWays ways_;
   NeighbourServices services_;
   const Witnesses& witnesses_;

@@ -303,12 +303,14 @@ void NeighbourServices::put(ServiceNumber number, Entry& entry, std::vector<Chan
     auto& put = std::get<PutPublication>(
         changes.emplace_back(PutPublication{key(number), *publication, offer.peer_name, owner_.name, entry.heard}));
     put.publication.address = effective_address(publication->address);
+    put.is_reachable = owner_.is_reachable || put.publication.address != owner_.address;
     entry.told = Told::publication;
   } else {
     const auto& subscription = std::get<Subscription>(offer.service);
     auto& put = std::get<PutSubscription>(
         changes.emplace_back(PutSubscription{key(number), subscription, offer.peer_name, owner_.name, entry.heard}));
     put.subscription.address = effective_address(subscription.address);
+    put.is_reachable = owner_.is_reachable || put.subscription.address != owner_.address;
     entry.told = Told::subscription;
   }
   entry.is_changed = false;
@@ -331,6 +333,19 @@ void NeighbourServices::set_address(const std::string& address, const std::strin
   owner_.zone = zone;
   for (auto& [number, entry] : entries_) {
     if (!entry.offer.value() || !depends_on_way(*entry.offer.value())) continue;
+    entry.is_changed = true;
+    has_changes_ = true;
+  }
+}
+
+void NeighbourServices::set_reachable(bool is_reachable) {
+  if (is_reachable == owner_.is_reachable) return;
+  owner_.is_reachable = is_reachable;
+  for (auto& [number, entry] : entries_) {
+    if (!entry.offer.value()) continue;
+    const auto& announced = std::visit([](const auto& service) -> const std::string& { return service.address; },
+                                       entry.offer.value()->service);
+    if (effective_address(announced) != owner_.address) continue;
     entry.is_changed = true;
     has_changes_ = true;
   }

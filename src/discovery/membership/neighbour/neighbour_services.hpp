@@ -23,8 +23,9 @@ namespace geminga::membership {
 struct Owner {
   ParticipantId id{};
   std::string name;
-  std::string address;  ///< for services that have none
-  std::string zone;     ///< of link-local addresses
+  std::string address;       ///< for services that have none
+  std::string zone;          ///< of link-local addresses
+  bool is_reachable = true;  ///< `address`, from here
 };
 
 /// The time of a call, and how the participant stands at that time.
@@ -77,6 +78,7 @@ class NeighbourServices {
 
   void set_name(const std::string& name);
   void set_address(const std::string& address, const std::string& zone);
+  void set_reachable(bool is_reachable);
   [[nodiscard]] const Owner& owner() const { return owner_; }
 
   /// Whether a service found no room, since the first part of the last state.

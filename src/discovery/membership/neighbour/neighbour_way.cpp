@@ -32,6 +32,7 @@ std::vector<std::string> usable(const announcement::Announcement& announcement, 
 
 NeighbourWay::NeighbourWay(const announcement::Announcement& first, const Arrival& arrival)
     : is_relayed_(arrival.passage != nullptr),
+      is_heard_alone_(arrival.is_alone),
       opened_(arrival.now),
       source_(arrival.source),
       addresses_(usable(first, arrival), arrival.now),
@@ -130,6 +131,7 @@ void NeighbourWay::count(const announcement::Announcement& announcement, const A
     losses_.count(sequence);
     sequences_.rise(sequence, arrival.now);
   }
+  is_heard_alone_ = is_heard_alone_ && arrival.is_alone;
   path_.heard = arrival.now;
   path_.interface = arrival.interface;
   path_.interface_name = arrival.interface_name;

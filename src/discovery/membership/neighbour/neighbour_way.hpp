@@ -75,6 +75,8 @@ class NeighbourWay {
 
   /// Whether its datagrams come through relays, on whatever interface.
   [[nodiscard]] bool is_relayed() const { return is_relayed_; }
+  /// Whether all its datagrams came to us alone, so that its participant need not be on our link.
+  [[nodiscard]] bool is_heard_alone() const { return is_heard_alone_; }
   /// Takes over the losses of the same way before its participant was given up.
   void go_on_from(const LossWindow& former) { losses_.go_on_from(former); }
   /// Takes in the loss of all hops of a relayed way.
@@ -133,6 +135,7 @@ class NeighbourWay {
 
   Path path_;
   bool is_relayed_;
+  bool is_heard_alone_;
   base::Instant opened_;
   std::string source_;
   base::Rare<Home> home_;

@@ -5,10 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
+#include <string>
 
 #include "base/time.hpp"
 #include "discovery/membership/neighbour/neighbour_way.hpp"
+#include "discovery/membership/neighbour/reachability.hpp"
 #include "env/env.hpp"
 #include "geminga/service.hpp"
 
@@ -24,7 +25,13 @@ struct Reach {
   std::size_t hops = 0;          ///< relays between it and us; 0: it is heard directly
   env::InterfaceIndex beyond{};  ///< with hops: the interface of ours that the last relay speaks on
   std::span<const NeighbourWay> ways;
+  Reachability reachability = Reachability::reachable;  ///< of the address that its services are told with
 };
+
+/// The address from which the words of a participant come where it announces another one of that kind (IPv4, IPv6) on
+/// each of its ways; empty: there is none. A translation of addresses lies between, or it announces what it was told to
+/// (announce-address). A link-local address says nothing, since a relay passes none of these on.
+[[nodiscard]] std::string observed_address(const Reach& reach);
 
 }  // namespace geminga::membership
 

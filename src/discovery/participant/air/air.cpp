@@ -8,6 +8,7 @@
 #include "base/address.hpp"
 #include "discovery/announcement/limits.hpp"
 #include "discovery/keeping/frame.hpp"
+#include "discovery/participant/air/reach_judge.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -48,6 +49,9 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
 void Air::start() {
   seal_.adopt(settings_.sealing, env_.now());
   neighbours_.set_secret(env_.random_bits());
+  neighbours_.set_judge([&env = env_](const std::string& address, const std::string& observed) {
+    return judged_reach(address, observed, env.route(address));
+  });
   if (settings_.shared) neighbours_.set_offers(settings_.shared->offers);
   announcer_.start();
 }
@@ -116,7 +120,8 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
                                                                .interface_name = on->name,
                                                                .source = source,
                                                                .now = env_.now(),
-                                                               .is_sealed = is_sealed});
+                                                               .is_sealed = is_sealed,
+                                                               .is_alone = arrival.is_alone});
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (heard.kind == announcement::Kind::presence) {
     one_way_.hear(heard, neighbours_, source, on->name, env_.log());

@@ -46,6 +46,8 @@ class Air {
   /// (NeighbourTable::shed()).
   void shed();
   void forget_interface(env::InterfaceIndex interface) { neighbours_.forget_interface(interface); }
+  /// Judges anew which participants can be reached: Env::route() may answer otherwise than before.
+  void judge_reach() { neighbours_.judge_reach(); }
   /// The changes of neighbours since the last call, in the order in which the registry must make them.
   [[nodiscard]] std::vector<membership::Change> take_changes();
   /// Whether all that we say is said on this interface, too.

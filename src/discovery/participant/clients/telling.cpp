@@ -111,10 +111,12 @@ void Telling::say(Session& session, std::uint32_t number, const News& news, cons
     told.degree = news.match.degree;
     told.distance = news.match.distance;
     fill(matcher_, key_of(session, number), *entry, news.chain.get(), told);
+    gcnp::Way way = way_of_(news.about.participant);
+    told.hops = static_cast<std::uint32_t>(way.hops);
+    told.path = std::move(way.path);
+    told.reachable = entry->is_reachable;
   }
-  gcnp::Statement statement = gcnp::to_statement(number, told);
-  if (news.change != Change::del) gcnp::append_way(statement.parameters, way_of_(news.about.participant));
-  std::string line = gcnp::to_line(statement);
+  std::string line = gcnp::to_line(gcnp::to_statement(number, told));
   session.say(line);
   if (entry != nullptr) last = {news, entry, line.substr(line.find(' '))};
 }

@@ -29,14 +29,16 @@ struct Feed {
                                            .publication = std::move(put.publication),
                                            .peer_name = std::move(put.peer_name),
                                            .participant_name = std::move(put.participant_name),
-                                           .updated = put.heard});
+                                           .updated = put.heard,
+                                           .is_reachable = put.is_reachable});
   }
   void operator()(membership::PutSubscription& put) const {
     matcher.put(registry::SubscriptionEntry{.key = put.key,
                                             .subscription = std::move(put.subscription),
                                             .peer_name = std::move(put.peer_name),
                                             .participant_name = std::move(put.participant_name),
-                                            .updated = put.heard});
+                                            .updated = put.heard,
+                                            .is_reachable = put.is_reachable});
   }
   void operator()(const membership::RemovePublication& gone) const {
     matcher.begin_removal_of_publication(gone.key, reason_of(gone.reason));

@@ -45,7 +45,8 @@ NamedSubscription named(const vocabulary::Vocabulary& vocabulary, const Subscrip
                            .rank = subscription.rank,
                            .scope = subscription.scope,
                            .convert = subscription.convert,
-                           .on = subscription.on};
+                           .on = subscription.on,
+                           .reach = subscription.reach};
 }
 
 std::string digest_word(std::uint64_t digest) { return digest == 0 ? "-" : base::to_hex(digest, 16); }

@@ -12,6 +12,7 @@
 #include "discovery/participant/queries/mending.hpp"
 #include "discovery/participant/queries/missing.hpp"
 #include "discovery/participant/queries/proofs.hpp"
+#include "discovery/participant/queries/reach_check.hpp"
 #include "reasoning/vocabulary/explanation.hpp"
 #include "reasoning/vocabulary/expression.hpp"
 
@@ -43,6 +44,7 @@ SubscriptionEntry only(const SubscriptionEntry& request, const PublicationEntry&
   one.subscription.protocols.clear();
   one.subscription.scope.clear();
   one.subscription.on.clear();
+  one.subscription.reach = RequiredReach::any;
   for (const std::string_view key : {matching::inputs_attribute, matching::outputs_attribute}) {
     if (const auto at = one.subscription.attributes.find(key); at != one.subscription.attributes.end()) {
       one.subscription.attributes.erase(at);
@@ -295,16 +297,8 @@ std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& match
                                  matcher.vocabulary(), asked.request->chains);
 }
 
-std::string words(const vocabulary::Vocabulary& vocabulary, const Identity& identity) {
-  Line line;
-  gcnp::append_identity(line, named(vocabulary, identity));
-  std::string text;
-  for (const gcnp::Parameter& one : line) text += (text.empty() ? "" : " ") + one.key + "=" + one.value.value_or("");
-  return text;
-}
-
-std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
-                             Depth depth) {
+std::vector<Check> checks_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,
+                             const Asked& asked, const PublicationEntry& offer, Depth depth) {
   std::vector<Check> checks{check_mode(asked, offer), check_identity(matcher, asked, offer, depth),
                             check_provider(asked, offer), check_protocol(asked.entry.subscription, offer),
                             check_where(matcher, asked, offer)};
@@ -317,22 +311,23 @@ std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& aske
   if (matching::has_signature(asked.entry.subscription.attributes)) {
     checks.push_back(check_signature(matcher, asked, offer));
   }
+  if (asked.entry.is_local && !offer.is_reachable) checks.push_back(check_reach(neighbours, asked, offer));
   const auto full = offered.attributes.find(channel_full_attribute);
   if (full != offered.attributes.end() && full->second != "0") checks.push_back(note_full_channel(full->second));
   return checks;
 }
 
 const Check* first_obstacle(const std::vector<Check>& checks) {
-  for (const std::string_view what :
-       {"identity", "mode", "protocol", "provider", "scope", "on", "where", "for", "signature", "arbitration"}) {
+  for (const std::string_view what : {"identity", "mode", "protocol", "provider", "scope", "on", "where", "for",
+                                      "signature", "reach", "arbitration"}) {
     const auto at = std::ranges::find(checks, what, &Check::what);
     if (at != checks.end() && !at->is_ok()) return &*at;
   }
   return nullptr;
 }
 
-Check misfit_of(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer,
-                Obstacle obstacle) {
+Check misfit_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours, const Asked& asked,
+                const PublicationEntry& offer, Obstacle obstacle) {
   switch (obstacle) {
     case Obstacle::mode:
       return check_mode(asked, offer);
@@ -350,6 +345,8 @@ Check misfit_of(const matching::Matcher& matcher, const Asked& asked, const Publ
       return check_for(matcher, asked, offer);
     case Obstacle::signature:
       return check_signature(matcher, asked, offer);
+    case Obstacle::unreachable:
+      return check_reach(neighbours, asked, offer);
     case Obstacle::unreadable: {
       for (Check check :
            {check_scope(matcher, asked, offer), check_where(matcher, asked, offer), check_for(matcher, asked, offer)}) {

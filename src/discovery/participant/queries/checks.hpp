@@ -12,6 +12,7 @@
 #include "discovery/matching/matcher.hpp"
 #include "discovery/matching/obstacle.hpp"
 #include "discovery/matching/request.hpp"
+#include "discovery/membership/neighbour_table.hpp"
 #include "discovery/participant/clients/answering.hpp"
 
 namespace geminga::participant {
@@ -46,23 +47,21 @@ inline constexpr std::size_t cost_of_proof = 2000;
 /// Octets of the axioms that are told; the rest is left out.
 inline constexpr std::size_t max_proof_bytes = 4096;
 
-/// The identity as a user would write it.
-[[nodiscard]] std::string words(const vocabulary::Vocabulary& vocabulary, const Identity& identity);
-
 /// The chain that converts an offer into what is asked for, whether that is accepted or not; null where there is none.
 [[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& matcher, const Asked& asked,
                                                                 const registry::PublicationEntry& offer);
 
 /// Checks mode, identity, provider, protocol and condition, and, where there are any, the scopes, the provider's
-/// condition and the signature.
-[[nodiscard]] std::vector<Check> checks_of(const matching::Matcher& matcher, const Asked& asked,
+/// condition, the signature, and an address that cannot be reached.
+[[nodiscard]] std::vector<Check> checks_of(const matching::Matcher& matcher,
+                                           const membership::NeighbourTable& neighbours, const Asked& asked,
                                            const registry::PublicationEntry& offer, Depth depth);
 /// The first failed check, in the order identity, mode, protocol, provider, scope, condition, the provider's condition,
-/// signature, arbitration; null where none failed.
+/// signature, reach, arbitration; null where none failed.
 [[nodiscard]] const Check* first_obstacle(const std::vector<Check>& checks);
 /// The check that fails first for a pair that does not meet.
-[[nodiscard]] Check misfit_of(const matching::Matcher& matcher, const Asked& asked,
-                              const registry::PublicationEntry& offer, matching::Obstacle obstacle);
+[[nodiscard]] Check misfit_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,
+                              const Asked& asked, const registry::PublicationEntry& offer, matching::Obstacle obstacle);
 
 /// Appends `check ok text`, those of `code mend proof` that are not empty, and what is missing.
 void append_check(Line& line, const Check& check);

@@ -4,7 +4,9 @@
 #include <cstdio>
 
 #include "base/text.hpp"
+#include "discovery/gcnp/event.hpp"
 #include "discovery/matching/degrees/comparison.hpp"
+#include "discovery/participant/knowledge/naming.hpp"
 
 namespace geminga::participant {
 namespace {
@@ -50,6 +52,14 @@ void append_owned(Line& line, std::string_view key, std::string_view owner, cons
 }
 
 }  // namespace
+
+std::string words(const vocabulary::Vocabulary& vocabulary, const Identity& identity) {
+  Line line;
+  gcnp::append_identity(line, named(vocabulary, identity));
+  std::string text;
+  for (const gcnp::Parameter& one : line) text += (text.empty() ? "" : " ") + one.key + "=" + one.value.value_or("");
+  return text;
+}
 
 std::string seconds(base::Duration duration) {
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(std::max(duration, base::Duration(0))).count();

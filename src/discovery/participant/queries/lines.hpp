@@ -23,6 +23,8 @@ inline constexpr std::size_t max_problem_bytes = 400;
 
 inline void append_flag(Line& line, std::string_view key, bool value) { append(line, key, value ? "1" : "0"); }
 
+/// The identity as a user would write it.
+[[nodiscard]] std::string words(const vocabulary::Vocabulary& vocabulary, const Identity& identity);
 /// Seconds with three decimals; a negative duration counts as 0.
 [[nodiscard]] std::string seconds(base::Duration duration);
 /// Three decimals.

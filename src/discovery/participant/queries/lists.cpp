@@ -60,7 +60,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, Names na
   const auto* semantic = std::get_if<SemanticIdentity>(&entry.publication.identity);
   if (semantic != nullptr && has_expression(*semantic)) append_place(line, by, semantic->concept_iri);
   gcnp::append_attributes(line, entry.publication.attributes);
-  append_way(line, entry.key.participant, by.neighbours);
+  append_way(line, entry, by.neighbours);
   return line;
 }
 
@@ -89,9 +89,10 @@ Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, Names n
   append_stated(line, "scope", subscription.scope);
   if (!subscription.on.empty()) append(line, "on", names_of(by, names).short_expression(subscription.on));
   if (subscription.convert != 0) append(line, "convert", gcnp::conversion_word(subscription.convert));
+  if (subscription.reach == RequiredReach::any) append(line, "reach", std::string(to_string(subscription.reach)));
   if (reason != nullptr) append_because(line, *reason);
   gcnp::append_attributes(line, subscription.attributes);
-  append_way(line, entry.key.participant, by.neighbours);
+  append_way(line, entry, by.neighbours);
   return line;
 }
 

@@ -44,7 +44,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
                                                    vocabulary, request.chains);
   gcnp::append_attributes(line, matching::chain_words(chain.get(), vocabulary), match.cost, chain ? chain->via : "",
                           entry.publication.attributes);
-  append_way(line, entry.key.participant, by.neighbours);
+  append_way(line, entry, by.neighbours);
   return line;
 }
 
@@ -226,6 +226,7 @@ std::expected<Answering, Error> begin(std::string kind, const Listed& by, const 
   asked.providers = query.providers;
   asked.where = query.where;
   asked.convert = query.convert;
+  asked.reach = RequiredReach::any;  // what cannot be reached is listed, and marked
   if (query.identity) {
     auto identity = by.resolver.resolve(*query.identity);
     if (!identity) return std::unexpected(identity.error());

@@ -203,7 +203,7 @@ Reason Reasons::of(Piece& piece, const Asked& asked, const Nearest& nearest) {
     if (auto unknown = is_general ? of_unknown_offers(asked, nearest) : std::nullopt) return std::move(*unknown);
     return reason ? std::move(*reason) : of_nobody(asked);
   }
-  const Check check = misfit_of(matcher_, asked, *offer, nearest.misfit->finding.first());
+  const Check check = misfit_of(matcher_, neighbours_, asked, *offer, nearest.misfit->finding.first());
   Reason reason{check.obstacle, to_string(offer->key) + ": " + check.text, check.mend};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
     reason.text += "; offered are " + told_representations(matcher_.vocabulary(), nearest);
@@ -286,7 +286,7 @@ Reason Reasons::of(Piece& piece, const PublicationEntry& offer, const Nearest& n
     return reason ? std::move(*reason) : of_nobody(offer);
   }
   const Asked asked{.entry = *request, .request = matcher_.prepare(*request)};
-  const Check check = misfit_of(matcher_, asked, offer, nearest.misfit->finding.first());
+  const Check check = misfit_of(matcher_, neighbours_, asked, offer, nearest.misfit->finding.first());
   Reason reason{check.obstacle, to_string(request->key) + ": " + check.text,
                 mend_by_provider(matcher_, asked, offer, check)};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {

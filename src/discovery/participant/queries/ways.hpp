@@ -11,10 +11,16 @@ namespace geminga::participant {
 /// The names of the relays on the way, or identifiers where a name is not known. No hops: it is heard directly, or is
 /// unknown, as we ourselves are.
 [[nodiscard]] gcnp::Way way_of(ParticipantId participant, const membership::NeighbourTable& neighbours);
-/// Appends `hops path` of the way to a participant.
+/// Appends `hops path reachable` of the way to a participant.
 void append_way(Line& line, ParticipantId participant, const membership::NeighbourTable& neighbours);
-/// The address from which its words come where it announces another one on each of its ways; empty: there is none. A
-/// translation of addresses lies between, or it announces what it was told to (announce-address).
+/// The same of the way to a service or consumer of it, whose address may be another one.
+template <typename Entry>
+void append_way(Line& line, const Entry& entry, const membership::NeighbourTable& neighbours) {
+  gcnp::Way way = way_of(entry.key.participant, neighbours);
+  way.is_reachable = entry.is_reachable;
+  gcnp::append_way(line, way);
+}
+/// The address from which its words come where it announces others alone (membership::observed_address()).
 [[nodiscard]] std::string observed_address(ParticipantId participant, const membership::NeighbourTable& neighbours);
 
 }  // namespace geminga::participant

@@ -54,7 +54,7 @@ class PairAnswer {
 
  private:
   void begin(Piece& piece) {
-    checks_ = checks_of(matcher_, asked_, offer_.entry, Depth::search);
+    checks_ = checks_of(matcher_, neighbours_, asked_, offer_.entry, Depth::search);
     if (std::ranges::any_of(checks_, [](const Check& one) { return one.missing || !one.proof.empty(); }))
       piece.look_at(cost_of_proof);
     const auto finding = matcher_.examine(asked_.entry, *asked_.request, offer_.entry);
@@ -82,7 +82,7 @@ class PairAnswer {
     }
     if (is_outranked) append_flag(line, "outranked", true);
     if (obstacle != nullptr) append(line, "code", std::string(to_string(obstacle->obstacle)));
-    append_way(line, offer_.entry.key.participant, neighbours_);
+    append_way(line, offer_.entry, neighbours_);
     return line;
   }
 
@@ -163,9 +163,9 @@ class RequestAnswer {
     const Asked& asked = survey_.asked();
     Check check;
     if (entry.misfit != Obstacle::none) {
-      check = misfit_of(matcher_, asked, offer, entry.misfit);
+      check = misfit_of(matcher_, neighbours_, asked, offer, entry.misfit);
     } else if (entry.is_chosen) {
-      check = checks_of(matcher_, asked, offer, Depth::search)[1];
+      check = checks_of(matcher_, neighbours_, asked, offer, Depth::search)[1];
       if (!check.proof.empty()) piece.look_at(cost_of_proof);
     } else {
       const auto* rival = chosen_.empty() ? nullptr : matcher_.find_publication(chosen_.back());
@@ -177,7 +177,7 @@ class RequestAnswer {
     append(line, "offered", words(matcher_.vocabulary(), offer.publication.identity));
     append(line, "mode", std::string(to_string(offer.publication.mode)));
     append_check(line, check);
-    append_way(line, offer.key.participant, neighbours_);
+    append_way(line, offer, neighbours_);
     piece.tell(std::move(line));
   }
 
@@ -254,12 +254,12 @@ class OfferAnswer {
     offer.entry = demand_.offer_for(request);
     const Asked asked{.entry = request, .request = matcher_.prepare(request)};
     if (!entry.is_meeting) {
-      Check check = misfit_of(matcher_, asked, offer.entry, entry.misfit);
+      Check check = misfit_of(matcher_, neighbours_, asked, offer.entry, entry.misfit);
       check.mend = mend_by_provider(matcher_, asked, offer.entry, check);
       return check;
     }
     if (entry.is_taken) {
-      Check check = checks_of(matcher_, asked, offer.entry, Depth::search)[1];
+      Check check = checks_of(matcher_, neighbours_, asked, offer.entry, Depth::search)[1];
       if (!check.proof.empty()) piece.look_at(cost_of_proof);
       return check;
     }
@@ -282,7 +282,7 @@ class OfferAnswer {
     append(line, "asked", words(matcher_.vocabulary(), request.subscription.identity));
     append(line, "mode", std::string(to_string(request.subscription.mode)));
     append_check(line, check);
-    append_way(line, request.key.participant, neighbours_);
+    append_way(line, request, neighbours_);
     piece.tell(std::move(line));
   }
 

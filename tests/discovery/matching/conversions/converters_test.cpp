@@ -98,6 +98,25 @@ TEST_F(ConvertersTest, TakeTheirMatchesWithThem) {
   EXPECT_THAT(told(), ElementsAre("p1.1.1 pub del p2.1.2 changed"));
 }
 
+TEST_F(ConvertersTest, TakeNoPartWhereTheyCannotBeReached) {
+  matcher.put(ball(key(2, 1, 2), "E"));
+  matcher.put(asks(key(here, 1, 1), "F"));
+  PublicationEntry far = converter(key(3, 1, 2), "E", "F");
+  far.is_reachable = false;
+  matcher.put(far);
+  EXPECT_THAT(told(), IsEmpty());
+  far.is_reachable = true;
+  matcher.put(far);
+  EXPECT_THAT(told(), ElementsAre(HasSubstr("pub add p2.1.2 converted")));
+  far.is_reachable = false;
+  matcher.put(far);
+  EXPECT_THAT(told(), ElementsAre("p1.1.1 pub del p2.1.2 changed"));
+  SubscriptionEntry any = asks(key(here, 1, 1), "F");
+  any.subscription.reach = RequiredReach::any;
+  matcher.put(any);
+  EXPECT_THAT(told(), ElementsAre(HasSubstr("pub add p2.1.2 converted")));
+}
+
 TEST_F(ConvertersTest, MayChangeWhatTheyTakeBehindAnotherStep) {
   Taxonomy taxonomy;
   taxonomy.sub("Ball", "Tracked").sub("A", "Frame").sub("B", "Above").sub("Above", "Frame").sub("C", "Frame");

@@ -18,6 +18,8 @@ export interface Participant {
   path?: string;
   /** The address from which its words come, where it announces another one: a translation of addresses may lie between. */
   observed?: string;
+  /** False: its address cannot be reached from this host. */
+  reachable?: boolean;
 }
 
 /** The way to a participant that is heard through relays, in words; empty: it is heard on our own links. */
@@ -55,6 +57,8 @@ export interface Service extends Entry {
   provider: string;
   address?: string;
   port?: number;
+  /** False: its address cannot be reached from this host, and requests are not given it. */
+  reachable?: boolean;
   used: boolean;
   for?: string;
   /** The classes right above an offered expression, or why it has no place here. */

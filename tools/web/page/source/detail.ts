@@ -116,7 +116,7 @@ export function showParticipant(id: string, ground: Ground): void {
     return;
   }
   const facts = h('dl', {}, ...[
-    ['identifier', one.id], ['addresses', one.addresses.join(', ')], ['ontology', one.ontology],
+    ['identifier', one.id], ['addresses', `${one.addresses.join(', ')}${one.reachable === false ? ', not reachable from this host' : ''}`], ['ontology', one.ontology],
     ...(one.observed === undefined ? [] : [['words come from', `${one.observed}, which it does not announce`]]),
     ['speaks each', `${one.interval} s`], ...(wayOf(one) === '' ? [] : [['heard through', wayOf(one)]]),
   ].flatMap(([word, text]) => [h('dt', {}, word ?? ''), h('dd', {}, text ?? '')]));
@@ -142,7 +142,7 @@ export function showParticipant(id: string, ground: Ground): void {
       ...(module.requests.some((request) => !request.served) ? [mark(false)] : []), h('b', {}, module.name),
       ` offers ${module.services.length}, asks ${module.requests.length}`),
       h('ul', { class: 'entries' },
-        ...module.services.map((service) => h('li', {}, `offers ${identityText(service)} `, h('small', {}, [service.mode, ...placeOf(service), ...(service.used ? [] : ['nobody takes it'])].join(', ')))),
+        ...module.services.map((service) => h('li', {}, `offers ${identityText(service)} `, h('small', {}, [service.mode, ...placeOf(service), ...(service.reachable === false ? ['not reachable'] : []), ...(service.used ? [] : ['nobody takes it'])].join(', ')))),
         ...module.requests.map((request) => h('li', {}, mark(request.served), `asks for ${identityText(request)} `, h('small', {}, request.mode),
           ...(ground.isNow ? [asking('Why', `request ${request.subscription}`, () => requestAnswer(request))] : []))))));
   refill(bodyOf('detail'), back(ground), facts, h('h3', {}, 'Matches with'), h('div', { class: 'chips' }, ...buttons), h('h3', {}, 'Modules'), ...folded);

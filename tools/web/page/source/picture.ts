@@ -175,7 +175,7 @@ export class Picture {
       const at = places.get(one.id) ?? { x: 0, y: 0 };
       const [inside, count, isGone] = [within.get(one.id) ?? 0, modules.get(one.id)?.size ?? 0, !moment.participants.has(one.id)];
       const of = [at.x, at.y, one.id, one.publications, one.subscriptions, inside, count, isGone, isChosen(one.id), drawing.shown(one.id),
-        drawing.wrong.has(one.id), wayOf(one), drawing.unserved.get(one.id) ?? 0].join();
+        drawing.wrong.has(one.id), wayOf(one), one.reachable, drawing.unserved.get(one.id) ?? 0].join();
       this.boxes.take(one.id, of, () => this.box(one, at, drawing, inside, count, isGone, isChosen(one.id)));
     }
     const xs = [...places.values()].map((place) => place.x);
@@ -223,11 +223,12 @@ export class Picture {
     const more = `${one.name}, ${within} matches inside${unserved > 0 ? `, ${unserved} requests not served` : ''}${isWrong ? ', something is wrong' : ''}`;
     const choose = () => this.choose({ participant: one.id });
     const way = isGone ? '' : wayOf(one);
-    const mark = one.self ? 'this host' : way === '' ? '' : 'relayed';
+    const isApart = !isGone && one.reachable === false;
+    const mark = one.self ? 'this host' : isApart ? 'unreachable' : way === '' ? '' : 'relayed';
     const group = svg('g', {
       class: `box${isWrong ? ' wrong' : ''}${isGone ? ' gone' : ''}${one.self ? ' self' : ''}${drawing.shown(one.id) ? '' : ' faint'}${isChosen ? ' chosen' : ''}`,
       transform: `translate(${at.x - box.width / 2} ${at.y - box.height / 2})`,
-      tabindex: 0, role: 'button', 'aria-pressed': String(isChosen), 'aria-description': way === '' ? more : `${more}, heard through ${way}`, 'data-key': `box ${one.name}`,
+      tabindex: 0, role: 'button', 'aria-pressed': String(isChosen), 'aria-description': `${more}${way === '' ? '' : `, heard through ${way}`}${isApart ? ', not reachable from this host' : ''}`, 'data-key': `box ${one.name}`,
       click: choose,
       keydown: (event) => {
         if (event instanceof KeyboardEvent && (event.key === 'Enter' || event.key === ' ')) {
@@ -237,7 +238,7 @@ export class Picture {
       },
     },
       svg('rect', { width: box.width, height: box.height, rx: 8 }),
-      svg('text', { x: 12, y: 21, class: 'name' }, shortened(one.name, mark === '' ? 15 : 11)), ' ',
+      svg('text', { x: 12, y: 21, class: 'name' }, shortened(one.name, mark === '' ? 15 : isApart ? 9 : 11)), ' ',
       svg('text', { x: 12, y: 38 }, second), ', ',
       svg('text', { x: 12, y: 53 }, third), ' ');
     if (mark !== '') group.append(svg('text', { x: box.width - 10, y: 20, class: 'this' }, mark));

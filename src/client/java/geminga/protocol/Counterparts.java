@@ -294,6 +294,6 @@ public final class Counterparts<C> {
 
     private static Match anonymous(Match match) {
         return new Match("", "", match.name(), match.host(), match.life(), match.identity(), match.degree(), match.distance(), match.mode(), match.address(), match.port(),
-                match.protocol(), match.priority(), match.conversion(), match.cost(), match.via(), match.attributes());
+                match.protocol(), match.priority(), match.conversion(), match.cost(), match.via(), match.attributes(), match.hops(), match.path(), match.reachable());
     }
 }

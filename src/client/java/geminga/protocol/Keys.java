@@ -8,10 +8,13 @@ import java.util.Set;
 public final class Keys {
     public static final String PREFIX = "attr.";
     private static final List<String> RESERVED = List.of(("mode id text concept representation port address protocol priority match provider where limit service name degree "
-            + "reason subscription participant_name consumer distance age local used served participant peer favour prefer convert scope rank for").split(" "));
+            + "reason subscription participant_name consumer distance age local used served participant peer favour prefer convert scope rank for reach").split(" "));
     /** Keys of a request that are names of attributes in an offer. */
     private static final List<String> OF_REQUESTS = List.of("on");
     private static final Set<String> RESERVED_SET = Set.copyOf(RESERVED);
+
+    /** Keys of the daemon's own lines, which a client may state as attributes. */
+    private static final Set<String> KEYS_OF_LINES = Set.of("why", "because", "placed", "unplaced", "hops", "reachable");
 
     private Keys() {}
 
@@ -61,7 +64,7 @@ public final class Keys {
     }
 
     private static boolean isKeyOfLines(String key) {
-        return key.equals("why") || key.equals("because") || key.equals("on");
+        return KEYS_OF_LINES.contains(key);
     }
 
     /** Whether the two differ by one slip: a letter wrong, missing, too many, of the other case, or swapped with its neighbour. */

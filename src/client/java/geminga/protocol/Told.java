@@ -24,6 +24,9 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
     /** Keys after {@code convert}, and otherwise names of attributes. */
     private static final List<String> OF_CHAIN = List.of("cost", "via");
 
+    /** Keys that stand behind the attributes; {@code path} is the name of an attribute without {@code hops}. */
+    private static final List<String> OF_WAY = List.of("hops", "path", "reachable");
+
     /** The event that a statement of the daemon is, or null if it is none. A part that cannot be read is an error. */
     public static Told read(Statement statement) throws LineException {
         boolean isOfService = statement.command().equals("pub");
@@ -33,7 +36,8 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
         Map<String, String> attributes = new LinkedHashMap<>();
         for (Parameter parameter : statement.parameters()) {
             boolean isOfChain = OF_CHAIN.contains(parameter.key()) && keys.containsKey("convert") && !keys.containsKey(parameter.key());
-            String name = isOfChain ? null : Keys.shown(parameter.key());
+            boolean isOfWay = parameter.key().equals("path") && keys.containsKey("hops") && !keys.containsKey("path");
+            String name = isOfChain || isOfWay ? null : Keys.shown(parameter.key());
             if (name == null) {
                 keys.put(parameter.key(), parameter.value());
             } else if (attributes.put(name, parameter.value()) != null) {
@@ -49,11 +53,14 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
     /** The statement that it was read from. */
     public Statement write() {
         List<Parameter> parameters = new ArrayList<>();
-        keys.forEach((key, value) -> parameters.add(new Parameter(key, value)));
+        keys.forEach((key, value) -> {
+            if (!OF_WAY.contains(key)) parameters.add(new Parameter(key, value));
+        });
         attributes.forEach((name, value) -> {
-            boolean isTaken = OF_CHAIN.contains(name) && keys.containsKey("convert");
+            boolean isTaken = OF_CHAIN.contains(name) && keys.containsKey("convert") || name.equals("path") && keys.containsKey("hops");
             parameters.add(new Parameter(isTaken ? Keys.PREFIX + name : Keys.showing(name), value));
         });
+        for (String key : OF_WAY) if (keys.containsKey(key)) parameters.add(new Parameter(key, keys.get(key)));
         return new Statement(id, isOfService ? "pub" : "sub", CHANGES.get(change.ordinal()), parameters);
     }
 
@@ -72,7 +79,8 @@ public record Told(long id, boolean isOfService, Change change, Map<String, Stri
         try {
             return new Match(word(), text(isOfService ? "provider" : "consumer"), text("name"), text("participant_name"), Life.read(attributes.get("channel")), identity(),
                     Degree.of(text("degree")), number("distance"), Mode.of(text("mode")), text("address"), (int) Values.number("port", orZero("port"), 0, 65535),
-                    text("protocol"), number("priority"), chain(text("convert")), Values.number("cost", orZero("cost"), 0, Statement.MAX_ID), text("via"), Collections.unmodifiableMap(attributes));
+                    text("protocol"), number("priority"), chain(text("convert")), Values.number("cost", orZero("cost"), 0, Statement.MAX_ID), text("via"), Collections.unmodifiableMap(attributes),
+                    number("hops"), text("path"), !text("reachable").equals("no"));
         } catch (IllegalArgumentException fault) {
             throw new LineException(fault.getMessage());
         }

@@ -23,6 +23,7 @@ final class Values {
             case "match" -> unless("narrower", oneOf(key, value, "exact equivalent narrower broader overlapping"));
             case "limit" -> Long.toString(number(key, value, 0, Statement.MAX_ID));
             case "convert" -> convert(value);
+            case "reach" -> unless("routed", oneOf(key, value, "routed any"));
             case "provider", "favour" -> providers(key, value);
             case "where", "for" -> text(key, value, 0, 400);
             case "scope", "prefer" -> text(key, value, 0, 200);

@@ -14,11 +14,11 @@ public final class Words {
     public static final int MAX_VALUE = 255;
 
     private static final List<String> OFFER = List.of("mode id text concept representation port address protocol priority scope for".split(" "));
-    private static final List<String> REQUEST = List.of(("mode id text concept representation match provider where protocol favour prefer rank scope convert on limit "
+    private static final List<String> REQUEST = List.of(("mode id text concept representation match provider where protocol favour prefer rank scope convert on reach limit "
             + "priority port address").split(" "));
     private static final List<String> OFFER_CHANGE = List.of("id text concept representation mode address port priority protocol scope for".split(" "));
     private static final List<String> REQUEST_CHANGE = List.of(("id text concept representation mode address port priority match provider where protocol favour prefer "
-            + "rank scope convert on limit").split(" "));
+            + "rank scope convert on reach limit").split(" "));
     private static final List<String> IDENTITY = List.of("id", "text", "concept", "representation");
 
     private final boolean isOffer;

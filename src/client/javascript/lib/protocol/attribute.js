@@ -5,10 +5,10 @@ import { StatementError } from './errors.js';
 export const reservedKeys = Object.freeze(
   ('mode id text concept representation port address protocol priority match provider where limit service name degree ' +
     'reason subscription participant_name consumer distance age local used served participant peer favour prefer ' +
-    'convert scope rank for').split(' '),
+    'convert scope rank for reach').split(' '),
 );
 const reserved = new Set(reservedKeys);
-const keysOfLines = new Set(['why', 'because', 'on']);
+const keysOfLines = new Set(['why', 'because', 'on', 'placed', 'unplaced', 'hops', 'reachable']);
 /** Keys of a request that are names of attributes in an offer. */
 const keysOfRequests = ['on'];
 

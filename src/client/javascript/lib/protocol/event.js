@@ -5,6 +5,8 @@ import { modes, readNumber } from './key.js';
 
 /** Keys beside `convert`, and otherwise names of attributes. */
 const ofChain = ['cost', 'via'];
+/** The way to the other side's host: `path` is a key beside `hops`, and otherwise the name of an attribute. */
+const ofWay = ['hops', 'path', 'reachable'];
 const degrees = ['exact', 'equivalent', 'narrower', 'converted', 'broader', 'overlapping'];
 const changes = ['add', 'modify', 'del'];
 
@@ -14,14 +16,14 @@ const shapes = Object.freeze({
     service: 'service',
     peer: 'provider',
     keys: ['service', 'provider', 'name', 'id', 'text', 'concept', 'representation', 'degree', 'distance', 'mode', 'address',
-      'port', 'protocol', 'priority', 'participant_name', 'convert', 'cost', 'via'],
+      'port', 'protocol', 'priority', 'participant_name', 'convert', 'cost', 'via', ...ofWay],
     required: ['service', 'provider', 'degree', 'mode', 'port', 'protocol'],
   },
   sub: {
     service: 'subscription',
     peer: 'consumer',
     keys: ['subscription', 'consumer', 'name', 'id', 'text', 'concept', 'representation', 'degree', 'distance', 'mode',
-      'address', 'port', 'priority', 'participant_name'],
+      'address', 'port', 'priority', 'participant_name', ...ofWay],
     required: ['subscription', 'consumer', 'degree', 'mode'],
   },
 });
@@ -42,15 +44,16 @@ export const isEvent = ({ command, subcommand }) => Object.hasOwn(shapes, comman
 /**
  * The event of a statement: `id`, `change`, `command`, `service` (the word of the other side's service or subscription),
  * `peer`, `name`, `identity`, `degree`, `distance`, `mode`, `address`, `port`, `protocol`, `priority`, `participantName`,
- * `convert`, `cost`, `via`, `attributes`; of a `del` only the first four and `reason`. Throws StatementError.
+ * `convert`, `cost`, `via`, `hops`, `path`, `reachable`, `attributes`; of a `del` only the first four and `reason`. Throws StatementError.
  */
 export function readEvent({ id, command, subcommand, parameters }) {
   const shape = shapes[command];
   const values = new Map();
   const attributes = Object.create(null);
+  const isRelayed = parameters.some(([key]) => key === 'hops');
   const isConverted = parameters.some(([key]) => key === 'convert');
   for (const [key, value = ''] of parameters) {
-    const isKey = shape.keys.includes(key) && (isConverted || !ofChain.includes(key));
+    const isKey = shape.keys.includes(key) && (isConverted || !ofChain.includes(key)) && (isRelayed || key !== 'path');
     if (isKey || key === 'reason') {
       if (values.has(key)) fail(id, `${key} is given twice`);
       values.set(key, value);
@@ -86,6 +89,9 @@ export function readEvent({ id, command, subcommand, parameters }) {
     convert: values.get('convert') || undefined,
     cost: numberOf(id, values, 'cost', 0xffffffff),
     via: values.get('via') || undefined,
+    hops: numberOf(id, values, 'hops', 0xffffffff) ?? 0,
+    path: values.get('path') || undefined,
+    reachable: values.get('reachable') !== 'no',
     attributes,
   };
 }

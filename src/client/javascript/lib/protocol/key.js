@@ -5,6 +5,7 @@ import { StatementError } from './errors.js';
 import * as limits from './limits.js';
 
 export const modes = Object.freeze(['oto', 'otm/stream', 'otm/pubsub']);
+const reaches = Object.freeze(['routed', 'any']);
 const degrees = Object.freeze(['exact', 'equivalent', 'narrower', 'broader', 'overlapping']);
 const anyCost = 0xffffffff;
 
@@ -105,5 +106,6 @@ export const readers = Object.freeze({
   rank: text(limits.maxRank),
   convert: conversion,
   on: text(limits.maxConcept),
+  reach: oneOf(reaches),
   limit: number,
 });

@@ -5,8 +5,8 @@ import { readers } from './key.js';
 import * as limits from './limits.js';
 
 const identityKeys = ['id', 'text', 'concept', 'representation'];
-const wishes = ['match', 'provider', 'where', 'protocol', 'favour', 'prefer', 'rank', 'scope', 'convert', 'on', 'limit'];
-const defaults = { match: 'narrower', priority: '0', convert: 'no' };
+const wishes = ['match', 'provider', 'where', 'protocol', 'favour', 'prefer', 'rank', 'scope', 'convert', 'on', 'reach', 'limit'];
+const defaults = { match: 'narrower', priority: '0', convert: 'no', reach: 'routed' };
 
 /**
  * By command and subcommand: the keys in the order in which they are written, those that are required ("identity" is one of

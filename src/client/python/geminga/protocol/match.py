@@ -35,6 +35,9 @@ class Match:
     cost: int = 0
     via: str = ""  #: the service of each conversion, with commas: `udp://ADDRESS:PORT/SERVICE`, or `-` for the consumer
     attributes: dict[str, str] = field(default_factory=dict)
+    hops: int = 0  #: relays on the way to its host; 0: it is heard directly
+    path: str = ""  #: the names of those that are known, joined by `/`, the nearest to its host first
+    reachable: bool = True  #: false: its address cannot be reached from this host, as far as that is certain
 
 
 def _number(text: str, least: int, most: int) -> int:
@@ -47,9 +50,11 @@ def _number(text: str, least: int, most: int) -> int:
 def read_match(line: Statement) -> Match:
     """Reads `pub add`, `pub modify`, `sub add` or `sub modify`. A value that cannot be read counts as not stated."""
     convert = tuple(_NAME.findall(line.get("convert")))
+    hops = _number(line.get("hops"), 0, 0xFFFFFFFF)
     attributes = {}
     for key, value in line.parameters.items():
-        name = None if convert and key in ("cost", "via") else attribute_of(key)
+        is_key = (convert and key in ("cost", "via")) or (hops and key == "path")
+        name = None if is_key else attribute_of(key)
         if name is not None:
             attributes[name] = value or ""
     return Match(
@@ -72,4 +77,7 @@ def read_match(line: Statement) -> Match:
         cost=_number(line.get("cost"), 0, 0xFFFFFFFF) if convert else 0,
         via=line.get("via") if convert else "",
         attributes=attributes,
+        hops=hops,
+        path=line.get("path") if hops else "",
+        reachable=line.get("reachable") != "no",
     )

@@ -8,12 +8,12 @@ RESERVED = frozenset(
     """
     mode id text concept representation port address protocol priority match provider where limit service name degree
     reason subscription participant_name consumer distance age local used served participant peer favour prefer convert
-    scope rank for
+    scope rank for reach
     """.split()
 )
 
 #: Keys of the daemon's lines that are no attributes there.
-KEYS_OF_LINES = frozenset({"why", "because", "on"})
+KEYS_OF_LINES = frozenset({"why", "because", "on", "placed", "unplaced", "hops", "reachable"})
 
 
 def attribute_of(key: str) -> str | None:
