@@ -141,7 +141,8 @@ TEST(Relay, TellsNoServiceThatCannotBeReachedAndTellsItAgain) {
   EXPECT_THAT(first, testing::ContainsRegex("2 pub add [^\n]*port=5000[^\n]*hops=1 path=b reachable=no\r?\n")) << first;
   EXPECT_THAT(first, testing::ContainsRegex("1 pub add [^\n]*port=5001")) << "a stated address is not judged";
   EXPECT_THAT(first, testing::ContainsRegex("1 pub add [^\n]*port=5002")) << "a host of the link is not judged";
-  EXPECT_THAT(lines_of(far.lines), testing::ContainsRegex("1 sub add [^\n]*name=consumer")) << "providers are told";
+  EXPECT_THAT(lines_of(far.lines), testing::ContainsRegex("1 sub add [^\n]*participant_name=a hops=1"))
+      << "providers are told";
   EXPECT_THAT(robots.participants(a), testing::ContainsRegex("name=c [^\n]*reachable=no"));
   EXPECT_THAT(lines_of(world.ask(a, "services")), testing::ContainsRegex("port=5000[^\n]*reachable=no"));
   EXPECT_THAT(lines_of(world.ask(a, "services")), Not(testing::ContainsRegex("port=500[12][^\n]*reachable=no")));

@@ -132,7 +132,7 @@ Findings check_addresses(const Host& host, const Answers& answers, bool (*has_ro
   };
   Findings findings;
   std::set<std::string> told;
-  /// What only the daemon knows, since it hears from where words come.
+  // The daemon alone hears from where words come.
   const auto translated = [](const Record& service, const Record* provider) {
     if (service["reachable"] != "no" || provider == nullptr) return std::string();
     const std::string observed((*provider)["observed"]);

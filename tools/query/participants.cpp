@@ -19,7 +19,7 @@
 namespace geminga::query {
 namespace {
 
-/// What is to be said of a participant in a few words.
+/// A remark on a participant in a few words.
 std::string remark_on(const Record& record) {
   if (record["self"] == "1") return "(this host)";
   if (record["hears_us"] == "0") return "(does not hear us)";
