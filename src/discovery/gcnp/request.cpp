@@ -1,4 +1,4 @@
-// From a statement to a request. request_statement.cpp has the way back.
+// From a statement to a request. request_statement.cpp has the way back, request_service.cpp what the request states.
 #include "discovery/gcnp/request.hpp"
 
 #include <algorithm>
@@ -355,44 +355,6 @@ std::expected<Request, Error> read_request(const Statement& statement) {
   if (keys.error()) return std::unexpected(*keys.error());
   return request;
 }
-
-Publication with_identity(const NamedPublication& named, Identity identity) {
-  return {.mode = named.mode,
-          .identity = std::move(identity),
-          .address = named.address,
-          .port = named.port,
-          .protocol = named.protocol,
-          .priority = named.priority,
-          .attributes = named.attributes,
-          .scope = named.scope,
-          .for_whom = named.for_whom};
-}
-
-Subscription with_identity(const NamedSubscription& named, Identity identity) {
-  const std::uint32_t usual = named.mode == ChannelMode::one_to_one ? 1 : 0;
-  return {.mode = named.mode,
-          .identity = std::move(identity),
-          .weakest = named.weakest,
-          .providers = named.providers,
-          .where = named.where,
-          .limit = named.limit.value_or(usual),
-          .priority = named.priority,
-          .port = named.port,
-          .address = named.address,
-          .attributes = named.attributes,
-          .protocols = named.protocols,
-          .favoured = named.favoured,
-          .prefer = named.prefer,
-          .rank = named.rank,
-          .scope = named.scope,
-          .convert = named.convert,
-          .on = named.on,
-          .reach = named.reach};
-}
-
-void apply(const PubModify& change, Publication& publication) { apply_stated(change, publication); }
-
-void apply(const SubModify& change, Subscription& subscription) { apply_stated(change, subscription); }
 
 bool matches_text(const Statement& line, std::string_view text) {
   return text.empty() || std::ranges::any_of(line.parameters, [&](const Parameter& parameter) {

@@ -43,17 +43,16 @@ inline constexpr auto reserved_keys = std::to_array<std::string_view>({"mode",
                                                                        "convert",
                                                                        "scope",
                                                                        "rank",
-                                                                       "for",
-                                                                       "reach"});
+                                                                       "for"});
 
 /// Keys of the daemon's own lines that a client may still state as attributes. Such attributes are written `attr.NAME`
 /// in every line of the daemon, so that none can be taken for a key. Words are only ever appended.
 inline constexpr auto keys_of_lines =
-    std::to_array<std::string_view>({"why", "because", "unplaced", "placed", "on", "hops", "reachable"});
+    std::to_array<std::string_view>({"why", "because", "unplaced", "placed", "on", "hops", "reachable", "reach"});
 
 /// Keys of a `sub` that a `pub` may state as attributes. Both may state such an attribute as `attr.NAME`. Words are
 /// only ever appended.
-inline constexpr auto keys_of_requests = std::to_array<std::string_view>({"on"});
+inline constexpr auto keys_of_requests = std::to_array<std::string_view>({"on", "reach"});
 
 [[nodiscard]] constexpr bool is_key_of_requests(std::string_view key) {
   return std::ranges::find(keys_of_requests, key) != keys_of_requests.end();

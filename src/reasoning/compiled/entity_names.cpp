@@ -56,13 +56,7 @@ std::string_view end_of_iri(std::string_view iri) {
 std::vector<std::uint32_t> classes_with_local_name(const Ontology& ontology, std::string_view name) {
   std::vector<std::uint32_t> found;
   if (name.find_first_of(":/# ") != std::string_view::npos) return found;
-  for (const auto& [word, space] : ontology.prefixes()) {
-    if (!word.empty()) break;  // they ascend
-    if (const auto number = ontology.find_iri(std::string(space) += name)) {
-      found.push_back(static_cast<std::uint32_t>(*number));
-    }
-  }
-  for (std::uint32_t number = 0, all = found.empty() ? ontology.class_count() : 0; number < all; ++number) {
+  for (std::uint32_t number = 0, all = ontology.class_count(); number < all; ++number) {
     if (end_of_iri(ontology.iri(taxonomy::ClassNumber{number})) == name) found.push_back(number);
   }
   return found;

@@ -37,8 +37,7 @@ class EntityNames final : public owl::Names {
   std::vector<std::tuple<owl::TermKind, std::string_view, std::string_view>> local_names_;  ///< kind, local name, IRI
 };
 
-/// The classes with this local name, in the namespace of the empty prefix if it has any, else in any. Linear in the
-/// classes.
+/// The classes with this local name, in any namespace. Linear in the classes.
 [[nodiscard]] std::vector<std::uint32_t> classes_with_local_name(const Ontology& ontology, std::string_view name);
 
 /// The part of an IRI behind the last `#` or `/`.

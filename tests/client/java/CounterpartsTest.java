@@ -55,7 +55,7 @@ final class CounterpartsTest {
     private final Counterparts<String> all = new Counterparts<>(witness, true);
 
     private static Match match(String word, long life, int port) {
-        return new Match(word, "a/1", "n", "h", life, Identity.text("x"), Degree.EXACT, 0, Mode.PUBSUB, "10.0.0.1", port, "udp", 0, List.of(), 0, "", Map.of());
+        return new Match(word, "a/1", "n", "h", life, Identity.text("x"), Degree.EXACT, 0, Mode.PUBSUB, "10.0.0.1", port, "udp", 0, List.of(), 0, "", Map.of(), 0, "", true);
     }
 
     private void tick(long now) {

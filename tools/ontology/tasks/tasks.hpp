@@ -19,7 +19,8 @@ inline constexpr std::string_view task_words = "https://geminga.example/capabili
 struct Role {
   std::string iri;   ///< empty: it has no name
   std::string name;  ///< empty: it has no IRI
-  /// The class that a holder is known to be in: canonical where it is stated as a class (manchester/canonical.hpp), else as written.
+  /// The class that a holder is known to be in: canonical where it is stated as a class (manchester/canonical.hpp),
+  /// else as written.
   std::string expression;
   std::string condition;  ///< over attributes; empty: none
   std::uint64_t count = 1;

@@ -30,12 +30,6 @@ import java.util.Map;
  */
 public record Match(String word, String owner, String name, String host, long life, Identity identity, Degree degree, int distance, Mode mode, String address, int port,
         String protocol, int priority, List<String> conversion, long cost, String via, Map<String, String> attributes, int hops, String path, boolean reachable) {
-    /** The other side on a host that is heard directly. */
-    public Match(String word, String owner, String name, String host, long life, Identity identity, Degree degree, int distance, Mode mode, String address, int port,
-            String protocol, int priority, List<String> conversion, long cost, String via, Map<String, String> attributes) {
-        this(word, owner, name, host, life, identity, degree, distance, mode, address, port, protocol, priority, conversion, cost, via, attributes, 0, "", true);
-    }
-
     /** {@return the life in sixteen hexadecimal digits} */
     public String lifeText() {
         return Life.write(life);

@@ -8,13 +8,13 @@ import java.util.Set;
 public final class Keys {
     public static final String PREFIX = "attr.";
     private static final List<String> RESERVED = List.of(("mode id text concept representation port address protocol priority match provider where limit service name degree "
-            + "reason subscription participant_name consumer distance age local used served participant peer favour prefer convert scope rank for reach").split(" "));
+            + "reason subscription participant_name consumer distance age local used served participant peer favour prefer convert scope rank for").split(" "));
     /** Keys of a request that are names of attributes in an offer. */
-    private static final List<String> OF_REQUESTS = List.of("on");
+    private static final List<String> OF_REQUESTS = List.of("on", "reach");
     private static final Set<String> RESERVED_SET = Set.copyOf(RESERVED);
 
     /** Keys of the daemon's own lines, which a client may state as attributes. */
-    private static final Set<String> KEYS_OF_LINES = Set.of("why", "because", "placed", "unplaced", "hops", "reachable");
+    private static final Set<String> KEYS_OF_LINES = Set.of("why", "because", "placed", "unplaced", "hops", "reachable", "reach");
 
     private Keys() {}
 

@@ -5,12 +5,12 @@ import { StatementError } from './errors.js';
 export const reservedKeys = Object.freeze(
   ('mode id text concept representation port address protocol priority match provider where limit service name degree ' +
     'reason subscription participant_name consumer distance age local used served participant peer favour prefer ' +
-    'convert scope rank for reach').split(' '),
+    'convert scope rank for').split(' '),
 );
 const reserved = new Set(reservedKeys);
-const keysOfLines = new Set(['why', 'because', 'on', 'placed', 'unplaced', 'hops', 'reachable']);
+const keysOfLines = new Set(['why', 'because', 'on', 'placed', 'unplaced', 'hops', 'reachable', 'reach']);
 /** Keys of a request that are names of attributes in an offer. */
-const keysOfRequests = ['on'];
+const keysOfRequests = ['on', 'reach'];
 
 /** Whether the words are one slip from each other: a letter wrong, missing, too many, of the other case, or two swapped. */
 export function isSlip(a, b) {

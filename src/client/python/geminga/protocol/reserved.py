@@ -8,12 +8,12 @@ RESERVED = frozenset(
     """
     mode id text concept representation port address protocol priority match provider where limit service name degree
     reason subscription participant_name consumer distance age local used served participant peer favour prefer convert
-    scope rank for reach
+    scope rank for
     """.split()
 )
 
 #: Keys of the daemon's lines that are no attributes there.
-KEYS_OF_LINES = frozenset({"why", "because", "on", "placed", "unplaced", "hops", "reachable"})
+KEYS_OF_LINES = frozenset({"why", "because", "on", "placed", "unplaced", "hops", "reachable", "reach"})
 
 
 def attribute_of(key: str) -> str | None:
