@@ -140,29 +140,39 @@ function(geminga_command_line target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# ccache needs -fpch-preprocess, and sloppiness = pch_defines,time_macros. -O1 makes GCC report array bounds falsely.
-set(geminga_test_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+# ccache needs -fpch-preprocess, and sloppiness = pch_defines,time_macros. Half of the time of compiling a test is optimising code that
+# runs once. With a sanitizer GCC needs -O1, with which it reports array bounds falsely where nothing is sanitized.
+set(geminga_simulating_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+set(geminga_test_options ${geminga_simulating_options})
 if(NOT GEMINGA_SANITIZE)
   list(PREPEND geminga_test_options $<$<CONFIG:RelWithDebInfo>:-O0> $<$<CONFIG:RelWithDebInfo>:-g0>)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  list(PREPEND geminga_test_options -O0)
 endif()
 
-# geminga_test_body(TARGET): how every target below tests/ that knows GoogleTest is compiled. Half of the time of such a compilation
-# is reading the headers of tests/precompiled.hpp, and half of the rest optimising code that runs once. The preset dev reads every
-# header in each file, so that a missing #include is found there.
+# geminga_test_body(TARGET [SIMULATES]): how every target below tests/ that knows GoogleTest is compiled. Half of the time of such a
+# compilation is reading the headers of tests/precompiled.hpp. The preset dev reads every header in each file, so that a missing
+# #include is found there.
 function(geminga_test_body target)
-  if(NOT TARGET geminga_precompiled_tests)
-    add_library(geminga_precompiled_tests OBJECT ${PROJECT_SOURCE_DIR}/tests/precompiled.cpp)
-    target_link_libraries(geminga_precompiled_tests PRIVATE geminga_flags GTest::gmock)
-    target_compile_options(geminga_precompiled_tests PRIVATE "${geminga_test_options}")
-    target_precompile_headers(geminga_precompiled_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES" "" "")
+  set(kind test)
+  if(arg_SIMULATES)
+    set(kind simulating)
+  endif()
+  set(precompiled geminga_precompiled_${kind})
+  if(NOT TARGET ${precompiled})
+    add_library(${precompiled} OBJECT ${PROJECT_SOURCE_DIR}/tests/precompiled.cpp)
+    target_link_libraries(${precompiled} PRIVATE geminga_flags GTest::gmock)
+    target_compile_options(${precompiled} PRIVATE "${geminga_${kind}_options}")
+    target_precompile_headers(${precompiled} PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.hpp)
   endif()
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include
                                                ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${target} PRIVATE geminga_flags GTest::gmock)
   target_compile_definitions(${target} PRIVATE GEMINGA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                GEMINGA_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  target_compile_options(${target} PRIVATE "${geminga_test_options}")
-  target_precompile_headers(${target} REUSE_FROM geminga_precompiled_tests)
+  target_compile_options(${target} PRIVATE "${geminga_${kind}_options}")
+  target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
 # geminga_test_library(NAME SOURCES file... [DEPENDS module...] [LINK external-target...])
@@ -180,17 +190,17 @@ endfunction()
 
 # geminga_test(NAME [SIMULATES] [APART] [ONE_AT_A_TIME] SOURCES file... [DEPENDS module...] [LINK external-target...])
 # The tests of one module: tests/NAME mirrors src/NAME. Every TEST is known to ctest under its own name. SIMULATES: the tests
-# themselves run for long, and are compiled as the product is where no sanitizer asks for -O1 anyway. Six files are compiled as one, but
-# in the preset dev; APART: each by itself, since they give different things one name. ONE_AT_A_TIME: ctest starts none of its tests
-# while another one runs.
+# themselves run for long, and are compiled as the product is. Six files are compiled as one, but in the preset dev; APART: each by
+# itself, since they give different things one name. ONE_AT_A_TIME: ctest starts none of its tests while another one runs.
 function(geminga_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SIMULATES;APART;ONE_AT_A_TIME" "" "SOURCES;DEPENDS;LINK")
   string(REPLACE "/" "_" target "geminga_${name}_tests")
   add_executable(${target} ${arg_SOURCES})
-  geminga_test_body(${target})
-  if(arg_SIMULATES AND NOT GEMINGA_SANITIZE)
-    set_target_properties(${target} PROPERTIES COMPILE_OPTIONS "" DISABLE_PRECOMPILE_HEADERS ON) # that one is made with -O0
+  set(simulates)
+  if(arg_SIMULATES)
+    set(simulates SIMULATES)
   endif()
+  geminga_test_body(${target} ${simulates})
   if(NOT arg_APART)
     geminga_united(${target} 6)
   endif()
