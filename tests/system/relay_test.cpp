@@ -10,8 +10,6 @@
 namespace geminga::system {
 namespace {
 
-using testing::HasSubstr;
-
 /// Without a route a service behind a relay is known and not told as a match; with one it is, until that goes.
 TEST(Relay, TellsAServiceWhileThereIsARouteToIt) {
   const Folder folder;
