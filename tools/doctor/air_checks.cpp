@@ -93,6 +93,45 @@ Findings check_firewall(const Host& host, const Answers& answers, TryToSend try_
   return findings;
 }
 
+namespace {
+
+/// `is_all`: all addresses of the interface are of the family of the group.
+Finding no_multicast_route(const std::string& interface, const std::string& group, bool is_all) {
+  const std::string family = is_ipv6(group) ? "-6 " : "";
+  return {is_all ? Severity::failure : Severity::risk,
+          "no_multicast_route",
+          "This host has no route to the group " + group + " on " + interface +
+              ": nobody hears it there by that family of IP.",
+          "the kernel says so when a datagram is sent there",
+          "Give the interface its route for multicast back.",
+          "ip " + family + "route add multicast " + (is_ipv6(group) ? "ff00::/8" : "224.0.0.0/4") + " dev " +
+              interface + (is_ipv6(group) ? " table local" : "")};
+}
+
+/// `path`: the relays on the way to a participant to which there is no route; empty: none.
+Finding address_unreachable(const std::string& participant, const std::string& address, const std::string& reason,
+                            const std::string& path) {
+  const std::string what = "Services of " + participant + " are announced at " + address +
+                           ", which cannot be reached from here: " + reason + '.';
+  const std::string command = "ip route get " + address;
+  if (path.empty())
+    return {Severity::failure,
+            "address_unreachable",
+            what,
+            "services: address",
+            "Have that host announce another address (announce-address), or add a route.",
+            command};
+  return {Severity::failure,
+          "address_unreachable",
+          what + " It is heard through " + path + ", and a relay passes on announcements, no data.",
+          "services: address; participants: path=" + path,
+          "Give this host a route there and that host one back, for example by way of the relay, which then has to "
+          "forward IP.",
+          command};
+}
+
+}  // namespace
+
 Findings check_multicast_routes(const Answers& answers, TryToSend try_to_send) {
   Findings findings;
   const std::uint16_t port = port_of(answers);
@@ -106,14 +145,7 @@ Findings check_multicast_routes(const Answers& answers, TryToSend try_to_send) {
       const bool is_all = std::ranges::all_of(addresses, same);
       if (interface["loopback"] == "1" && !is_all) continue;  // it is never given routes, and needs one family alone
       if (std::ranges::none_of(addresses, same) || try_to_send(out) != Sending::no_route) continue;
-      const std::string family = is_ipv6(group) ? "-6 " : "";
-      findings.push_back({is_all ? Severity::failure : Severity::risk, "no_multicast_route",
-                          "This host has no route to the group " + group + " on " + name +
-                              ": nobody hears it there by that family of IP.",
-                          "the kernel says so when a datagram is sent there",
-                          "Give the interface its route for multicast back.",
-                          "ip " + family + "route add multicast " + (is_ipv6(group) ? "ff00::/8" : "224.0.0.0/4") +
-                              " dev " + name + (is_ipv6(group) ? " table local" : "")});
+      findings.push_back(no_multicast_route(name, group, is_all));
     }
   }
   return findings;
@@ -156,24 +188,8 @@ Findings check_addresses(const Host& host, const Answers& answers, bool (*has_ro
     const std::string key = std::string(service["participant_name"]) + ' ' + address;
     if (reason.empty() || !told.insert(key).second) continue;
     if (service["reachable"] == "no") reason += "; consumers here are told of them with reach=any alone";
-    if (!has_way && provider != nullptr && !(*provider)["path"].empty()) {
-      const std::string path((*provider)["path"]);
-      findings.push_back({Severity::failure, "address_unreachable",
-                          "Services of " + std::string(service["participant_name"]) + " are announced at " + address +
-                              ", which cannot be reached from here: " + reason + ". It is heard through " + path +
-                              ", and a relay passes on announcements, no data.",
-                          "services: address; participants: path=" + path,
-                          "Give this host a route there and that host one back, for example by way of the relay, which "
-                          "then has to forward IP.",
-                          "ip route get " + address});
-      continue;
-    }
-    findings.push_back({Severity::failure, "address_unreachable",
-                        "Services of " + std::string(service["participant_name"]) + " are announced at " + address +
-                            ", which cannot be reached from here: " + reason + '.',
-                        "services: address",
-                        "Have that host announce another address (announce-address), or add a route.",
-                        "ip route get " + address});
+    const std::string path(has_way || provider == nullptr ? "" : (*provider)["path"]);
+    findings.push_back(address_unreachable(std::string(service["participant_name"]), address, reason, path));
   }
   return findings;
 }
