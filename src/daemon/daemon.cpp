@@ -34,10 +34,13 @@ constexpr std::chrono::milliseconds max_start_wait{500};
 /// The time between two looks at the memory in use, and between two attempts to keep some back again.
 constexpr std::chrono::seconds memory_look_interval{1};
 
-/// One line for each file or folder that does not exist. They end the start, so that a mistyped flag is seen at once.
-Lines missing_files(const std::vector<std::string>& paths) {
+/// One line for each file or folder that the configuration names and that does not exist. They end the start, so that a
+/// mistyped flag is seen at once.
+Lines missing_files(const Configuration& configuration) {
+  Lines named = configuration.ontologies;
+  if (configuration.describes_by_file()) named.push_back(configuration.description);
   Lines lines;
-  for (const std::string& path : paths) {
+  for (const std::string& path : named) {
     std::error_code error;
     if (std::filesystem::exists(path, error)) continue;
     lines.push_back(path + ": cannot be opened: " +
@@ -62,6 +65,8 @@ Daemon::Daemon(Configuration configuration, ConfigurationInForce::Reader read, c
       description_(context_, env_, log, [this] { after_event(); }) {}
 
 std::expected<void, Lines> Daemon::check() {
+  if (Lines missing = missing_files(configuration_.current()); !missing.empty())
+    return std::unexpected(std::move(missing));
   ontology_.load_consistent(configuration_.current(), [this](OntologyInForce::Loaded loaded) {
     if (!loaded) fail(std::move(loaded.error()));
   });
@@ -69,10 +74,8 @@ std::expected<void, Lines> Daemon::check() {
 }
 
 std::expected<void, Lines> Daemon::run() {
-  const Configuration& configuration = configuration_.current();
-  Lines named = configuration.ontologies;
-  if (configuration.describes_by_file()) named.push_back(configuration.description);
-  if (Lines missing = missing_files(named); !missing.empty()) return std::unexpected(std::move(missing));
+  if (Lines missing = missing_files(configuration_.current()); !missing.empty())
+    return std::unexpected(std::move(missing));
   await_signal();
   open();
   return run_loop();

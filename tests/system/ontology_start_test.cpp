@@ -46,6 +46,9 @@ TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
   EXPECT_EQ(refused({"--ontology", good, "--check-config"}).status, 0);
   folder.write("broken.ttl", ":Dog a owl:Class\n");
   EXPECT_EQ(refused({"--ontology", broken, "--check-config"}).status, 2) << "a check says that it will not do";
+  const Ran without_facts = refused({"--describe", "/nowhere/robot.ttl", "--check-config"});
+  EXPECT_EQ(without_facts.status, 2);
+  EXPECT_THAT(without_facts.said, HasSubstr("/nowhere/robot.ttl: cannot be opened"));
 }
 
 TEST(Start, DescribesItselfByFactsAndServesThoseWhoAskForThat) {

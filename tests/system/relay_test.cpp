@@ -10,18 +10,23 @@
 namespace geminga::system {
 namespace {
 
-/// Without a route a service behind a relay is known and not told as a match; with one it is, until that goes.
-TEST(Relay, TellsAServiceWhileThereIsARouteToIt) {
-  const Folder folder;
+/// Hosts 0 and 2 on a link each, and host 1 on both, which is a relay; all know each other.
+void start_around_relay(Lab& lab, const Folder& folder) {
   ASSERT_EQ(refused({"--generate-key", folder.path("team.key")}).status, 0);
-  Lab lab(3);
-  if (!lab.has_namespaces()) GTEST_SKIP() << "namespaces may not be made here";
   lab.add_link(1, {2});
   const std::vector<std::string> flags{"--interval", "0.2", "--key-file", folder.path("team.key")};
   lab.start(0, flags);
   lab.start(1, {"--interval", "0.2", "--key-file", folder.path("team.key"), "--relay"});
   lab.start(2, flags);
   ASSERT_TRUE(lab.wait_for_participants(0, 3)) << lab.daemon(0).said();
+}
+
+/// Without a route a service behind a relay is known and not told as a match; with one it is, until that goes.
+TEST(Relay, TellsAServiceWhileThereIsARouteToIt) {
+  const Folder folder;
+  Lab lab(3);
+  if (!lab.has_namespaces()) GTEST_SKIP() << "namespaces may not be made here";
+  ASSERT_NO_FATAL_FAILURE(start_around_relay(lab, folder));
   Talk provider = lab.talk(2);
   provider.say("1 pub create mode=otm/pubsub id=5 port=5000");
   Talk consumer = lab.talk(0);
@@ -65,15 +70,9 @@ TEST(NamedPeer, IsNotReachableBehindATranslationOfAddresses) {
 
 TEST(Relay, LetsTwoLinksMeetAndLoseEachOther) {
   const Folder folder;
-  ASSERT_EQ(refused({"--generate-key", folder.path("team.key")}).status, 0);
   Lab lab(3);
   if (!lab.has_namespaces()) GTEST_SKIP() << "namespaces may not be made here";
-  lab.add_link(1, {2});
-  const std::vector<std::string> flags{"--interval", "0.2", "--key-file", folder.path("team.key")};
-  lab.start(0, flags);
-  lab.start(1, {"--interval", "0.2", "--key-file", folder.path("team.key"), "--relay"});
-  lab.start(2, flags);
-  ASSERT_TRUE(lab.wait_for_participants(0, 3)) << lab.daemon(0).said();
+  ASSERT_NO_FATAL_FAILURE(start_around_relay(lab, folder));
   Talk consumer = lab.talk(0);
   consumer.say("1 sub create mode=otm/pubsub id=5 reach=any");
   Talk provider = lab.talk(2);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbered_folders.hpp"
 #include "base/text.hpp"
 #include "ontology/command/client_exit.hpp"
 #include "ontology/command/options.hpp"
@@ -107,7 +108,7 @@ class Adopting {
 
   Exit take_newer(const std::string& publisher, const std::vector<Candidate>& all) {
     const std::string folder = (fs::path(request_.folder) / publisher).string();
-    const std::vector<std::uint64_t> versions = versions_in(folder);
+    const std::vector<std::uint64_t> versions = base::numbered_folders(folder);
     const Wish wish{.participant = publisher,
                     .least_version = versions.empty() ? 1 : versions.back() + 1,
                     .is_newest = true,

@@ -1,13 +1,13 @@
 #include "daemon/adoption/adoption.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <system_error>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "base/text.hpp"
+#include "base/numbered_folders.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -16,29 +16,15 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds between_looks{2};
 
-/// The folders of a publisher's versions, the newest first.
-std::vector<std::pair<std::uint64_t, std::string>> versions_in(const fs::path& folder) {
-  std::vector<std::pair<std::uint64_t, std::string>> versions;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    std::error_code ignored;
-    const std::string name = entry->path().filename().string();
-    const auto number = base::parse_number<std::uint64_t>(name);
-    if (!number || std::to_string(*number) != name || !fs::is_directory(entry->symlink_status(ignored))) continue;
-    versions.emplace_back(*number, entry->path().string());
-  }
-  std::ranges::sort(versions, std::ranges::greater());
-  return versions;
-}
-
 }  // namespace
 
 std::vector<std::string> adopted_versions(const Adopted& adopted, std::size_t level) {
   std::vector<std::string> folders;
   for (const std::string& publisher : adopted.publishers) {
-    auto versions = versions_in(fs::path(adopted.folder) / publisher);
-    if (level < versions.size()) folders.push_back(std::move(versions[level].second));
+    const fs::path folder = fs::path(adopted.folder) / publisher;
+    const std::vector<std::uint64_t> versions = base::numbered_folders(folder.string());
+    if (level >= versions.size()) continue;
+    folders.push_back((folder / std::to_string(versions[versions.size() - 1 - level])).string());
   }
   return folders;
 }

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/numbered_folders.hpp"
 #include "base/text.hpp"
 
 namespace geminga::ontology {
@@ -108,23 +109,8 @@ std::uint64_t random_tag() {
   return tag;
 }
 
-std::vector<std::uint64_t> versions_in(const std::string& folder) {
-  std::vector<std::uint64_t> versions;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    std::error_code ignored;
-    const std::string name = entry->path().filename().string();
-    const auto number = base::parse_number<std::uint64_t>(name);
-    if (number && std::to_string(*number) == name && fs::is_directory(entry->symlink_status(ignored)))
-      versions.push_back(*number);
-  }
-  std::ranges::sort(versions);
-  return versions;
-}
-
 void keep_newest_versions(const std::string& folder, std::size_t kept, std::uint64_t tag) {
-  const std::vector<std::uint64_t> versions = versions_in(folder);
+  const std::vector<std::uint64_t> versions = base::numbered_folders(folder);
   for (std::size_t number = 0; number + kept < versions.size(); ++number) {
     const fs::path version = fs::path(folder) / std::to_string(versions[number]);
     const fs::path partial = partial_beside(version, tag);

@@ -26,9 +26,8 @@ enum class Written : std::uint8_t { made, was_there };
 /// A number that no other writer has, from the kernel's source of chance.
 [[nodiscard]] std::uint64_t random_tag();
 
-/// The versions in a folder, each a folder named by its number, ascending. A folder that is not there has none.
-[[nodiscard]] std::vector<std::uint64_t> versions_in(const std::string& folder);
-/// Removes all versions but the newest ones. Each is taken away as a whole, so that no reader finds half of one.
+/// Removes all versions in a folder but the newest ones; each is a folder named by its number. Each is taken away as a
+/// whole, so that no reader finds half of one.
 void keep_newest_versions(const std::string& folder, std::size_t kept, std::uint64_t tag);
 
 /// Whether a folder holds these files and nothing else. A folder that is not there does not.

@@ -1,28 +1,18 @@
 #include "ontology/travel/manifest.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "base/harmless.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "ontology/travel/digest.hpp"
+#include "reasoning/syntax/folders.hpp"
 
 namespace geminga::ontology {
 namespace {
 
 constexpr std::string_view first_line = "geminga-ontology 1\n";
-/// The endings of names that folders of ontologies are searched for (reasoning/syntax/folders.hpp), also with .gz.
-constexpr std::array<std::string_view, 9> ontology_endings{".ttl", ".nt",  ".rdf", ".owl", ".xml",
-                                                           ".owx", ".omn", ".ofn", ".fss"};
-
-bool has_ontology_ending(std::string_view name) {
-  if (name.ends_with(".gz")) name.remove_suffix(3);
-  return std::ranges::any_of(
-      ontology_endings, [&](std::string_view ending) { return name.size() > ending.size() && name.ends_with(ending); });
-}
-
 bool has_harmful_character(std::string_view name) {
   for (std::size_t at = 0; at < name.size(); at += base::character_bytes(static_cast<unsigned char>(name[at]))) {
     if (base::is_harmful(base::character_at(name.data() + at))) return true;
@@ -70,7 +60,7 @@ std::optional<std::string> fault_of_name(std::string_view name) {
   if (has_harmful_character(name)) return "has a control character";
   if (name.find_first_of("/\\") != std::string_view::npos) return "is a path";
   if (name.starts_with('.')) return "is hidden";
-  if (!has_ontology_ending(name)) return "does not end as an ontology file does";
+  if (!syntax::is_ontology_name(name)) return "does not end as an ontology file does";
   return std::nullopt;
 }
 
