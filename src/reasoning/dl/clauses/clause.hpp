@@ -103,6 +103,7 @@ struct DataAtMost {
   std::uint32_t count = 0;
   DataPropertyId property{};
   DataRangeId range{};
+  DataRangeId outside{};  ///< its complement: values in this one are not counted
   friend auto operator<=>(const DataAtMost&, const DataAtMost&) = default;
 };
 

@@ -185,7 +185,8 @@ void Translator::place_data(Draft& draft, const Shape& shape) {
   DataRange outside = shape.range;
   outside.is_complement = !outside.is_complement;
   if (shape.count > inline_at_most) {
-    const DataAtMost at_most{shape.count, property, vocabulary_.data_range(shape.range)};
+    const DataRangeId counted = vocabulary_.data_range(shape.range);
+    const DataAtMost at_most{shape.count, property, counted, vocabulary_.data_range(outside)};
     draft.clause.head.push_back({AtomKind::data_at_most, centre, centre, vocabulary_.index(at_most)});
     return;
   }

@@ -39,13 +39,9 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
     if (one.filler != clauses::thing) bound.filler = number(one.filler);
     bound_of_at_most_.push_back(index_of(bound));
   }
-  std::map<clauses::DataRange, std::uint32_t> ranges;
-  for (std::uint32_t at = 0; at < set.data_ranges.size(); ++at) ranges.emplace(set.data_ranges[at], at);
   for (const clauses::DataAtMost& one : set.data_at_mosts) {
     Bound bound{one.count, true, false, number(one.property)};
-    clauses::DataRange outside = set.data_ranges[number(one.range)];
-    outside.is_complement = !outside.is_complement;
-    if (number(one.range) != 0) bound.unless = ranges.at(outside);
+    if (number(one.range) != 0) bound.unless = number(one.outside);
     bound_of_data_at_most_.push_back(index_of(bound));
   }
   for (const clauses::Concept& one : set.concepts) {
