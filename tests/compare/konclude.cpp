@@ -2,7 +2,6 @@
 
 #include <libxml/parser.h>
 #include <libxml/tree.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -36,12 +35,6 @@ std::string attribute(const xmlNode* node, const char* name) {
   return text;
 }
 
-std::string in_quotes(const fs::path& path) {
-  std::string text = "'";
-  for (const char c : path.string()) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + '\'';
-}
-
 std::string name_of(const xmlNode* node) {
   std::string iri = attribute(node, "IRI");
   if (iri == owl::owl_thing || attribute(node, "abbreviatedIRI") == "owl:Thing") return "Thing";
@@ -49,17 +42,16 @@ std::string name_of(const xmlNode* node) {
   return iri;
 }
 
-/// Runs `Konclude TASK`; its exit status, and what it said.
-std::pair<int, std::string> run(std::string_view task, const fs::path& input, const fs::path& output,
-                                const fs::path& log, unsigned seconds) {
-  std::string command =
-      "timeout " + std::to_string(seconds) + " Konclude " + std::string(task) + " -w 2 -i " + in_quotes(input);
-  if (!output.empty()) command += " -o " + in_quotes(output);
-  const int status = std::system((command + " > " + in_quotes(log) + " 2>&1").c_str());
+/// Runs `Konclude TASK`; what it took, and what it said.
+std::pair<TimedRun, std::string> run(std::string_view task, const fs::path& input, const fs::path& output,
+                                     const fs::path& log, unsigned seconds) {
+  std::vector<std::string> words{"Konclude", std::string(task), "-w", "2", "-i", input.string()};
+  if (!output.empty()) words.insert(words.end(), {"-o", output.string()});
+  const TimedRun ran = run_timed(words, seconds, log);
   std::ifstream file(log);
   std::ostringstream said;
   said << file.rdbuf();
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said.str()};
+  return {ran, said.str()};
 }
 
 /// A folder that is gone afterwards.
@@ -110,16 +102,19 @@ std::expected<cases::Closure, std::string> closure_of_owl_xml(const fs::path& fi
   return cases::closure_of_pairs(pairs);
 }
 
-std::expected<cases::Closure, std::string> konclude_closure(const fs::path& file, unsigned seconds) {
+std::expected<cases::Closure, std::string> konclude_closure(const fs::path& file, unsigned seconds, Effort* effort) {
   const Scratch scratch;
   const fs::path output = scratch.path() / "taxonomy.owx";
   const fs::path log = scratch.path() / "log";
   const auto [asked, answer] = run("consistency", file, {}, log, seconds);
+  if (effort != nullptr) *effort = asked.effort;
   if (answer.find("is inconsistent") != std::string::npos) return cases::Closure{"inconsistent"};
   if (answer.find("is consistent") == std::string::npos)
-    return std::unexpected("Konclude does not say whether it is consistent (status " + std::to_string(asked) + ")");
-  const auto [status, said] = run("classification", file, output, log, seconds);
-  if (status != 0) return std::unexpected("Konclude ended with status " + std::to_string(status));
+    return std::unexpected("Konclude does not say whether it is consistent (status " + std::to_string(asked.status) +
+                           ")");
+  const TimedRun ran = run("classification", file, output, log, seconds).first;
+  if (effort != nullptr) *effort = ran.effort;
+  if (ran.status != 0) return std::unexpected("Konclude ended with status " + std::to_string(ran.status));
   return closure_of_owl_xml(output);
 }
 

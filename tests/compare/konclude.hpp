@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cases/taxonomy.hpp"
+#include "compare/timed_run.hpp"
 
 namespace geminga::compare {
 
@@ -15,9 +16,10 @@ namespace geminga::compare {
 
 /// The closure as cases::closure_of() gives it, with whole IRIs. `file` is in functional-style syntax or RDF/XML. The
 /// error says what happened: it did not end within `seconds`, or said no word that is understood.
-/// Konclude 0.7 hangs with one thread (`-w 1`), so it gets two.
+/// Konclude 0.7 hangs with one thread (`-w 1`), so it gets two. `effort`, if not null, is what its last run took.
 [[nodiscard]] std::expected<cases::Closure, std::string> konclude_closure(const std::filesystem::path& file,
-                                                                          unsigned seconds = 60);
+                                                                          unsigned seconds = 60,
+                                                                          Effort* effort = nullptr);
 
 /// Reads the OWL/XML that Konclude writes for a taxonomy.
 [[nodiscard]] std::expected<cases::Closure, std::string> closure_of_owl_xml(const std::filesystem::path& file);

@@ -1,0 +1,256 @@
+// compare_mutations: variations of real ontologies by seed, through the whole reasoner and through Konclude, with the
+// time and memory of both. The program behind tools/dev/compare-mutations.
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/random.hpp"
+#include "compare/functional_syntax.hpp"
+#include "compare/konclude.hpp"
+#include "compare/mutation.hpp"
+#include "compare/opinions.hpp"
+#include "compare/timed_run.hpp"
+#include "ontology/loading/readers.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/syntax/owlxml/writer.hpp"
+#include "reasoning/syntax/rdf/load.hpp"
+
+namespace geminga::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Request {
+  std::uint64_t seeds = 20;
+  std::uint64_t first = 1;
+  unsigned seconds = 20;
+  std::size_t axioms = 10'000;  ///< files with more are left out
+  bool shows_all = false;
+  std::vector<std::string> files;
+};
+
+/// Slower than this times Konclude, and by as many seconds of user time, is worth a line.
+constexpr double slower_times = 1.5;
+constexpr double slower_seconds = 0.3;
+
+/// Answers about one file, in a process of its own, so that a crash is one answer of many. The first word is
+/// `complete`, `undecided` or `refused`.
+int answer(const char* file) {
+  ontology::Readers readers;
+  const auto loaded = rdf::load(std::vector{std::string(file)}, {}, &readers);
+  if (!loaded) {
+    std::printf("refused %s\n", syntax::to_string(loaded.error()).c_str());
+    return 0;
+  }
+  const auto classification = reasoner::classify(loaded->source);
+  if (!classification) {
+    std::printf("refused %s\n", classification.error().text.c_str());
+    return 0;
+  }
+  if (classification->gaps.empty() && classification->unused.empty()) {
+    std::puts("complete");
+  } else {
+    const bool is_question = !classification->gaps.empty();
+    std::printf("undecided %s (%zu gaps, %zu axioms not used)\n",
+                is_question ? classification->gaps.front().c_str()
+                            : std::string(classification->unused.front().construct).c_str(),
+                classification->gaps.size(), classification->unused.size());
+  }
+  for (const std::string& line : cases::closure_of(loaded->source, *classification, false)) std::puts(line.c_str());
+  return 0;
+}
+
+struct Answer {
+  Opinion opinion;
+  std::string words;  ///< empty: complete
+  Effort effort;
+};
+
+/// The words of answer() about a file.
+Answer ours(const fs::path& file, unsigned seconds) {
+  const fs::path output = file.string() + ".answer";
+  const std::string self = fs::read_symlink("/proc/self/exe").string();
+  const TimedRun ran = run_timed({self, "--answer", file.string()}, seconds, output);
+  Answer given{{{}, false, {}}, {}, ran.effort};
+  std::ifstream stream(output);
+  std::string line;
+  std::getline(stream, line);
+  given.words = ran.status == 124 ? "late" : ran.status != 0 ? "crashed with " + std::to_string(ran.status) : line;
+  if (ran.status == 0 && line == "complete") {
+    given.words.clear();
+    given.opinion.is_complete = true;
+  }
+  while (std::getline(stream, line)) given.opinion.closure.push_back(line);
+  fs::remove(output);
+  return given;
+}
+
+/// The originals, each read when it is first wanted.
+class Originals {
+ public:
+  explicit Originals(const Request& request) : request_(request) {}
+
+  /// Nothing if it cannot be read or is too large.
+  const owl::Ontology* at(std::size_t place) {
+    const auto [known, is_new] = loaded_.try_emplace(place);
+    if (!is_new) return known->second.get();
+    ontology::Readers readers;
+    auto loaded = rdf::load(std::vector{request_.files[place]}, {}, &readers);
+    if (loaded && loaded->source.axiom_count() > 0 && loaded->source.axiom_count() <= request_.axioms)
+      known->second = std::make_unique<owl::Ontology>(std::move(loaded->source));
+    return known->second.get();
+  }
+
+ private:
+  const Request& request_;
+  std::map<std::size_t, std::unique_ptr<owl::Ontology>> loaded_;
+};
+
+struct Tally {
+  std::uint64_t compared = 0;
+  std::uint64_t different = 0;
+  std::uint64_t slower = 0;
+  std::uint64_t undecided = 0;
+  std::uint64_t without_konclude = 0;
+  double our_seconds = 0;
+  double konclude_seconds = 0;
+};
+
+/// A variation with its name, of one, two or three files.
+std::optional<Mutation> vary(const Request& request, Originals& originals, std::uint64_t seed) {
+  base::Random random(seed);
+  const std::uint64_t draw = random.below(10);
+  const std::size_t wanted = draw < 6 ? 1 : draw < 9 ? 2 : 3;
+  std::vector<const owl::Ontology*> chosen;
+  std::string names;
+  for (std::size_t tries = 0; tries < 50 && chosen.size() < wanted; ++tries) {
+    const std::size_t place = random.below(request.files.size());
+    const owl::Ontology* original = originals.at(place);
+    if (original == nullptr) continue;
+    chosen.push_back(original);
+    names += fs::path(request.files[place]).filename().string() + ' ';
+  }
+  if (chosen.empty()) return {};
+  Mutation made = mutation(chosen, seed);
+  made.words = names + made.words;
+  return made;
+}
+
+std::string cost(const Effort& effort) {
+  char text[60];
+  std::snprintf(text, sizeof text, "%.2f s %llu MB", effort.user_seconds,
+                static_cast<unsigned long long>(effort.peak_kilobytes / 1024));
+  return text;
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+/// Compares one variation, tells what is worth a line, and keeps its file.
+void compare(const Request& request, const Mutation& made, std::uint64_t seed, bool has_konclude, Tally& tally) {
+  const fs::path folder = fs::temp_directory_path() / ("mutation-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const fs::path functional = folder / ("mutation-" + std::to_string(seed) + ".ofn");
+  const fs::path xml = folder / ("mutation-" + std::to_string(seed) + ".owx");
+  write(functional, functional_syntax(made.source));
+  write(xml, owlxml::owl_xml(made.source));
+  const bool is_xml = seed % 2 == 0;
+  const fs::path& file = is_xml ? xml : functional;
+  const Answer we = ours(file, request.seconds);
+  const Answer again = we.effort.user_seconds < 1 ? ours(is_xml ? functional : xml, request.seconds) : we;
+  std::vector<std::string> lines;
+  if (!we.words.empty()) lines.push_back(we.words);
+  if (we.words != again.words || we.opinion.closure != again.opinion.closure) {
+    lines.push_back("DIFFERENT in functional-style syntax and OWL/XML: " + again.words);
+    ++tally.different;
+  }
+  Effort effort;
+  std::string verdict = "NOT COMPARED";
+  if (has_konclude) {
+    const auto closure = konclude_closure(file, request.seconds, &effort);
+    verdict = closure ? "answered" : closure.error();
+    if (!closure) ++tally.without_konclude;
+    const auto found = closure ? contradictions(we.opinion, {*closure, true, {}}) : std::vector<std::string>();
+    if (!found.empty()) ++tally.different;
+    for (std::size_t at = 0; at < found.size() && at < 5; ++at) lines.push_back("DIFFERENT: " + found[at]);
+    if (found.size() > 5) lines.push_back("DIFFERENT: and " + std::to_string(found.size() - 5) + " more");
+    const double beyond = we.effort.user_seconds - effort.user_seconds;
+    if (closure && beyond > slower_seconds && we.effort.user_seconds > slower_times * effort.user_seconds) {
+      lines.emplace_back("slower");
+      ++tally.slower;
+    }
+  }
+  ++tally.compared;
+  tally.undecided += we.words.empty() ? 0U : 1U;
+  tally.our_seconds += we.effort.user_seconds;
+  tally.konclude_seconds += effort.user_seconds;
+  if (!lines.empty() || request.shows_all) {
+    std::printf("seed %llu: %s: we %s, Konclude %s %s\n", static_cast<unsigned long long>(seed), made.words.c_str(),
+                cost(we.effort).c_str(), verdict.c_str(), cost(effort).c_str());
+    for (const std::string& line : lines) std::printf("    %s\n", line.c_str());
+    std::fflush(stdout);
+    if (!lines.empty()) fs::copy_file(file, file.filename(), fs::copy_options::overwrite_existing);
+  }
+  fs::remove_all(folder);
+}
+
+int run(const Request& request) {
+  const bool has_konclude = is_konclude_installed();
+  if (!has_konclude)
+    std::printf("NOT COMPARED with Konclude, which is not installed (Debian: apt-get install konclude)\n");
+  Originals originals(request);
+  Tally tally;
+  for (std::uint64_t seed = request.first; seed < request.first + request.seeds; ++seed) {
+    const std::optional<Mutation> made = vary(request, originals, seed);
+    if (made) compare(request, *made, seed, has_konclude, tally);
+  }
+  std::printf(
+      "%llu variations, %llu different, %llu slower, %llu undecided, %llu without an answer of Konclude; "
+      "we took %.1f s, Konclude %.1f s\n",
+      static_cast<unsigned long long>(tally.compared), static_cast<unsigned long long>(tally.different),
+      static_cast<unsigned long long>(tally.slower), static_cast<unsigned long long>(tally.undecided),
+      static_cast<unsigned long long>(tally.without_konclude), tally.our_seconds, tally.konclude_seconds);
+  return tally.different == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace geminga::compare
+
+int main(int argc, char** argv) {
+  geminga::compare::Request request;
+  try {
+    if (argc == 3 && std::strcmp(argv[1], "--answer") == 0) return geminga::compare::answer(argv[2]);
+    for (int at = 1; at < argc; ++at) {
+      const std::string word = argv[at];
+      const bool has_next = at + 1 < argc;
+      if (word == "--seeds" && has_next) {
+        request.seeds = std::stoull(argv[++at]);
+      } else if (word == "--first" && has_next) {
+        request.first = std::stoull(argv[++at]);
+      } else if (word == "--seconds" && has_next) {
+        request.seconds = static_cast<unsigned>(std::stoul(argv[++at]));
+      } else if (word == "--axioms" && has_next) {
+        request.axioms = std::stoul(argv[++at]);
+      } else if (word == "--all") {
+        request.shows_all = true;
+      } else {
+        request.files.push_back(word);
+      }
+    }
+    if (!request.files.empty()) return geminga::compare::run(request);
+    std::fprintf(stderr, "usage: %s [--seeds N] [--first N] [--seconds N] [--axioms N] [--all] FILE...\n", argv[0]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+  }
+  return 2;
+}
