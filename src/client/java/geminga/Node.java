@@ -4,6 +4,7 @@ import geminga.channels.DaemonLink;
 import geminga.channels.Endpoint;
 import geminga.channels.Loop;
 import geminga.channels.PublisherChannel;
+import geminga.channels.Stated;
 import geminga.channels.SubscriberChannel;
 import geminga.protocol.Life;
 import java.io.IOException;
@@ -224,6 +225,13 @@ public final class Node implements AutoCloseable {
 
     boolean await(BooleanSupplier condition, Duration atMost) throws InterruptedException {
         return loop.await(condition, atMost.compareTo(Duration.ofDays(1000)) > 0 ? Long.MAX_VALUE : atMost.toNanos());
+    }
+
+    /** Waits until the daemon has accepted what was stated. Returns whether it has; throws its refusal. */
+    boolean awaitTaken(Stated stated, Duration atMost) throws RefusedException, InterruptedException {
+        await(() -> stated.isTaken() || stated.refusal() != null, atMost);
+        if (stated.refusal() != null) throw stated.refusal();
+        return locking(stated::isTaken);
     }
 
     /** Runs an action with the lock, unless the node is closed. */

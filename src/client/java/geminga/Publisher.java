@@ -90,9 +90,7 @@ public final class Publisher implements AutoCloseable {
      * @throws InterruptedException if the thread is interrupted
      */
     public boolean awaitTaken(Duration atMost) throws RefusedException, InterruptedException {
-        node.await(() -> channel.isTaken() || channel.refusal() != null, atMost);
-        if (channel.refusal() != null) throw channel.refusal();
-        return node.locking(channel::isTaken);
+        return node.awaitTaken(channel, atMost);
     }
 
     /** {@return how many messages were sent while there was a consumer} */

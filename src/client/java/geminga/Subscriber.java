@@ -159,9 +159,7 @@ public final class Subscriber implements AutoCloseable, Flow.Publisher<Message> 
      * @throws InterruptedException if the thread is interrupted
      */
     public boolean awaitTaken(Duration atMost) throws RefusedException, InterruptedException {
-        node.await(() -> channel.isTaken() || channel.refusal() != null, atMost);
-        if (channel.refusal() != null) throw channel.refusal();
-        return node.locking(channel::isTaken);
+        return node.awaitTaken(channel, atMost);
     }
 
     /** {@return how many messages the application has taken} */

@@ -19,19 +19,6 @@ interface Inlet {
         public void ending() {}
 
         @Override
-        public boolean isPaused() {
-            return false;
-        }
-
-        @Override
-        public void resume() {}
-
-        @Override
-        public boolean hasConnection() {
-            return false;
-        }
-
-        @Override
         public void close() {}
     };
 
@@ -47,14 +34,18 @@ interface Inlet {
     /** The provider was withdrawn; messages on their way are still taken. */
     void ending();
 
-    /** Whether it has stopped reading until there is room. */
-    boolean isPaused();
+    /** Whether it has stopped reading until there is room. Datagrams are always read. */
+    default boolean isPaused() {
+        return false;
+    }
 
     /** There is room again. */
-    void resume();
+    default void resume() {}
 
     /** Whether there is a connection, with which the channel goes on without its daemons. */
-    boolean hasConnection();
+    default boolean hasConnection() {
+        return false;
+    }
 
     void close();
 }

@@ -1,7 +1,5 @@
 package geminga.channels;
 
-import geminga.Match;
-import geminga.protocol.Counterparts.Entry;
 import geminga.protocol.Frame;
 import geminga.protocol.Handshake;
 import geminga.protocol.Limits;
@@ -17,7 +15,7 @@ import java.nio.ByteBuffer;
 import java.util.List;
 
 /** The outlet of {@code otm/stream} over UDP to a unicast address: sends to each listener that says hello. */
-final class ListenersOutlet implements Outlet, Datagrams.Reader, Greeter.Guests {
+final class ListenersOutlet implements StreamOutlet, Datagrams.Reader, Greeter.Guests {
     private final Loop loop;
     private final Owner owner;
     private final PublisherFrames frames;
@@ -111,22 +109,6 @@ final class ListenersOutlet implements Outlet, Datagrams.Reader, Greeter.Guests 
     @Override
     public boolean hasRoom(int octets) {
         return socket.hasRoom();
-    }
-
-    @Override
-    public void opened(Entry<Consumer> entry) {
-        throw new IllegalStateException("the daemon tells of no consumers of a stream");
-    }
-
-    @Override
-    public void changed(Entry<Consumer> entry, Match before) {}
-
-    @Override
-    public void closed(Entry<Consumer> entry) {}
-
-    @Override
-    public boolean hasConnection(Entry<Consumer> entry) {
-        return false;
     }
 
     @Override

@@ -82,19 +82,6 @@ final class MulticastInlet implements Inlet {
     public void ending() {}
 
     @Override
-    public boolean isPaused() {
-        return false;
-    }
-
-    @Override
-    public void resume() {}
-
-    @Override
-    public boolean hasConnection() {
-        return false;
-    }
-
-    @Override
     public void close() {
         if (hello != null) hello.cancel();
         groups.leave(group);

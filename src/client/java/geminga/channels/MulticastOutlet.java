@@ -1,7 +1,5 @@
 package geminga.channels;
 
-import geminga.Match;
-import geminga.protocol.Counterparts.Entry;
 import geminga.protocol.Frame;
 import geminga.protocol.Handshake;
 import geminga.protocol.PublisherFrames;
@@ -16,7 +14,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** The outlet of {@code otm/stream} over UDP to a multicast address: sends to the group on every interface, whether anybody listens or not. */
-final class MulticastOutlet implements Outlet {
+final class MulticastOutlet implements StreamOutlet {
     /** The time between two looks at the interfaces. */
     static final long LOOK = TimeUnit.SECONDS.toNanos(2);
 
@@ -93,22 +91,6 @@ final class MulticastOutlet implements Outlet {
     @Override
     public boolean hasRoom(int octets) {
         return socket.hasRoom();
-    }
-
-    @Override
-    public void opened(Entry<Consumer> entry) {
-        throw new IllegalStateException("the daemon tells of no consumers of a stream");
-    }
-
-    @Override
-    public void changed(Entry<Consumer> entry, Match before) {}
-
-    @Override
-    public void closed(Entry<Consumer> entry) {}
-
-    @Override
-    public boolean hasConnection(Entry<Consumer> entry) {
-        return false;
     }
 
     @Override

@@ -83,19 +83,6 @@ final class UdpInlet implements Inlet {
     }
 
     @Override
-    public boolean isPaused() {
-        return false;
-    }
-
-    @Override
-    public void resume() {}
-
-    @Override
-    public boolean hasConnection() {
-        return false;
-    }
-
-    @Override
     public void close() {
         if (saysHello() && !isEnding) say(Frame.Kind.END);
         if (hello != null) hello.cancel();
