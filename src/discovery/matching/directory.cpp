@@ -156,7 +156,7 @@ std::shared_ptr<const vocabulary::Chain> Directory::chain(const StoredSubscripti
   const Edition& edition = edition_of(subscription);
   const Request& asked = request(subscription);
   return chain_between(classes(publication, edition).representation_class, asked.classes.representation_class,
-                       edition.vocabulary, asked.chains);
+                       edition.vocabulary, asked.asks.chains);
 }
 
 std::vector<const StoredSubscription*> Directory::subscriptions_found_for(const StoredPublication& publication) const {

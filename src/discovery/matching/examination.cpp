@@ -48,18 +48,17 @@ Finding Examination::examine(const StoredSubscription& stored, const Offer& offe
   Request anew = is_current ? known : preparation_.prepare(asked, false);
   // Questions are those of the peer that examines, and take nothing of the consumer's share.
   if (may_overlap) {
-    anew.overlaps = [this, requested, classes = anew.classes](
-                        const vocabulary::Vocabulary&, const SemanticIdentity& offered, const Classes& of_offer) {
-      return preparation_.overlap(offered, of_offer, *requested, classes);
+    anew.asks.overlaps = [this, requested, classes = anew.classes](const vocabulary::Vocabulary&,
+                                                                   const Meaning& offered) {
+      return preparation_.overlap(offered, {*requested, classes});
     };
   }
   const auto comparing = [this](const SemanticIdentity& wanted, const Classes& wanted_classes) -> AskComparison {
-    return [this, wanted, wanted_classes](const vocabulary::Vocabulary&, const SemanticIdentity& offered,
-                                          const Classes& of_offer) {
-      return preparation_.compare(offered, of_offer, wanted, wanted_classes);
+    return [this, wanted, wanted_classes](const vocabulary::Vocabulary&, const Meaning& offered) {
+      return preparation_.compare(offered, {wanted, wanted_classes});
     };
   };
-  if (may_compare && anew.classes.place) anew.compares = comparing(*requested, anew.classes);
+  if (may_compare && anew.classes.place) anew.asks.compares = comparing(*requested, anew.classes);
   if (anew.on && anew.on->compares) anew.on->compares = comparing(anew.on->identity, anew.on->classes);
   return judge_.examine(asked, anew, offer, edition);
 }
@@ -124,7 +123,7 @@ std::expected<Match, std::string> Examination::why(const SubscriptionEntry& aske
   const vocabulary::Vocabulary& vocabulary = editions_.in_force().vocabulary;
   const Imagined imagined(offered, vocabulary, preparation_.placing());
   Request prepared = preparation_.prepare(asked, true);
-  if (chains) prepared.chains = chains;
+  if (chains) prepared.asks.chains = chains;
   return explained(asked, prepared, imagined.offer, vocabulary);
 }
 

@@ -57,7 +57,7 @@ std::string conversion_misfit(const Classes& offered, const Request& request, st
   const Classes& requested = request.classes;
   if (!offered.representation_class || !requested.representation_class) return "";
   const auto chain =
-      chain_between(offered.representation_class, requested.representation_class, vocabulary, request.chains);
+      chain_between(offered.representation_class, requested.representation_class, vocabulary, request.asks.chains);
   if (chain == nullptr) {
     const auto other = request.chains_of_all
                            ? request.chains_of_all(*offered.representation_class, *requested.representation_class)
@@ -77,18 +77,19 @@ std::string conversion_misfit(const Classes& offered, const Request& request, st
 }
 
 /// The reason why concepts without a degree do not overlap either; empty where overlapping is not accepted.
-std::string overlap_misfit(const SemanticIdentity& offer, const Classes& offered, const Classes& requested,
-                           const AskOverlap& overlaps, const vocabulary::Vocabulary& vocabulary) {
-  if (!overlaps || !has_meaning(offered) || !has_meaning(requested)) return "";
-  const OverlapAnswer answer = answer_of_overlap(offer, offered, requested, vocabulary, overlaps);
+std::string overlap_misfit(const Meaning& offered, const Classes& requested, const AskOverlap& overlaps,
+                           const vocabulary::Vocabulary& vocabulary) {
+  if (!overlaps || !has_meaning(offered.classes) || !has_meaning(requested)) return "";
+  const OverlapAnswer answer = answer_of_overlap(offered, requested, vocabulary, overlaps);
   if (answer == nullptr) return "; whether something can be both waits to be decided";
   if (answer->verdict == vocabulary::Overlap::Verdict::impossible) return "; nothing can be both";
   return "; it is undecided whether something can be both: " + base::printable(answer->reason, max_shown_expression);
 }
 
 /// The same where one is an expression, whose place may be incomplete.
-std::string unrelated_expression(const SemanticIdentity& offer, const Classes& offered, const Subscription& asked,
-                                 const Request& prepared, const vocabulary::Vocabulary& vocabulary) {
+std::string unrelated_expression(const Meaning& offered, const Subscription& asked, const Request& prepared,
+                                 const vocabulary::Vocabulary& vocabulary) {
+  const SemanticIdentity& offer = offered.identity;
   const std::string& requested = std::get<SemanticIdentity>(asked.identity).concept_iri;
   const std::string both =
       named(vocabulary, offer.concept_iri) + " is offered, " + named(vocabulary, requested) + " is asked for, and ";
@@ -98,18 +99,17 @@ std::string unrelated_expression(const SemanticIdentity& offer, const Classes& o
     if (!reason.empty()) return both + reason;
   }
   const bool is_missed =
-      may_be_missed(offered, prepared.classes, !is_weaker(Degree::broader, asked.weakest), vocabulary);
+      may_be_missed(offered.classes, prepared.classes, !is_weaker(Degree::broader, asked.weakest), vocabulary);
   if (!is_missed) return both + "neither subsumes the other";
   return both +
          "neither is known to subsume the other, but not all is found of an expression that no class is defined by: " +
-         gap_words(offered, prepared.classes);
+         gap_words(offered.classes, prepared.classes);
 }
 
-std::string identity_misfit(const Identity& offered, const Classes& offered_classes, const Subscription& asked,
-                            const Request& prepared, const vocabulary::Vocabulary& vocabulary) {
+std::string identity_misfit(const Side& side, const Subscription& asked, const Request& prepared,
+                            const vocabulary::Vocabulary& vocabulary) {
+  const Identity& offered = side.identity;
   const Identity& requested = asked.identity;
-  const Classes& requested_classes = prepared.classes;
-  const AskOverlap& overlaps = prepared.overlaps;
   if (offered.index() != requested.index()) {
     return "identity: " + kind_of(offered) + " is offered, " + kind_of(requested) + " is asked for";
   }
@@ -119,35 +119,35 @@ std::string identity_misfit(const Identity& offered, const Classes& offered_clas
     return "identity: " + base::printable(canonical_form(offered)) + " is offered, " +
            base::printable(canonical_form(requested)) + " is asked for";
   }
-  if (has_expression(*request) && !requested_classes.place) {
+  if (has_expression(*request) && !prepared.classes.place) {
     return "concept: " + named(vocabulary, offer->concept_iri) + " is offered, " +
            named(vocabulary, request->concept_iri) +
            " is asked for, and that is unknown to the ontology, unsatisfiable, or waits to be classified";
   }
   const bool is_same = offer->concept_iri == request->concept_iri;
-  if (has_expression(*offer) && !offered_classes.place && !is_same) {
+  if (has_expression(*offer) && !side.classes.place && !is_same) {
     return "concept: " + named(vocabulary, offer->concept_iri) +
            " is offered, and that is unknown to the ontology, unsatisfiable, or waits to be classified; " +
            named(vocabulary, request->concept_iri) + " is asked for";
   }
-  const bool fits =
-      degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary, prepared.compares) ||
-      degree_of_overlap(*offer, offered_classes, requested_classes, vocabulary, overlaps);
+  const Meaning offer_meant{*offer, side.classes};
+  const Meaning request_meant{*request, prepared.classes};
+  const bool fits = degree_of_concept(offer_meant, request_meant, vocabulary, prepared.asks.compares) ||
+                    degree_of_overlap(offer_meant, prepared.classes, vocabulary, prepared.asks.overlaps);
   if (!fits) {
     const std::string neither = has_expression(*request) || has_expression(*offer)
-                                    ? unrelated_expression(*offer, offered_classes, asked, prepared, vocabulary)
+                                    ? unrelated_expression(offer_meant, asked, prepared, vocabulary)
                                     : unrelated(vocabulary, offer->concept_iri, request->concept_iri);
-    return "concept: " + neither + overlap_misfit(*offer, offered_classes, requested_classes, overlaps, vocabulary);
+    return "concept: " + neither + overlap_misfit(offer_meant, prepared.classes, prepared.asks.overlaps, vocabulary);
   }
   if (offer->representation_iri.empty()) {
     return "representation: none is stated, " + named(vocabulary, request->representation_iri) + " is asked for";
   }
   std::string why = "representation: " + unrelated(vocabulary, offer->representation_iri, request->representation_iri);
-  if (degree_of_name(offer->representation_iri, offered_classes.representation_class, request->representation_iri,
-                     requested_classes.representation_class, vocabulary)) {
+  if (degree_of_name(offer_meant.representation(), request_meant.representation(), vocabulary)) {
     why = "representation: it is not the same, and the concept has no class by which to compare";
   }
-  return why + conversion_misfit(offered_classes, prepared, asked.convert, vocabulary);
+  return why + conversion_misfit(side.classes, prepared, asked.convert, vocabulary);
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::expected<Match, std::string> explained(const SubscriptionEntry& subscriptio
   std::string why;
   const auto say = [&why](const std::string& misfit) { why += (why.empty() ? "" : "; ") + misfit; };
   if (!found.by_identity) {
-    say(identity_misfit(offered.identity, offer.classes, asked, request, vocabulary));
+    say(identity_misfit({offered.identity, offer.classes}, asked, request, vocabulary));
   } else if (!is_accepted_degree(asked, request, offer, *found.by_identity, vocabulary)) {
     say("degree: " + std::string(to_string(found.by_identity->degree)) + ", but at least " +
         std::string(to_string(asked.weakest)) + " is asked for");

@@ -211,9 +211,8 @@ class Matcher {
   }
   /// Whether what an offer is can have instances in common with what a request asks for, for a peer of our own; null:
   /// that waits to be decided. Something must be known of both.
-  [[nodiscard]] OverlapAnswer overlap(const SemanticIdentity& offered, const Classes& offered_classes,
-                                      const SemanticIdentity& requested, const Classes& requested_classes) const {
-    return preparation_.overlap(offered, offered_classes, requested, requested_classes);
+  [[nodiscard]] OverlapAnswer overlap(const Meaning& offered, const Meaning& requested) const {
+    return preparation_.overlap(offered, requested);
   }
   /// The finding about an offer and `asked`, from which `request` was prepared. Either may be one that nobody has
   /// stated.

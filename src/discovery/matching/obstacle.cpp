@@ -71,16 +71,17 @@ Obstacle of_names(const std::string& offered, const std::string& requested, cons
 }
 
 /// The obstacle between two semantic identities that do not match at all.
-Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, const SemanticIdentity& request,
-                      const Classes& requested, Degree weakest, const AskOverlap& overlaps,
-                      const AskComparison& compares, const vocabulary::Vocabulary& vocabulary) {
+Obstacle of_semantics(const Meaning& offered, const Meaning& requested, Degree weakest, const Questions& asks,
+                      const vocabulary::Vocabulary& vocabulary) {
+  const SemanticIdentity& offer = offered.identity;
+  const SemanticIdentity& request = requested.identity;
   const bool is_expression =
       (has_expression(offer) || has_expression(request)) && offer.concept_iri != request.concept_iri;
-  auto by_concept = degree_of_concept(offer, offered, request, requested, vocabulary, compares);
-  const bool may_overlap = overlaps && has_meaning(offered) && has_meaning(requested);
+  auto by_concept = degree_of_concept(offered, requested, vocabulary, asks.compares);
+  const bool may_overlap = asks.overlaps && has_meaning(offered.classes) && has_meaning(requested.classes);
   if (!by_concept && may_overlap) {
-    by_concept = degree_of_overlap(offer, offered, requested, vocabulary, overlaps);
-    const OverlapAnswer answer = answer_of_overlap(offer, offered, requested, vocabulary, overlaps);
+    by_concept = degree_of_overlap(offered, requested.classes, vocabulary, asks.overlaps);
+    const OverlapAnswer answer = answer_of_overlap(offered, requested.classes, vocabulary, asks.overlaps);
     if (!by_concept) {
       const bool is_disjoint = answer && answer->verdict == vocabulary::Overlap::Verdict::impossible;
       return is_disjoint ? Obstacle::disjoint : Obstacle::undecided;
@@ -96,25 +97,26 @@ Obstacle of_semantics(const SemanticIdentity& offer, const Classes& offered, con
                     Obstacle::unknown_offer, Obstacle::unrelated);
   }
   if (!vocabulary.is_loaded()) return Obstacle::no_ontology;
-  if (has_expression(request) && !requested.place) return Obstacle::unclassified;
+  if (has_expression(request) && !requested.classes.place) return Obstacle::unclassified;
   if (!has_expression(request) && !vocabulary.find_iri(request.concept_iri)) return Obstacle::unknown_concept;
-  if (has_expression(offer) && !offered.place) return Obstacle::unclassified_offer;
+  if (has_expression(offer) && !offered.classes.place) return Obstacle::unclassified_offer;
   if (!has_expression(offer) && !vocabulary.find_iri(offer.concept_iri)) return Obstacle::unknown_offer;
-  const bool is_missed = may_be_missed(offered, requested, !is_weaker(Degree::broader, weakest), vocabulary);
+  const bool is_missed =
+      may_be_missed(offered.classes, requested.classes, !is_weaker(Degree::broader, weakest), vocabulary);
   return is_missed ? Obstacle::incomplete : Obstacle::unrelated;
 }
 
 /// The obstacle between two identities that do not match at all.
-Obstacle of_identities(const Identity& offered, const Classes& offered_classes, const Identity& requested,
-                       const Classes& requested_classes, Degree weakest, const AskOverlap& overlaps,
-                       const AskComparison& compares, const vocabulary::Vocabulary& vocabulary) {
-  if (offered.index() != requested.index()) return Obstacle::kind;
-  if (std::holds_alternative<NumericIdentity>(offered)) return Obstacle::number;
-  if (const auto* text = std::get_if<TextIdentity>(&offered)) {
-    return is_similar(std::get<TextIdentity>(requested).text, text->text) ? Obstacle::similar_text : Obstacle::text;
+Obstacle of_identities(const Side& offered, const Side& requested, Degree weakest, const Questions& asks,
+                       const vocabulary::Vocabulary& vocabulary) {
+  if (offered.identity.index() != requested.identity.index()) return Obstacle::kind;
+  if (std::holds_alternative<NumericIdentity>(offered.identity)) return Obstacle::number;
+  if (const auto* text = std::get_if<TextIdentity>(&offered.identity)) {
+    const bool is_slip = is_similar(std::get<TextIdentity>(requested.identity).text, text->text);
+    return is_slip ? Obstacle::similar_text : Obstacle::text;
   }
-  return of_semantics(std::get<SemanticIdentity>(offered), offered_classes, std::get<SemanticIdentity>(requested),
-                      requested_classes, weakest, overlaps, compares, vocabulary);
+  return of_semantics({std::get<SemanticIdentity>(offered.identity), offered.classes},
+                      {std::get<SemanticIdentity>(requested.identity), requested.classes}, weakest, asks, vocabulary);
 }
 
 /// How far apart two identities are. Below `first_far` the concept fits.
@@ -207,8 +209,8 @@ Finding compared(const registry::SubscriptionEntry& subscription, const Request&
     by_signature = degree_of_signature(stated(offer.signature), *request.signature, asked.weakest, vocabulary);
     finding.is_signature_met = by_signature.has_value();
   }
-  finding.by_identity = degree_of_identity(offered.identity, offer.classes, asked.identity, request.classes, vocabulary,
-                                           asked.convert, request.overlaps, request.chains, request.compares);
+  finding.by_identity = degree_of_identity({offered.identity, offer.classes}, {asked.identity, request.classes},
+                                           vocabulary, asked.convert, request.asks);
   finding.match = finding.by_identity;
   if (finding.match && by_signature) finding.match = combined(*finding.match, *by_signature);
   return finding;
@@ -222,8 +224,8 @@ Finding examine(const registry::SubscriptionEntry& subscription, const Request& 
     finding.identity = Obstacle::clash;
     finding.by_identity = finding.match = std::nullopt;
   } else if (!finding.by_identity) {
-    finding.identity = of_identities(offer.entry.publication.identity, offer.classes, asked.identity, request.classes,
-                                     asked.weakest, request.overlaps, request.compares, vocabulary);
+    finding.identity = of_identities({offer.entry.publication.identity, offer.classes},
+                                     {asked.identity, request.classes}, asked.weakest, request.asks, vocabulary);
   } else if (!is_accepted_degree(asked, request, offer, *finding.by_identity, vocabulary)) {
     finding.identity = finding.by_identity->degree == Degree::broader ? Obstacle::broader : Obstacle::degree;
   }

@@ -22,7 +22,7 @@ Request Preparation::prepare(const registry::SubscriptionEntry& entry, bool must
   const vocabulary::Units& declared = edition.vocabulary.units();
   request.consumer =
       std::make_shared<const Consumer>(Consumer{.entry = entry, .scope = request.scope, .declared = declared});
-  request.chains = asking(request.consumer);
+  request.asks.chains = asking(request.consumer);
   if (!must_convert) return request;
   registry::SubscriptionEntry of_all = entry;
   of_all.subscription.providers.clear();
@@ -32,18 +32,15 @@ Request Preparation::prepare(const registry::SubscriptionEntry& entry, bool must
   return request;
 }
 
-OverlapAnswer Preparation::overlap(const SemanticIdentity& offered, const Classes& offered_classes,
-                                   const SemanticIdentity& requested, const Classes& requested_classes) const {
+OverlapAnswer Preparation::overlap(const Meaning& offered, const Meaning& requested) const {
   const vocabulary::Vocabulary& vocabulary = editions_.in_force().vocabulary;
-  return overlapping_ ? overlapping_(vocabulary, offered, offered_classes, requested, requested_classes, {})
-                      : decided_at_once(vocabulary, offered, offered_classes, requested, requested_classes);
+  return overlapping_ ? overlapping_(vocabulary, offered, requested, {})
+                      : decided_at_once(vocabulary, offered, requested);
 }
 
-ComparisonAnswer Preparation::compare(const SemanticIdentity& offered, const Classes& offered_classes,
-                                      const SemanticIdentity& requested, const Classes& requested_classes) const {
+ComparisonAnswer Preparation::compare(const Meaning& offered, const Meaning& requested) const {
   const vocabulary::Vocabulary& vocabulary = editions_.in_force().vocabulary;
-  return comparing_ ? comparing_(vocabulary, offered, offered_classes, requested, requested_classes, {})
-                    : compared_at_once(vocabulary, offered, offered_classes, requested, requested_classes);
+  return comparing_ ? comparing_(vocabulary, offered, requested, {}) : compared_at_once(vocabulary, offered, requested);
 }
 
 }  // namespace geminga::matching

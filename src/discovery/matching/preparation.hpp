@@ -36,11 +36,9 @@ class Preparation {
 
   /// Whether an offered concept overlaps with what is asked for, by the vocabulary in force, for a peer of this host;
   /// null: that waits to be decided.
-  [[nodiscard]] OverlapAnswer overlap(const SemanticIdentity& offered, const Classes& offered_classes,
-                                      const SemanticIdentity& requested, const Classes& requested_classes) const;
+  [[nodiscard]] OverlapAnswer overlap(const Meaning& offered, const Meaning& requested) const;
   /// The same about how an offered expression relates to a requested one.
-  [[nodiscard]] ComparisonAnswer compare(const SemanticIdentity& offered, const Classes& offered_classes,
-                                         const SemanticIdentity& requested, const Classes& requested_classes) const;
+  [[nodiscard]] ComparisonAnswer compare(const Meaning& offered, const Meaning& requested) const;
 
  private:
   const Editions& editions_;

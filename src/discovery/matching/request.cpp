@@ -16,23 +16,21 @@ AskOverlap asking(const Subscription& subscription, const Classes& classes, Part
                   const Overlapping& overlapping) {
   const auto* requested = std::get_if<SemanticIdentity>(&subscription.identity);
   if (subscription.weakest != Degree::overlapping || requested == nullptr) return {};
-  return
-      [requested = *requested, classes, from, ask = overlapping ? &overlapping : nullptr](
-          const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes) {
-        return ask == nullptr ? decided_at_once(vocabulary, offered, offered_classes, requested, classes)
-                              : (*ask)(vocabulary, offered, offered_classes, requested, classes, from);
-      };
+  return [identity = *requested, classes, from, ask = overlapping ? &overlapping : nullptr](
+             const vocabulary::Vocabulary& vocabulary, const Meaning& offered) {
+    const Meaning wanted{identity, classes};
+    return ask == nullptr ? decided_at_once(vocabulary, offered, wanted) : (*ask)(vocabulary, offered, wanted, from);
+  };
 }
 
 /// The function by which a request asks about offered expressions; empty where it is for none.
 AskComparison asking(const Identity& identity, const Classes& classes, ParticipantId from, const Comparing& comparing) {
   if (!classes.place) return {};
-  return
-      [requested = std::get<SemanticIdentity>(identity), classes, from, ask = comparing ? &comparing : nullptr](
-          const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes) {
-        return ask == nullptr ? compared_at_once(vocabulary, offered, offered_classes, requested, classes)
-                              : (*ask)(vocabulary, offered, offered_classes, requested, classes, from);
-      };
+  return [requested = std::get<SemanticIdentity>(identity), classes, from, ask = comparing ? &comparing : nullptr](
+             const vocabulary::Vocabulary& vocabulary, const Meaning& offered) {
+    const Meaning wanted{requested, classes};
+    return ask == nullptr ? compared_at_once(vocabulary, offered, wanted) : (*ask)(vocabulary, offered, wanted, from);
+  };
 }
 
 /// The class of `<IRI>`, or the expression.
@@ -44,23 +42,23 @@ SemanticIdentity identity_of(const std::string& on) {
 bool is_described(const Robot& wanted, const Offer& offer, const vocabulary::Vocabulary& vocabulary,
                   const AskComparison& compares) {
   if (offer.described_as == nullptr) return false;
-  const auto match = degree_of_concept(*offer.described_as, *offer.described_classes, wanted.identity, wanted.classes,
-                                       vocabulary, compares);
+  const auto match = degree_of_concept({*offer.described_as, *offer.described_classes},
+                                       {wanted.identity, wanted.classes}, vocabulary, compares);
   return match && !is_weaker(match->degree, Degree::narrower);
 }
 
-/// The match of a pair; nothing where it does not meet. `overlaps`, `compares` and `compares_on` are asked in the place
-/// of the request's own.
+/// The match of a pair; nothing where it does not meet. `asks` and `compares_on` are asked in the place of the
+/// request's own.
 std::optional<Match> match_of(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
-                              const vocabulary::Vocabulary& vocabulary, const AskOverlap& overlaps,
-                              const AskComparison& compares, const AskComparison& compares_on) {
+                              const vocabulary::Vocabulary& vocabulary, const Questions& asks,
+                              const AskComparison& compares_on) {
   const Subscription& asked = subscription.subscription;
   const PublicationEntry& entry = offer.entry;
   if (asked.mode != entry.publication.mode || !request.where) return std::nullopt;
   if (!is_accepted_provider(asked, entry) || !is_accepted_protocol(asked, entry)) return std::nullopt;
   if (!is_in_scope(subscription, request, offer)) return std::nullopt;
-  const auto match = degree_of_identity(entry.publication.identity, offer.classes, asked.identity, request.classes,
-                                        vocabulary, asked.convert, overlaps, request.chains, compares);
+  const auto match = degree_of_identity({entry.publication.identity, offer.classes}, {asked.identity, request.classes},
+                                        vocabulary, asked.convert, asks);
   if (!match || !is_accepted_degree(asked, request, offer, *match, vocabulary)) return std::nullopt;
   if (!request.where->accepts(entry, vocabulary.units())) return std::nullopt;
   if (!offer.audience.condition || !offer.audience.condition->accepts(subscription, vocabulary.units()))
@@ -76,9 +74,9 @@ std::optional<Match> match_of(const SubscriptionEntry& subscription, const Reque
 bool is_accepted_degree(const Subscription& asked, const Request& request, const Offer& offer, const Match& match,
                         const vocabulary::Vocabulary& vocabulary) {
   if (match.cost == 0 || match.degree == Degree::overlapping) return !is_weaker(match.degree, asked.weakest);
-  const auto by_concept =
-      degree_of_concept(std::get<SemanticIdentity>(offer.entry.publication.identity), offer.classes,
-                        std::get<SemanticIdentity>(asked.identity), request.classes, vocabulary, request.compares);
+  const auto by_concept = degree_of_concept(
+      {std::get<SemanticIdentity>(offer.entry.publication.identity), offer.classes},
+      {std::get<SemanticIdentity>(asked.identity), request.classes}, vocabulary, request.asks.compares);
   return by_concept && !is_weaker(by_concept->degree, asked.weakest);
 }
 
@@ -113,8 +111,8 @@ Request prepared(const Subscription& subscription, const vocabulary::Vocabulary&
     request.preferences = std::move(*preferences);
   auto scope = Scope::parse(subscription.scope);
   request.scope = scope ? std::optional(std::move(*scope)) : std::nullopt;
-  request.overlaps = asking(subscription, request.classes, from, overlapping);
-  request.compares = asking(subscription.identity, request.classes, from, comparing);
+  request.asks.overlaps = asking(subscription, request.classes, from, overlapping);
+  request.asks.compares = asking(subscription.identity, request.classes, from, comparing);
   if (!subscription.on.empty()) {
     Robot& on = request.on.emplace();
     on.identity = identity_of(subscription.on);
@@ -138,23 +136,24 @@ Judgement judged(const SubscriptionEntry& subscription, const Offer& offer, std:
 Judgement judgement_of(const SubscriptionEntry& subscription, const Request& request, const Offer& offer,
                        const vocabulary::Vocabulary& vocabulary) {
   const AskComparison compares_on = request.on ? request.on->compares : AskComparison();
-  const bool may_ask = request.overlaps || (request.compares && offer.classes.place) || compares_on;
+  const bool may_ask = request.asks.overlaps || (request.asks.compares && offer.classes.place) || compares_on;
   if (!may_ask) {
-    return judged(subscription, offer,
-                  match_of(subscription, request, offer, vocabulary, request.overlaps, request.compares, compares_on),
+    return judged(subscription, offer, match_of(subscription, request, offer, vocabulary, request.asks, compares_on),
                   false);
   }
   bool waits = false;
   const auto noting = [&waits](const auto& ask) -> std::decay_t<decltype(ask)> {
     if (!ask) return {};
-    return [&](const vocabulary::Vocabulary& asked, const SemanticIdentity& offered, const Classes& classes) {
-      auto answer = ask(asked, offered, classes);
+    return [&](const vocabulary::Vocabulary& asked, const Meaning& offered) {
+      auto answer = ask(asked, offered);
       waits = waits || answer == nullptr;
       return answer;
     };
   };
-  auto match = match_of(subscription, request, offer, vocabulary, noting(request.overlaps), noting(request.compares),
-                        noting(compares_on));
+  const Questions noted{.overlaps = noting(request.asks.overlaps),
+                        .compares = noting(request.asks.compares),
+                        .chains = request.asks.chains};
+  auto match = match_of(subscription, request, offer, vocabulary, noted, noting(compares_on));
   return judged(subscription, offer, match, waits);
 }
 

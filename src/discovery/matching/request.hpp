@@ -36,20 +36,18 @@ struct Request {
   Preferences preferences{};             ///< none where they cannot be read
   std::optional<Signature> signature{};  ///< nothing: none is stated
   std::optional<Scope> scope = Scope();  ///< nothing: it cannot be read, and admits nobody
-  AskOverlap overlaps{};                 ///< empty: it accepts no overlapping concepts
-  AskComparison compares{};              ///< empty: it asks for no expression
-  std::optional<Robot> on{};             ///< of the provider's participant; nothing: any participant
-  AskChain chains{};                     ///< empty: declared conversions alone, or it asks for no representation
-  AskChain chains_of_all{};              ///< of all converters, also those that it takes no part with; may be empty
-  std::shared_ptr<const Consumer> consumer{};  ///< the consumer that asks `chains`; null where that is empty
+  Questions asks{};
+  std::optional<Robot> on{};  ///< of the provider's participant; nothing: any participant
+  AskChain chains_of_all{};   ///< of all converters, also those that it takes no part with; may be empty
+  std::shared_ptr<const Consumer> consumer{};  ///< the consumer that asks `asks.chains`; null where that is empty
 
   /// The request of a subscription that states nothing but an identity without a class.
   [[nodiscard]] static Request plain() { return {.classes = {}, .where = Where()}; }
   [[nodiscard]] bool is_plain() const {
     const bool has_class = classes.concept_class || classes.representation_class || classes.place;
     const bool is_unconditional = !on && where && where->is_empty() && scope && scope->is_everybody() && !signature;
-    return !has_class && is_unconditional && preferences.is_usual() && !overlaps && !chains && !chains_of_all &&
-           consumer == nullptr;
+    return !has_class && is_unconditional && preferences.is_usual() && !asks.overlaps && !asks.chains &&
+           !chains_of_all && consumer == nullptr;
   }
   /// The rank of a publication that matches among all that do.
   [[nodiscard]] Rank rank(const registry::PublicationEntry& publication, const Match& match) const {

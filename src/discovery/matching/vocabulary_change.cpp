@@ -73,7 +73,7 @@ void VocabularyChange::catch_up(const StoredSubscription& subscription) {
 }
 
 bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Request& request) const {
-  if (!request.overlaps && !request.compares && !(request.on && request.on->compares)) return true;
+  if (!request.asks.overlaps && !request.asks.compares && !(request.on && request.on->compares)) return true;
   bool waits = false;
   directory_.visit_publications_for(
       subscription.entry.subscription, request, [&](const StoredPublication& publication) {

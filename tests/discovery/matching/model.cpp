@@ -68,7 +68,7 @@ std::optional<Match> Model::would_meet(const SubscriptionEntry& subscription,
                                        const PublicationEntry& publication) const {
   if (is_kept_apart(publication.publication.identity, subscription.subscription.identity)) return std::nullopt;
   Request request = prepared(subscription.subscription, ontology, placing_, subscription.key.participant, overlapping);
-  request.chains = requests_.at(subscription.key).chains;
+  request.asks.chains = requests_.at(subscription.key).asks.chains;
   return met(subscription, request, publication, ontology);
 }
 
@@ -93,7 +93,7 @@ void Model::work_out() {
     const vocabulary::Vocabulary& by = former.contains(key) ? former_ontology : ontology;
     requests_[key] = prepared(entry.subscription, by, placing_, entry.key.participant, overlapping);
     if (entry.subscription.convert == 0) continue;
-    requests_[key].chains = [naive = std::make_shared<NaiveChains>(by, entry, offered)](auto from, auto to) {
+    requests_[key].asks.chains = [naive = std::make_shared<NaiveChains>(by, entry, offered)](auto from, auto to) {
       return naive->chain(from, to);
     };
   }

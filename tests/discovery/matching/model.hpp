@@ -40,11 +40,10 @@ class Model {
   std::set<ServiceKey> former;
   vocabulary::Vocabulary former_ontology;
   /// Says which concepts overlap. Answers are remembered, since the reasoner has to search.
-  Overlapping overlapping = [this](const vocabulary::Vocabulary& by, const SemanticIdentity& offered,
-                                   const Classes& of_offer, const SemanticIdentity& requested, const Classes& classes,
+  Overlapping overlapping = [this](const vocabulary::Vocabulary& by, const Meaning& offered, const Meaning& requested,
                                    ParticipantId) {
-    auto& answer = overlaps_[{by.digest(), offered.concept_iri, requested.concept_iri}];
-    if (answer == nullptr) answer = decided_at_once(by, offered, of_offer, requested, classes);
+    auto& answer = overlaps_[{by.digest(), offered.identity.concept_iri, requested.identity.concept_iri}];
+    if (answer == nullptr) answer = decided_at_once(by, offered, requested);
     return answer;
   };
 

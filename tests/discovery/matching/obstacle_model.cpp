@@ -155,7 +155,7 @@ std::string complaint(Matcher& matcher, const Model& model, const SubscriptionEn
   const auto request = matcher.prepare(subscription);
   const Finding finding = matcher.examine(subscription, *request, publication);
   if (auto wrong = complaint_about(model, subscription, publication, finding); !wrong.empty()) return wrong;
-  const auto words = matcher.why(subscription, publication, request->chains);
+  const auto words = matcher.why(subscription, publication, request->asks.chains);
   if (words.has_value() != finding.meets()) return "in words it is not so";
   std::optional<Finding> of_offer;
   matcher.examine_requests(std::nullopt, publication, [&](const SubscriptionEntry& one, const Finding& found) {

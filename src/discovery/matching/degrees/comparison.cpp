@@ -6,11 +6,10 @@ namespace geminga::matching {
 
 using vocabulary::Comparison;
 
-ComparisonAnswer compared_at_once(const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered,
-                                  const Classes& offered_classes, const SemanticIdentity& requested,
-                                  const Classes& requested_classes) {
-  const vocabulary::Place& place = *offered_classes.place;
-  const vocabulary::Place& place_of_request = *requested_classes.place;
+ComparisonAnswer compared_at_once(const vocabulary::Vocabulary& vocabulary, const Meaning& offered,
+                                  const Meaning& requested) {
+  const vocabulary::Place& place = *offered.classes.place;
+  const vocabulary::Place& place_of_request = *requested.classes.place;
   if (const auto by_place = vocabulary.compare(place, place_of_request)) {
     return std::make_shared<const Comparison>(*by_place);
   }
@@ -18,9 +17,9 @@ ComparisonAnswer compared_at_once(const vocabulary::Vocabulary& vocabulary, cons
     return std::make_shared<const Comparison>(Comparison{.gaps = {error.text}});
   };
   if (const auto ready = vocabulary.check_expressions(); !ready) return undecided(ready.error());
-  const auto one = vocabulary.read(offered.concept_iri, vocabulary::max_expression_bytes);
+  const auto one = vocabulary.read(offered.identity.concept_iri, vocabulary::max_expression_bytes);
   if (!one) return undecided(one.error());
-  const auto other = vocabulary.read(requested.concept_iri, vocabulary::max_expression_bytes);
+  const auto other = vocabulary.read(requested.identity.concept_iri, vocabulary::max_expression_bytes);
   if (!other) return undecided(other.error());
   return std::make_shared<const Comparison>(vocabulary.compare(*one, place, *other, place_of_request));
 }

@@ -18,14 +18,12 @@ using ComparisonAnswer = std::shared_ptr<const vocabulary::Comparison>;
 
 /// Answers how an offered expression, the first, relates to a requested one. Both have places. `from` is the
 /// participant that asks.
-using Comparing = std::function<ComparisonAnswer(
-    const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes,
-    const SemanticIdentity& requested, const Classes& requested_classes, ParticipantId from)>;
+using Comparing = std::function<ComparisonAnswer(const vocabulary::Vocabulary& vocabulary, const Meaning& offered,
+                                                 const Meaning& requested, ParticipantId from)>;
 
 /// Lets the reasoner decide at once, and remembers nothing.
-[[nodiscard]] ComparisonAnswer compared_at_once(const vocabulary::Vocabulary& vocabulary,
-                                                const SemanticIdentity& offered, const Classes& offered_classes,
-                                                const SemanticIdentity& requested, const Classes& requested_classes);
+[[nodiscard]] ComparisonAnswer compared_at_once(const vocabulary::Vocabulary& vocabulary, const Meaning& offered,
+                                                const Meaning& requested);
 
 /// The degree of the offered expression, which is the first of the comparison; nothing where they are apart.
 [[nodiscard]] std::optional<Match> degree_of_comparison(const vocabulary::Comparison& comparison);

@@ -32,16 +32,15 @@ Classes classes_of(const Identity& identity, const vocabulary::Vocabulary& vocab
   return classes;
 }
 
-std::optional<Match> degree_of_name(const std::string& offered_iri, std::optional<vocabulary::ClassNumber> offered,
-                                    const std::string& requested_iri, std::optional<vocabulary::ClassNumber> requested,
+std::optional<Match> degree_of_name(const NamedClass& offered, const NamedClass& requested,
                                     const vocabulary::Vocabulary& vocabulary) {
-  if (offered_iri == requested_iri) return Match{Degree::exact, 0};
-  if (!offered || !requested) return std::nullopt;
-  if (const auto up = vocabulary.distance(*offered, *requested)) {
-    if (vocabulary.is_subsumed(*requested, *offered)) return Match{Degree::equivalent, 0};
+  if (offered.iri == requested.iri) return Match{Degree::exact, 0};
+  if (!offered.number || !requested.number) return std::nullopt;
+  if (const auto up = vocabulary.distance(*offered.number, *requested.number)) {
+    if (vocabulary.is_subsumed(*requested.number, *offered.number)) return Match{Degree::equivalent, 0};
     return Match{Degree::narrower, *up};
   }
-  if (const auto down = vocabulary.distance(*requested, *offered)) return Match{Degree::broader, *down};
+  if (const auto down = vocabulary.distance(*requested.number, *offered.number)) return Match{Degree::broader, *down};
   return std::nullopt;
 }
 
@@ -99,48 +98,46 @@ bool is_number_of(const Identity& number, const Identity& named) {
          numeric->number == id32(named);
 }
 
-std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Classes& offered_classes,
-                                       const SemanticIdentity& requested, const Classes& requested_classes,
+std::optional<Match> degree_of_concept(const Meaning& offered, const Meaning& requested,
                                        const vocabulary::Vocabulary& vocabulary, const AskComparison& compares) {
-  if (offered.concept_iri == requested.concept_iri) return Match{Degree::exact, 0};
-  if (offered_classes.place && requested_classes.place) {
+  if (offered.identity.concept_iri == requested.identity.concept_iri) return Match{Degree::exact, 0};
+  if (offered.classes.place && requested.classes.place) {
     if (!compares) return std::nullopt;
-    const auto answer = compares(vocabulary, offered, offered_classes);
+    const auto answer = compares(vocabulary, offered);
     return answer == nullptr ? std::nullopt : degree_of_comparison(*answer);
   }
-  if (has_expression(requested)) {
-    return degree_of_expression(offered_classes.concept_class, requested_classes.place.get(), vocabulary);
+  if (has_expression(requested.identity)) {
+    return degree_of_expression(offered.classes.concept_class, requested.classes.place.get(), vocabulary);
   }
-  if (has_expression(offered)) {
-    return degree_of_expression(offered_classes.place.get(), requested_classes.concept_class, vocabulary);
+  if (has_expression(offered.identity)) {
+    return degree_of_expression(offered.classes.place.get(), requested.classes.concept_class, vocabulary);
   }
-  return degree_of_name(offered.concept_iri, offered_classes.concept_class, requested.concept_iri,
-                        requested_classes.concept_class, vocabulary);
+  return degree_of_name(offered.named_concept(), requested.named_concept(), vocabulary);
 }
 
-std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
-                                        const Identity& requested, const Classes& requested_classes,
+std::optional<Match> degree_of_identity(const Side& offered, const Side& requested,
                                         const vocabulary::Vocabulary& vocabulary, std::uint32_t convert,
-                                        const AskOverlap& overlaps, const AskChain& chains,
-                                        const AskComparison& compares) {
-  const auto* offer = std::get_if<SemanticIdentity>(&offered);
-  const auto* request = std::get_if<SemanticIdentity>(&requested);
-  if (offer == nullptr || request == nullptr) {
-    const bool is_met = offered == requested || is_number_of(offered, requested) || is_number_of(requested, offered);
+                                        const Questions& asks) {
+  const auto* semantic_offer = std::get_if<SemanticIdentity>(&offered.identity);
+  const auto* semantic_request = std::get_if<SemanticIdentity>(&requested.identity);
+  if (semantic_offer == nullptr || semantic_request == nullptr) {
+    const bool is_met = offered.identity == requested.identity || is_number_of(offered.identity, requested.identity) ||
+                        is_number_of(requested.identity, offered.identity);
     return is_met ? std::optional(Match{Degree::exact, 0}) : std::nullopt;
   }
-  auto by_concept = degree_of_concept(*offer, offered_classes, *request, requested_classes, vocabulary, compares);
-  if (!by_concept && !overlaps) return std::nullopt;
-  const auto by_representation = degree_of_representation(
-      offer->representation_iri, offered_classes.representation_class, request->representation_iri,
-      requested_classes.representation_class, vocabulary, convert, chains);
+  const Meaning offer{*semantic_offer, offered.classes};
+  const Meaning request{*semantic_request, requested.classes};
+  auto by_concept = degree_of_concept(offer, request, vocabulary, asks.compares);
+  if (!by_concept && !asks.overlaps) return std::nullopt;
+  const auto by_representation =
+      degree_of_representation(offer.representation(), request.representation(), vocabulary, convert, asks.chains);
   if (!by_representation) return std::nullopt;
   // Asked last, because the reasoner has to search.
-  if (!by_concept) by_concept = degree_of_overlap(*offer, offered_classes, requested_classes, vocabulary, overlaps);
+  if (!by_concept) by_concept = degree_of_overlap(offer, requested.classes, vocabulary, asks.overlaps);
   if (!by_concept) return std::nullopt;
   if (by_representation->degree == Degree::exact) return by_concept;
   // An identity whose concept has no class here matches exactly or not at all, whatever its representation.
-  if (!has_meaning(offered_classes) || !has_meaning(requested_classes)) return std::nullopt;
+  if (!has_meaning(offered.classes) || !has_meaning(requested.classes)) return std::nullopt;
   return combined(*by_concept, *by_representation);
 }
 

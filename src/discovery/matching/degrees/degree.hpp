@@ -44,6 +44,29 @@ struct Classes {
 /// Whether something is known of the concept, a class or the place of an expression.
 [[nodiscard]] inline bool has_meaning(const Classes& classes) { return classes.concept_class || classes.place; }
 
+/// A name, with its class in one vocabulary if it has one. Borrows the name.
+struct NamedClass {
+  const std::string& iri;
+  std::optional<vocabulary::ClassNumber> number;
+};
+
+/// A semantic identity with its classes in one vocabulary. Borrows both.
+struct Meaning {
+  const SemanticIdentity& identity;
+  const Classes& classes;
+
+  [[nodiscard]] NamedClass named_concept() const { return {identity.concept_iri, classes.concept_class}; }
+  [[nodiscard]] NamedClass representation() const {
+    return {identity.representation_iri, classes.representation_class};
+  }
+};
+
+/// One side of a pair, what is offered or what is asked for: its identity with its classes. Borrows both.
+struct Side {
+  const Identity& identity;
+  const Classes& classes;
+};
+
 /// Gives the place of a canonical expression in a vocabulary; null where it is not known (yet) or has no instances.
 /// `from` is the participant that states it.
 using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
@@ -51,28 +74,32 @@ using Placing = std::function<std::shared_ptr<const vocabulary::Place>(
 
 /// Says for one request whether an offered concept overlaps with what it asks for; null: that waits to be decided.
 /// Empty where the request does not accept overlapping concepts (overlap.hpp).
-using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(
-    const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes)>;
+using AskOverlap = std::function<std::shared_ptr<const vocabulary::Overlap>(const vocabulary::Vocabulary& vocabulary,
+                                                                            const Meaning& offered)>;
 
 /// Says for a request for an expression how an offered expression, the first, relates to it; null: that waits to be
 /// decided. Empty where the request is for no expression. Asked only about two that have places (comparison.hpp).
 using AskComparison = std::function<std::shared_ptr<const vocabulary::Comparison>(
-    const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes)>;
+    const vocabulary::Vocabulary& vocabulary, const Meaning& offered)>;
 
 /// Gives for one request the cheapest chain from an offered representation to a requested one; null where there is
 /// none. Empty: chains of declared conversions alone.
 using AskChain = std::function<std::shared_ptr<const vocabulary::Chain>(vocabulary::ClassNumber offered,
                                                                         vocabulary::ClassNumber requested)>;
 
+/// The questions of a request to the reasoner and the converters while it is compared.
+struct Questions {
+  AskOverlap overlaps{};     ///< asked about concepts that have no other degree; empty: overlapping ones do not count
+  AskComparison compares{};  ///< asked about two expressions; empty: it is for no expression that has a place
+  AskChain chains{};         ///< asked about representations to be converted; empty: declared conversions alone
+};
+
 /// Looks up the concept and the representation.
 [[nodiscard]] Classes classes_of(const Identity& identity, const vocabulary::Vocabulary& vocabulary);
 
 /// The degree of one name, a concept or a representation: exact for equal names, otherwise by subsumption between the
 /// two classes. Nothing where one has no class or neither subsumes the other.
-[[nodiscard]] std::optional<Match> degree_of_name(const std::string& offered_iri,
-                                                  std::optional<vocabulary::ClassNumber> offered,
-                                                  const std::string& requested_iri,
-                                                  std::optional<vocabulary::ClassNumber> requested,
+[[nodiscard]] std::optional<Match> degree_of_name(const NamedClass& offered, const NamedClass& requested,
                                                   const vocabulary::Vocabulary& vocabulary);
 
 /// The degree and distance of an offered class against an expression that is asked for, and of an offered expression
@@ -98,22 +125,17 @@ using AskChain = std::function<std::shared_ptr<const vocabulary::Chain>(vocabula
 [[nodiscard]] bool is_number_of(const Identity& number, const Identity& named);
 
 /// The degree of the concepts alone, however weak.
-[[nodiscard]] std::optional<Match> degree_of_concept(const SemanticIdentity& offered, const Classes& offered_classes,
-                                                     const SemanticIdentity& requested,
-                                                     const Classes& requested_classes,
+[[nodiscard]] std::optional<Match> degree_of_concept(const Meaning& offered, const Meaning& requested,
                                                      const vocabulary::Vocabulary& vocabulary,
                                                      const AskComparison& compares);
 
 /// The degree of the whole identity, however weak: the caller compares it with the weakest that the subscription
 /// allows. Numbers and texts match only when they are equal. Identities of different kinds never match, but for one
 /// exception: a number matches exactly the concept whose 32-bit identity it is. `convert` is the largest cost of a
-/// conversion that is accepted. `overlaps` is asked about concepts that have no other degree, `chains` about
-/// representations that have to be converted, `compares` about two expressions.
-[[nodiscard]] std::optional<Match> degree_of_identity(const Identity& offered, const Classes& offered_classes,
-                                                      const Identity& requested, const Classes& requested_classes,
+/// conversion that is accepted.
+[[nodiscard]] std::optional<Match> degree_of_identity(const Side& offered, const Side& requested,
                                                       const vocabulary::Vocabulary& vocabulary,
-                                                      std::uint32_t convert = 0, const AskOverlap& overlaps = {},
-                                                      const AskChain& chains = {}, const AskComparison& compares = {});
+                                                      std::uint32_t convert = 0, const Questions& asks = {});
 
 }  // namespace geminga::matching
 

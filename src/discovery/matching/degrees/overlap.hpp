@@ -17,23 +17,20 @@ using OverlapAnswer = std::shared_ptr<const vocabulary::Overlap>;
 
 /// Answers whether an offered concept overlaps with what is asked for: each is a satisfiable class, or an expression
 /// that has a place. `from` is the participant that asks.
-using Overlapping = std::function<OverlapAnswer(
-    const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered, const Classes& offered_classes,
-    const SemanticIdentity& requested, const Classes& requested_classes, ParticipantId from)>;
+using Overlapping = std::function<OverlapAnswer(const vocabulary::Vocabulary& vocabulary, const Meaning& offered,
+                                                const Meaning& requested, ParticipantId from)>;
 
 /// Lets the reasoner decide at once, and remembers nothing. An expression must be one that the vocabulary can read.
-[[nodiscard]] OverlapAnswer decided_at_once(const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered,
-                                            const Classes& offered_classes, const SemanticIdentity& requested,
-                                            const Classes& requested_classes);
+[[nodiscard]] OverlapAnswer decided_at_once(const vocabulary::Vocabulary& vocabulary, const Meaning& offered,
+                                            const Meaning& requested);
 
 /// The degree of concepts that have none by subsumption; nothing where it is not certain that something can be both.
-[[nodiscard]] std::optional<Match> degree_of_overlap(const SemanticIdentity& offer, const Classes& offered,
-                                                     const Classes& requested, const vocabulary::Vocabulary& vocabulary,
+[[nodiscard]] std::optional<Match> degree_of_overlap(const Meaning& offered, const Classes& requested,
+                                                     const vocabulary::Vocabulary& vocabulary,
                                                      const AskOverlap& overlaps);
 /// The answer about two concepts; null also where one of them has no meaning here.
-[[nodiscard]] OverlapAnswer answer_of_overlap(const SemanticIdentity& offer, const Classes& offered,
-                                              const Classes& requested, const vocabulary::Vocabulary& vocabulary,
-                                              const AskOverlap& overlaps);
+[[nodiscard]] OverlapAnswer answer_of_overlap(const Meaning& offered, const Classes& requested,
+                                              const vocabulary::Vocabulary& vocabulary, const AskOverlap& overlaps);
 
 }  // namespace geminga::matching
 

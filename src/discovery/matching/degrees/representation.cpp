@@ -4,18 +4,15 @@
 
 namespace geminga::matching {
 
-std::optional<Match> degree_of_representation(const std::string& offered_iri,
-                                              std::optional<taxonomy::ClassNumber> offered,
-                                              const std::string& requested_iri,
-                                              std::optional<taxonomy::ClassNumber> requested,
+std::optional<Match> degree_of_representation(const NamedClass& offered, const NamedClass& requested,
                                               const vocabulary::Vocabulary& vocabulary, std::uint32_t convert,
                                               const AskChain& chains) {
-  if (requested_iri.empty()) return Match{Degree::exact, 0};
-  if (offered_iri.empty()) return std::nullopt;
-  const auto as_it_is = degree_of_name(offered_iri, offered, requested_iri, requested, vocabulary);
-  const bool may_be_converted = convert != 0 && offered && requested;
+  if (requested.iri.empty()) return Match{Degree::exact, 0};
+  if (offered.iri.empty()) return std::nullopt;
+  const auto as_it_is = degree_of_name(offered, requested, vocabulary);
+  const bool may_be_converted = convert != 0 && offered.number && requested.number;
   if (!may_be_converted || (as_it_is && is_weaker(Degree::converted, as_it_is->degree))) return as_it_is;
-  const auto chain = chain_between(offered, requested, vocabulary, chains);
+  const auto chain = chain_between(offered.number, requested.number, vocabulary, chains);
   if (chain == nullptr || chain->cost > convert) return as_it_is;
   return Match{Degree::converted, chain->distance, chain->cost, chain->mark};
 }

@@ -16,10 +16,7 @@ namespace geminga::matching {
 /// unstated one, exactly. An offer without a representation meets no request that states one, because the consumer
 /// could not read it. Between two stated ones the ontology decides as between concepts. Where the offered one is
 /// neither exact nor equivalent nor narrower, it is converted if a chain costs no more than `convert`.
-[[nodiscard]] std::optional<Match> degree_of_representation(const std::string& offered_iri,
-                                                            std::optional<taxonomy::ClassNumber> offered,
-                                                            const std::string& requested_iri,
-                                                            std::optional<taxonomy::ClassNumber> requested,
+[[nodiscard]] std::optional<Match> degree_of_representation(const NamedClass& offered, const NamedClass& requested,
                                                             const vocabulary::Vocabulary& vocabulary,
                                                             std::uint32_t convert = 0, const AskChain& chains = {});
 

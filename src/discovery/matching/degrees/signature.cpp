@@ -49,7 +49,7 @@ std::optional<Match> best(const Parameter& required, const Parameters& there, De
                           const vocabulary::Vocabulary& vocabulary) {
   std::optional<Match> found;
   for (const Parameter& one : there) {
-    const auto match = degree_of_name(one.name, one.number, required.name, required.number, vocabulary);
+    const auto match = degree_of_name({one.name, one.number}, {required.name, required.number}, vocabulary);
     if (match && !is_weaker(match->degree, weakest) && (!found || *match < *found)) found = match;
   }
   return found;

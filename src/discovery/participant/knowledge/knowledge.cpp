@@ -60,13 +60,13 @@ Knowledge::Knowledge(env::Env& env, std::string stated_name, vocabulary::Vocabul
           [this](const vocabulary::Vocabulary& by, const std::string& expression, ParticipantId from) {
             return expressions.place(by, expression, other_participant(from), env_.now());
           },
-          [this](const vocabulary::Vocabulary& by, const SemanticIdentity& offered, const matching::Classes& of_offer,
-                 const SemanticIdentity& requested, const matching::Classes& classes, ParticipantId from) {
-            return overlaps.answer(by, offered, of_offer, requested, classes, other_participant(from), env_.now());
+          [this](const vocabulary::Vocabulary& by, const matching::Meaning& offered, const matching::Meaning& requested,
+                 ParticipantId from) {
+            return overlaps.answer(by, offered, requested, other_participant(from), env_.now());
           },
-          [this](const vocabulary::Vocabulary& by, const SemanticIdentity& offered, const matching::Classes& of_offer,
-                 const SemanticIdentity& requested, const matching::Classes& classes, ParticipantId from) {
-            return overlaps.compare(by, offered, of_offer, requested, classes, other_participant(from), env_.now());
+          [this](const vocabulary::Vocabulary& by, const matching::Meaning& offered, const matching::Meaning& requested,
+                 ParticipantId from) {
+            return overlaps.compare(by, offered, requested, other_participant(from), env_.now());
           }),
       ontology_change(matcher, reading, env.log()),
       resolver(env, matcher, expressions, reading),

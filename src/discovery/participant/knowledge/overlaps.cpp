@@ -8,6 +8,7 @@
 namespace geminga::participant {
 
 using matching::ComparisonAnswer;
+using matching::Meaning;
 using matching::OverlapAnswer;
 
 bool Overlaps::take_quota(std::optional<ParticipantId> from, base::Instant now) {
@@ -29,35 +30,32 @@ bool Overlaps::take_waiting(base::Instant now) {
   return std::exchange(is_waiting_, false) || is_second_over;
 }
 
-OverlapAnswer Overlaps::answer(const Vocabulary& vocabulary, const SemanticIdentity& offered,
-                               const matching::Classes& offered_classes, const SemanticIdentity& requested,
-                               const matching::Classes& classes, std::optional<ParticipantId> from, base::Instant now) {
-  if (auto known = overlaps_.find(vocabulary, offered, offered_classes, requested)) return known;
-  if (overlaps_.count(vocabulary, requested) >= max_overlaps_of_request) {
+OverlapAnswer Overlaps::answer(const Vocabulary& vocabulary, const Meaning& offered, const Meaning& requested,
+                               std::optional<ParticipantId> from, base::Instant now) {
+  if (auto known = overlaps_.find(vocabulary, offered, requested.identity)) return known;
+  if (overlaps_.count(vocabulary, requested.identity) >= max_overlaps_of_request) {
     static const auto too_many = std::make_shared<const vocabulary::Overlap>(vocabulary::Overlap{
         .reason = "more than " + std::to_string(max_overlaps_of_request) + " concepts are offered"});
     return too_many;
   }
   if (!take_quota(from, now)) return nullptr;
-  OverlapAnswer found = matching::decided_at_once(vocabulary, offered, offered_classes, requested, classes);
+  OverlapAnswer found = matching::decided_at_once(vocabulary, offered, requested);
   ++counts_.decided;
   if (found->verdict == vocabulary::Overlap::Verdict::undecided) ++counts_.undecided;
-  overlaps_.put(vocabulary, offered, offered_classes, requested, found);
+  overlaps_.put(vocabulary, offered, requested.identity, found);
   return found;
 }
 
-ComparisonAnswer Overlaps::compare(const Vocabulary& vocabulary, const SemanticIdentity& offered,
-                                   const matching::Classes& offered_classes, const SemanticIdentity& requested,
-                                   const matching::Classes& classes, std::optional<ParticipantId> from,
-                                   base::Instant now) {
-  if (const auto by_place = vocabulary.compare(*offered_classes.place, *classes.place)) {
+ComparisonAnswer Overlaps::compare(const Vocabulary& vocabulary, const Meaning& offered, const Meaning& requested,
+                                   std::optional<ParticipantId> from, base::Instant now) {
+  if (const auto by_place = vocabulary.compare(*offered.classes.place, *requested.classes.place)) {
     return std::make_shared<const vocabulary::Comparison>(*by_place);
   }
-  if (auto known = comparisons_.find(vocabulary, offered, offered_classes, requested)) return known;
+  if (auto known = comparisons_.find(vocabulary, offered, requested.identity)) return known;
   if (!take_quota(from, now)) return nullptr;
-  ComparisonAnswer found = matching::compared_at_once(vocabulary, offered, offered_classes, requested, classes);
+  ComparisonAnswer found = matching::compared_at_once(vocabulary, offered, requested);
   ++counts_.decided;
-  comparisons_.put(vocabulary, offered, offered_classes, requested, found);
+  comparisons_.put(vocabulary, offered, requested.identity, found);
   return found;
 }
 

@@ -40,14 +40,12 @@ class Overlaps {
   using Vocabulary = vocabulary::Vocabulary;
 
   /// As matching::Overlapping. `from` is null for our own.
-  [[nodiscard]] matching::OverlapAnswer answer(const Vocabulary& vocabulary, const SemanticIdentity& offered,
-                                               const matching::Classes& offered_classes,
-                                               const SemanticIdentity& requested, const matching::Classes& classes,
-                                               std::optional<ParticipantId> from, base::Instant now);
+  [[nodiscard]] matching::OverlapAnswer answer(const Vocabulary& vocabulary, const matching::Meaning& offered,
+                                               const matching::Meaning& requested, std::optional<ParticipantId> from,
+                                               base::Instant now);
   /// As matching::Comparing. `from` is null for our own.
-  [[nodiscard]] matching::ComparisonAnswer compare(const Vocabulary& vocabulary, const SemanticIdentity& offered,
-                                                   const matching::Classes& offered_classes,
-                                                   const SemanticIdentity& requested, const matching::Classes& classes,
+  [[nodiscard]] matching::ComparisonAnswer compare(const Vocabulary& vocabulary, const matching::Meaning& offered,
+                                                   const matching::Meaning& requested,
                                                    std::optional<ParticipantId> from, base::Instant now);
   /// Allows another max_overlaps_in_step questions.
   void begin_step() { left_ = max_overlaps_in_step; }

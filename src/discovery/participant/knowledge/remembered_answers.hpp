@@ -26,13 +26,13 @@ class RememberedAnswers {
   using Answers = std::shared_ptr<const Answer>;
 
   /// The answer about a pair; null where it is not known.
-  [[nodiscard]] Answers find(const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered,
-                             const matching::Classes& offered_classes, const SemanticIdentity& requested) {
+  [[nodiscard]] Answers find(const vocabulary::Vocabulary& vocabulary, const matching::Meaning& offered,
+                             const SemanticIdentity& requested) {
     Memory& memory = memory_of(vocabulary);
     const auto about = memory.by_request.find(requested.concept_iri);
     if (about == memory.by_request.end()) return nullptr;
     about->second.used = ++uses_;
-    const auto found = about->second.by_offer.find(offer_of(offered, offered_classes));
+    const auto found = about->second.by_offer.find(offer_of(offered));
     return found == about->second.by_offer.end() ? nullptr : found->second;
   }
   /// How many answers about a request are known.
@@ -42,12 +42,12 @@ class RememberedAnswers {
     return about == memory.by_request.end() ? 0 : about->second.by_offer.size();
   }
   /// Remembers an answer that is not known yet.
-  void put(const vocabulary::Vocabulary& vocabulary, const SemanticIdentity& offered,
-           const matching::Classes& offered_classes, const SemanticIdentity& requested, Answers answer) {
+  void put(const vocabulary::Vocabulary& vocabulary, const matching::Meaning& offered,
+           const SemanticIdentity& requested, Answers answer) {
     Memory& memory = memory_of(vocabulary);
     OfRequest& answers = memory.by_request[requested.concept_iri];
     answers.used = ++uses_;
-    answers.by_offer.emplace(offer_of(offered, offered_classes), std::move(answer));
+    answers.by_offer.emplace(offer_of(offered), std::move(answer));
     if (++memory.size <= most) return;
     const auto oldest =
         std::ranges::min_element(memory.by_request, {}, [](const auto& entry) { return entry.second.used; });
@@ -68,9 +68,9 @@ class RememberedAnswers {
     std::size_t size = 0;
   };
 
-  [[nodiscard]] static Offer offer_of(const SemanticIdentity& offered, const matching::Classes& classes) {
-    if (classes.concept_class) return {std::to_underlying(*classes.concept_class), ""};
-    return {0, offered.concept_iri};
+  [[nodiscard]] static Offer offer_of(const matching::Meaning& offered) {
+    if (offered.classes.concept_class) return {std::to_underlying(*offered.classes.concept_class), ""};
+    return {0, offered.identity.concept_iri};
   }
   [[nodiscard]] Memory& memory_of(const vocabulary::Vocabulary& vocabulary) {
     if (!memories_[last_].ontology.is_of(vocabulary)) {

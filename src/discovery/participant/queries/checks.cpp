@@ -114,7 +114,7 @@ bool may_overlap(const matching::Matcher& matcher, const PublicationEntry& offer
   const matching::Classes offer = matcher.classes(offered);
   if (!has_meaning(offer) || !has_meaning(request.classes)) return false;
   const auto answer =
-      matcher.overlap(*semantic(offered.publication.identity), offer, *semantic(requested), request.classes);
+      matcher.overlap({*semantic(offered.publication.identity), offer}, {*semantic(requested), request.classes});
   return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
@@ -141,7 +141,7 @@ Check check_identity(const matching::Matcher& matcher, const Asked& asked, const
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.identity = requested;
   one.subscription.weakest = asked.entry.subscription.weakest;
-  const auto match = matcher.why(one, for_all(offer), asked.request->chains);
+  const auto match = matcher.why(one, for_all(offer), asked.request->asks.chains);
   const auto chain = chain_of(matcher, asked, offer);
   const std::string pair = "offered is " + words(matcher.vocabulary(), offered) + ", asked for is " +
                            words(matcher.vocabulary(), requested) + ": ";
@@ -294,7 +294,7 @@ std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& match
                                                   const PublicationEntry& offer) {
   const auto offered = matching::classes_of(offer.publication.identity, matcher.vocabulary());
   return matching::chain_between(offered.representation_class, asked.request->classes.representation_class,
-                                 matcher.vocabulary(), asked.request->chains);
+                                 matcher.vocabulary(), asked.request->asks.chains);
 }
 
 std::vector<Check> checks_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,

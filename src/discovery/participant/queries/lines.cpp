@@ -34,7 +34,8 @@ bool is_same_or_narrower(const vocabulary::Vocabulary& vocabulary, const Semanti
     return is_same_or_narrower(vocabulary, sub.concept_iri, super.concept_iri);
   }
   if (place && place_of_sub) {
-    const auto found = matching::compared_at_once(vocabulary, sub, {.place = place_of_sub}, super, {.place = place});
+    const auto found =
+        matching::compared_at_once(vocabulary, {sub, {.place = place_of_sub}}, {super, {.place = place}});
     const auto match = matching::degree_of_comparison(*found);
     return match && !is_weaker(match->degree, Degree::narrower);
   }

@@ -41,7 +41,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
   const auto chain = match.cost == 0
                          ? nullptr
                          : matching::chain_between(classes.representation_class, request.classes.representation_class,
-                                                   vocabulary, request.chains);
+                                                   vocabulary, request.asks.chains);
   gcnp::append_attributes(line, matching::chain_words(chain.get(), vocabulary), match.cost, chain ? chain->via : "",
                           entry.publication.attributes);
   append_way(line, entry, by.neighbours);
@@ -101,7 +101,7 @@ class Ranking {
       const auto* entry = by.matcher.find_publication(key);
       return entry != nullptr && has_expression(entry->publication.identity);
     };
-    if (request_->compares && candidates_ && std::ranges::any_of(*candidates_, is_question)) candidates_.reset();
+    if (request_->asks.compares && candidates_ && std::ranges::any_of(*candidates_, is_question)) candidates_.reset();
   }
 
   bool operator()(Piece& piece) {

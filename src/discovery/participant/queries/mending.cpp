@@ -23,10 +23,10 @@ std::string asked_name(const matching::Matcher& matcher, const std::string& name
 }
 
 /// The rest of the advice once the representation fits: " and match=broader" where the concept needs it, or nothing.
-std::string match_beside(const matching::Matcher& matcher, const Asked& asked, const SemanticIdentity& offer,
-                         const matching::Classes& classes, const SemanticIdentity& request) {
-  const auto degree = matching::degree_of_concept(offer, classes, request, asked.request->classes, matcher.vocabulary(),
-                                                  asked.request->compares);
+std::string match_beside(const matching::Matcher& matcher, const Asked& asked, const matching::Meaning& offer,
+                         const SemanticIdentity& request) {
+  const auto degree = matching::degree_of_concept(offer, {request, asked.request->classes}, matcher.vocabulary(),
+                                                  asked.request->asks.compares);
   const bool is_met = !degree || !is_weaker(degree->degree, asked.entry.subscription.weakest);
   return is_met ? "" : " and match=" + std::string(to_string(degree->degree));
 }
@@ -40,17 +40,16 @@ std::string narrowed_by(const Subscription& asked) {
   return words.empty() ? "the scope or the condition of that service" : base::joined(words, " or ");
 }
 
-std::string mend_of_representation(const matching::Matcher& matcher, const Asked& asked, const SemanticIdentity& offer,
-                                   const matching::Classes& classes, const SemanticIdentity& request,
-                                   const vocabulary::Chain* chain) {
-  const std::string beside = match_beside(matcher, asked, offer, classes, request);
+std::string mend_of_representation(const matching::Matcher& matcher, const Asked& asked, const matching::Meaning& offer,
+                                   const SemanticIdentity& request, const vocabulary::Chain* chain) {
+  const std::string beside = match_beside(matcher, asked, offer, request);
   if (chain != nullptr) {
     return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for" +
            (beside.empty() ? "" : "," + beside);
   }
-  const std::string other = asked_name(matcher, offer.representation_iri);
+  const std::string other = asked_name(matcher, offer.identity.representation_iri);
   const std::string as_it_is = "ask with representation=" + other + beside + ", or without";
-  const auto offered = classes.representation_class;
+  const auto offered = offer.classes.representation_class;
   const auto requested = asked.request->classes.representation_class;
   const auto of_others = offered && requested && asked.request->chains_of_all
                              ? asked.request->chains_of_all(*offered, *requested)
@@ -157,7 +156,7 @@ std::string mend_of_identity(const matching::Matcher& matcher, const Asked& aske
     case Obstacle::representation:
       return offer == nullptr || request == nullptr
                  ? ""
-                 : mend_of_representation(matcher, asked, *offer, matcher.classes(offered), *request, chain);
+                 : mend_of_representation(matcher, asked, {*offer, matcher.classes(offered)}, *request, chain);
     case Obstacle::broader:
     case Obstacle::degree:
       // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.

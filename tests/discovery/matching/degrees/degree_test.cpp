@@ -20,7 +20,7 @@ using enum Degree;
 
 std::optional<Match> degree_of(const Identity& offered, const Identity& requested,
                                const vocabulary::Vocabulary& ontology) {
-  return degree_of_identity(offered, classes_of(offered, ontology), requested, classes_of(requested, ontology),
+  return degree_of_identity({offered, classes_of(offered, ontology)}, {requested, classes_of(requested, ontology)},
                             ontology);
 }
 
@@ -168,8 +168,8 @@ vocabulary::Vocabulary frames() {
 
 std::string turned(const Identity& offered, const Identity& requested, std::uint32_t convert) {
   static const vocabulary::Vocabulary ontology = frames();
-  const auto match = degree_of_identity(offered, classes_of(offered, ontology), requested,
-                                        classes_of(requested, ontology), ontology, convert);
+  const auto match = degree_of_identity({offered, classes_of(offered, ontology)},
+                                        {requested, classes_of(requested, ontology)}, ontology, convert);
   if (!match) return "none";
   std::string words = std::string(to_string(match->degree)) + " " + std::to_string(match->distance);
   if (match->cost == 0) return words;

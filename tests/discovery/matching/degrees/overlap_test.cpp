@@ -127,12 +127,12 @@ TEST(Overlap, WaitsForTheReasonerAndLosesNothingMeanwhile) {
   std::set<std::pair<std::uint64_t, std::string>> known;
   bool may_ask = true;
   Matcher matcher(movers(), {},
-                  [&](const vocabulary::Vocabulary& by, const SemanticIdentity& offered, const Classes& of_offer,
-                      const SemanticIdentity& requested, const Classes& classes, ParticipantId) -> OverlapAnswer {
-                    const auto question = std::pair(by.digest(), offered.concept_iri);
+                  [&](const vocabulary::Vocabulary& by, const Meaning& offered, const Meaning& requested,
+                      ParticipantId) -> OverlapAnswer {
+                    const auto question = std::pair(by.digest(), offered.identity.concept_iri);
                     if (!known.contains(question) && !std::exchange(may_ask, false)) return nullptr;
                     known.insert(question);
-                    return decided_at_once(by, offered, of_offer, requested, classes);
+                    return decided_at_once(by, offered, requested);
                   });
   const auto finish = [&] {
     matcher.place_again();

@@ -45,7 +45,7 @@ class OverlapsTest : public testing::Test {
     const SemanticIdentity offer{"http://example.org/C" + std::to_string(offered), ""};
     const matching::Classes of_offer{.concept_class = ontology.find_iri(offer.concept_iri),
                                      .representation_class = std::nullopt};
-    return overlaps.answer(ontology, offer, of_offer, identity, classes, from, now);
+    return overlaps.answer(ontology, {offer, of_offer}, {identity, classes}, from, now);
   }
 
   vocabulary::Vocabulary ontology = flat(400);
@@ -116,7 +116,7 @@ TEST(Overlaps, AreLimitedForOneRequestAndInAll) {
     classes.concept_class = ontology.find_iri(identity.concept_iri);
     overlaps.begin_step();
     const matching::Classes of_offer{.concept_class = ClassNumber{offered}, .representation_class = std::nullopt};
-    return overlaps.answer(ontology, {}, of_offer, identity, classes, std::nullopt, now);
+    return overlaps.answer(ontology, {SemanticIdentity(), of_offer}, {identity, classes}, std::nullopt, now);
   };
   using enum vocabulary::Overlap::Verdict;
   for (std::uint32_t at = 0; at < most; ++at) ASSERT_EQ(answer(at, "0")->verdict, possible) << at;
