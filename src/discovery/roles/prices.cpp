@@ -14,6 +14,10 @@ constexpr Cost max_step = Cost{1} << 40;
 constexpr Cost kept_direction = 12;
 /// Directions count in 256th of a holder.
 constexpr Cost holder = 256;
+/// Is added to each cost of a matching, where none may be negative.
+constexpr Cost offset = Cost{1} << 52;
+/// Is taken from the cost of each robot that is bound, so that it gets a place rather than others.
+constexpr Cost bonus_of_bound = Cost{1} << 47;
 
 }  // namespace
 
@@ -132,42 +136,69 @@ bool Prices::move(Cost distance, Cost part) {
   return true;
 }
 
-Prices::Match Prices::match(const Decisions& decisions) {
-  // Nothing may be negative in a matching. Robots that are bound get a place rather than others.
-  constexpr Cost offset = Cost{1} << 52;
-  constexpr Cost bonus = Cost{1} << 47;
-  const auto role_of = pool_.roles_of_places();
-  std::vector<std::size_t> robots;
-  std::vector<Cost> of_robot;
-  Match match;
-  Cost bonuses = 0;
+Prices::Entrants Prices::entrants(const Decisions& decisions) const {
+  Entrants found;
   for (std::size_t robot = 0; robot < values_.size(); ++robot) {
-    if (decisions[robot] == Decisions::State::out || pool_.robots[robot].alone.empty()) continue;
-    const bool is_in = decisions[robot] == Decisions::State::in;
-    const bool has_bonus = pool_.robots[robot].is_bound;
-    robots.push_back(robot);
-    of_robot.push_back(offset - (has_bonus ? bonus : 0));
-    if (has_bonus) bonuses += bonus;
+    const Candidate& candidate = pool_.robots[robot];
+    if (decisions[robot] == Decisions::State::out || candidate.alone.empty()) continue;
+    const Cost bonus = candidate.is_bound ? bonus_of_bound : 0;
     // A robot that is in is paid for shared roles with a place or without.
-    if (!is_in || needs_place(robot, decisions)) of_robot.back() += gain_of_shared(pool_.robots[robot]);
+    const bool is_paid = decisions[robot] != Decisions::State::in || needs_place(robot, decisions);
+    found.robots.push_back(robot);
+    found.costs.push_back(offset - bonus + (is_paid ? gain_of_shared(candidate) : 0));
+    found.bonuses += bonus;
   }
+  return found;
+}
+
+std::vector<Cost> Prices::costs_of_places(const Entrants& entrants, const std::vector<std::uint32_t>& role_of) const {
   std::vector<std::size_t> first(pool_.counts.size());
   for (std::size_t place = role_of.size(); place-- > 0;) first[role_of[place]] = place;
-  std::vector<Cost> costs(role_of.size() * robots.size(), forbidden);
-  for (std::size_t at = 0; at < robots.size(); ++at) {
-    for (const Holding& one : pool_.robots[robots[at]].alone) {
+  const std::size_t robots = entrants.robots.size();
+  std::vector<Cost> costs(role_of.size() * robots, forbidden);
+  for (std::size_t at = 0; at < robots; ++at) {
+    for (const Holding& one : pool_.robots[entrants.robots[at]].alone) {
       for (std::size_t place = first[one.role]; place < first[one.role] + pool_.counts[one.role]; ++place) {
-        costs[place * robots.size() + at] = one.cost * unit + of_robot[at];
+        costs[place * robots + at] = one.cost * unit + entrants.costs[at];
       }
     }
   }
-  const auto found = cheapest_matching(role_of.size(), robots.size(), costs);
+  return costs;
+}
+
+void Prices::count_short(const std::vector<bool>& robots) {
+  for (std::size_t role = 0; role < short_of_.size(); ++role) {
+    short_of_[role] = pool_.is_shared[role] ? Cost{pool_.counts[role]} : 0;
+  }
+  for (std::size_t robot = 0; robot < values_.size(); ++robot) {
+    if (!robots[robot]) continue;
+    for (const Holding& one : pool_.robots[robot].shared) {
+      if (one.cost * unit < prices_[one.role]) --short_of_[one.role];
+    }
+  }
+}
+
+void Prices::fill_up(std::vector<bool>& robots, std::size_t most) const {
+  std::vector<std::size_t> others;
+  for (const std::size_t robot : free_) {
+    if (!robots[robot]) others.push_back(robot);
+  }
+  std::ranges::sort(others, {}, [&](std::size_t robot) { return std::pair(values_[robot], robot); });
+  auto there = static_cast<std::size_t>(std::ranges::count(robots, true));
+  for (std::size_t at = 0; at < others.size() && there < most; ++at, ++there) robots[others[at]] = true;
+}
+
+Prices::Match Prices::match(const Decisions& decisions) {
+  const auto role_of = pool_.roles_of_places();
+  const Entrants entrants = this->entrants(decisions);
+  const auto found = cheapest_matching(role_of.size(), entrants.robots.size(), costs_of_places(entrants, role_of));
+  Match match;
   if (!found) return match;
   match.is_possible = true;
   match.robots = decisions.robots_in();
-  for (const std::uint32_t at : found->robot_of) match.robots[robots[at]] = true;
+  for (const std::uint32_t at : found->robot_of) match.robots[entrants.robots[at]] = true;
   if (pool_.places == decisions.most()) {
-    match.bound = found->cost - static_cast<Cost>(role_of.size()) * offset + bonuses;
+    match.bound = found->cost - static_cast<Cost>(role_of.size()) * offset + entrants.bonuses;
     for (std::size_t role = 0; role < prices_.size(); ++role) {
       if (pool_.is_shared[role]) match.bound += prices_[role] * Cost{pool_.counts[role]};
     }
@@ -175,23 +206,8 @@ Prices::Match Prices::match(const Decisions& decisions) {
   for (std::size_t place = 0; place < role_of.size(); ++place) {
     prices_[role_of[place]] = std::clamp<Cost>(found->price_of_place[place] - offset, 0, max_price);
   }
-  for (std::size_t role = 0; role < short_of_.size(); ++role) {
-    short_of_[role] = pool_.is_shared[role] ? Cost{pool_.counts[role]} : 0;
-  }
-  for (std::size_t robot = 0; robot < values_.size(); ++robot) {
-    if (!match.robots[robot]) continue;
-    for (const Holding& one : pool_.robots[robot].shared) {
-      if (one.cost * unit < prices_[one.role]) --short_of_[one.role];
-    }
-  }
-  std::vector<std::size_t> others;
-  for (const std::size_t robot : free_) {
-    if (!match.robots[robot]) others.push_back(robot);
-  }
-  std::ranges::sort(others, {}, [&](std::size_t robot) { return std::pair(values_[robot], robot); });
-  auto there = static_cast<std::size_t>(std::ranges::count(match.robots, true));
-  for (std::size_t at = 0; at < others.size() && there < decisions.most(); ++at, ++there)
-    match.robots[others[at]] = true;
+  count_short(match.robots);
+  fill_up(match.robots, decisions.most());
   return match;
 }
 

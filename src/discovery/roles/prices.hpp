@@ -59,6 +59,20 @@ class Prices {
 
  private:
   [[nodiscard]] Cost gain_of_shared(const Candidate& robot) const;
+  /// The robots that may take a place in a matching, and what each of them costs beside its holding.
+  struct Entrants {
+    std::vector<std::size_t> robots{};
+    std::vector<Cost> costs{};
+    Cost bonuses = 0;  ///< of bound robots, all together
+  };
+  [[nodiscard]] Entrants entrants(const Decisions& decisions) const;
+  /// The costs of a matching of places and entrants.
+  [[nodiscard]] std::vector<Cost> costs_of_places(const Entrants& entrants,
+                                                  const std::vector<std::uint32_t>& role_of) const;
+  /// Counts the holders of shared roles that these robots lack.
+  void count_short(const std::vector<bool>& robots);
+  /// Adds the best open robots, up to `most` in all.
+  void fill_up(std::vector<bool>& robots, std::size_t most) const;
   [[nodiscard]] bool needs_place(std::size_t robot, const Decisions& decisions) const;
 
   const Pool& pool_;
