@@ -86,22 +86,10 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
                                  .source = source,
                                  .now = env_.now(),
                                  .is_alone = env_.is_sender_named() || env_.is_sender_unnamed()};
-  const auto opened = seal_.open(datagram, arrival);
-  if (!opened) {
-    if (opened.error() == sealing::Rejection::own)
-      ++counters_.hearings.at(std::to_underlying(membership::Hearing::own));
-    // The sender has to hear what it is asked.
-    if (opened.error() == sealing::Rejection::unproved) env_.answer_sender(base::Duration(0));
-    return std::nullopt;
-  }
-  const auto read = reader_.read(opened->text);
-  if (!read) {
-    ++counters_.undecodable.at(static_cast<std::size_t>(read.error()));
-    seal_.reject_unreadable(*opened, arrival);
-    return std::nullopt;
-  }
-  const announcement::Announcement& heard = **read;
-  if (!seal_.attribute(*opened, heard.participant, arrival)) return std::nullopt;
+  const auto opened = open(datagram, arrival);
+  const auto* read = opened ? decode(*opened, arrival) : nullptr;
+  if (read == nullptr) return std::nullopt;
+  const announcement::Announcement& heard = *read;
   if (served != announcer_.id() && heard.participant == served) {
     // A participant that has the identifier which we are giving up is heard once our own services have another one.
     ++counters_.hearings.at(std::to_underlying(membership::Hearing::clash));
@@ -113,28 +101,59 @@ std::optional<Announcer::Consequence> Air::take_in(env::InterfaceIndex interface
     return std::nullopt;
   }
   if (heard.kind == announcement::Kind::relayed) return take_in_relayed(heard, *on, is_sealed, served);
-  const auto links = beyond_.links_for(*opened, heard, *on);
+  return take_in_direct({.announcement = heard, .opened = *opened, .datagram = datagram, .arrival = arrival, .on = *on},
+                        served);
+}
+
+std::optional<sealing::Opened> Air::open(std::span<const std::byte> datagram, const sealing::Arrival& arrival) {
+  auto opened = seal_.open(datagram, arrival);
+  if (opened) return *std::move(opened);
+  if (opened.error() == sealing::Rejection::own) ++counters_.hearings.at(std::to_underlying(membership::Hearing::own));
+  // The sender has to hear what it is asked.
+  if (opened.error() == sealing::Rejection::unproved) env_.answer_sender(base::Duration(0));
+  return std::nullopt;
+}
+
+const announcement::Announcement* Air::decode(const sealing::Opened& opened, const sealing::Arrival& arrival) {
+  const auto read = reader_.read(opened.text);
+  if (!read) {
+    ++counters_.undecodable.at(static_cast<std::size_t>(read.error()));
+    seal_.reject_unreadable(opened, arrival);
+    return nullptr;
+  }
+  return seal_.attribute(opened, (*read)->participant, arrival) ? *read : nullptr;
+}
+
+std::optional<Announcer::Consequence> Air::take_in_direct(const Received& received, ParticipantId served) {
+  const announcement::Announcement& heard = received.announcement;
+  const bool is_sealed = received.opened.session.has_value();
+  const auto links = beyond_.links_for(received.opened, heard, received.on);
   const bool is_about_us = heard.participant == announcer_.id();  // it may be a lie, and others hear it
-  if (!is_about_us && DualStack::is_said_twice(heard, *on)) return std::nullopt;
-  const membership::Hearing hearing = neighbours_.hear(heard, {.interface = interface,
-                                                               .interface_name = on->name,
-                                                               .source = source,
-                                                               .now = env_.now(),
+  if (!is_about_us && DualStack::is_said_twice(heard, received.on)) return std::nullopt;
+  const membership::Hearing hearing = neighbours_.hear(heard, {.interface = received.arrival.interface,
+                                                               .interface_name = received.arrival.interface_name,
+                                                               .source = received.arrival.source,
+                                                               .now = received.arrival.now,
                                                                .is_sealed = is_sealed,
-                                                               .is_alone = arrival.is_alone});
+                                                               .is_alone = received.arrival.is_alone});
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (heard.kind == announcement::Kind::presence) {
-    one_way_.hear(heard, neighbours_, source, on->name, env_.log());
-    if (is_sealed && !recall(heard, *opened->session, hearing, *on, served)) return Announcer::Consequence::failed;
-    beyond_.hear_presence(heard, *on, hearing, is_sealed || env_.is_sender_named());
+    one_way_.hear(heard, neighbours_, received.arrival.source, received.on.name, env_.log());
+    if (is_sealed && !recall(heard, *received.opened.session, hearing, received.on, served)) {
+      return Announcer::Consequence::failed;
+    }
+    beyond_.hear_presence(heard, received.on, hearing, is_sealed || env_.is_sender_named());
   } else {
-    beyond_.pass_on({.datagram = datagram, .source = source}, heard, links, hearing);
+    beyond_.pass_on({.datagram = received.datagram, .source = received.arrival.source}, heard, links, hearing);
   }
-  reach(heard, *on, source);
-  if (is_sealed) meet(heard, *on);
-  speak_to(heard, *on, hearing, is_sealed);
-  return announcer_.heard(
-      {.announcement = heard, .hearing = hearing, .datagram = datagram, .source = source, .on = *on});
+  reach(heard, received.on, received.arrival.source);
+  if (is_sealed) meet(heard, received.on);
+  speak_to(heard, received.on, hearing, is_sealed);
+  return announcer_.heard({.announcement = heard,
+                           .hearing = hearing,
+                           .datagram = received.datagram,
+                           .source = received.arrival.source,
+                           .on = received.on});
 }
 
 bool Air::recall(const announcement::Announcement& presence, sealing::Session session, membership::Hearing hearing,

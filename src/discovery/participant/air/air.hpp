@@ -78,6 +78,21 @@ class Air {
   [[nodiscard]] std::optional<Announcer::Consequence> take_in(env::InterfaceIndex interface, std::string_view source,
                                                               std::span<const std::byte> datagram,
                                                               ParticipantId served);
+  /// An announcement that came in a datagram of its own. Borrows all of it for the call.
+  struct Received {
+    const announcement::Announcement& announcement;
+    const sealing::Opened& opened;
+    std::span<const std::byte> datagram;
+    const sealing::Arrival& arrival;
+    const env::Interface& on;
+  };
+  [[nodiscard]] std::optional<Announcer::Consequence> take_in_direct(const Received& received, ParticipantId served);
+  /// Opens a datagram; nothing: it is rejected, and counted.
+  [[nodiscard]] std::optional<sealing::Opened> open(std::span<const std::byte> datagram,
+                                                    const sealing::Arrival& arrival);
+  /// Decodes it, borrowed until the next call; null: it cannot be read, or is not in the name of its sender.
+  [[nodiscard]] const announcement::Announcement* decode(const sealing::Opened& opened,
+                                                         const sealing::Arrival& arrival);
   /// Takes in an inquiry or a diagnosis.
   void hear_exchange(const announcement::Announcement& heard, bool is_sealed);
   /// Whether announcements are sealed, and only sealed ones are heard.
