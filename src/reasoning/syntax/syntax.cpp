@@ -32,13 +32,14 @@ std::string_view without_comments(std::string_view text) {
   }
 }
 
-/// `<rdf:RDF `, but not `<http://example.org/a> `.
+/// `<rdf:RDF `, but not `<http://example.org/a> `, and not `<urn:a> `: an element with a prefix declares it.
 bool is_xml_tag(std::string_view text) {
   if (!text.starts_with('<')) return false;
   const std::size_t end = text.find_first_of(" \t\r\n/>", 1);
   if (end == std::string_view::npos || end == 1 || (text[end] == '/' && text.substr(end, 2) != "/>")) return false;
   const std::string_view name = text.substr(1, end - 1);
-  return std::ranges::count(name, ':') <= 1 &&
+  const auto colons = std::ranges::count(name, ':');
+  return (colons == 0 || (colons == 1 && std::isspace(static_cast<unsigned char>(text[end])) != 0)) &&
          std::ranges::all_of(name, [](char c) { return c == ':' || is_name_byte(c); });
 }
 

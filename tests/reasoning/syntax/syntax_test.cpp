@@ -40,6 +40,12 @@ TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
   EXPECT_EQ(detect_syntax("a.ttl.gz", turtle), Syntax::turtle);
 }
 
+TEST(Syntax, OfTriplesMayBeginWithANameThatLooksLikeAnElementWithAPrefix) {
+  EXPECT_EQ(detect_syntax("a.nt", "<urn:a> <http://e/p> <urn:b> .\n"), Syntax::n_triples);
+  EXPECT_EQ(detect_syntax("a.ttl", "<urn:a>\n  a <urn:b> ."), Syntax::turtle);
+  EXPECT_EQ(detect_syntax("a.owl", "<r:RDF\nxmlns:r='http://www.w3.org/1999/02/22-rdf-syntax-ns#'/>"), Syntax::rdf_xml);
+}
+
 TEST(Syntax, IsFunctionalWhereABracketFollowsTheFirstWord) {
   for (const char* text : {"Prefix(:=<http://e/>)", " \r\n# Prefix\n#\n Prefix # behind\n (", "#\rOntology("}) {
     EXPECT_EQ(detect_syntax("a.owl", text), Syntax::functional) << text;

@@ -49,6 +49,37 @@ TEST(Convert, WritesTheSyntaxesOfOwlWithAllThatTriplesSay) {
   EXPECT_THAT(program.run({"convert", "team.ttl", "-o", "x.txt"}).err, HasSubstr("functional, manchester or owlxml"));
 }
 
+TEST(Convert, WritesManchesterSyntaxWithAFrameForEachNameAsTheOwlApiNeedsIt) {
+  const Program program;
+  program.write("in.ofn",
+                "Prefix(:=<http://e/>) Ontology(<http://e/> ClassAssertion(:A :i) HasKey(:A (:p) (:d)) "
+                "AnnotationAssertion(:note :A :elsewhere))");
+  const std::string text = program.run({"convert", "in.ofn", "-o", "-", "--to", "manchester"}).out;
+  for (const std::string frame :
+       {"Class: :A\n", "Individual: :i\n", "ObjectProperty: :p\n", "DataProperty: :d\n", "AnnotationProperty: :note\n"})
+    EXPECT_THAT(text, HasSubstr(frame));
+  EXPECT_THAT(text, HasSubstr("HasKey: :p, :d\n"));
+  EXPECT_THAT(text, HasSubstr("Annotations: :note <http://e/elsewhere>\n"));
+}
+
+TEST(Convert, WritesTriplesThatAreReadAsTheSameAxiomsWhereNothingIsDeclared) {
+  const Program program;
+  program.write("in.ofn",
+                "Prefix(:=<http://e/>) Ontology(<http://e/> DataPropertyAssertion(:d :i \"x\") "
+                "ObjectPropertyAssertion(:p :i :j) SubClassOf(:A DataSomeValuesFrom(:d DatatypeRestriction(xsd:integer "
+                "xsd:minInclusive \"1\"^^xsd:integer))) "
+                "SubObjectPropertyOf(Annotation(:note \"c\") ObjectPropertyChain(:p :q) :r))");
+  for (const std::string out : {"out.ttl", "out.rdf"}) {
+    EXPECT_EQ(program.run({"convert", "in.ofn", "-o", out}).status, 0);
+    const Outcome again = program.run({"convert", out, "-o", "-", "--to", "functional"});
+    for (const std::string axiom : {"DataPropertyAssertion(:d :i \"x\")", "ObjectPropertyAssertion(:p :i :j)",
+                                    "SubObjectPropertyOf(Annotation(:note \"c\") ObjectPropertyChain(:p :q) :r)",
+                                    "xsd:minInclusive \"1\"^^xsd:integer"})
+      EXPECT_THAT(again.out, HasSubstr(axiom)) << out << again.err;
+    EXPECT_THAT(again.out, Not(HasSubstr("AnnotationAssertion"))) << out;
+  }
+}
+
 TEST(Infer, WritesTheSyntaxesOfOwl) {
   const Program program;
   program.turtle("team.ttl", team);

@@ -13,6 +13,12 @@ namespace {
 
 using graph::Node;
 
+/// Whether a name is a word of RDF, RDFS, XSD or OWL, which has its kind by itself.
+bool is_of_w3c(std::string_view name) {
+  return name.starts_with(syntax::rdf_namespace) || name.starts_with(syntax::rdfs_namespace) ||
+         name.starts_with(syntax::xsd_namespace) || name.starts_with(syntax::owl_namespace);
+}
+
 /// Leaves out the headers of all files but the first, and the imports that a file answered.
 class Header {
  public:
@@ -58,6 +64,7 @@ class OtherFiles {
     for (std::uint32_t number = 0; number < source.ill_typed_count() && !graph_.problem(); ++number)
       add(source.ill_typed(number), Of::ill_typed, number);
     add_headers();
+    declare_names();
     for (std::uint32_t number = 0; number < annotations_.size() && !graph_.problem(); ++number) {
       const owl::Annotation& annotation = annotations_.at(number);
       const bool is_of_name = annotation.of == Of::name && !is_other(annotation.subject);
@@ -88,6 +95,25 @@ class OtherFiles {
     }
     for (const rdf::UnresolvedImport& import : loaded_.unresolved) {
       if (!name_.empty()) graph_.add(graph::iri(name_), graph::owl_word("imports"), graph::iri(import.iri));
+    }
+  }
+
+  /// Declares properties and datatypes that no file declares: by their declarations alone triples say which axioms they
+  /// are (OWL 2 mapping to RDF, section 3.1.2).
+  void declare_names() {
+    const owl::Ontology& source = loaded_.source;
+    std::set<owl::TermId> declared;
+    for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
+      const owl::Axiom& axiom = source.axiom(number);
+      if (axiom.kind == owl::AxiomKind::declaration) declared.insert(axiom.arguments[0]);
+    }
+    for (std::uint32_t number = 0; number < source.term_count() && !graph_.problem(); ++number) {
+      const owl::TermId id{number};
+      const owl::TermKind kind = source.kind(id);
+      const bool is_told_apart = kind == owl::TermKind::object_property || kind == owl::TermKind::data_property ||
+                                 kind == owl::TermKind::datatype;
+      if (is_told_apart && !declared.contains(id) && !is_of_w3c(source.name_of(id)))
+        triples_.add({.kind = owl::AxiomKind::declaration, .arguments = std::span(&id, 1)});
     }
   }
 

@@ -5,8 +5,9 @@
 
 #include "base/text.hpp"
 #include "reasoning/syntax/files.hpp"
+#include "reasoning/syntax/graph/rdf_xml.hpp"
 #include "reasoning/syntax/graph/store.hpp"
-#include "reasoning/syntax/graph/turtle_numbers.hpp"
+#include "reasoning/syntax/graph/turtle.hpp"
 #include "reasoning/syntax/inflate.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 #include "reasoning/syntax/syntax.hpp"
@@ -71,21 +72,6 @@ struct Reading {
 const char* parser_of(syntax::Syntax syntax) {
   // N-Triples are read as Turtle, whose reader skips nothing in silence.
   return syntax == syntax::Syntax::rdf_xml ? "rdfxml" : "turtle";
-}
-
-/// Removes every occurrence of a word from a text, and returns how many there were.
-std::size_t take_out(std::string_view word, std::string& text) {
-  std::size_t count = 0;
-  std::size_t kept = 0;
-  std::size_t at = 0;
-  for (std::size_t next = text.find(word); next != std::string::npos; next = text.find(word, at), ++count) {
-    std::copy(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(next),
-              text.begin() + static_cast<std::ptrdiff_t>(kept));
-    kept += next - at;
-    at = next + word.size();
-  }
-  text.erase(kept, at - kept);
-  return count;
 }
 
 }  // namespace
@@ -169,51 +155,19 @@ std::size_t Graph::size() const { return store_->statements.size(); }
 void Graph::for_each(const TripleSink& sink) const { store_->statements.for_each(sink); }
 
 std::expected<std::string, std::string> Graph::write(Format format, const Prefixes& prefixes) const {
-  return graph::write(store_->world, store_->statements, format, prefixes);
+  return graph::write(store_->statements, format, prefixes);
 }
 
-const char* name_of(Format format) {
+std::expected<std::string, std::string> write(const Statements& sorted, Format format, const Prefixes& prefixes) {
   switch (format) {
     case Format::turtle:
-      return "turtle";
+      return write_turtle(sorted.all(), prefixes);
     case Format::rdf_xml:
-      return "rdfxml-abbrev";
+      return write_rdf_xml(sorted.all(), prefixes);
     case Format::n_triples:
-      return "ntriples";
+      break;
   }
-  return "";
-}
-
-std::expected<std::string, std::string> write(World& world, const Statements& statements, Format format,
-                                              const Prefixes& prefixes) {
-  Statements turtle(world);
-  std::size_t marked = 0;
-  if (format == Format::turtle && !turtle.make_turtle_of(statements, marked)) return std::unexpected("memory is short");
-  const Statements& written_ones = format == Format::turtle ? turtle : statements;
-  librdf_serializer* serializer = librdf_new_serializer(world.redland(), name_of(format), nullptr, nullptr);
-  librdf_stream* stream = serializer == nullptr ? nullptr : written_ones.stream();
-  std::expected<std::string, std::string> text = std::unexpected("Redland cannot write: memory is short");
-  if (stream != nullptr) {
-    for (const auto& [prefix, name] : prefixes) {
-      librdf_uri* uri = librdf_new_uri(world.redland(), octets(name));
-      if (uri != nullptr) librdf_serializer_set_namespace(serializer, uri, prefix.c_str());
-      if (uri != nullptr) librdf_free_uri(uri);
-    }
-    std::size_t size = 0;
-    unsigned char* written = librdf_serializer_serialize_stream_to_counted_string(serializer, nullptr, stream, &size);
-    const std::string error = world.take_error();
-    if (!error.empty()) {
-      text = std::unexpected(error);
-    } else if (written != nullptr) {
-      text = std::string(reinterpret_cast<const char*>(written), size);
-      if (marked != 0 && take_out(in_quotes, *text) != marked)
-        text = std::unexpected("a name ends in " + std::string(in_quotes) + ": write --to rdfxml or ntriples");
-    }
-    if (written != nullptr) librdf_free_memory(written);
-    librdf_free_stream(stream);
-  }
-  if (serializer != nullptr) librdf_free_serializer(serializer);
-  return text;
+  return write_n_triples(sorted.all());
 }
 
 }  // namespace geminga::graph

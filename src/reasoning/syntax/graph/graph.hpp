@@ -25,7 +25,7 @@
 
 namespace geminga::graph {
 
-/// The syntaxes that librdf writes and our readers read.
+/// The syntaxes of triples.
 enum class Format : std::uint8_t { turtle, rdf_xml, n_triples };
 
 /// "turtle", "rdfxml", "ntriples"; nothing for other names.
@@ -61,7 +61,7 @@ class Graph {
   [[nodiscard]] std::size_t size() const;
   /// Calls the sink with each triple in their order.
   void for_each(const TripleSink& sink) const;
-  /// The whole graph as one text, or why that is impossible.
+  /// The whole sorted graph as one text, or why that is impossible.
   [[nodiscard]] std::expected<std::string, std::string> write(Format format, const Prefixes& prefixes) const;
 
   struct Store;

@@ -193,7 +193,7 @@ std::optional<std::string> read_triples(World& world, rasqal_query_results* resu
     if (rasqal_query_results_next_triple(results) != 0) break;
   }
   made.sort();
-  auto text = write(world, made, format, prefixes);
+  auto text = write(made, format, prefixes);
   if (!text) return text.error();
   answer.text = std::move(*text);
   return std::nullopt;

@@ -2,35 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <utility>
-
-#include "reasoning/syntax/graph/turtle_numbers.hpp"
 
 namespace geminga::graph {
 namespace {
-
-/// The functions that librdf calls for a stream.
-struct Cursor {
-  const std::vector<raptor_statement*>& all;
-  std::size_t place = 0;
-
-  static int is_end(void* cursor) {
-    const auto& self = *static_cast<Cursor*>(cursor);
-    return self.place >= self.all.size() ? 1 : 0;
-  }
-  static int next(void* cursor) {
-    auto& self = *static_cast<Cursor*>(cursor);
-    ++self.place;
-    return is_end(cursor);
-  }
-  static void* get(void* cursor, int flags) {
-    const auto& self = *static_cast<Cursor*>(cursor);
-    const bool is_object = flags == LIBRDF_STREAM_GET_METHOD_GET_OBJECT;
-    return is_object && self.place < self.all.size() ? self.all[self.place] : nullptr;
-  }
-  static void finish(void* cursor) { delete static_cast<Cursor*>(cursor); }
-};
 
 bool is_less(const raptor_statement* a, const raptor_statement* b) { return raptor_statement_compare(a, b) < 0; }
 bool is_equal(const raptor_statement* a, const raptor_statement* b) { return raptor_statement_compare(a, b) == 0; }
@@ -99,19 +74,6 @@ bool Statements::add_copy(const raptor_statement* statement) {
   return true;
 }
 
-bool Statements::make_turtle_of(const Statements& others, std::size_t& marked) {
-  for (const raptor_statement* statement : others.all_) {
-    const bool has_datatype =
-        statement->object->type == RAPTOR_TERM_TYPE_LITERAL && statement->object->value.literal.datatype != nullptr;
-    const auto object = has_datatype ? turtle_number(node_of(*statement->object)) : std::nullopt;
-    if (object && object->datatype.ends_with(in_quotes)) ++marked;
-    const bool is_kept =
-        object ? add(node_of(*statement->subject), node_of(*statement->predicate), *object) : add_copy(statement);
-    if (!is_kept) return false;
-  }
-  return true;
-}
-
 void Statements::sort() {
   std::ranges::sort(all_, is_less);
   std::vector<raptor_statement*> once;
@@ -136,14 +98,6 @@ void Statements::remove(const Statements& others) {
 void Statements::for_each(const TripleSink& sink) const {
   for (const raptor_statement* statement : all_)
     sink(node_of(*statement->subject), node_of(*statement->predicate), node_of(*statement->object));
-}
-
-librdf_stream* Statements::stream() const {
-  auto cursor = std::make_unique<Cursor>(all_);
-  librdf_stream* stream =
-      librdf_new_stream(world_.redland(), cursor.get(), Cursor::is_end, Cursor::next, Cursor::get, Cursor::finish);
-  if (stream != nullptr) (void)cursor.release();
-  return stream;
 }
 
 std::size_t octets_of(const raptor_term& term) {

@@ -1,4 +1,4 @@
-// Triples as Redland holds them: kept, put in order, and given out as a stream.
+// Triples as Redland holds them: kept and put in order.
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_STATEMENTS_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_STATEMENTS_HPP
 
@@ -25,9 +25,6 @@ class Statements {
   [[nodiscard]] bool add(const Node& subject, const Node& predicate, const Node& object);
   /// The same for a statement that the caller keeps.
   [[nodiscard]] bool add_copy(const raptor_statement* statement);
-  /// Adds others, with literals in a form that Redland's Turtle writer writes correctly, and counts those that are
-  /// marked for it. False if memory is short.
-  [[nodiscard]] bool make_turtle_of(const Statements& others, std::size_t& marked);
   /// Sorts them by what they say and drops repeats.
   void sort();
   /// Removes what another one has. Both must be sorted.
@@ -36,8 +33,6 @@ class Statements {
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   void for_each(const TripleSink& sink) const;
   [[nodiscard]] std::span<raptor_statement* const> all() const { return all_; }
-  /// The statements in their order. librdf_free_stream() must free it while they exist.
-  [[nodiscard]] librdf_stream* stream() const;
 
  private:
   [[nodiscard]] raptor_term* term_of(const Node& node) const;

@@ -42,11 +42,8 @@ struct Graph::Store {
   }
 };
 
-/// Redland's serializer's name.
-[[nodiscard]] const char* name_of(Format format);
-
-/// Writes statements as text, or says why not.
-[[nodiscard]] std::expected<std::string, std::string> write(World& world, const Statements& statements, Format format,
+/// Writes sorted statements as text, or says why not.
+[[nodiscard]] std::expected<std::string, std::string> write(const Statements& sorted, Format format,
                                                             const Prefixes& prefixes);
 
 }  // namespace geminga::graph

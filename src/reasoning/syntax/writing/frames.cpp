@@ -17,6 +17,7 @@ using owl::AxiomKind;
 using owl::TermId;
 using owl::TermKind;
 
+constexpr std::string_view rdfs_namespace = "http://www.w3.org/2000/01/rdf-schema#";
 constexpr std::string_view owl_namespace = "http://www.w3.org/2002/07/owl#";
 
 /// The section of a frame in which an axiom of one kind stands, and the place of its subject. The other operands are
@@ -105,7 +106,7 @@ class Frames {
     for (const std::uint32_t number : document_.axioms) gather(source_.axiom(number), Item::Kind::axiom, number);
     for (std::uint32_t number = 0; document_.has_ill_typed && number < source_.ill_typed_count(); ++number)
       gather(source_.ill_typed(number), Item::Kind::ill_typed, number);
-    frame_properties();
+    frame_names();
     for (std::uint32_t number = 0; document_.has_annotations && number < document_.annotations.size(); ++number) {
       const Annotation& annotation = document_.annotations.at(number);
       if (is_of_name(document_, annotation))
@@ -160,16 +161,22 @@ class Frames {
     return found->second;
   }
 
-  /// Without a frame a property might be read as one of the other kind.
-  void frame_properties() {
+  /// Without a frame a property might be read as one of the other kind, and the OWL API refuses a document that uses
+  /// any name without a frame.
+  void frame_names() {
     for (const TermId id : owl::terms_in(source_, roots_)) {
-      const TermKind kind = source_.kind(id);
-      if (kind != TermKind::object_property && kind != TermKind::data_property && kind != TermKind::datatype) continue;
+      if (source_.kind(id) > TermKind::individual) continue;
       const std::string_view iri = source_.name_of(id);
       const bool is_built_in = iri.starts_with(owl_namespace) || iri == owl::rdfs_literal || owl::Datatype::find(iri);
       if (!is_built_in) frame_of(id);
     }
     roots_.clear();
+    for (std::uint32_t number = 0; document_.has_annotations && number < document_.annotations.size(); ++number) {
+      const std::string_view property = document_.annotations.at(number).property;
+      if (property.starts_with(owl_namespace) || property.starts_with(rdfs_namespace)) continue;
+      if (!frame_of_name_.contains(property))
+        frame_of_name_[property] = frame_named(std::string(frame_word(TermKind::annotation_property)) + name(property));
+    }
   }
 
   std::uint32_t frame_of_annotation(const Annotation& annotation) {
@@ -219,7 +226,7 @@ class Frames {
     const auto arguments = axiom.arguments;
     switch (axiom.kind) {
       case AxiomKind::has_key:
-        return joined(arguments.subspan(1), " ");
+        return joined(arguments.subspan(1), ", ");  // the OWL API reads no list without commas
       case AxiomKind::disjoint_union:
         return joined(arguments.subspan(1), ", ");
       case AxiomKind::object_property_assertion:
@@ -268,6 +275,13 @@ class Frames {
     return written.starts_with("_:") ? Names::blank(written) : name(written);
   }
 
+  /// The value of an annotation, which need not be anything that has a frame: the OWL API reads no prefix there.
+  [[nodiscard]] std::string in_full(std::string_view value) const {
+    if (value.starts_with("_:")) return Names::blank(value);
+    if (!is_writable(value)) output_.fail(unwritable(value));
+    return '<' + std::string(value) + '>';
+  }
+
   void annotations(std::span<const std::uint32_t> numbers) {
     for (std::size_t at = 0; at < numbers.size(); ++at) {
       output_.add(at == 0 ? "Annotations: " : ", ");
@@ -281,7 +295,7 @@ class Frames {
     const Annotation& annotation = document_.annotations.at(number);
     annotations(document_.annotations.about(Annotation::Of::annotation, number));
     output_.add({name(annotation.property), " "});
-    if (!annotation.is_literal) return output_.add(name_or_blank(annotation.value));
+    if (!annotation.is_literal) return output_.add(in_full(annotation.value));
     const std::string_view type = annotation.language.empty() ? annotation.datatype : std::string_view();
     const std::string datatype = type.empty() ? "http://www.w3.org/2001/XMLSchema#string" : name(type);
     output_.add(owl::quoted(annotation.value));

@@ -29,6 +29,13 @@ TEST(Document, NamesItsOntologyItsVersionItsImportsAndItsPrefixes) {
   EXPECT_EQ(reading.document.axioms, 1U);
 }
 
+TEST(Document, MayDeclareAWordOfFramesAsAPrefix) {
+  EXPECT_THAT(Reading("Prefix: Annotations: <http://a/>\nPrefix: Class: <http://c/>\nOntology:\n"
+                      "Class: Class:A\nSubClassOf: Annotations:B")
+                  .axioms(),
+              testing::Contains("SubClassOf(<http://c/A> <http://a/B>)"));
+}
+
 TEST(Document, MayHoldNothing) {
   for (const char* text : {"Ontology:", "Ontology: <http://e/>\n# a comment"}) {
     const Reading reading(text);

@@ -24,8 +24,8 @@ struct Node {
 [[nodiscard]] inline Node iri(std::string_view text) { return {Node::Kind::iri, std::string(text), {}, {}}; }
 [[nodiscard]] inline Node blank(std::string label) { return {Node::Kind::blank, std::move(label), {}, {}}; }
 
-/// A part of a blank node's label that consists of letters and digits and differs where the text differs. Redland's
-/// Turtle writer gives a node with any other character two labels, one as a subject and one as an object.
+/// A part of a blank node's label that consists of letters and digits, as every syntax of triples can write it, and
+/// differs where the text differs.
 [[nodiscard]] inline std::string label_of(std::string_view text) {
   std::string label;
   for (const char c : text) {

@@ -55,7 +55,8 @@ bool AnnotationMapper::is_annotation(std::uint32_t number) const {
       return types_.is_annotation_property(triple.predicate) ||
              (!types_.is_property(triple.predicate) &&
               !graph_.text(triple.predicate).starts_with(syntax::owl_namespace) &&
-              !graph_.text(triple.predicate).starts_with(syntax::rdf_namespace));
+              !graph_.text(triple.predicate).starts_with(syntax::rdf_namespace) &&
+              !graph_.text(triple.predicate).starts_with(syntax::xsd_namespace));  // facets
     case Word::owl_version_iri:
       return true;
     case Word::rdfs_sub_property_of:
