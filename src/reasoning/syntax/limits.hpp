@@ -47,6 +47,8 @@ struct FileLimits {
   std::size_t named_imports = 1000;
   /// Of one XML element: libxml2 compares each with each.
   std::size_t attributes = 1024;
+  /// Places of one XML file that are not as RDF/XML has it, and are read as something else.
+  std::size_t repairs = 1'000'000;
   /// Of one XML tag.
   std::size_t tag_bytes = std::size_t{1} << 22;
   /// Internal entities of one DOCTYPE.

@@ -11,9 +11,26 @@
 namespace geminga::syntax {
 namespace {
 
-constexpr const char* is_obo = "is in OBO format, which is not read: convert it to RDF/XML or Turtle";
+enum class Content {
+  empty,
+  xml,
+  owl_xml,
+  html,
+  trix,
+  json,
+  obo,
+  krss,
+  turtle,
+  other,
+  functional,
+  manchester,
+  wide,
+  packed
+};
 
-enum class Content { empty, xml, owl_xml, html, json, obo, turtle, functional, manchester, wide, packed };
+std::string not_read(std::string_view syntax) {
+  return "is in " + std::string(syntax) + ", which is not read: convert it to RDF/XML or Turtle";
+}
 
 bool is_name_byte(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ||
@@ -85,8 +102,37 @@ Content look_at_xml(std::string_view text) {
   // RDF/XML may begin with <owl:Ontology, too, and then says rdf:about where OWL/XML says ontologyIRI.
   const bool has_iri = tag.find("ontologyIRI") != std::string_view::npos;
   const bool is_about = tag.find("rdf:about") != std::string_view::npos;
+  if (name == "TriX") return Content::trix;
   if ((name == "Ontology" && !is_about) || (name.ends_with(":Ontology") && has_iri)) return Content::owl_xml;
   return Content::xml;
+}
+
+/// `{ "`, which no Turtle has behind a bracket.
+bool is_object(std::string_view text) {
+  text = base::trimmed(text);
+  return text.starts_with('{') && base::trimmed(text.substr(1, 64)).starts_with('"');
+}
+
+/// A line `format-version: 1.2`, or another `tag: value` before the first stanza.
+bool is_obo(std::string_view text) {
+  if (text.starts_with("format-version:")) return true;
+  constexpr std::size_t head_bytes = std::size_t{1} << 16;
+  const std::size_t tag_end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-");
+  const bool has_tag = tag_end != std::string_view::npos && text.substr(tag_end).starts_with(": ");
+  const std::string_view head = text.substr(0, head_bytes);
+  return (has_tag && head.find("\n[Term]") != std::string_view::npos) || text.starts_with("[Term]");
+}
+
+/// A directive, an IRI, a blank node or a prefixed name and white space.
+bool begins_turtle(std::string_view text) {
+  for (const std::string_view directive : {"@prefix ", "@base ", "prefix ", "base "}) {
+    if (starts_ignoring_case(text, directive)) return true;
+  }
+  if (text.starts_with('[')) return true;
+  const std::size_t end = text.find_first_of(" \t\r\n");
+  if (end == std::string_view::npos) return false;
+  const std::string_view first = text.substr(0, end);
+  return (first.starts_with('<') && first.ends_with('>')) || first.starts_with("_:");
 }
 
 Content look(std::string_view content) {
@@ -97,14 +143,15 @@ Content look(std::string_view content) {
   if (text.starts_with("<?xml") || starts_ignoring_case(text, "<!doctype") || text.starts_with("<!--") ||
       is_xml_tag(text))
     return look_at_xml(text);
-  if (text.starts_with('{')) return Content::json;
-  if (text.starts_with("format-version:")) return Content::obo;
+  if (text.starts_with('{') || (text.starts_with('[') && is_object(text.substr(1)))) return Content::json;
+  if (is_obo(text)) return Content::obo;
+  if (text.starts_with("(define-") || text.starts_with("(in-tbox")) return Content::krss;
   if (text.starts_with("Prefix:") || text.starts_with("Ontology:")) return Content::manchester;
   for (const std::string_view word : {"Prefix", "Ontology"}) {
     if (text.starts_with(word) && without_comments(text.substr(word.size())).starts_with('('))
       return Content::functional;
   }
-  return Content::turtle;
+  return begins_turtle(text) ? Content::turtle : Content::other;
 }
 
 }  // namespace
@@ -148,9 +195,13 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
     case Content::functional:
       return Syntax::functional;
     case Content::json:
-      return std::unexpected("is in JSON, which is not read: convert it to RDF/XML or Turtle");
+      return std::unexpected(not_read("JSON"));
     case Content::obo:
-      return std::unexpected(is_obo);
+      return std::unexpected(not_read("OBO format"));
+    case Content::krss:
+      return std::unexpected(not_read("KRSS"));
+    case Content::trix:
+      return std::unexpected(not_read("TriX"));
     case Content::manchester:
       return Syntax::manchester;
     case Content::owl_xml:
@@ -172,11 +223,11 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
   if (path.ends_with(".ofn") || path.ends_with(".fss")) return is_not(to_string(Syntax::functional));
   if (path.ends_with(".omn")) return is_not(to_string(Syntax::manchester));
   if (path.ends_with(".owx")) return is_not(to_string(Syntax::owl_xml));
-  if (path.ends_with(".obo")) return std::unexpected(is_obo);
+  if (path.ends_with(".obo")) return std::unexpected(not_read("OBO format"));
   const bool says_xml = path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml");
-  if (!says_xml)
-    return std::unexpected("has no known extension: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
-  return Syntax::turtle;
+  if (says_xml || found == Content::turtle) return Syntax::turtle;
+  return std::unexpected(
+      "has no known extension, and begins as no known syntax: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
 }
 
 }  // namespace geminga::syntax

@@ -46,6 +46,18 @@ TEST(Syntax, OfTriplesMayBeginWithANameThatLooksLikeAnElementWithAPrefix) {
   EXPECT_EQ(detect_syntax("a.owl", "<r:RDF\nxmlns:r='http://www.w3.org/1999/02/22-rdf-syntax-ns#'/>"), Syntax::rdf_xml);
 }
 
+TEST(Syntax, OfAnUnknownExtensionIsDecidedByTheContent) {
+  for (const char* turtle :
+       {"@prefix : <http://e/> .", "BASE <http://e/>", "<http://e/a> a <http://e/B> .", "<> a :b .",
+        "_:a a <http://e/B> .", "[ a <http://e/B> ] .", "# a comment\n@base <http://e/> ."})
+    EXPECT_EQ(detect_syntax("a.txt", turtle), Syntax::turtle) << turtle;
+  EXPECT_EQ(detect_syntax("a.txt", "<rdf:RDF xmlns:rdf='x'>"), Syntax::rdf_xml);
+  EXPECT_EQ(detect_syntax("a.owl2", "Ontology(<http://e/>)"), Syntax::functional);
+  EXPECT_EQ(detect_syntax("a", "Ontology: <http://e/>"), Syntax::manchester);
+  for (const char* other : {"hello world", "http://e/a", "SubClassOf(<a> <b>)", "<http://e/a>", "\\documentclass{a}"})
+    EXPECT_FALSE(detect_syntax("a.txt", other)) << other;
+}
+
 TEST(Syntax, IsFunctionalWhereABracketFollowsTheFirstWord) {
   for (const char* text : {"Prefix(:=<http://e/>)", " \r\n# Prefix\n#\n Prefix # behind\n (", "#\rOntology("}) {
     EXPECT_EQ(detect_syntax("a.owl", text), Syntax::functional) << text;
@@ -62,7 +74,15 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
     return syntax ? std::string("accepted") : syntax.error();
   };
   EXPECT_EQ(words("a.ttl", "<?xml version=\"1.0\"?>"), "is XML by its content: name it .rdf or .owl");
-  EXPECT_EQ(words("a.txt", "hello"), "has no known extension: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
+  EXPECT_EQ(
+      words("a.txt", "hello"),
+      "has no known extension, and begins as no known syntax: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
+  EXPECT_EQ(words("a.txt", "[ {\n\"@id\": 1 } ]"), "is in JSON, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.owl", "(define-concept A B)"), "is in KRSS, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.xml", "<TriX xmlns=\"http://www.w3.org/2004/03/trix/trix-1/\">"),
+            "is in TriX, which is not read: convert it to RDF/XML or Turtle");
+  EXPECT_EQ(words("a.owl", "ontology: x\n\n[Term]\nid: y\n"),
+            "is in OBO format, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", "{ \"@context\": {} }"), "is in JSON, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", "format-version: 1.2\n"),
             "is in OBO format, which is not read: convert it to RDF/XML or Turtle");

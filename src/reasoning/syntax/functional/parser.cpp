@@ -37,6 +37,8 @@ std::string describe(const Token& token) {
   }
 }
 
+bool begins_document(std::string_view word) { return word == "Prefix" || word == "Ontology"; }
+
 }  // namespace
 
 Parser::Parser(std::string_view bytes, owl::FileId file, owl::Ontology& source, const FunctionalLimits& limits,
@@ -54,7 +56,11 @@ std::expected<Document, Problem> Parser::run() {
   while (tokens_.is(TokenKind::word) && tokens_.token().text == "Prefix") {
     if (!prefix_declaration()) break;
   }
-  if (ontology() && !tokens_.is(TokenKind::end)) expected("the end of the file behind the ontology");
+  if (ontology() && !tokens_.is(TokenKind::end)) {
+    const bool is_second = tokens_.is(TokenKind::word) && begins_document(tokens_.token().text);
+    if (is_second) tokens_.fail("holds a second ontology: put each into a file of its own");
+    expected("the end of the file behind the ontology");
+  }
   if (tokens_.problem()) return std::unexpected(*tokens_.problem());
   if (const auto& problem = source_.problem()) return std::unexpected(Problem{0, *problem});
   return std::move(document_);

@@ -54,8 +54,9 @@ Listener::Refusal Builder::begin(std::string_view space, std::string_view name, 
     return std::nullopt;
   }
   if (open_.empty()) {
-    if (space != owl) return "expected an element of OWL, found <" + base::printable(name, 60) + '>';
     if (name != "Ontology") return "expected <Ontology>, found <" + base::printable(name, 60) + '>';
+    if (space != owl) remark("an Ontology in another namespace than OWL's, read as OWL/XML", line);
+    space_ = space;
     open.role = Role::ontology;
   }
   Refusal refusal = begin_element(space, name, attributes, open);
@@ -65,7 +66,7 @@ Listener::Refusal Builder::begin(std::string_view space, std::string_view name, 
 
 Listener::Refusal Builder::begin_element(std::string_view space, std::string_view name,
                                          std::span<const Attribute> attributes, Open& open) {
-  if (space != owl) return "<" + base::printable(name, 60) + "> is no element of OWL/XML";
+  if (space != owl && space != space_) return "<" + base::printable(name, 60) + "> is no element of OWL/XML";
   for (const Attribute& attribute : attributes) {
     if (attribute.space.empty() && std::ranges::find(known_attributes, attribute.name) == known_attributes.end())
       remark("an attribute that OWL/XML does not have", open.line);

@@ -132,6 +132,7 @@ class Builder final : public Listener {
   const XmlLimits& limits_;
   owl::AnnotationStack annotations_;
   Document document_;
+  std::string space_;  ///< the namespace of <Ontology>, which OWL/XML's elements may have
   std::vector<Open> open_;
   std::vector<Operand> operands_;
   std::vector<std::string> bases_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -109,7 +110,8 @@ struct ScannedFile {
   owl::Fingerprint content;  ///< of the file as it is on the disk
   syntax::Syntax syntax = syntax::Syntax::turtle;
   Layout layout;
-  std::uint32_t id_line = 0;  ///< of the first rdf:ID that is read as rdf:about; 0: none is
+  /// What is read as something else, with the first line of each.
+  std::map<std::string_view, std::uint32_t> remarks;
 };
 
 std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& path, const syntax::FileLimits& limits) {
@@ -127,12 +129,16 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
   const auto syntax = syntax::detect_syntax(path == syntax::standard_input_name ? "-.ttl" : path, bytes->view());
   if (!syntax) return std::unexpected(syntax::LoadError{base::printable(path, 4096), 0, syntax.error(), true});
   auto layout = scan(*syntax, bytes->view(), limits);
-  std::uint32_t id_line = 0;
-  if (layout && syntax::has_triples(*syntax)) {
+  std::map<std::string_view, std::uint32_t> remarks;
+  if (layout && (syntax::has_triples(*syntax) || is_xml(*syntax))) {
     Bases bases;
-    std::vector<Rewrite> rewrites = bases.mark(bytes->view(), layout->base_texts, is_xml(*syntax));
-    if (!layout->ids.empty()) id_line = line_of(bytes->view(), layout->ids.front().begin);
-    rewrites.insert(rewrites.end(), layout->ids.begin(), layout->ids.end());
+    std::vector<Rewrite> rewrites;
+    if (syntax::has_triples(*syntax)) rewrites = bases.mark(bytes->view(), layout->base_texts, is_xml(*syntax));
+    for (Repair& repair : layout->repairs) {
+      if (!repair.remark.empty() && !remarks.contains(repair.remark))
+        remarks.emplace(repair.remark, line_of(bytes->view(), repair.rewrite.begin));
+      rewrites.push_back(std::move(repair.rewrite));
+    }
     if (!rewrites.empty()) {
       auto text = syntax::FileBytes::copy_of(rewritten(bytes->view(), std::move(rewrites)));
       if (!text) return refuse(0, "is too large for the memory");
@@ -142,7 +148,7 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
     }
   }
   if (!layout) return refuse(layout.error().line, std::move(layout.error().text));
-  return ScannedFile{std::move(*bytes), content, *syntax, std::move(*layout), id_line};
+  return ScannedFile{std::move(*bytes), content, *syntax, std::move(*layout), std::move(remarks)};
 }
 
 /// One load, file by file.
@@ -160,11 +166,11 @@ class Loading {
     if (!scanned) return std::move(scanned.error());
     const syntax::Syntax syntax = scanned->syntax;
     loaded_.source.set_content(file, scanned->content);
-    if (scanned->id_line != 0)
-      loaded_.source.remark("rdf:ID given twice or no name of XML, read as rdf:about", file, scanned->id_line);
+    for (const auto& [remark, line] : scanned->remarks) loaded_.source.remark(remark, file, line);
     loaded_.syntaxes.push_back(syntax);
     if (syntax::has_triples(syntax)) {
       if (auto error = redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_)) return error;
+      leave_out_passed(file);
       return take_prefixes(number, redland_.prefixes());
     }
     graph_.begin_file();  // without triples, so that the graph's files have the source's numbers
@@ -224,6 +230,22 @@ class Loading {
     std::size_t number;
     syntax::FileBytes bytes;
   };
+
+  /// Names what raptor passed over. A file cannot make up more than 250 names.
+  void leave_out_passed(owl::FileId file) {
+    constexpr std::size_t max_named = 250;
+    std::set<std::string_view> named;
+    for (const Passed& passed : redland_.passed()) {
+      if (passed.is_annotation) {
+        loaded_.source.remark(passed.fault + ", passed over", file, passed.line);
+        continue;
+      }
+      const bool is_named = named.contains(passed.fault) || named.size() < max_named;
+      if (is_named) named.insert(passed.fault);
+      const std::string_view fault = is_named ? std::string_view(passed.fault) : "and others";
+      loaded_.source.leave_out("a statement that cannot be read (" + std::string(fault) + ")", file, passed.line);
+    }
+  }
 
   std::optional<syntax::LoadError> refuse_other(std::size_t number, syntax::Syntax syntax) const {
     if (other_ != nullptr) return std::nullopt;

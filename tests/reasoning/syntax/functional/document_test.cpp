@@ -70,7 +70,7 @@ TEST(Document, IsRefusedWhereAPrefixMeansTwoThings) {
 
 TEST(Document, EndsWithItsOntology) {
   EXPECT_EQ(Reading("Ontology()\nOntology()").error,
-            "t.ofn:2: expected the end of the file behind the ontology, found Ontology");
+            "t.ofn:2: holds a second ontology: put each into a file of its own");
   EXPECT_EQ(Reading("Ontology())").error, "t.ofn:1: expected the end of the file behind the ontology, found ')'");
   EXPECT_EQ(Reading("Ontology(").error,
             "t.ofn:1: expected an axiom, or ')' at the end of the ontology, found the end of the file");

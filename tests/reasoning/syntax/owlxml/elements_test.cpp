@@ -18,6 +18,18 @@ std::vector<std::string> said(std::string_view lines) {
   return reading.error.empty() ? reading.axioms() : std::vector{reading.error};
 }
 
+TEST(Elements, MayHaveTheNamespaceThatTheOntologyHas) {
+  for (const char* space : {"", " xmlns='http://www.w3.org/2006/12/owl2-xml#'"}) {
+    const Reading reading("<Ontology" + std::string(space) +
+                          " ontologyIRI='http://e/o'><SubClassOf><Class IRI='http://e/A'/><Class IRI='http://e/B'/>"
+                          "</SubClassOf></Ontology>");
+    EXPECT_THAT(reading.axioms(), ElementsAre("SubClassOf(:A :B)")) << space;
+    ASSERT_EQ(reading.source.remarks().size(), 1U);
+    EXPECT_EQ(reading.source.name(reading.source.remarks()[0].construct),
+              "an Ontology in another namespace than OWL's, read as OWL/XML");
+  }
+}
+
 TEST(Elements, OfTheHead) {
   const Reading reading(
       "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<!DOCTYPE Ontology [ <!ENTITY e \"http://e/\" > ]>\n"
@@ -188,7 +200,7 @@ TEST(Elements, ThatDoNotFitCostTheirAxiomAndNoOther) {
     EXPECT_THAT(said("\n" + std::string(one.written) + "\n<Declaration><Class IRI='B'/></Declaration>"),
                 ElementsAre("Declaration(:B)", unread(one.fault, 3)));
   EXPECT_EQ(Reading("<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#'/>").error,
-            "t.owx:1: expected an element of OWL, found <RDF>");
+            "t.owx:1: expected <Ontology>, found <RDF>");
   EXPECT_THAT(said(""), IsEmpty());
 }
 

@@ -57,6 +57,8 @@ std::vector<Boundary> boundaries() {
          for (std::size_t i = 0; i < n; ++i) text += "<e:A xmlns:p='http://e/" + std::to_string(i) + "'/>";
          return xml(text + text);
        }},
+      {"repairs", [](syntax::FileLimits& l, std::size_t n) { l.repairs = n; }, "a.owl",
+       [](std::size_t n) { return xml(times(n, "<e:A rdf:nodeID='_:a'/>")); }},
       {"attributes", [](syntax::FileLimits& l, std::size_t n) { l.attributes = n; }, "a.owl",
        [](std::size_t n) {
          std::string text = "<e:A";

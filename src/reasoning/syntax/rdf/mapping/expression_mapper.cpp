@@ -214,13 +214,11 @@ Mapped ExpressionMapper::cardinality(NodeId property, Word constraint, NodeId nu
                                         : (is_min   ? Term::object_min_cardinality
                                            : is_max ? Term::object_max_cardinality
                                                     : Term::object_exact_cardinality);
-  const bool is_qualified = constraint >= Word::owl_min_qualified_cardinality;
-  // A draft of OWL 1.1 wrote qualified cardinalities so. Without the qualification the restriction would say more.
-  if (!is_qualified && (on_class != NodeId{} || on_range != NodeId{}))
-    return std::unexpected("owl:onClass or owl:onDataRange beside a cardinality that is not qualified");
-  if (!is_qualified) return ontology_.term(kind, {*on}, *count);
-  if (on_class == NodeId{} && on_range == NodeId{})
+  // A draft of OWL 1.1 wrote owl:maxCardinality beside owl:onClass; the OWL API, too, reads it as qualified.
+  const bool is_qualified = on_class != NodeId{} || on_range != NodeId{};
+  if (!is_qualified && constraint >= Word::owl_min_qualified_cardinality)
     return std::unexpected("a qualified cardinality without owl:onClass or owl:onDataRange");
+  if (!is_qualified) return ontology_.term(kind, {*on}, *count);
   const Mapped filler = is_data_restriction ? ranges_.data_range(on_range, depth_) : class_expression(on_class);
   if (!filler) return filler;
   return ontology_.term(kind, {*on, *filler}, *count);

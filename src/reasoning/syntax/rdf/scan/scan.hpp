@@ -26,14 +26,21 @@ struct ScanProblem {
   std::string text;
 };
 
+/// A place that a parser would refuse the file for, as it is read instead.
+struct Repair {
+  Rewrite rewrite;
+  std::string_view remark;  ///< one of a few texts; empty: nothing is to be said about it
+};
+
 /// How a file is to be parsed.
 struct Layout {
   Pieces pieces;
   std::vector<std::uint32_t> lines{};  ///< of the triples of Turtle and N-Triples, in raptor's order
-  bool has_quote_in_comment = false;   ///< so that raptor's N-Triples reader would skip what follows
+  bool needs_turtle = false;     ///< N-Triples that raptor's reader of it skips or refuses, and that of Turtle reads
+  bool has_collections = false;  ///< rdf:parseType="Collection"
   std::vector<BaseText> base_texts{};  ///< the bases that the file names
-  std::vector<Rewrite> ids{};          ///< rdf:ID that raptor would refuse the file for, as rdf:about
-  Bases bases{};                       ///< those of them that stand marked in the text
+  std::vector<Repair> repairs{};       ///< which do not overlap
+  Bases bases{};                       ///< those of the bases that stand marked in the text
 };
 
 /// The layout of a file, or its first problem. Linear in the file.

@@ -2,13 +2,22 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
+#include "base/text.hpp"
 #include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
 #include "reasoning/syntax/rdf/scan/turtle_lines.hpp"
+#include "reasoning/syntax/vocabulary.hpp"
 
 namespace geminga::rdf {
 namespace {
+
+/// The prefixes that the OWL API knows without a declaration.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> usual_prefixes{{{"rdf", syntax::rdf_namespace},
+                                                                                       {"rdfs", syntax::rdfs_namespace},
+                                                                                       {"owl", syntax::owl_namespace},
+                                                                                       {"xsd", syntax::xsd_namespace}}};
 
 class TurtleScan {
  public:
@@ -29,7 +38,11 @@ class TurtleScan {
         fail(place_, "declares more than " + std::to_string(limits_.prefixes) + " prefixes");
     }
     if (problem_) return std::unexpected(std::move(*problem_));
-    return Layout{std::move(pieces_), lines_.take(), has_quote_in_comment_, std::move(bases_), {}, {}};
+    return Layout{.pieces = std::move(pieces_),
+                  .lines = lines_.take(),
+                  .needs_turtle = needs_turtle_,
+                  .base_texts = std::move(bases_),
+                  .repairs = declarations()};
   }
 
  private:
@@ -110,15 +123,39 @@ class TurtleScan {
     }
     if (place_ == begin) ++place_;
     if (place_ - begin > limits_.iri_bytes) too_long(begin, "a name", limits_.iri_bytes);
-    lines_.word(bytes_.substr(begin, place_ - begin), line_at(begin));
+    const std::string_view word = bytes_.substr(begin, place_ - begin);
+    note_prefix(word);
+    lines_.word(word, line_at(begin));
+  }
+
+  /// Whether a prefix that has one meaning everywhere is used before it is declared.
+  void note_prefix(std::string_view word) {
+    const std::string_view prefix = word.substr(0, std::min(word.find(':'), word.size()));
+    for (std::size_t at = 0; at < usual_prefixes.size(); ++at) {
+      if (prefix != usual_prefixes[at].first || prefix.size() == word.size()) continue;
+      if (lines_.is_in_directive()) is_declared_[at] = true;
+      if (!is_declared_[at]) is_missing_[at] = true;
+    }
+  }
+
+  /// Declares the prefixes that are missing, before the first line.
+  [[nodiscard]] std::vector<Repair> declarations() const {
+    std::string text;
+    for (std::size_t at = 0; at < usual_prefixes.size(); ++at) {
+      if (!is_missing_[at]) continue;
+      text.append("@prefix ").append(usual_prefixes[at].first).append(": <");
+      text.append(usual_prefixes[at].second).append("> . ");
+    }
+    if (text.empty()) return {};
+    return {{{bytes_.size() - base::without_mark(bytes_).size(), 0, std::move(text)},
+             "a prefix of RDF, RDFS, OWL or XSD that the file does not declare"}};
   }
 
   /// Raptor's N-Triples reader takes a quotation mark or apostrophe in a comment for the begin of a text, and silently
   /// skips what follows; its Turtle reader does not.
   void comment() {
     const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
-    if (bytes_.substr(place_, end - place_).find_first_of("\"'") != std::string_view::npos)
-      has_quote_in_comment_ = true;
+    if (bytes_.substr(place_, end - place_).find_first_of("\"'") != std::string_view::npos) needs_turtle_ = true;
     place_ = end;
   }
 
@@ -141,8 +178,15 @@ class TurtleScan {
     // An escape may stand for a character that a base must not have; such a base is left as it is.
     if (lines_.is_base_next() && text.find('\\') == std::string_view::npos)
       bases_.push_back({begin + 1, text.size(), std::string(text)});
+    if (!is_absolute(text)) needs_turtle_ = true;
     ++place_;
     lines_.term(line_at(begin));
+  }
+
+  /// Whether an IRI begins with a scheme (RFC 3986, section 3.1).
+  [[nodiscard]] static bool is_absolute(std::string_view iri) {
+    const std::size_t end = iri.find_first_of(":/?#");
+    return end != std::string_view::npos && end != 0 && iri[end] == ':';
   }
 
   void string() {
@@ -206,7 +250,9 @@ class TurtleScan {
   TurtleLines lines_;
   Pieces pieces_;
   std::vector<BaseText> bases_;
-  bool has_quote_in_comment_ = false;
+  bool needs_turtle_ = false;
+  std::array<bool, usual_prefixes.size()> is_declared_{};
+  std::array<bool, usual_prefixes.size()> is_missing_{};
   bool has_begun_ = false;      ///< the first statement
   std::size_t directives_ = 0;  ///< before it
   std::size_t place_ = 0;

@@ -8,6 +8,7 @@
 #include "reasoning/syntax/rdf/scan/doctype.hpp"
 #include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
+#include "reasoning/syntax/rdf/scan/xml_repairs.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -23,12 +24,24 @@ class XmlScan {
   std::expected<Layout, ScanProblem> run() {
     while (place_ < bytes_.size() && !problem_) step();
     if (problem_) return std::unexpected(std::move(*problem_));
-    // Below such an element the roles of elements would be exchanged.
-    if (bytes_.find("parseType=\"Resource\"") != std::string_view::npos) ids_.clear();
-    return Layout{std::move(pieces_), {}, false, std::move(bases_), std::move(ids_), {}};
+    // Below such an element the roles of elements are exchanged.
+    if (bytes_.find("parseType=\"Resource\"") == std::string_view::npos)
+      repairs_.insert(repairs_.end(), element_repairs_.begin(), element_repairs_.end());
+    return Layout{.pieces = std::move(pieces_),
+                  .has_collections = has_collections_,
+                  .base_texts = std::move(bases_),
+                  .repairs = std::move(repairs_)};
   }
 
  private:
+  /// An open element.
+  struct Element {
+    std::size_t begin = 0;  ///< of its tag
+    std::size_t end = 0;    ///< of its tag
+    bool has_text = false;
+    bool has_elements = false;
+  };
+
   void step() {
     const std::size_t open = std::min(bytes_.find('<', place_), bytes_.size());
     text(place_, open);
@@ -40,13 +53,18 @@ class XmlScan {
       const std::size_t begin = place_;
       skip_behind("]]>", 9, "a CDATA section");
       add_text(place_ - begin);
+      if (!open_.empty()) open_.back().has_text = true;
     } else if (rest.starts_with("<?")) {
       skip_behind("?>", 2, "a processing instruction");
     } else if (rest == "<!DOCTYPE") {
       doctype();
     } else if (rest.starts_with("</")) {
       const std::size_t begin = place_;
-      if (depth_ > 0) --depth_;
+      if (!open_.empty()) {
+        if (open_.back().has_text && open_.back().has_elements) note_markup(open_.back());
+        open_.pop_back();
+        --depth_;
+      }
       if (depth_ < literal_depth_) literal_depth_ = 0;
       skip_behind(">", 2, "a tag");
       end_of_tag(begin);
@@ -97,18 +115,30 @@ class XmlScan {
   /// Measures character data, its references expanded.
   void text(std::size_t begin, std::size_t end) {
     add_text(end - begin);
-    add_text(references(begin, end));
+    add_text(references(begin, end, false));
+    if (open_.empty() || open_.back().has_text) return;
+    const std::size_t first = bytes_.find_first_not_of(xml_space, begin);
+    open_.back().has_text = first < end;
   }
 
   /// Octets that the entity references between two places expand to, beyond those of the references.
-  std::size_t references(std::size_t begin, std::size_t end) {
+  /// One to an entity that only another file declares stands as it is written.
+  std::size_t references(std::size_t begin, std::size_t end, bool is_attribute) {
     if (!doctype_) return 0;
     std::size_t expansion = 0;
     const std::string_view part = bytes_.substr(begin, end - begin);
     for (std::size_t at = part.find('&'); at != std::string_view::npos; at = part.find('&', at + 1)) {
       const std::size_t close = part.find(';', at);
       if (close == std::string_view::npos) break;
-      expansion += doctype_->expanded_bytes(part.substr(at + 1, close - at - 1));
+      const std::string_view name = part.substr(at + 1, close - at - 1);
+      if (doctype_->is_elsewhere(name)) {
+        if (is_attribute) {
+          fail("refers to the entity " + base::printable(name, 60) + " of another file, which is never read");
+        } else {
+          repair({begin + at, 1, "&amp;"}, "a reference to an entity of another file, kept as it is written");
+        }
+      }
+      expansion += doctype_->expanded_bytes(name);
       if (expansion > limits_.literal_bytes) break;
     }
     expansion_ += expansion;
@@ -133,7 +163,8 @@ class XmlScan {
       if (name == "xml:base") add_base(place_ + 1, close);
       has_parse_type = has_parse_type || name.ends_with("parseType");
       has_id = has_id || name.ends_with(":ID");
-      const std::size_t value_bytes = close - place_ + references(place_, close);
+      if (name.ends_with(":nodeID")) note_node_id(place_ + 1, close);
+      const std::size_t value_bytes = close - place_ + references(place_, close, true);
       if (value_bytes > limits_.literal_bytes)
         return fail("has an attribute of more than " + std::to_string(limits_.literal_bytes) + " bytes");
       if (++attributes > limits_.attributes)
@@ -147,9 +178,12 @@ class XmlScan {
     if (!is_empty_element && ++depth_ > limits_.nesting)
       return fail("nests elements more than " + std::to_string(limits_.nesting) + " deep");
     ++place_;
+    if (!open_.empty()) open_.back().has_elements = true;
+    if (!is_empty_element) open_.push_back({begin, place_});
     end_of_tag(begin);
     const std::string_view tag = bytes_.substr(begin, place_ - begin);
     if (has_parse_type && !is_empty_element && literal_depth_ == 0 && makes_literal(tag)) literal_depth_ = depth_;
+    has_collections_ = has_collections_ || (has_parse_type && tag.find("Collection") != std::string_view::npos);
     if (depth_ == 1 && !is_empty_element) root(tag);
     if (!has_id) return;
     pieces_.forbid();  // raptor refuses a name that is given twice in what it reads
@@ -176,38 +210,52 @@ class XmlScan {
 
   /// Only elements directly below rdf:RDF can be parsed by themselves.
   void root(std::string_view tag) {
-    const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/>") - 1);
+    const std::string_view name = element_name(tag);
     if (name != "RDF" && !name.ends_with(":RDF")) return pieces_.forbid();
+    rdf_prefix_ = name.substr(0, std::max<std::size_t>(name.size(), 4) - 4);
     pieces_.begin_at(place_, line_here() - 1, "</" + std::string(name) + ">");
   }
 
-  /// A name by rdf:ID that is given twice, or is no name of XML, stands as rdf:about, which may be anything. Only on
-  /// elements of nodes, which stand at even depths below rdf:RDF: on those of properties it names a statement.
+  /// A name by rdf:ID that is given twice, or is no name of XML, stands as rdf:about. Only on elements of nodes, which
+  /// stand at even depths below rdf:RDF: on those of properties it names a statement.
   void note_id(std::size_t begin, std::string_view tag, std::size_t depth) {
-    constexpr std::string_view name = "rdf:ID";
     if (depth % 2 != 0 || depth_ == literal_depth_) return;
-    const std::size_t at = tag.find(name);
-    if (at == std::string_view::npos || at == 0 || xml_space.find(tag[at - 1]) == std::string_view::npos) return;
-    const std::size_t equals = tag.find_first_not_of(xml_space, at + name.size());
-    if (equals == std::string_view::npos || tag[equals] != '=') return;
-    const std::size_t open = tag.find_first_not_of(xml_space, equals + 1);
-    if (open == std::string_view::npos || (tag[open] != '"' && tag[open] != '\'')) return;
-    const std::size_t close = tag.find(tag[open], open + 1);
-    if (close == std::string_view::npos) return;
-    const std::string_view id = tag.substr(open + 1, close - open - 1);
-    const bool is_new = known_ids_.emplace(std::to_string(bases_.size()) + ' ' + std::string(id)).second;
-    if (is_new && is_xml_name(id)) return;
-    ids_.push_back({begin + at, open + 1 - at, std::string("rdf:about=") + tag[open] + '#'});
+    auto found = id_attribute(tag, begin);
+    if (!found) return;
+    const bool is_new = known_ids_.emplace(std::to_string(bases_.size()) + ' ' + std::string(found->id)).second;
+    if (is_new && is_xml_name(found->id)) return;
+    repair_element(std::move(found->as_about), "rdf:ID given twice or no name of XML, read as rdf:about");
   }
 
-  /// XML's NCName, where every character beyond ASCII counts as a letter: raptor decides about those.
-  [[nodiscard]] static bool is_xml_name(std::string_view name) {
-    const auto is_letter = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
-    };
-    return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [&](char c) {
-      return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '&' || c == ';';
-    });
+  /// The OWL API has written names such as `_:genid1`, which are no names of XML.
+  void note_node_id(std::size_t begin, std::size_t end) {
+    const std::string_view name = bytes_.substr(begin, end - begin);
+    if (name.empty() || is_xml_name(name) || name.find('\n') != std::string_view::npos) return;
+    repair({begin, name.size(), legal_node_id(name)}, "rdf:nodeID that is no name of XML, read as one");
+  }
+
+  /// Elements of properties stand at odd depths below rdf:RDF.
+  void note_markup(const Element& element) {
+    if (rdf_prefix_.empty() || literal_depth_ != 0 || depth_ < 3 || depth_ % 2 == 0) return;
+    auto literal =
+        as_xml_literal(bytes_.substr(element.begin, element.end - element.begin), element.begin, rdf_prefix_);
+    if (literal) repair_element(std::move(*literal), "markup in a text, read as an XML literal");
+  }
+
+  void repair(Rewrite rewrite, std::string_view remark) {
+    repairs_.push_back({std::move(rewrite), remark});
+    limit_repairs();
+  }
+
+  /// A repair that depends on whether an element is of a node or of a property.
+  void repair_element(Rewrite rewrite, std::string_view remark) {
+    element_repairs_.push_back({std::move(rewrite), remark});
+    limit_repairs();
+  }
+
+  void limit_repairs() {
+    if (repairs_.size() + element_repairs_.size() > limits_.repairs)
+      fail("has more than " + std::to_string(limits_.repairs) + " places that are not as RDF/XML has it");
   }
 
   /// The line of the place, which only grows.
@@ -226,6 +274,9 @@ class XmlScan {
     }
     place_ = read->end();
     doctype_ = std::move(*read);
+    const std::string_view remark =
+        doctype_->names_other_files() ? "an external DTD or entity, which is never read" : "";
+    for (const Rewrite& cut : doctype_->cuts()) repair(cut, remark);
   }
 
   void fail(std::string text) {
@@ -238,13 +289,17 @@ class XmlScan {
   std::size_t place_ = 0;
   std::size_t counted_ = 0;  ///< lines were counted up to here
   std::uint32_t line_ = 1;
-  std::size_t depth_ = 0;
+  std::vector<Element> open_;
+  std::size_t depth_ = 0;          ///< of open_
+  std::string_view rdf_prefix_;    ///< of the root rdf:RDF; empty: it has none
+  bool has_collections_ = false;   ///< rdf:parseType="Collection"
   std::size_t literal_depth_ = 0;  ///< of the element whose content is an XML literal; 0: none is open
   std::size_t text_bytes_ = 0;     ///< character data since the last tag
   std::size_t expansion_ = 0;      ///< of all references so far
   std::optional<Doctype> doctype_;
   std::vector<BaseText> bases_;
-  std::vector<Rewrite> ids_;
+  std::vector<Repair> repairs_;
+  std::vector<Repair> element_repairs_;
   std::unordered_set<std::string> known_ids_;  ///< with the number of bases before it
   std::optional<ScanProblem> problem_;
 };

@@ -29,6 +29,9 @@ class TurtleLines {
   /// Whether the next IRI is the base of those behind it.
   [[nodiscard]] bool is_base_next() const { return is_base_next_; }
 
+  /// Whether the next word or IRI is of a directive.
+  [[nodiscard]] bool is_in_directive() const { return directive_left_ > 0; }
+
   /// Triples of the open statement, those of its closed brackets included.
   [[nodiscard]] std::size_t statement_triples() const { return statement_triples_; }
   [[nodiscard]] std::size_t prefix_count() const { return prefix_count_; }

@@ -5,6 +5,7 @@
 #include <raptor2.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <exception>
@@ -33,6 +34,10 @@ namespace {
 
 /// libxml2 goes on to the end of a chunk after an error, and reports every other one in it.
 constexpr std::size_t piece_bytes = std::size_t{1} << 16;
+/// Faults of one piece that are named.
+constexpr std::size_t max_passed = 250;
+/// Words of drafts of OWL 2 in one piece, which are looked for one by one; others stay names like any other.
+constexpr std::size_t max_drafts = 64;
 
 /// Declared external entities are empty: libxml2 opens nothing.
 xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
@@ -65,6 +70,34 @@ bool is_writable(std::string_view iri) {
   return std::ranges::none_of(iri, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '<' || c == '>'; });
 }
 
+/// Faults of RDF/XML for which raptor passes over an attribute or one element of a property, and goes on. Those for
+/// which it passes over a node are not among them: a node may be a member of a list, which would be a shorter one.
+std::optional<Passed> passed_over(std::string_view message, bool has_collections, std::uint32_t line) {
+  constexpr std::array<std::string_view, 4> begins{
+      "Property attributes cannot be used with rdf:parseType=",
+      "Literal property element '",
+      "Property element '",
+      "rdf:bagID is forbidden on a literal property element '",
+  };
+  constexpr std::array<std::string_view, 3> ends{
+      " is forbidden as a property element.",
+      " is forbidden as a property attribute.",
+      " cannot be used with rdf:parseType='Literal'",
+  };
+  const auto is_begin = [&](std::string_view begin) { return message.starts_with(begin); };
+  const auto is_end = [&](std::string_view end) { return message.ends_with(end); };
+  if (is_begin("Using an attribute '") || is_begin("Using property attribute '"))
+    return Passed{"an attribute without a namespace", line, true};
+  // Raptor names the element around it.
+  if (is_begin("Using an element '")) {
+    if (has_collections) return std::nullopt;
+    return Passed{"an element without a namespace", line};
+  }
+  if (std::ranges::none_of(begins, is_begin) && std::ranges::none_of(ends, is_end)) return std::nullopt;
+  if (message.ends_with('.')) message.remove_suffix(1);
+  return Passed{base::printable(message, 200), line};
+}
+
 bool is_comment(NodeId predicate) {
   switch (static_cast<syntax::Word>(predicate)) {
     case syntax::Word::rdfs_comment:
@@ -88,14 +121,16 @@ struct RaptorParser::World {
   // Of the piece that is being read.
   raptor_parser* parser = nullptr;
   Graph* graph = nullptr;
-  const FileText* file = nullptr;
-  std::string blank_letters;  ///< before the number of a blank node that raptor makes up
+  const FileText* file = nullptr;  ///< null while none is read: libxml2 reports what other readers meet, too
+  std::string blank_letters;       ///< before the number of a blank node that raptor makes up
   std::int64_t line_shift = 0;
   std::size_t place = 0;  ///< of the next triple among those of the file
   std::uint64_t triples = 0;
   std::vector<std::pair<std::string, std::string>> prefixes;
   std::unordered_set<std::string> known_prefixes;
+  std::vector<Passed> passed;
   std::uint32_t generated = 0;
+  std::vector<std::pair<NodeId, NodeId>> drafts;  ///< words of drafts of OWL 2, and the words that they became
   std::vector<NodeId> made_up;  ///< the blank nodes that raptor made up, by their numbers from 1; none: not seen yet
   std::optional<syntax::LoadError> error;
   bool out_of_memory = false;
@@ -106,7 +141,9 @@ struct RaptorParser::World {
   [[nodiscard]] std::uint32_t line() const {
     raptor_locator* locator = parser == nullptr ? nullptr : raptor_parser_get_locator(parser);
     const int number = locator == nullptr ? 0 : raptor_locator_line(locator);
-    return number > 0 ? static_cast<std::uint32_t>(std::max<std::int64_t>(number + line_shift, 1)) : 0;
+    if (number > 0) return static_cast<std::uint32_t>(std::max<std::int64_t>(number + line_shift, 1));
+    // Raptor knows no line before it has read the first tag.
+    return file != nullptr && file->syntax == syntax::Syntax::rdf_xml ? 1 + file->layout.pieces.preamble_lines() : 0;
   }
 
   /// Hands a chunk to raptor; false when nothing more may come.
@@ -146,7 +183,17 @@ struct RaptorParser::World {
   NodeId iri(std::string_view text) {
     const std::size_t known = graph->node_count();
     const NodeId node = graph->iri(text);
-    if (graph->node_count() == known) return node;
+    if (graph->node_count() == known) {
+      const auto draft = std::ranges::find(drafts, node, &std::pair<NodeId, NodeId>::first);
+      return draft == drafts.end() ? node : draft->second;
+    }
+    // Words of the drafts of OWL 1.1 and OWL 2. Ignoring owl11:onClass would turn a qualified cardinality into another.
+    for (const std::string_view space : {"http://www.w3.org/2006/12/owl11#", "http://www.w3.org/2006/12/owl2#"}) {
+      if (!text.starts_with(space) || drafts.size() == max_drafts) continue;
+      std::string word(syntax::owl_namespace);
+      drafts.emplace_back(node, graph->iri(word.append(text.substr(space.size()))));
+      return drafts.back().second;
+    }
     if (text.size() > limits.iri_bytes) fail("has an IRI of more than " + std::to_string(limits.iri_bytes) + " bytes");
     if (!is_writable(text)) fail("has an IRI with a control character or an angle bracket in it");
     return node;
@@ -228,7 +275,13 @@ struct RaptorParser::World {
       for (const std::string_view chatter : {"XML parser error: ", "XML parser error - "}) {
         if (text.starts_with(chatter)) text.remove_prefix(chatter.size());
       }
-      world->fail(base::printable(text, 300));
+      const bool has_collections = world->file == nullptr || world->file->layout.has_collections;
+      auto passed = passed_over(text, has_collections, world->line());
+      if (!passed) {
+        world->fail(base::printable(text, 300));
+      } else if (world->passed.size() < max_passed) {
+        world->passed.push_back(std::move(*passed));
+      }
     } catch (const std::exception&) {
       world->stop_for_memory();
     }
@@ -279,6 +332,7 @@ RaptorParser::~RaptorParser() {
 }
 
 const std::vector<std::pair<std::string, std::string>>& RaptorParser::prefixes() const { return world_->prefixes; }
+const std::vector<Passed>& RaptorParser::passed() const { return world_->passed; }
 std::uint64_t RaptorParser::triple_count() const { return world_->triples; }
 
 bool RaptorParser::World::parse(std::string_view chunk, bool is_end) {
@@ -328,9 +382,11 @@ std::optional<syntax::LoadError> RaptorParser::read(const FileText& text, std::s
   state.place = part.triples;
   state.triples = 0;
   state.generated = 0;
+  state.drafts.clear();
   state.made_up.clear();
   state.prefixes.clear();
   state.known_prefixes.clear();
+  state.passed.clear();
   state.error.reset();
   state.out_of_memory = false;
 
@@ -354,6 +410,7 @@ std::optional<syntax::LoadError> RaptorParser::read(const FileText& text, std::s
   if (base != nullptr) raptor_free_uri(base);
   if (state.parser != nullptr) raptor_free_parser(state.parser);
   state.parser = nullptr;
+  state.file = nullptr;
   return std::move(state.error);
 }
 

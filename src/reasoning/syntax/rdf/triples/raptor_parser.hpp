@@ -28,6 +28,13 @@ struct FileText {
   const Layout& layout;
 };
 
+/// What raptor passed over, and why.
+struct Passed {
+  std::string fault;
+  std::uint32_t line = 0;
+  bool is_annotation = false;  ///< an attribute that is no word of OWL, and can say no more than an annotation
+};
+
 /// A raptor world for one thread at a time. It opens no file and no connection, whatever a file asks for.
 class RaptorParser {
  public:
@@ -42,6 +49,8 @@ class RaptorParser {
 
   /// Prefixes and their IRIs, in the order of reading, of the piece that was read last; each once.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& prefixes() const;
+  /// The faults of RDF/XML that cost the piece that was read last single statements; not more than 250 of them.
+  [[nodiscard]] const std::vector<Passed>& passed() const;
   /// Triples of the piece that was read last, kept or not.
   [[nodiscard]] std::uint64_t triple_count() const;
 

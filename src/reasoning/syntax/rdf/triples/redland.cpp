@@ -24,6 +24,7 @@ constexpr unsigned max_threads = 8;
 struct ReadPiece {
   Graph graph;
   std::vector<std::pair<std::string, std::string>> prefixes;
+  std::vector<Passed> passed;
   std::uint64_t triples = 0;
   std::optional<syntax::LoadError> error;
 };
@@ -88,6 +89,7 @@ void parse_pieces(RaptorParser& parser, const FileText& text, PieceQueue& queue)
     auto piece = std::make_unique<ReadPiece>();
     piece->error = parser.read(text, *number, piece->graph);
     piece->prefixes = parser.prefixes();
+    piece->passed = parser.passed();
     piece->triples = parser.triple_count();
     queue.give_back(*number, std::move(piece));
   }
@@ -100,12 +102,13 @@ Redland::Redland(const syntax::FileLimits& limits, unsigned threads)
 
 std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::Syntax syntax, syntax::FileBytes& bytes,
                                                const Layout& layout, Graph& graph) {
-  if (syntax == syntax::Syntax::n_triples && layout.has_quote_in_comment) syntax = syntax::Syntax::turtle;
+  if (syntax == syntax::Syntax::n_triples && layout.needs_turtle) syntax = syntax::Syntax::turtle;
   const std::string base = syntax::base_iri(path);
   const std::string blank_prefix = owl::blank_prefix_of(bytes.view());
   const FileText text{bytes, syntax, base, blank_prefix, layout};
   prefixes_.clear();
   known_prefixes_.clear();
+  passed_.clear();
   graph.begin_file();
   auto error = read_pieces(text, graph);
   if (error) error->file = base::printable(path, 4096);
@@ -122,7 +125,8 @@ std::optional<syntax::LoadError> Redland::read_pieces(const FileText& text, Grap
 }
 
 std::optional<syntax::LoadError> Redland::take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
-                                                    std::uint64_t triples) {
+                                                    const std::vector<Passed>& passed, std::uint64_t triples) {
+  passed_.insert(passed_.end(), passed.begin(), passed.end());
   for (const auto& [prefix, iri] : prefixes) {
     std::string both = prefix;
     both.append(" ").append(iri);
@@ -146,7 +150,7 @@ std::optional<syntax::LoadError> Redland::read_in_turn(const FileText& text, Gra
   RaptorParser& parser = *parsers_for(text.syntax, 1).front();
   for (std::size_t number = 0; number < text.layout.pieces.parts().size(); ++number) {
     if (auto error = parser.read(text, number, graph)) return error;
-    if (auto error = take_over(parser.prefixes(), parser.triple_count())) return error;
+    if (auto error = take_over(parser.prefixes(), parser.passed(), parser.triple_count())) return error;
   }
   return std::nullopt;
 }
@@ -175,7 +179,7 @@ std::optional<syntax::LoadError> Redland::join_pieces(PieceQueue& queue, std::si
     if (piece == nullptr) return std::nullopt;  // a parser has thrown
     if (piece->error) return std::move(piece->error);
     graph.append(piece->graph);
-    if (auto error = take_over(piece->prefixes, piece->triples)) return error;
+    if (auto error = take_over(piece->prefixes, piece->passed, piece->triples)) return error;
   }
   return std::nullopt;
 }

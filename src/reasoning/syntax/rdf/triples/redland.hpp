@@ -36,6 +36,8 @@ class Redland {
 
   /// The prefixes of the file that was read last, each pair of a prefix and an IRI once, in the order of reading.
   [[nodiscard]] const std::vector<owl::DeclaredPrefix>& prefixes() const { return prefixes_; }
+  /// The faults of the file that was read last that cost single statements, in the order of reading.
+  [[nodiscard]] const std::vector<Passed>& passed() const { return passed_; }
   /// Triples of all files so far, kept or not.
   [[nodiscard]] std::uint64_t triple_count() const { return triples_; }
 
@@ -48,7 +50,7 @@ class Redland {
   std::optional<syntax::LoadError> join_pieces(PieceQueue& queue, std::size_t count, Graph& graph);
   /// Counts what a piece held, against the limits of its file and of all files.
   std::optional<syntax::LoadError> take_over(const std::vector<std::pair<std::string, std::string>>& prefixes,
-                                             std::uint64_t triples);
+                                             const std::vector<Passed>& passed, std::uint64_t triples);
 
   const syntax::FileLimits& limits_;
   /// By syntax, one a thread; opened when they are first needed.
@@ -56,6 +58,7 @@ class Redland {
   unsigned threads_;
   std::vector<owl::DeclaredPrefix> prefixes_;       ///< of the file that is being read
   std::unordered_set<std::string> known_prefixes_;  ///< the same, to find them
+  std::vector<Passed> passed_;                      ///< of the file that is being read
   std::uint64_t triples_ = 0;
 };
 
