@@ -133,7 +133,7 @@ TEST(Rank, NamesAndCountsWhatIsBrokenAndGoesOn) {
   shop.write("services/1.1/empty.owls", ontology("http://e/", ""));
   const std::string whole = owls({books("Book")}, {prices("Price")});
   shop.write("services/1.1/cut.owls", whole.substr(0, whole.find("<process:Output")));
-  shop.write("ontology/bad.owl", "<!DOCTYPE r [<!ENTITY e SYSTEM 'file:///etc/passwd'>]><r/>");
+  shop.write("ontology/bad.owl", "<!DOCTYPE r [<!ENTITY % e 'x'>]><r/>");
   const Outcome outcome = shop.rank();
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.err, HasSubstr("broken.owls"));

@@ -41,7 +41,7 @@ std::expected<owl::Document, owl::ReadError> Readers::read_axioms(syntax::Syntax
       has_source_ = true;
       return frames::read(bytes, file, source, declared_, {}, wanted);
     case syntax::Syntax::owl_xml:
-      return owlxml::read(bytes, file, source, {}, wanted);
+      return owlxml::read(bytes, file, source, {}, wanted, threads_);
     default:
       return std::unexpected(owl::ReadError{source.files()[static_cast<std::size_t>(file)].path, 0,
                                             "is in " + std::string(syntax::to_string(syntax)) + ", which has triples"});

@@ -17,7 +17,8 @@ namespace geminga::ontology {
 /// Serves one load at a time.
 class Readers final : public rdf::OtherReader {
  public:
-  explicit Readers(bool keeps_annotations = false) : keeps_annotations_(keeps_annotations) {}
+  explicit Readers(bool keeps_annotations = false, unsigned threads = 1)
+      : keeps_annotations_(keeps_annotations), threads_(threads) {}
 
   void begin() override;
   void look_ahead(syntax::Syntax syntax, std::string_view bytes) override;
@@ -31,6 +32,7 @@ class Readers final : public rdf::OtherReader {
                                                            std::vector<owl::Annotation>* wanted);
 
   bool keeps_annotations_;
+  unsigned threads_;
   frames::Declared declared_;
   bool has_source_ = false;  ///< declared_ has the declarations of all other files
 };

@@ -179,7 +179,7 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
   return std::nullopt;
 }
 
-Listener::Refusal Builder::text(std::string_view part) {
+Listener::Refusal Builder::text(std::string_view part, std::uint32_t /*line*/) {
   const Open* open = open_.empty() ? nullptr : &open_.back();
   const bool is_import = open != nullptr && form_of(*open) == Form::import;
   const bool may_have_text = open != nullptr && (open->role == Role::literal || open->role == Role::iri ||
@@ -196,7 +196,7 @@ Listener::Refusal Builder::text(std::string_view part) {
   return std::nullopt;
 }
 
-Listener::Refusal Builder::end() {
+Listener::Refusal Builder::end(std::uint32_t /*line*/) {
   const Open open = open_.back();
   Refusal refusal;
   if (!fault_) {

@@ -32,8 +32,8 @@ class Builder final : public Listener {
 
   Refusal begin(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
                 std::uint32_t line) override;
-  Refusal text(std::string_view part) override;
-  Refusal end() override;
+  Refusal text(std::string_view part, std::uint32_t line) override;
+  Refusal end(std::uint32_t line) override;
 
   /// Requires that the file has ended.
   [[nodiscard]] Document take_document() { return std::move(document_); }

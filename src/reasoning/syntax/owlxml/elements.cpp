@@ -71,6 +71,7 @@ class Walk {
     }
     if (!problem_) xmlParseChunk(context_, nullptr, 0, 1);
     if (!problem_ && context_->wellFormed == 0) fail("is not well-formed XML");
+    listener_.finish();
     return std::move(problem_);
   }
 
@@ -121,13 +122,13 @@ class Walk {
     Walk& walk = behind(context);
     walk.guarded([&] {
       --walk.depth_;
-      return walk.listener_.end();
+      return walk.listener_.end(walk.line());
     });
   }
 
   static void text(void* context, const xmlChar* part, int size) {
     Walk& walk = behind(context);
-    walk.guarded([&] { return walk.listener_.text(view(part, size)); });
+    walk.guarded([&] { return walk.listener_.text(view(part, size), walk.line()); });
   }
 
   /// Keeps plain internal entities, as Protégé writes them for namespaces, and nothing else.

@@ -24,16 +24,19 @@ struct Problem {
   std::string text;
 };
 
-/// Receives the content of a file in its order. Views are valid during the call. A call that returns a text refuses the
-/// file with it, and is the last one.
+/// Receives the content of a file in its order, with the lines. Values of attributes and texts are valid during the
+/// call, and all names until finish() returns. A call that returns a text refuses the file with it, and is the last one
+/// but finish().
 class Listener {
  public:
   virtual ~Listener() = default;
   using Refusal = std::optional<std::string>;
   virtual Refusal begin(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
                         std::uint32_t line) = 0;
-  virtual Refusal text(std::string_view part) = 0;
-  virtual Refusal end() = 0;
+  virtual Refusal text(std::string_view part, std::uint32_t line) = 0;
+  virtual Refusal end(std::uint32_t line) = 0;
+  /// The walk is over, whatever ended it.
+  virtual void finish() {}
 };
 
 /// Walks over a file. Returns what is wrong with it as XML, or what the listener returned.

@@ -9,6 +9,8 @@ namespace geminga::owlxml {
 /// A file that exceeds one of these is refused, with the line. The limits of owl::SourceLimits hold as well.
 struct XmlLimits {
   std::size_t file_bytes = std::size_t{1} << 30;
+  /// Not a limit: from this size on two threads read a file, where there may be two.
+  std::size_t apart_bytes = std::size_t{1} << 20;
   /// Of one IRI, written out.
   std::size_t iri_bytes = 8192;
   /// Of one text.

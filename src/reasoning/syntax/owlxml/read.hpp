@@ -29,10 +29,13 @@ using owl::ReadError;
 /// added, because the loader chooses among those of all files. What no axiom kind can express is left out by name.
 /// Annotations are kept if the caller wants them.
 ///
+/// With several threads, one walks over a large file while the caller's builds. The result is the same.
+///
 /// After an error the source holds some part of the file, and the caller must drop it. Linear in the file.
 [[nodiscard]] std::expected<Document, ReadError> read(std::string_view bytes, owl::FileId file, owl::Ontology& source,
                                                       const XmlLimits& limits = {},
-                                                      std::vector<owl::Annotation>* annotations = nullptr);
+                                                      std::vector<owl::Annotation>* annotations = nullptr,
+                                                      unsigned threads = 1);
 
 }  // namespace geminga::owlxml
 

@@ -110,7 +110,7 @@ struct ScannedFile {
   owl::Fingerprint content;  ///< of the file as it is on the disk
   syntax::Syntax syntax = syntax::Syntax::turtle;
   Layout layout;
-  /// What is read as something else, with the first line of each.
+  /// Texts about faults that were mended, with the first line of each.
   std::map<std::string_view, std::uint32_t> remarks;
 };
 

@@ -6,8 +6,8 @@
 
 namespace geminga::owlxml {
 
-Reading::Reading(std::string_view text, const XmlLimits& limits) {
-  auto result = read(text, source.add_file("t.owx"), source, limits);
+Reading::Reading(std::string_view text, const XmlLimits& limits, unsigned threads) {
+  auto result = read(text, source.add_file("t.owx"), source, limits, nullptr, threads);
   if (result) {
     document = std::move(*result);
   } else {

@@ -16,7 +16,7 @@ struct Reading {
   Document document;
   std::string error;  ///< "t.owx:3: what is wrong"; empty: it was read
 
-  explicit Reading(std::string_view text, const XmlLimits& limits = {});
+  explicit Reading(std::string_view text, const XmlLimits& limits = {}, unsigned threads = 1);
 
   /// Axioms as the writer of tests/reasoning/syntax/rdf writes them, declarations included; then "left out: CONSTRUCT,
   /// COUNT, line N".

@@ -30,7 +30,7 @@ class Doctype {
   [[nodiscard]] std::size_t end() const { return end_; }
   /// Whether it names an external DTD, or declares an entity of another file.
   [[nodiscard]] bool names_other_files() const { return names_other_files_ || names_other_entities_; }
-  /// What was passed over, cut out, so that no parser asks for another file.
+  /// Cuts out all that was passed over, so that no parser asks for another file.
   [[nodiscard]] const std::vector<Rewrite>& cuts() const { return cuts_; }
   /// Whether a reference is to an entity that only another file can declare.
   [[nodiscard]] bool is_elsewhere(std::string_view name) const;

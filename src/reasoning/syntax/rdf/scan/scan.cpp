@@ -24,6 +24,7 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
 
 std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes,
                                         const syntax::FileLimits& limits) {
+  if (syntax == syntax::Syntax::owl_xml) return scan_owl_xml(bytes, limits);
   if (is_xml(syntax)) return scan_xml(bytes, limits);
   if (!has_triples(syntax)) return Layout{Pieces(limits.piece_bytes)};  // its reader looks for itself
   if (auto problem = scan_text(bytes, true)) return std::unexpected(std::move(*problem));

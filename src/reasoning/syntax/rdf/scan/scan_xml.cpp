@@ -318,18 +318,52 @@ DeclaredEncoding declared_encoding(std::string_view xml) {
   return {word, close + 1 - word, declaration.substr(open + 1, close - open - 1)};
 }
 
-std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits) {
+namespace {
+
+/// Refuses other encodings than UTF-8 and ISO-8859-1, NUL bytes and bad UTF-8.
+std::optional<ScanProblem> scan_encoding(std::string_view bytes) {
   constexpr std::array<std::string_view, 4> utf8_names{"utf-8", "utf8", "us-ascii", "ascii"};
   constexpr std::array<std::string_view, 3> latin1_names{"iso-8859-1", "latin1", "iso_8859-1"};
-  const auto refuse = [](const char* text) { return std::unexpected(ScanProblem{1, text}); };
+  const auto refuse = [](const char* text) { return ScanProblem{1, text}; };
   const std::string encoding = base::in_lower_case(declared_encoding(bytes).name);
   const bool is_latin1 = std::ranges::find(latin1_names, encoding) != latin1_names.end();
   const bool is_utf8 = encoding.empty() || std::ranges::find(utf8_names, encoding) != utf8_names.end();
   if (!is_latin1 && !is_utf8) return refuse("is in an encoding that is not read: convert it to UTF-8");
   if (is_latin1 && base::without_mark(bytes).size() != bytes.size())
     return refuse("begins as UTF-8 and declares ISO-8859-1: correct its declaration");
-  if (auto problem = scan_text(bytes, is_utf8)) return std::unexpected(std::move(*problem));
+  return scan_text(bytes, is_utf8);
+}
+
+/// Whether no tag can have more attributes or octets than the limits allow: between one < and the next, which no tag
+/// has in it, stands little, or little that is quoted. The DOCTYPE is for the scan.
+bool has_short_tags(std::string_view bytes, const syntax::FileLimits& limits) {
+  constexpr std::size_t least_attribute = 5;  // ` a=""`
+  const std::size_t most = std::min({limits.attributes * least_attribute, limits.tag_bytes, limits.literal_bytes});
+  for (std::size_t at = bytes.find('<'); at != std::string_view::npos;) {
+    const std::size_t next = bytes.find('<', at + 1);
+    const std::string_view stretch = bytes.substr(at, next - at);
+    if (stretch.starts_with("<!DOCTYPE")) return false;
+    if (stretch.size() > most) {
+      const auto quotes = std::ranges::count_if(stretch, [](char c) { return c == '"' || c == '\''; });
+      const bool is_short = stretch.size() <= std::min(limits.tag_bytes, limits.literal_bytes);
+      if (!is_short || static_cast<std::size_t>(quotes) > 2 * limits.attributes) return false;
+    }
+    at = next;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits) {
+  if (auto problem = scan_encoding(bytes)) return std::unexpected(std::move(*problem));
   return XmlScan(bytes, limits).run();
+}
+
+std::expected<Layout, ScanProblem> scan_owl_xml(std::string_view bytes, const syntax::FileLimits& limits) {
+  if (auto problem = scan_encoding(bytes)) return std::unexpected(std::move(*problem));
+  if (!has_short_tags(bytes, limits)) return XmlScan(bytes, limits).run();
+  return Layout{Pieces(limits.piece_bytes)};
 }
 
 }  // namespace geminga::rdf

@@ -1,5 +1,5 @@
-// What stands in published RDF/XML although RDF/XML does not allow it, and what is read in its place. Jena and the OWL
-// API refuse or drop some of it, and read the rest of the file.
+// Faults of published RDF/XML, and the text that is read in their place. Jena and the OWL API read most such files,
+// too.
 #ifndef GEMINGA_REASONING_SYNTAX_RDF_SCAN_XML_REPAIRS_HPP
 #define GEMINGA_REASONING_SYNTAX_RDF_SCAN_XML_REPAIRS_HPP
 

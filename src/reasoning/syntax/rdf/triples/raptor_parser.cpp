@@ -5,7 +5,6 @@
 #include <raptor2.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstring>
 #include <exception>
@@ -68,34 +67,6 @@ std::string_view view_of(const unsigned char* text, std::size_t size) {
 /// Whether an IRI can be written between angle brackets on one line.
 bool is_writable(std::string_view iri) {
   return std::ranges::none_of(iri, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '<' || c == '>'; });
-}
-
-/// Faults of RDF/XML for which raptor passes over an attribute or one element of a property, and goes on. Those for
-/// which it passes over a node are not among them: a node may be a member of a list, which would be a shorter one.
-std::optional<Passed> passed_over(std::string_view message, bool has_collections, std::uint32_t line) {
-  constexpr std::array<std::string_view, 4> begins{
-      "Property attributes cannot be used with rdf:parseType=",
-      "Literal property element '",
-      "Property element '",
-      "rdf:bagID is forbidden on a literal property element '",
-  };
-  constexpr std::array<std::string_view, 3> ends{
-      " is forbidden as a property element.",
-      " is forbidden as a property attribute.",
-      " cannot be used with rdf:parseType='Literal'",
-  };
-  const auto is_begin = [&](std::string_view begin) { return message.starts_with(begin); };
-  const auto is_end = [&](std::string_view end) { return message.ends_with(end); };
-  if (is_begin("Using an attribute '") || is_begin("Using property attribute '"))
-    return Passed{"an attribute without a namespace", line, true};
-  // Raptor names the element around it.
-  if (is_begin("Using an element '")) {
-    if (has_collections) return std::nullopt;
-    return Passed{"an element without a namespace", line};
-  }
-  if (std::ranges::none_of(begins, is_begin) && std::ranges::none_of(ends, is_end)) return std::nullopt;
-  if (message.ends_with('.')) message.remove_suffix(1);
-  return Passed{base::printable(message, 200), line};
 }
 
 bool is_comment(NodeId predicate) {

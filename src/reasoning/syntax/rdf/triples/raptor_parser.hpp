@@ -15,6 +15,7 @@
 #include "reasoning/syntax/limits.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
 #include "reasoning/syntax/rdf/triples/graph.hpp"
+#include "reasoning/syntax/rdf/triples/passed.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
 namespace geminga::rdf {
@@ -26,13 +27,6 @@ struct FileText {
   const std::string& base_iri;
   const std::string& blank_prefix;  ///< a hash of the content, so that it is the same on every host
   const Layout& layout;
-};
-
-/// What raptor passed over, and why.
-struct Passed {
-  std::string fault;
-  std::uint32_t line = 0;
-  bool is_annotation = false;  ///< an attribute that is no word of OWL, and can say no more than an annotation
 };
 
 /// A raptor world for one thread at a time. It opens no file and no connection, whatever a file asks for.

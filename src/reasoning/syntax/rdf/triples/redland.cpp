@@ -1,8 +1,6 @@
 // Each piece is parsed into a graph of its own. The graphs are joined in the order of the file.
 #include "reasoning/syntax/rdf/triples/redland.hpp"
 
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel/crew.hpp"
+#include "base/parallel/room.hpp"
 #include "base/text.hpp"
 #include "reasoning/owl/blank_prefix.hpp"
 #include "reasoning/syntax/base_iri.hpp"
@@ -73,16 +72,6 @@ class PieceQueue {
 };
 
 namespace {
-
-/// Whether the address space that the process may use has room for threads. glibc gives each a heap of its own, and
-/// where there is no room for that it asks the kernel again at every allocation: a hundred times as slow.
-bool has_room_for(std::size_t threads) {
-  constexpr std::size_t a_thread = std::size_t{256} << 20;
-  void* room = mmap(nullptr, threads * a_thread, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (room == MAP_FAILED) return false;
-  munmap(room, threads * a_thread);
-  return true;
-}
 
 void parse_pieces(RaptorParser& parser, const FileText& text, PieceQueue& queue) {
   while (const auto number = queue.next()) {
@@ -158,7 +147,7 @@ std::optional<syntax::LoadError> Redland::read_in_turn(const FileText& text, Gra
 std::optional<syntax::LoadError> Redland::read_at_once(const FileText& text, Graph& graph) {
   const std::size_t count = text.layout.pieces.parts().size();
   const std::size_t threads = std::min<std::size_t>(threads_, count);
-  if (!has_room_for(threads)) return read_in_turn(text, graph);
+  if (!parallel::has_room_for(threads)) return read_in_turn(text, graph);
   parallel::Crew crew(static_cast<unsigned>(threads) + 1);  // the caller's joins what the others parse
   if (crew.size() == 1) return read_in_turn(text, graph);
   const auto& parsers = parsers_for(text.syntax, crew.size() - 1);
