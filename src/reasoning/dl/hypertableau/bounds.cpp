@@ -185,7 +185,7 @@ void Bounds::add_equalities(const Bound& bound, std::span<const Neighbour> neigh
     add_unless(bound, neighbours[first].node, alternatives);
     for (std::size_t second = first + 1; second < neighbours.size(); ++second) {
       const auto [a, b] = std::minmax(neighbours[first].node, neighbours[second].node);
-      if (const auto difference = graph_.difference(a, b)) {
+      if (const auto difference = neighbours_.difference(a, b)) {
         reasons = unite(reasons, *difference);
       } else {
         alternatives.push_back({ChoiceKind::equal, 0, a, b});

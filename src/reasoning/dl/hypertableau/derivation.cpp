@@ -110,6 +110,10 @@ void Derivation::process_concept(const Fact& fact, FactId id) {
     if (facts_.has_clash()) return;
   }
   bounds_.note_concept(fact.predicate, fact.a);
+  for (const std::uint32_t bound : program_.bounds_of_guard(fact.predicate)) {
+    DependencySet reasons = no_dependency;
+    if (numbers_.is_exceeded(bound, fact.a, reasons)) return facts_.clash(reasons);
+  }
 }
 
 void Derivation::fire(const Plan& plan, FactId id) {

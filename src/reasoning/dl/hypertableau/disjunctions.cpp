@@ -192,7 +192,7 @@ bool Disjunctions::derive(const Choice& choice) {
   return false;
 }
 
-// Whether a bound that the concept implies is exceeded.
+// Whether a bound that the concept implies is exceeded by neighbours, or by what at-leasts ask for.
 bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency) {
   const auto is_brought = [id](const ConditionalBound& rule) {
     return rule.alternatives.empty() && rule.guard.size() == 1 &&
@@ -200,7 +200,8 @@ bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, Dependenc
   };
   return std::ranges::any_of(program_.bounds_of_guard(id), [&](std::uint32_t bound) {
     return std::ranges::any_of(program_.conditional(bound), is_brought) &&
-           neighbours_.exceeds(program_.bound(bound), neighbours_.counted({node, bound}), dependency);
+           (numbers_.excludes({ChoiceKind::at_most, bound, node, node}, dependency) ||
+            neighbours_.exceeds(program_.bound(bound), neighbours_.counted({node, bound}), dependency));
   });
 }
 
@@ -210,22 +211,9 @@ bool Disjunctions::is_excluded(std::uint32_t id, NodeId node, DependencySet& dep
     dependency = unite(dependency, graph_.fact(mark).dependency);
     return true;
   }
-  const auto excluders = program_.disjoint_concepts(id);
-  if (excluders.size() <= graph_.node(node).label_count) {
-    for (const std::uint32_t other : excluders) {
-      const FactId fact = graph_.find(FactKind::concept_of, other, node);
-      if (fact == none) continue;
-      dependency = unite(dependency, graph_.fact(fact).dependency);
-      return true;
-    }
-    return false;
-  }
-  for (FactId fact = graph_.node(node).labels; fact != none; fact = graph_.fact(fact).next_a) {
-    if (!std::ranges::binary_search(excluders, graph_.fact(fact).predicate)) continue;
-    dependency = unite(dependency, graph_.fact(fact).dependency);
-    return true;
-  }
-  return false;
+  const FactId fact = neighbours_.find_excluder(id, node);
+  if (fact != none) dependency = unite(dependency, graph_.fact(fact).dependency);
+  return fact != none;
 }
 
 }  // namespace geminga::hypertableau

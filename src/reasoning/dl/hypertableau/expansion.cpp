@@ -2,6 +2,7 @@
 #include "reasoning/dl/hypertableau/expansion.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -79,8 +80,11 @@ bool Expansion::expand(NodeId first, Order order) {
   return expanded > 0;
 }
 
+// At-leasts of several neighbours come last, the most special filler first, and one at a time: neighbours that others
+// ask for are among them once their labels are derived.
 std::size_t Expansion::expand_node(NodeId node, std::uint32_t count) {
   std::size_t expanded = 0;
+  std::vector<std::uint32_t> of_several;
   for (auto next = open_.lower_bound({node, 0}); next != open_.end() && next->node == node && next->number < count;) {
     const std::uint32_t at = next->number;
     if (existentials_[at].is_done || !graph_.is_active(node) || graph_.node(node).is_blocked) {
@@ -88,11 +92,25 @@ std::size_t Expansion::expand_node(NodeId node, std::uint32_t count) {
       continue;
     }
     ++next;
+    if (is_of_several(at)) {
+      of_several.push_back(at);
+      continue;
+    }
     if (has_witness(existentials_[at]) || !expand_one(at)) continue;
     ++expanded;
-    if (facts_.has_clash() || effort_.is_over_limit()) break;
+    if (facts_.has_clash() || effort_.is_over_limit()) return expanded;
   }
-  return expanded;
+  if (expanded > 0 || of_several.empty()) return expanded;
+  std::ranges::stable_sort(of_several, std::ranges::greater(), [this](std::uint32_t at) {
+    return program_.numbers().specificity({graph_.fact(existentials_[at].fact).predicate});
+  });
+  const auto is_expanded = [this](std::uint32_t at) { return expand_one(at); };
+  return std::ranges::any_of(of_several, is_expanded) ? 1 : 0;
+}
+
+bool Expansion::is_of_several(std::uint32_t at) const {
+  const Fact& fact = graph_.fact(existentials_[at].fact);
+  return program_.counts() && fact.kind == FactKind::at_least && program_.needed(fact.predicate) > 1;
 }
 
 // Each at-least is looked at once. Those of blocked nodes are left to expand().
@@ -265,9 +283,12 @@ bool Expansion::is_satisfied(const Fact& fact) {
     const Fact& edge = graph_.fact(id);
     const NodeId node = is_inverse ? edge.a : edge.b;
     if (edge.kind != kind || edge.predicate != property || !graph_.is_active(node)) continue;
-    if (!facts_.holds({filler.kind, filler.predicate, node, node})) continue;
+    const bool is_in = is_data || count == 1 || !program_.counts()
+                           ? facts_.holds({filler.kind, filler.predicate, node, node})
+                           : neighbours_.membership(filler.predicate, node).has_value();
+    if (!is_in) continue;
     const bool is_different =
-        std::ranges::all_of(found, [&](NodeId other) { return graph_.difference(node, other).has_value(); });
+        std::ranges::all_of(found, [&](NodeId other) { return neighbours_.difference(node, other).has_value(); });
     if (is_different) found.push_back(node);
   }
   return found.size() >= count;
@@ -290,16 +311,51 @@ void Expansion::expand_object(const Fact& fact) {
     }
     if (give_to_neighbour(fact)) return;
   }
+  DependencySet dependency = fact.dependency;
+  std::vector<NodeId> known;
+  if (needed > 1 && program_.counts()) known = find_different(fact, dependency);
   const auto first = static_cast<NodeId>(graph_.node_count());
-  for (std::uint32_t at = 0; at < needed; ++at) {
-    const NodeId node = facts_.add_node(NodeKind::tree, fact.a, fact.dependency);
-    add_edge(node, fact.dependency);
+  for (std::size_t at = known.size(); at < needed; ++at) {
+    const NodeId node = facts_.add_node(NodeKind::tree, fact.a, dependency);
+    add_edge(node, dependency);
     if (at_least.filler != clauses::thing) {
-      facts_.add_fact(FactKind::concept_of, number(at_least.filler), node, 0, fact.dependency);
+      facts_.add_fact(FactKind::concept_of, number(at_least.filler), node, 0, dependency);
     }
+    for (const NodeId other : known) facts_.add_unequal(other, node, dependency);
     if (effort_.is_over_limit()) return;
   }
-  facts_.add_siblings(first, fact.dependency);
+  facts_.add_siblings(first, dependency);
+}
+
+// Neighbours in the filler that are known to differ are among those that an at-least asks for, so that only those that
+// are missing are made: in a model the k neighbours stand for k different things of at least n, and n - k others are
+// left for new ones. Unites the reasons into `dependency`.
+std::vector<NodeId> Expansion::find_different(const Fact& fact, DependencySet& dependency) {
+  constexpr std::size_t most_inequalities = 100'000;
+  const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
+  const std::size_t needed = program_.needed(fact.predicate);
+  const bool is_inverse = at_least.role.is_inverse;
+  std::vector<NodeId> found;
+  for (FactId id = is_inverse ? graph_.node(fact.a).in : graph_.node(fact.a).out;
+       id != none && found.size() + 1 < needed && found.size() * needed < most_inequalities;
+       id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+    const Fact& edge = graph_.fact(id);
+    const NodeId node = is_inverse ? edge.a : edge.b;
+    if (edge.kind != FactKind::role || edge.predicate != number(at_least.role.property) || !graph_.is_active(node))
+      continue;
+    const auto membership = neighbours_.membership(number(at_least.filler), node);
+    if (!membership) continue;
+    DependencySet reasons = sets_.unite(sets_.unite(dependency, edge.dependency), *membership);
+    const bool is_different = std::ranges::all_of(found, [&](NodeId other) {
+      const auto difference = neighbours_.difference(node, other);
+      if (difference) reasons = sets_.unite(reasons, *difference);
+      return difference.has_value();
+    });
+    if (!is_different) continue;
+    dependency = reasons;
+    found.push_back(node);
+  }
+  return found;
 }
 
 // If the property has at most one value, the neighbour in the graph must have the filler.

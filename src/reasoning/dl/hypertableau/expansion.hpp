@@ -83,7 +83,9 @@ class Expansion {
   /// Whether a node was added, or a fact.
   bool expand_one(std::uint32_t at);
   void note_done(std::uint32_t at);
+  [[nodiscard]] bool is_of_several(std::uint32_t at) const;
   void expand_object(const Fact& fact);
+  [[nodiscard]] std::vector<NodeId> find_different(const Fact& fact, DependencySet& dependency);
   /// Whether the at-least asks for a denial, and no neighbour without a filler was made for one of its role and node.
   [[nodiscard]] bool needs_plain(const Fact& fact) const;
   void make_plain(std::uint32_t at);

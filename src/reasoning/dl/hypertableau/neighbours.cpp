@@ -94,6 +94,44 @@ bool Neighbours::exceeds(const Bound& bound, std::span<const Neighbour> neighbou
   return false;
 }
 
+FactId Neighbours::find_excluder(std::uint32_t id, NodeId node) const {
+  const auto excluders = program_.disjoint_concepts(id);
+  if (excluders.size() <= graph_.node(node).label_count) {
+    for (const std::uint32_t other : excluders) {
+      if (const FactId fact = graph_.find(FactKind::concept_of, other, node); fact != none) return fact;
+    }
+    return none;
+  }
+  for (FactId fact = graph_.node(node).labels; fact != none; fact = graph_.fact(fact).next_a) {
+    if (std::ranges::binary_search(excluders, graph_.fact(fact).predicate)) return fact;
+  }
+  return none;
+}
+
+std::optional<DependencySet> Neighbours::membership(std::uint32_t filler, NodeId node) const {
+  if (filler == number(clauses::thing)) return no_dependency;
+  if (const FactId fact = graph_.find(FactKind::concept_of, filler, node); fact != none)
+    return graph_.fact(fact).dependency;
+  for (const std::uint32_t id : program_.unions().alternatives(filler)) {
+    effort_.count_look();
+    if (const FactId fact = graph_.find(FactKind::concept_of, id, node); fact != none)
+      return graph_.fact(fact).dependency;
+  }
+  return std::nullopt;
+}
+
+std::optional<DependencySet> Neighbours::difference(NodeId a, NodeId b) {
+  if (const auto known = graph_.difference(a, b)) return known;
+  for (FactId label = graph_.node(a).labels; label != none; label = graph_.fact(label).next_a) {
+    effort_.count_look();
+    const std::uint32_t id = graph_.fact(label).predicate;
+    if (program_.disjoint_concepts(id).empty()) continue;
+    if (const FactId other = find_excluder(id, b); other != none)
+      return unite(graph_.fact(label).dependency, graph_.fact(other).dependency);
+  }
+  return std::nullopt;
+}
+
 bool Neighbours::is_functional(clauses::Role role, NodeId node) const {
   return std::ranges::any_of(program_.bounds_of_role(number(role.property)), [&](std::uint32_t id) {
     DependencySet dependency = no_dependency;

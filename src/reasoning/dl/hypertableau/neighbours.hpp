@@ -34,6 +34,13 @@ class Neighbours {
   /// `dependency`. One set is tried: each neighbour that differs from all taken ones is taken.
   [[nodiscard]] bool exceeds(const Bound& bound, std::span<const Neighbour> neighbours, DependencySet& dependency);
 
+  /// A fact that puts the node into a concept that excludes this one; none if there is none.
+  [[nodiscard]] FactId find_excluder(std::uint32_t id, NodeId node) const;
+  /// Why the node is one that an at-least with this filler asks for; nothing if it is not known to be.
+  [[nodiscard]] std::optional<DependencySet> membership(std::uint32_t filler, NodeId node) const;
+  /// Why the nodes differ, if they are known to, or are in concepts that exclude each other.
+  [[nodiscard]] std::optional<DependencySet> difference(NodeId a, NodeId b);
+
   /// Whether the node may have at most one neighbour by the role.
   [[nodiscard]] bool is_functional(clauses::Role role, NodeId node) const;
   /// The neighbour in the graph, if the node may have one by the role at most.

@@ -2,6 +2,8 @@
 #include "reasoning/dl/hypertableau/numbers.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 namespace geminga::hypertableau {
 
@@ -72,11 +74,13 @@ bool Numbers::excludes(const Choice& choice, DependencySet& dependency) const {
   if (!program_.counts() || (!is_at_most && !is_at_least(choice))) return false;
   const NumberOrder& numbers = program_.numbers();
   if (!is_at_most) {
-    return numbers.may_be_excluded(id_of(choice)) && numbers.any_excluding(id_of(choice), [&](std::uint32_t bound) {
-      return is_in_force(bound, choice.a, dependency);
-    });
+    const bool is_excluded =
+        numbers.may_be_excluded(id_of(choice)) && numbers.any_excluding(id_of(choice), [&](std::uint32_t bound) {
+          return is_in_force(bound, choice.a, dependency);
+        });
+    return is_excluded || are_too_many(choice, dependency);
   }
-  if (!numbers.may_be_excluded(choice.predicate)) return false;
+  if (!numbers.may_be_excluded(choice.predicate)) return are_too_many(choice, dependency);
   for (FactId id = graph_.node(choice.a).others; id != none; id = graph_.next_other(id, choice.a)) {
     effort_.count_look();
     const Fact& fact = graph_.fact(id);
@@ -84,7 +88,75 @@ bool Numbers::excludes(const Choice& choice, DependencySet& dependency) const {
     dependency = sets_.unite(dependency, fact.dependency);
     return true;
   }
-  return false;
+  return are_too_many(choice, dependency);
+}
+
+bool Numbers::is_exceeded(std::uint32_t bound, NodeId node, DependencySet& dependency) const {
+  if (!program_.counts()) return false;
+  const NumberOrder& numbers = program_.numbers();
+  if (!numbers.may_be_excluded(bound) && !numbers.may_be_added(bound)) return false;
+  DependencySet reasons = dependency;
+  if (!is_in_force(bound, node, reasons) || !excludes({ChoiceKind::at_most, bound, node, node}, reasons)) return false;
+  dependency = reasons;
+  return true;
+}
+
+// Whether at-leasts of the node, with the choice, exceed a bound together. The neighbours of those whose fillers
+// exclude each other add up.
+bool Numbers::are_too_many(const Choice& choice, DependencySet& dependency) const {
+  const NumberOrder& numbers = program_.numbers();
+  if (choice.kind == ChoiceKind::at_most)
+    return numbers.may_be_added(choice.predicate) && are_too_many(choice.predicate, choice, dependency);
+  return numbers.may_be_added(id_of(choice)) && numbers.any_adding(id_of(choice), [&](std::uint32_t bound) {
+    DependencySet reasons = dependency;
+    if (!is_in_force(bound, choice.a, reasons) || !are_too_many(bound, choice, reasons)) return false;
+    dependency = reasons;
+    return true;
+  });
+}
+
+bool Numbers::are_too_many(std::uint32_t bound, const Choice& choice, DependencySet& dependency) const {
+  struct Asked {
+    std::uint32_t count = 0;
+    NumberOrder::AtLeastId id;
+    DependencySet dependency = no_dependency;
+  };
+  const NumberOrder& numbers = program_.numbers();
+  std::vector<Asked> asked;
+  std::uint64_t all = 0;
+  const auto add = [&](NumberOrder::AtLeastId id, DependencySet reasons) {
+    if (!numbers.may_be_added(id) || !numbers.counts(bound, id)) return;
+    asked.push_back({numbers.count(id), id, reasons});
+    all += asked.back().count;
+  };
+  if (choice.kind == ChoiceKind::at_least) add(id_of(choice), no_dependency);
+  for (FactId id = graph_.node(choice.a).others; id != none; id = graph_.next_other(id, choice.a)) {
+    effort_.count_look();
+    if (is_at_least(graph_.fact(id))) add(id_of(graph_.fact(id)), graph_.fact(id).dependency);
+  }
+  const std::uint32_t most = program_.bound(bound).count;
+  if (all <= most) return false;
+  // Parts before wholes, then the greatest first. Neither need give the greatest sum.
+  const auto by_specificity = [&](const Asked& one) { return numbers.specificity(one.id); };
+  const auto add_up = [&] {
+    std::vector<NumberOrder::AtLeastId> taken;
+    DependencySet reasons = dependency;
+    std::uint64_t sum = 0;
+    for (const Asked& one : asked) {
+      const auto is_apart = [&](NumberOrder::AtLeastId other) { return numbers.are_disjoint(one.id, other); };
+      if (!std::ranges::all_of(taken, is_apart)) continue;
+      taken.push_back(one.id);
+      sum += one.count;
+      reasons = sets_.unite(reasons, one.dependency);
+      if (sum > most) break;
+    }
+    if (sum > most) dependency = reasons;
+    return sum > most;
+  };
+  std::ranges::stable_sort(asked, std::ranges::greater(), &Asked::count);
+  if (add_up()) return true;
+  std::ranges::stable_sort(asked, std::ranges::greater(), by_specificity);
+  return add_up();
 }
 
 }  // namespace geminga::hypertableau

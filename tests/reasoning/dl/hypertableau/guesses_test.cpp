@@ -2,6 +2,7 @@
 // nodes. Work is counted in steps.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
 
 #include "reasoning/dl/clauses/clausify.hpp"
@@ -80,6 +81,49 @@ TEST(Guesses, NeedNoNeighbourForEachRestrictionThatANeighbourIsOutsideOf) {
     text += "ClassAssertion(ObjectComplementOf(F" + property + ") i:a)\n";
   }
   EXPECT_EQ(answer("FunctionalObjectProperty(pairs)\n" + text), Verdict::yes);
+}
+
+TEST(Guesses, BesideANeighbourAreWeighedByWhatItIsAskedFor) {
+  // All parts of a thing in Deep are in L0, which asks for a tree. The part that is there may be outside of L0 instead.
+  std::string text = "EquivalentClasses(Deep ObjectAllValuesFrom(part L0))\nObjectPropertyAssertion(part i:a i:b)\n";
+  for (int level = 0; level < 12; ++level) {
+    const std::string at = std::to_string(level);
+    for (const std::string way : {"l", "r"})
+      text += "SubClassOf(L" + at + " ObjectSomeValuesFrom(" + way + at + " L" + std::to_string(level + 1) + "))\n";
+    text += "SubClassOf(L" + at + " ObjectAllValuesFrom(ObjectInverseOf(l" + at + ") M" + at + "))\n";
+  }
+  EXPECT_EQ(answer(text), Verdict::yes);
+}
+
+/// Things with a part that is not of the kind of the thing, where each part asks for much. Only so many nodes may be
+/// made as there are if one part asks for it and blocks the others.
+Answer answer_of_outsiders(const std::function<std::string(std::size_t of)>& kind) {
+  constexpr std::size_t things = 60;
+  constexpr std::size_t organs = 60;
+  std::string text = "ObjectPropertyRange(part Base)\n";
+  for (std::size_t at = 0; at < organs; ++at)
+    text += "SubClassOf(Base ObjectSomeValuesFrom(s" + std::to_string(at) + " O" + std::to_string(at) + "))\n";
+  for (std::size_t at = 0; at < things; ++at) {
+    text += "ClassAssertion(ObjectSomeValuesFrom(part ObjectComplementOf(" + kind(at) + ")) i:a" + std::to_string(at) +
+            ")\n";
+  }
+  const owl::Ontology source = owl::written(text);
+  const auto set = clauses::clausify(source, std::nullopt, {});
+  EXPECT_TRUE(set && set->unused.empty());
+  Tableau tableau(source, *set, {.nodes = 10 * (things + organs)});
+  return tableau.is_consistent();
+}
+
+TEST(Guesses, LeaveNeighboursAlikeOfWhichOnlyADenialIsAsked) {
+  const Answer found = answer_of_outsiders([](std::size_t of) { return "K" + std::to_string(of); });
+  EXPECT_EQ(found.verdict, Verdict::yes) << found.reason;
+}
+
+TEST(Guesses, LeaveNeighboursBlockedThatSatisfyADenialOfWhatIsAroundThem) {
+  const Answer found = answer_of_outsiders([](std::size_t of) {
+    return "ObjectIntersectionOf(Base ObjectSomeValuesFrom(w" + std::to_string(of) + " Base))";
+  });
+  EXPECT_EQ(found.verdict, Verdict::yes) << found.reason;
 }
 
 TEST(Guesses, AreNotTurnedForAllByOneFailure) {

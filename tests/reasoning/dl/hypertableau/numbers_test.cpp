@@ -83,6 +83,49 @@ TEST(LargeNumbers, ContradictEachOtherWithoutNeighbours) {
       Verdict::no);
 }
 
+TEST(LargeNumbers, OfUnionsAreComparedWithWhatAllAlternativesAreIn) {
+  const std::string of_some = "SubClassOf(A ObjectMinCardinality(600 r ObjectUnionOf(B C D)))\n";
+  const std::string more = "SubClassOf(A ObjectMaxCardinality(599 r ObjectUnionOf(F D C B E)))\n";
+  EXPECT_EQ(verdict_of(of_some + more, few_nodes), Verdict::no);
+  const std::string nested = "SubClassOf(A ObjectMaxCardinality(599 r F))\nSubClassOf(B F)\nSubClassOf(C F)\n";
+  EXPECT_EQ(verdict_of(of_some + nested + "EquivalentClasses(D ObjectUnionOf(B E))\nSubClassOf(E C)\n", few_nodes),
+            Verdict::no);
+  EXPECT_EQ(verdict_of("SubClassOf(A ObjectMinCardinality(6 r ObjectUnionOf(B C)))\n"
+                       "SubClassOf(A ObjectMaxCardinality(5 r ObjectUnionOf(B D)))\n"),
+            Verdict::yes);
+}
+
+TEST(LargeNumbers, OfKindsThatExcludeEachOtherAddUp) {
+  const std::string kinds =
+      "DisjointClasses(B C D)\nSubClassOf(A ObjectMinCardinality(200 r B))\n"
+      "SubClassOf(A ObjectMinCardinality(200 s C))\nSubObjectPropertyOf(s r)\n";
+  const std::string third = "SubClassOf(A ObjectMinCardinality(200 r D))\n";
+  const std::string most = "SubClassOf(A ObjectMaxCardinality(599 r))\n";
+  EXPECT_EQ(verdict_of(kinds + third + most, few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(kinds + most +
+                           "SubClassOf(A ObjectUnionOf(E F))\nSubClassOf(E ObjectMinCardinality(200 r D))\n"
+                           "SubClassOf(F ObjectMinCardinality(201 r D))\n",
+                       few_nodes),
+            Verdict::no);
+  EXPECT_EQ(verdict_of("SubClassOf(A ObjectMinCardinality(3 r B))\nSubClassOf(A ObjectMinCardinality(3 r C))\n"
+                       "SubClassOf(A ObjectMaxCardinality(5 r))\n"),
+            Verdict::yes)
+      << "a neighbour may be of both kinds";
+  EXPECT_EQ(verdict_of("DisjointClasses(B C)\nSubClassOf(A ObjectMinCardinality(3 r B))\n"
+                       "SubClassOf(A ObjectMinCardinality(3 r C))\nSubClassOf(A ObjectMaxCardinality(6 r))\n"),
+            Verdict::yes);
+}
+
+TEST(LargeNumbers, OfValuesInARangeAreCounted) {
+  const std::string values = "SubClassOf(A DataMinCardinality(7 d:u x:integer))\n";
+  EXPECT_EQ(verdict_of(values + "SubClassOf(A DataMaxCardinality(6 d:u x:integer))\n"), Verdict::no);
+  EXPECT_EQ(verdict_of(values + "SubClassOf(A DataMaxCardinality(6 d:u x:string))\n"), Verdict::yes);
+  EXPECT_EQ(verdict_of(values + "SubClassOf(A DataMaxCardinality(6 d:u DataOneOf(\"1\"^x:integer \"2\"^x:integer)))\n"
+                                "SubClassOf(A DataAllValuesFrom(d:v DataComplementOf(DataOneOf(\"2\"^x:integer "
+                                "\"1\"^x:integer))))\n"),
+            Verdict::yes);
+}
+
 TEST(LargeNumbers, DecideAHundredDefinitionsWithoutAChoice) {
   std::string text = "SubClassOf(A C30)\n";
   for (int number = 1; number <= 100; ++number) {

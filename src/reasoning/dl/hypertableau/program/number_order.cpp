@@ -40,9 +40,74 @@ class Hierarchy {
   std::uint32_t searches_ = 0;
 };
 
+Hierarchy hierarchy_of_concepts(const clauses::ClauseSet& set, std::span<const Clause> inclusions) {
+  Hierarchy result(set.concepts.size());
+  const auto look = [&](const Clause& clause) {
+    if (clause.body.size() != 1 || clause.head.size() != 1) return;
+    const Atom& low = clause.body.front();
+    const Atom& high = clause.head.front();
+    if (low.kind == AtomKind::concept_of && high.kind == AtomKind::concept_of)
+      result.add(low.predicate, high.predicate);
+  };
+  std::ranges::for_each(set.clauses, look);
+  std::ranges::for_each(inclusions, look);
+  return result;
+}
+
+/// What concepts exclude, as far as single clauses say.
+class Exclusions {
+ public:
+  Exclusions(const clauses::ClauseSet& set, Hierarchy& hierarchy)
+      : hierarchy_(hierarchy), told_(set.concepts.size()), unions_(set.concepts.size()) {
+    for (const Clause& clause : set.clauses) look(clause);
+  }
+
+  /// Those that something above the concept excludes, or that all alternatives of a union above it exclude; ascending.
+  [[nodiscard]] std::vector<std::uint32_t> of(std::uint32_t id) {
+    std::vector<std::uint32_t> result = told_of(id);
+    for (const std::uint32_t above : hierarchy_.all_above(id)) {
+      for (const std::vector<std::uint32_t>& alternatives : unions_[above]) {
+        std::vector<std::uint32_t> common = told_of(alternatives.front());
+        for (std::size_t at = 1; at < alternatives.size() && !common.empty(); ++at) {
+          const std::vector<std::uint32_t> next = told_of(alternatives[at]);
+          std::erase_if(common, [&](std::uint32_t one) { return !std::ranges::binary_search(next, one); });
+        }
+        result.insert(result.end(), common.begin(), common.end());
+      }
+    }
+    base::sort_unique(result);
+    return result;
+  }
+
+ private:
+  void look(const Clause& clause) {
+    const auto is_concept = [](const Atom& atom) { return atom.kind == AtomKind::concept_of && atom.first == centre; };
+    if (!std::ranges::all_of(clause.body, is_concept) || !std::ranges::all_of(clause.head, is_concept)) return;
+    if (clause.body.size() == 2 && clause.head.empty()) {
+      told_[clause.body[0].predicate].push_back(clause.body[1].predicate);
+      told_[clause.body[1].predicate].push_back(clause.body[0].predicate);
+    } else if (clause.body.size() == 1 && clause.head.size() > 1) {
+      std::vector<std::uint32_t>& alternatives = unions_[clause.body.front().predicate].emplace_back();
+      for (const Atom& atom : clause.head) alternatives.push_back(atom.predicate);
+    }
+  }
+  [[nodiscard]] std::vector<std::uint32_t> told_of(std::uint32_t id) {
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t above : hierarchy_.all_above(id))
+      result.insert(result.end(), told_[above].begin(), told_[above].end());
+    base::sort_unique(result);
+    return result;
+  }
+
+  Hierarchy& hierarchy_;
+  std::vector<std::vector<std::uint32_t>> told_;                 ///< by concept: A(x), B(x) -> false
+  std::vector<std::vector<std::vector<std::uint32_t>>> unions_;  ///< by concept: the alternatives of each
+};
+
 }  // namespace
 
-NumberOrder::NumberOrder(const clauses::ClauseSet& set, std::span<const Bound> bounds)
+NumberOrder::NumberOrder(const clauses::ClauseSet& set, std::span<const Clause> inclusions,
+                         std::span<const Bound> bounds)
     : first_data_(static_cast<std::uint32_t>(set.properties.size()) * 2) {
   const auto direction = [](std::uint32_t property, bool is_inverse) { return property * 2 + (is_inverse ? 1U : 0U); };
   for (const clauses::AtLeast& one : set.at_leasts) {
@@ -61,8 +126,9 @@ NumberOrder::NumberOrder(const clauses::ClauseSet& set, std::span<const Bound> b
     }
     bounds_.push_back(restriction);
   }
-  find_above(set);
+  find_above(set, inclusions);
   find_comparable();
+  find_sums(set, inclusions);
 }
 
 // The greatest at-least and the least bound of each family stand for all of them.
@@ -106,6 +172,45 @@ void NumberOrder::find_comparable() {
   }
 }
 
+// The at-leasts below a bound that ask for more together than it allows, and not one of them alone. A bound of one
+// neighbour needs none of this: its neighbour is given all fillers.
+void NumberOrder::find_sums(const clauses::ClauseSet& set, std::span<const Clause> inclusions) {
+  std::vector<std::uint32_t> greatest(index_.size(), 0);
+  for (const Restriction& one : at_leasts_) greatest[one.family] = std::max(greatest[one.family], one.count);
+  std::vector<std::vector<std::uint32_t>> below(index_.size());
+  for (std::uint32_t family = 0; family < above_.size(); ++family) {
+    if (greatest[family] == 0) continue;
+    for (const std::uint32_t high : above_[family]) below[high].push_back(family);
+  }
+  for (std::uint32_t high = 0; high < below.size(); ++high) {
+    std::uint64_t sum = 0;
+    for (const std::uint32_t family : below[high]) sum += greatest[family];
+    bool is_any = false;
+    for (const std::uint32_t bound : bounds_in_[high]) {
+      bounds_[bound].may_be_added = below[high].size() > 1 && bounds_[bound].count > 1 && bounds_[bound].count < sum;
+      is_any = is_any || bounds_[bound].may_be_added;
+    }
+    if (!is_any) continue;
+    for (const std::uint32_t family : below[high]) fillers_.try_emplace(family);
+  }
+  if (fillers_.empty()) return;
+  for (Restriction& one : at_leasts_) one.may_be_added = fillers_.contains(one.family);
+  Hierarchy hierarchy = hierarchy_of_concepts(set, inclusions);
+  Exclusions exclusions(set, hierarchy);
+  for (const auto& [family, index] : index_) {
+    const auto found = fillers_.find(index);
+    if (found == fillers_.end()) continue;
+    found->second = {hierarchy.all_above(family.filler), exclusions.of(family.filler)};
+  }
+}
+
+bool NumberOrder::are_disjoint(AtLeastId one, AtLeastId other) const {
+  const Filler& first = fillers_.at(of(one).family);
+  const Filler& second = fillers_.at(of(other).family);
+  return std::ranges::any_of(first.above,
+                             [&](std::uint32_t id) { return std::ranges::binary_search(second.excluded, id); });
+}
+
 bool NumberOrder::is_below(const Restriction& low, const Restriction& high) const {
   return low.family != no_predicate && high.family != no_predicate &&
          std::ranges::binary_search(above_[low.family], high.family);
@@ -115,17 +220,15 @@ std::uint32_t NumberOrder::family_of(const Family& family) {
   return index_.try_emplace(family, static_cast<std::uint32_t>(index_.size())).first->second;
 }
 
-void NumberOrder::find_above(const clauses::ClauseSet& set) {
+void NumberOrder::find_above(const clauses::ClauseSet& set, std::span<const Clause> inclusions) {
   Hierarchy of_roles(first_data_ + set.data_properties.size());
-  Hierarchy of_concepts(set.concepts.size());
+  Hierarchy of_concepts = hierarchy_of_concepts(set, inclusions);
   for (const Clause& clause : set.clauses) {
     if (clause.body.size() != 1 || clause.head.size() != 1) continue;
     const Atom& low = clause.body.front();
     const Atom& high = clause.head.front();
-    if (low.kind == AtomKind::concept_of && high.kind == AtomKind::concept_of) {
-      of_concepts.add(low.predicate, high.predicate);
-    } else if (low.kind == AtomKind::role && high.kind == AtomKind::role && low.first != low.second &&
-               high.first != high.second) {
+    if (low.kind == AtomKind::role && high.kind == AtomKind::role && low.first != low.second &&
+        high.first != high.second) {
       // R(x,y) -> S(x,y) or S(y,x), and the same of the inverses.
       const std::uint32_t turn = low.first == high.first ? 0U : 1U;
       of_roles.add(low.predicate * 2, (high.predicate * 2) ^ turn);

@@ -3,6 +3,9 @@
 //   >= n R.A -> >= m S.B    where m <= n, R is below S and A below B
 //   <= n S.B -> <= m R.A    where m >= n, R is below S and A below B
 //   >= n R.A, <= m S.B -> false    where m < n, R is below S and A below B
+//   >= n1 R1.A1, ..., >= nk Rk.Ak, <= m S.B -> false    where m < n1 + ... + nk, each Ri is below S and each Ai below
+//   B,
+//                                                       and no two of the Ai have an instance in common
 //
 // A definition by a number (an atom of aluminium has exactly 13 protons) makes a choice "aluminium, at least 14 or at
 // most 12" for each atom. Of a hundred such definitions the number of one decides all others.
@@ -20,8 +23,8 @@
 
 namespace geminga::hypertableau {
 
-/// Knows the inclusions that single clauses say: R(x,y) -> S(x,y) and A(x) -> B(x). Restrictions of other forms are
-/// compared with nothing.
+/// Knows what single clauses say: R(x,y) -> S(x,y), A(x) -> B(x), and A(x), B(x) -> false. Restrictions of other forms
+/// are compared with nothing.
 class NumberOrder {
  public:
   /// An at-least, of values if `is_data`.
@@ -31,8 +34,13 @@ class NumberOrder {
   };
 
   NumberOrder() = default;
-  NumberOrder(const clauses::ClauseSet& set, std::span<const Bound> bounds);
+  /// The `inclusions` are clauses A(x) -> B(x) that follow from the set.
+  NumberOrder(const clauses::ClauseSet& set, std::span<const clauses::Clause> inclusions,
+              std::span<const Bound> bounds);
 
+  /// The number of the families above that of the at-least. It is greater than that of each of these.
+  [[nodiscard]] std::size_t specificity(AtLeastId at_least) const { return above_[of(at_least).family].size(); }
+  [[nodiscard]] std::uint32_t count(AtLeastId at_least) const { return of(at_least).count; }
   [[nodiscard]] bool implies(AtLeastId known, AtLeastId asked) const {
     return of(known).count >= of(asked).count && is_below(of(known), of(asked));
   }
@@ -52,6 +60,23 @@ class NumberOrder {
   /// Whether any at-least implies the at-least, or any bound excludes it. Most are compared with nothing.
   [[nodiscard]] bool may_be_implied(AtLeastId at_least) const { return of(at_least).may_be_implied; }
   [[nodiscard]] bool may_be_excluded(AtLeastId at_least) const { return of(at_least).may_be_excluded; }
+  /// Whether a bound above the at-least may be exceeded by several at-leasts together only.
+  [[nodiscard]] bool may_be_added(AtLeastId at_least) const {
+    return !at_least.is_data && at_leasts_[at_least.index].may_be_added;
+  }
+  /// Whether `holds` is true of such a bound.
+  template <typename Holds>
+  [[nodiscard]] bool any_adding(AtLeastId at_least, Holds&& holds) const {
+    return any_bound(of(at_least), no_predicate,
+                     [&](std::uint32_t bound) { return may_be_added(bound) && holds(bound); });
+  }
+  [[nodiscard]] bool may_be_added(std::uint32_t bound) const { return bounds_[bound].may_be_added; }
+  /// Whether the bound counts the neighbours of the at-least.
+  [[nodiscard]] bool counts(std::uint32_t bound, AtLeastId at_least) const {
+    return is_below(of(at_least), bounds_[bound]);
+  }
+  /// Whether no neighbour is one of both at-leasts, which may_be_added().
+  [[nodiscard]] bool are_disjoint(AtLeastId one, AtLeastId other) const;
   /// The same of a bound, which bounds imply and at-leasts exclude.
   [[nodiscard]] bool may_be_implied(std::uint32_t bound) const { return bounds_[bound].may_be_implied; }
   [[nodiscard]] bool may_be_excluded(std::uint32_t bound) const { return bounds_[bound].may_be_excluded; }
@@ -69,6 +94,12 @@ class NumberOrder {
     std::uint32_t family = no_predicate;
     bool may_be_implied = false;
     bool may_be_excluded = false;
+    bool may_be_added = false;
+  };
+  /// Of the filler of a family whose at-leasts may be added up; ascending.
+  struct Filler {
+    std::vector<std::uint32_t> above;
+    std::vector<std::uint32_t> excluded;
   };
 
   [[nodiscard]] const Restriction& of(AtLeastId at_least) const {
@@ -88,8 +119,9 @@ class NumberOrder {
     return false;
   }
   std::uint32_t family_of(const Family& family);
-  void find_above(const clauses::ClauseSet& set);
+  void find_above(const clauses::ClauseSet& set, std::span<const clauses::Clause> inclusions);
   void find_comparable();
+  void find_sums(const clauses::ClauseSet& set, std::span<const clauses::Clause> inclusions);
 
   std::uint32_t first_data_ = 0;
   std::vector<Restriction> at_leasts_;
@@ -98,6 +130,7 @@ class NumberOrder {
   std::map<Family, std::uint32_t> index_;
   std::vector<std::vector<std::uint32_t>> above_;      ///< by family: those above it and itself, ascending
   std::vector<std::vector<std::uint32_t>> bounds_in_;  ///< by family: its bounds, ascending by number
+  std::map<std::uint32_t, Filler> fillers_;            ///< by family
 };
 
 }  // namespace geminga::hypertableau

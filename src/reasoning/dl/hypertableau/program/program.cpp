@@ -7,6 +7,7 @@
 
 #include "base/sorted.hpp"
 #include "reasoning/dl/clauses/counted_neighbours.hpp"
+#include "reasoning/dl/hypertableau/program/union_superclasses.hpp"
 
 namespace geminga::hypertableau {
 
@@ -22,6 +23,7 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
       domains_(set),
       directions_(set, domains_.concept_count()),
       denials_(set),
+      unions_(set),
       burdens_(set, domains_, denials_),
       counts_(counts) {
   const std::size_t count = std::size_t{mark_of_question()} + 1;
@@ -51,9 +53,20 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
   for (const Clause& clause : set.clauses) add_clause(clause);
   for (const Clause& clause : domains_.clauses()) add_plans(clause);
   find_disjoint_concepts();
-  if (counts_) numbers_ = NumberOrder(set, bounds_);
+  if (counts_) compare_numbers();
   const clauses::CountedNeighbours counted(set, clauses::UsedAtMosts::all);
   for (const clauses::AtLeast& one : set.at_leasts) needed_.push_back(counts_ ? counted.enough(one) : one.count);
+}
+
+void Program::compare_numbers() {
+  std::vector<std::uint32_t> fillers;
+  for (const Bound& bound : bounds_) {
+    if (bound.filler != no_predicate) fillers.push_back(bound.filler);
+  }
+  base::sort_unique(fillers);
+  const UnionSuperclasses unions(set_, fillers);
+  for (const Clause& clause : unions.clauses()) add_plans(clause);
+  numbers_ = NumberOrder(set_, unions.clauses(), bounds_);
 }
 
 std::uint32_t Program::bound_of_atom(const Atom& atom) const {
@@ -258,11 +271,14 @@ void Program::find_disjoint_concepts() {
   };
   std::ranges::for_each(set_.clauses, look);
   std::ranges::for_each(domains_.clauses(), look);
+  for (const clauses::AtLeast& one : set_.at_leasts) {
+    if (one.count > 1) is_chosen[number(one.filler)] = true;  // neighbours that may have to be told apart
+  }
   told_below_.resize(count);
   for (std::uint32_t id = 0; id < count; ++id) {
     for (const std::uint32_t super : above[id]) told_below_[super].push_back(id);
   }
-  disjoint_concepts_.resize(count);
+  disjoint_concepts_.resize(std::size_t{mark_of_question()} + 1);
   for (std::uint32_t id = 0; id < count; ++id) {
     if (is_chosen[id] || id >= set_.concepts.size()) find_excluded(id, above, excluded);
   }

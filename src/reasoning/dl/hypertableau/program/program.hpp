@@ -18,6 +18,7 @@
 #include "reasoning/dl/hypertableau/program/directions.hpp"
 #include "reasoning/dl/hypertableau/program/domains.hpp"
 #include "reasoning/dl/hypertableau/program/number_order.hpp"
+#include "reasoning/dl/hypertableau/program/union_names.hpp"
 
 namespace geminga::hypertableau {
 
@@ -81,7 +82,8 @@ class Program {
     return bounds_of_filler_[id];
   }
   [[nodiscard]] std::span<const std::uint32_t> bounds_of_guard(std::uint32_t id) const { return bounds_of_guard_[id]; }
-  /// Concepts that exclude this one by clauses about one node, ascending; of those that stand in disjunctions.
+  /// Concepts that exclude this one by clauses about one node, ascending; of those that stand in disjunctions,
+  /// and of fillers of several neighbours.
   [[nodiscard]] std::span<const std::uint32_t> disjoint_concepts(std::uint32_t id) const {
     return disjoint_concepts_[id];
   }
@@ -100,6 +102,8 @@ class Program {
   [[nodiscard]] const Directions& directions() const { return directions_; }
   /// Fillers that a neighbour may have without being told; see denials.hpp.
   [[nodiscard]] const Denials& denials() const { return denials_; }
+  /// Fillers in which a neighbour is by being in another concept; see union_names.hpp.
+  [[nodiscard]] const UnionNames& unions() const { return unions_; }
   /// The requirements of facts; see burdens.hpp.
   [[nodiscard]] const Burdens& burdens() const { return burdens_; }
   [[nodiscard]] bool counts() const { return counts_; }
@@ -116,6 +120,7 @@ class Program {
   [[nodiscard]] bool has_nominals() const { return has_nominals_; }
 
  private:
+  void compare_numbers();
   void add_clause(const clauses::Clause& clause);
   bool take_bound(const clauses::Clause& clause);
   bool take_disjointness(const clauses::Clause& clause);
@@ -132,6 +137,7 @@ class Program {
   Domains domains_;
   Directions directions_;
   Denials denials_;
+  UnionNames unions_;
   Burdens burdens_;
   std::vector<Step> steps_;
   std::vector<clauses::Atom> heads_;
