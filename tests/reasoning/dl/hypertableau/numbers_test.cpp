@@ -116,6 +116,16 @@ TEST(LargeNumbers, OfKindsThatExcludeEachOtherAddUp) {
             Verdict::yes);
 }
 
+TEST(LargeNumbers, OfTheWholeAreMetByTheNeighboursOfItsParts) {
+  const std::string parts =
+      "DisjointClasses(B C D)\nSubClassOf(A ObjectExactCardinality(66 r B))\n"
+      "SubClassOf(A ObjectExactCardinality(32 r C))\nSubClassOf(A ObjectMinCardinality(27 r ObjectUnionOf(B D)))\n";
+  constexpr QuestionLimits few_steps{.nodes = 200, .steps = 50'000};
+  EXPECT_EQ(verdict_of(parts + "SubClassOf(A ObjectExactCardinality(128 r))\n", few_steps), Verdict::yes);
+  EXPECT_EQ(verdict_of(parts + "SubClassOf(A ObjectExactCardinality(98 r))\n", few_steps), Verdict::yes);
+  EXPECT_EQ(verdict_of(parts + "SubClassOf(A ObjectMaxCardinality(97 r))\n", few_steps), Verdict::no);
+}
+
 TEST(LargeNumbers, OfValuesInARangeAreCounted) {
   const std::string values = "SubClassOf(A DataMinCardinality(7 d:u x:integer))\n";
   EXPECT_EQ(verdict_of(values + "SubClassOf(A DataMaxCardinality(6 d:u x:integer))\n"), Verdict::no);
