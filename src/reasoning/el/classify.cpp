@@ -34,9 +34,10 @@ constexpr std::size_t concluded_per_axiom = 300;
 /// The work of one classification, step by step.
 class Classifier {
  public:
-  /// `told` are further inclusions that follow, between expressions of a classifier of the same source.
+  /// `told` are further inclusions that follow, between expressions of a classifier of the same source. Universals that
+  /// are tested save most of the work if they need no rules; if they do, run() fails and needs_rules() is true.
   using Inclusions = std::vector<std::pair<ExprId, ExprId>>;
-  Classifier(const owl::Ontology& source, const ClassifyOptions& options, Inclusions told)
+  Classifier(const owl::Ontology& source, const ClassifyOptions& options, Inclusions told, Universals universals)
       : source_(source),
         options_(options),
         limits_{.conclusions =
@@ -44,10 +45,13 @@ class Classifier {
                 .merged_atoms = options.limits.merged_atoms,
                 .budget = options.budget},
         told_(std::move(told)),
+        universals_(universals),
         normaliser_(source, index_) {}
 
   /// Superclasses of unions that the run found, for another classifier of the same source.
   [[nodiscard]] const Inclusions& shared() const { return shared_; }
+  /// True if another classifier must use the universals.
+  [[nodiscard]] bool needs_rules() const { return needs_rules_; }
 
   std::expected<taxonomy::Classification, ClassifyError> run() {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
@@ -61,9 +65,12 @@ class Classifier {
     find_roots();
     if (options_.inherits && !may_settle_ && Inheritance::is_for(index_)) {
       if (!inherit()) return std::unexpected(too_large());
+      if (needs_rules_) return std::unexpected(ClassifyError{"some ranges need rules"});
       classify_all_properties();
       return std::move(result_);
     }
+    needs_rules_ = !normaliser_.open().ranges.empty();
+    if (needs_rules_) return std::unexpected(ClassifyError{"some ranges need rules"});
     auto saturation = saturate();
     if (saturation->is_over_merged()) {
       leave_out_merging();
@@ -115,7 +122,8 @@ class Classifier {
     for (const auto& [sub, super] : told_) index_.add_told(sub, super);
     // Universals are left to another engine if that has to classify everything again.
     const bool is_more = normaliser_.open().is_more;
-    const UnusedAxioms late = normaliser_.finish(is_more ? Universals::left_out : Universals::used);
+    const Universals universals = result_.unused.empty() ? universals_ : Universals::used;
+    const UnusedAxioms late = normaliser_.finish(is_more ? Universals::left_out : universals);
     may_settle_ = !result_.unused.empty() && late.empty() && !is_more;
     for (const auto& [axiom, construct] : late) result_.unused.push_back({axiom, to_string(construct)});
     sort_unused();
@@ -193,7 +201,14 @@ class Classifier {
       result_.counts.links = inheritance.link_count();
       result_.is_consistent = inheritance.is_consistent();
       add_edges(inheritance.nodes(), graph);
-      if (result_.is_cut_off && result_.unused.empty()) result_.is_settled = find_finished(index_, inheritance, exprs_);
+      const std::vector<OpenRange>& ranges = normaliser_.open().ranges;
+      if (result_.is_cut_off && result_.unused.empty() && ranges.empty())
+        result_.is_settled = find_finished(index_, inheritance, exprs_);
+      if (result_.is_consistent && !result_.is_cut_off && !ranges.empty() && !inheritance.has_ranges(ranges)) {
+        result_.is_cut_off = inheritance.is_cut_off();
+        needs_rules_ = !result_.is_cut_off;
+        if (needs_rules_) return true;
+      }
     }
     name_classes();
     std::move(graph).reduce(exprs_, result_);
@@ -330,6 +345,8 @@ class Classifier {
   SaturationLimits limits_;
   Inclusions told_;
   Inclusions shared_;
+  Universals universals_;
+  bool needs_rules_ = false;
   IndexedOntology index_;
   RuleNormaliser normaliser_;
   std::vector<owl::TermId> classes_;
@@ -347,16 +364,21 @@ std::expected<taxonomy::Classification, ClassifyError> classify(const owl::Ontol
   // A superclass of one union may lead to superclasses of others. Few ontologies need more than one round.
   std::vector<std::pair<ExprId, ExprId>> told;
   std::optional<taxonomy::Classification> before;
-  for (unsigned round = 0;; ++round) {
-    Classifier classifier(source, options, told);
+  Universals universals = options.inherits ? Universals::tested : Universals::used;
+  for (unsigned round = 0;;) {
+    Classifier classifier(source, options, told, universals);
     auto found = classifier.run();
+    if (classifier.needs_rules()) {
+      universals = Universals::used;
+      continue;
+    }
     if (found && found->is_cut_off && before) {
       // The last round was not cut off and knows more.
       before->is_cut_off = true;
       before->is_settled.clear();
       return std::move(*before);
     }
-    if (!found || classifier.shared().empty() || round == options.limits.rounds_of_unions) return found;
+    if (!found || classifier.shared().empty() || round++ == options.limits.rounds_of_unions) return found;
     before = std::move(*found);
     told.insert(told.end(), classifier.shared().begin(), classifier.shared().end());
   }

@@ -204,9 +204,14 @@ const Entailed existential[] = {
      "SubObjectPropertyOf(ObjectPropertyChain(r s) t)\nObjectPropertyRange(t C)\nObjectPropertyRange(s C)\n"
      "SubClassOf(A ObjectSomeValuesFrom(s D))\nSubClassOf(ObjectSomeValuesFrom(s C) E)",
      {"A < E"}},
-    {"RangeOfAChainThatIsNotRegularIsLeftOut",
+    {"RangeOfAChainThatIsNotRegular",
      "SubObjectPropertyOf(ObjectPropertyChain(r t s) t)\nObjectPropertyRange(t C)\n"
      "SubClassOf(A ObjectSomeValuesFrom(r B))",
+     {}},
+    {"RangeOfAChainThatIsNotRegularAndNeedsRulesIsLeftOut",
+     "SubObjectPropertyOf(ObjectPropertyChain(r t s) t)\nObjectPropertyRange(t C)\n"
+     "SubClassOf(A ObjectSomeValuesFrom(r ObjectSomeValuesFrom(t B)))\nSubClassOf(B ObjectSomeValuesFrom(s D))\n"
+     "SubClassOf(ObjectSomeValuesFrom(s C) E)",
      {},
      false},
     {"Universal",

@@ -5,6 +5,7 @@
 
 #include "base/parallel/threads.hpp"
 #include "reasoning/el/closure/inheritance_worker.hpp"
+#include "reasoning/el/closure/ranges.hpp"
 
 namespace geminga::el {
 
@@ -23,6 +24,10 @@ bool Inheritance::run(unsigned threads) {
     parallel::run_together(shared_, workers_, std::min(threads, parallel::max_threads));
   }
   return !shared_.is_over_limit;
+}
+
+bool Inheritance::has_ranges(std::span<const OpenRange> ranges) {
+  return RangeTest(shared_, *workers_.front(), ranges).passes();
 }
 
 std::size_t Inheritance::conclusion_count() const {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "reasoning/el/closure/nodes.hpp"
+#include "reasoning/el/index/open_parts.hpp"
 
 namespace geminga::el {
 
@@ -40,14 +41,15 @@ class Inheritance {
   /// depend on the number of threads; the numbers of nodes do.
   bool run(unsigned threads = 1);
 
+  /// True if all that the closure lacks of ranges over chains changes nothing (ranges.hpp). False says only that rules
+  /// are needed. Requires a run that ended consistent and within its limits; the nodes are of no use afterwards.
+  [[nodiscard]] bool has_ranges(std::span<const OpenRange> ranges);
+
   [[nodiscard]] bool is_consistent() const { return !shared_.is_inconsistent; }
   /// True if run() ended because the budget was spent.
   [[nodiscard]] bool is_cut_off() const { return shared_.is_cut_off; }
   /// The node of an atom, or no_node if it was never required.
-  [[nodiscard]] std::uint32_t find(ExprId atom) const {
-    const std::uint32_t entry = shared_.node_of[number(atom)].load(std::memory_order_relaxed);
-    return entry <= SharedNodes::claimed_node ? no_node : entry - 2;
-  }
+  [[nodiscard]] std::uint32_t find(ExprId atom) const { return shared_.find(atom); }
   [[nodiscard]] const NodeStore& nodes() const { return shared_.contexts; }
   [[nodiscard]] std::size_t conclusion_count() const;
   [[nodiscard]] std::size_t link_count() const;

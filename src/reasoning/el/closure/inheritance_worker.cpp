@@ -18,6 +18,18 @@ void InheritanceWorker::run_alone() {
   } while (!shared_.has_ended() && (release_one() || begin_round()));
 }
 
+std::uint32_t InheritanceWorker::add_below(std::uint32_t node) {
+  const std::uint32_t created = made_.add_nameless();
+  nodes_[created].above.push_back(nodes_[node].root, arena_);
+  inherit(created, node);
+  return created;
+}
+
+void InheritanceWorker::lead_to(std::uint32_t existential, std::uint32_t node) {
+  ++nodes_[existential].pending;
+  tell(node, {NodeMessage::Kind::source, existential, 0});
+}
+
 void InheritanceWorker::work_on(std::uint32_t node) {
   const auto read = [&](QueuedNodeMessage* waiting) {
     receive(node, waiting->message, {reinterpret_cast<const std::uint32_t*>(waiting + 1), waiting->item_count});
@@ -76,6 +88,7 @@ void InheritanceWorker::process(std::uint32_t node) {
 void InheritanceWorker::start(std::uint32_t node) {
   Node& self = nodes_[node];
   self.has_begun = true;
+  if (self.root == no_node) return;
   if (self.is_existential()) {
     // A chain may compose the link with another one, so it is an item, too.
     if (index_.roles().is_second(RoleId{self.root})) self.items.insert(shared_.first_link + node, arena_);

@@ -34,6 +34,14 @@ class InheritanceWorker : private Rules<InheritanceWorker> {
 
   std::uint32_t require(ExprId atom) { return made_.require(atom); }
 
+  // For ranges.hpp: more nodes for a closure that rests, closed by run_alone().
+  /// A new node right below this one. It is never taken over by others.
+  std::uint32_t add_below(std::uint32_t node);
+  /// Puts a node right below an atom, too.
+  void put_below(std::uint32_t node, ExprId atom) { add_atom(node, atom); }
+  /// Lets the node of an existential hear of this node, too, as of its filler.
+  void lead_to(std::uint32_t existential, std::uint32_t node);
+
   /// Closes everything, as the only worker.
   void run_alone();
 

@@ -52,7 +52,7 @@ struct QueuedNodeMessage {
 /// freed; a node that asks for them all the same begins it anew, once.
 struct alignas(32) Node {
   base::ArenaSet<std::uint32_t> items;
-  std::uint32_t root = 0;          ///< the atom; of an existential, its role
+  std::uint32_t root = 0;          ///< the atom, or no_node; of an existential, its role
   std::uint32_t filler = no_node;  ///< of an existential: the node that it leads to
   std::uint32_t pending = 0;       ///< how many nodes that it asked have not answered yet
   std::uint32_t expected = 0;      ///< how many nodes will ask for its items, by what is told

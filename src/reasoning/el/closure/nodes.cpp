@@ -76,6 +76,14 @@ std::uint32_t Nodes::require_existential(RoleId role, std::uint32_t filler) {
   return created;
 }
 
+std::uint32_t Nodes::add_nameless() {
+  const std::uint32_t created = nodes_.add();
+  nodes_[created].root = no_node;
+  nodes_[created].is_kept = true;
+  queue_.add(created);
+  return created;
+}
+
 bool Nodes::begin_next_seeds() {
   // One thread follows each seed to its end. Each of many threads needs some seeds, but the first rounds are short,
   // because they close the upper classes, on which all others wait.

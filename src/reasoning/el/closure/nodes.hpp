@@ -48,6 +48,11 @@ struct SharedNodes {
   static constexpr std::uint32_t claimed_node = 1;
   static constexpr std::uint32_t any_number = std::numeric_limits<std::uint32_t>::max();
 
+  /// The node of an atom, or no_node if it was never required.
+  [[nodiscard]] std::uint32_t find(ExprId atom) const {
+    const std::uint32_t entry = node_of[number(atom)].load(std::memory_order_relaxed);
+    return entry <= claimed_node ? no_node : entry - 2;
+  }
   [[nodiscard]] bool has_ended() const {
     return is_inconsistent.load(std::memory_order_relaxed) || is_over_limit.load(std::memory_order_relaxed);
   }
@@ -63,6 +68,8 @@ class Nodes {
   std::uint32_t require(ExprId atom);
   /// The node of `role some filler`; makes it if there is none.
   std::uint32_t require_existential(RoleId role, std::uint32_t filler);
+  /// A new node of no atom.
+  std::uint32_t add_nameless();
   /// Queues nodes of seeds of this round, if the queue is empty. False if none is left.
   bool begin_more();
   /// Lets more seeds into the next round and begins. False if none is left.

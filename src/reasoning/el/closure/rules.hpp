@@ -122,7 +122,8 @@ class Rules {
   //  ------------- [D and E occurs negatively]
   //  C < D and E
   void apply_conjunctions(std::uint32_t context, ExprId subsumer) {
-    // The shorter list is walked and the other one searched: names like "disease" are in thousands of conjunctions.
+    // The shorter list is walked and the other one searched: names like "disease" are in thousands of conjunctions. A
+    // conjunction is filed with both conjuncts, so that the shorter list of rules can be searched.
     const auto& subsumers = closure().subsumers(context);
     const std::span<const ConjunctionRule> rules = index_.conjunctions(subsumer);
     closure().count_work(std::min<std::size_t>(rules.size(), subsumers.size()));
@@ -134,8 +135,13 @@ class Rules {
     }
     for (std::size_t at = 0; at < subsumers.size(); ++at) {
       const ExprId partner{subsumers[at]};
-      for (auto rule = std::ranges::lower_bound(rules, partner, {}, &ConjunctionRule::partner);
-           rule != rules.end() && rule->partner == partner; ++rule) {
+      if (number(partner) >= index_.size() || !index_.has_rules(partner, RuleBits::conjunctions)) continue;
+      const std::span<const ConjunctionRule> of_partner = index_.conjunctions(partner);
+      const bool is_shorter = of_partner.size() < rules.size();
+      const std::span<const ConjunctionRule> searched = is_shorter ? of_partner : rules;
+      const ExprId wanted = is_shorter ? subsumer : partner;
+      for (auto rule = std::ranges::lower_bound(searched, wanted, {}, &ConjunctionRule::partner);
+           rule != searched.end() && rule->partner == wanted; ++rule) {
         closure().add_subsumer(context, rule->conjunction);
       }
     }

@@ -31,8 +31,16 @@ struct OpenCount {
   std::uint32_t count = 0;
 };
 
+/// Links of `role` or a sub-role end in the atom `range`. The rules make it true of the links that are told, but not of
+/// those that chains compose.
+struct OpenRange {
+  RoleId role{};
+  ExprId range{};
+};
+
 struct OpenParts {
   std::vector<InverseInclusion> inverses;
+  std::vector<OpenRange> ranges;
   std::vector<OpenUnion> unions;
   std::vector<OpenCount> at_most;
   std::vector<OpenCount> at_least;

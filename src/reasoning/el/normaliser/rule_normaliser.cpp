@@ -12,7 +12,7 @@ RuleNormaliser::RuleNormaliser(const owl::Ontology& source, IndexedOntology& ind
       index_(index),
       data_(source, index, pending_),
       terms_(source, index, data_),
-      universals_(index, pending_),
+      universals_(index, pending_, open_),
       expressions_(source, index, terms_, data_, universals_, pending_, open_),
       properties_(source, index, terms_, expressions_, universals_, pending_, open_),
       keys_(source, index, terms_, expressions_, pending_) {}

@@ -69,11 +69,22 @@ void UniversalNormaliser::leave_out(std::span<const std::size_t> over_chains, Un
   }
 }
 
+void UniversalNormaliser::leave_ranges_open(std::span<const std::size_t> ranges) {
+  for (const std::size_t at : ranges) {
+    open_.ranges.push_back({ranges_[at].role, ranges_[at].range});
+    // So that a link with the range does not end in a context without it.
+    index_.watch(ranges_[at].range);
+  }
+}
+
 void UniversalNormaliser::finish(const Roles& closed, std::span<const owl::RoleChain> chains, Universals universals,
                                  UnusedAxioms& unused) {
   const std::vector<std::size_t> over_chains = find_ranges_over_chains(closed);
   if (over_chains.empty() && universals_.empty()) return;
   if (universals == Universals::left_out) return leave_out(over_chains, unused);
+  const auto is_of_atom = [&](std::size_t at) { return index_.is_atom(ranges_[at].range); };
+  if (universals == Universals::tested && universals_.empty() && std::ranges::all_of(over_chains, is_of_atom))
+    return leave_ranges_open(over_chains);
   std::vector<owl::RoleInclusion> inclusions;
   for (const auto& [sub, super] : closed.told_supers()) inclusions.push_back({role_of(RoleId{sub}), role_of(super)});
   const owl::RoleBox box(closed.count(), inclusions, chains, max_automaton_states);

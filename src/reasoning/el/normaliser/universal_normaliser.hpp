@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"
 #include "reasoning/owl/role_box.hpp"
@@ -21,12 +22,17 @@
 namespace geminga::el {
 
 /// Says whether the index gets universals, which only a saturation has rules for.
-enum class Universals : std::uint8_t { left_out, used };
+enum class Universals : std::uint8_t {
+  left_out,
+  used,
+  tested,  ///< as used; but if nothing else needs universals, ranges of chains become open parts without rules
+};
 
 /// Collects universals and ranges, and makes rules of them when all chains are known.
 class UniversalNormaliser {
  public:
-  UniversalNormaliser(IndexedOntology& index, PendingUses& pending) : index_(index), pending_(pending) {}
+  UniversalNormaliser(IndexedOntology& index, PendingUses& pending, OpenParts& open)
+      : index_(index), pending_(pending), open_(open) {}
 
   /// Adds `restricting` < property only filler. Requires a property that is no inverse.
   void add_universal(ExprId restricting, const Property& property, ExprId filler);
@@ -54,11 +60,13 @@ class UniversalNormaliser {
 
   [[nodiscard]] std::vector<std::size_t> find_ranges_over_chains(const Roles& closed) const;
   void leave_out(std::span<const std::size_t> over_chains, UnusedAxioms& unused) const;
+  void leave_ranges_open(std::span<const std::size_t> ranges);
   void make_universal(const Universal& universal, const owl::RoleBox& box);
   void make_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box);
 
   IndexedOntology& index_;
   PendingUses& pending_;
+  OpenParts& open_;
   std::vector<Range> ranges_;
   std::vector<Universal> universals_;
   UnusedAxioms uses_;
