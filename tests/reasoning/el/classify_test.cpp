@@ -204,6 +204,10 @@ const Entailed existential[] = {
      "SubObjectPropertyOf(ObjectPropertyChain(r s) t)\nObjectPropertyRange(t C)\nObjectPropertyRange(s C)\n"
      "SubClassOf(A ObjectSomeValuesFrom(s D))\nSubClassOf(ObjectSomeValuesFrom(s C) E)",
      {"A < E"}},
+    {"RangeThatEverythingHasOfItselfInACircle",
+     "ObjectPropertyRange(r ObjectSomeValuesFrom(s B))\nTransitiveObjectProperty(s)\nReflexiveObjectProperty(r)\n"
+     "ObjectPropertyDomain(s C)",
+     {"B < C", "Thing < C"}},
     {"RangeOfAChainThatIsNotRegular",
      "SubObjectPropertyOf(ObjectPropertyChain(r t s) t)\nObjectPropertyRange(t C)\n"
      "SubClassOf(A ObjectSomeValuesFrom(r B))",

@@ -95,6 +95,8 @@ void InheritanceWorker::start(std::uint32_t node) {
     ++self.pending;
     return tell(self.filler, {NodeMessage::Kind::source, node, 0});
   }
+  // Of a node that begins anew. In a circle, a node above may have an item only because this one had it.
+  for (std::uint32_t at = 0; at < self.above.size(); ++at) inherit_above(node, self.above[at]);
   const ExprId atom{self.root};
   for (const ExprId above : index_.frontier(atom)) inherit(node, require(above));
   // Nodes above hand on what T has.
@@ -107,6 +109,15 @@ void InheritanceWorker::inherit(std::uint32_t node, std::uint32_t from) {
   if (node == from) return;
   ++nodes_[node].pending;
   tell(from, {NodeMessage::Kind::child, node, 0});
+}
+
+/// Asks the nodes of an entry of Node::above.
+void InheritanceWorker::inherit_above(std::uint32_t node, std::uint32_t above) {
+  const auto size = static_cast<std::uint32_t>(index_.size());
+  if (above >= size) return inherit(node, above - size);
+  const ExprId atom{above};
+  if (!index_.needs_no_context(atom)) return inherit(node, require(atom));
+  for (const ExprId only : index_.frontier(atom)) inherit(node, require(only));
 }
 
 void InheritanceWorker::let_go(std::uint32_t node) {
@@ -132,7 +143,6 @@ void InheritanceWorker::begin_anew(std::uint32_t node) {
   self.is_dropped = self.is_final = self.has_begun = self.is_released = false;
   self.is_kept = true;
   self.items_told = self.selfs_told = 0;
-  self.above.clear(arena_);
 }
 
 void InheritanceWorker::tell(std::uint32_t node, const NodeMessage& message, Items items) {
@@ -190,8 +200,9 @@ void InheritanceWorker::add_link(std::uint32_t node, RoleId role, std::uint32_t 
   const std::uint32_t from = made_.require_existential(role, filler);
   Node& self = nodes_[node];
   if (from == node || self.is_unsatisfiable || self.items.contains(shared_.first_link + from)) return;
-  self.above.push_back(static_cast<std::uint32_t>(index_.size()) + from, arena_);
-  inherit(node, from);
+  const std::uint32_t above = static_cast<std::uint32_t>(index_.size()) + from;
+  self.above.push_back(above, arena_);
+  inherit_above(node, above);
 }
 
 void InheritanceWorker::add_atom(std::uint32_t node, ExprId atom) {
@@ -203,8 +214,7 @@ void InheritanceWorker::add_atom(std::uint32_t node, ExprId atom) {
                           .last(std::min(self.above.size(), max_scanned));
   if (std::ranges::find(recent, number(atom)) != recent.end()) return;
   self.above.push_back(number(atom), arena_);
-  if (!index_.needs_no_context(atom)) return inherit(node, require(atom));
-  for (const ExprId only : index_.frontier(atom)) inherit(node, require(only));
+  inherit_above(node, number(atom));
 }
 
 // Only links that R Self makes are looked at; the other links are nodes, which hear of fillers by NodeDeliveries.

@@ -72,6 +72,7 @@ class InheritanceWorker : private Rules<InheritanceWorker> {
   void process(std::uint32_t node);
   void start(std::uint32_t node);
   void inherit(std::uint32_t node, std::uint32_t from);
+  void inherit_above(std::uint32_t node, std::uint32_t above);
   void stall(std::uint32_t node);
   void let_go(std::uint32_t node);
   void begin_anew(std::uint32_t node);
