@@ -1,7 +1,6 @@
 #include "discovery/membership/neighbour/neighbour_record.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "discovery/announcement/limits.hpp"
@@ -36,9 +35,7 @@ NeighbourRecord::NeighbourRecord(const announcement::Announcement& first, const 
       interval_(announcement::stretched(first.interval, first.doublings), arrival.now),
       signs_(arrival.passage == nullptr ? arrival.now : arrival.now - arrival.passage->age,
              std::min(interval_.value(), announcement::stranger_interval)),
-      revision_(first.revision),
-      said_revision_(first.revision),
-      revisions_(first.revision, arrival.now),
+      known_(first.revision, arrival.now),
       services_(Owner{first.participant, header_.value().name, {}, {}}, room),
       witnesses_(witnesses) {}
 
@@ -56,7 +53,7 @@ double NeighbourRecord::known_loss() const { return ways_.is_loss_known() ? ways
 
 Reception NeighbourRecord::reception(Instant now) const {
   const auto interval = lasting_interval(now);
-  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, interval), .delay = delay(interval)};
+  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, interval), .delay = passage_.delay(interval)};
 }
 
 Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
@@ -65,7 +62,7 @@ Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
           .hold = hold(now),
           .refresh = std::max(interval() / refreshes_per_interval, min_refresh_time),
           .is_contested = is_contested_,
-          .is_complete = is_complete_,
+          .is_complete = known_.is_complete(),
           .is_heard = is_heard};
 }
 
@@ -73,15 +70,15 @@ Order NeighbourRecord::order(const NeighbourWay& way, const announcement::Announ
                              const Arrival& arrival) const {
   const auto order = way.order(announcement, arrival.now);
   if (order != Order::next) return order;
-  if (announcement.revision < revision_) {
+  if (announcement.revision < known_.revision()) {
     // Another way was ahead of this one. No way is behind for long.
-    return revisions_.is_late(announcement.revision, arrival.now) ? Order::contradiction : Order::overtaken;
+    return known_.is_late(announcement.revision, arrival.now) ? Order::contradiction : Order::overtaken;
   }
-  if (announcement.revision > said_revision_ || announcement.kind == announcement::Kind::presence) return order;
+  if (announcement.revision > known_.said() || announcement.kind == announcement::Kind::presence) return order;
   const bool is_state = announcement.kind == announcement::Kind::state;
   const bool is_denied =
       (is_state && (header_of(announcement) != header_.value() || way.denies(announcement, arrival))) ||
-      services_.denies(announcement, is_complete_ ? &complete_ : nullptr);
+      services_.denies(announcement, known_.services());
   return is_denied ? Order::contradiction : order;
 }
 
@@ -91,7 +88,7 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   end_contest(now);
   bool is_forged = false;  // something that was believed is forged
   // A seal proves that this is the participant, which needs no relay any more.
-  if (arrival.passage == nullptr && passage_ && arrival.is_sealed) ways_.close_relayed();
+  if (arrival.passage == nullptr && passage() != nullptr && arrival.is_sealed) ways_.close_relayed();
   auto* way = ways_.find(announcement, arrival);
   const bool is_where_it_was = way != nullptr && way->source() == arrival.source;
   if (way != nullptr) {
@@ -106,19 +103,18 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
     if (way == nullptr) return Hearing::elsewhere;
     way->deadline = now + patience(lasting_interval(now), {});
   }
-  if (!is_contested_ && way->leaps(announcement, revision_)) return Hearing::leap;
+  if (!is_contested_ && way->leaps(announcement, known_.revision())) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
   if (!is_where_it_was) meet(*way, arrival);
   if (arrival.passage != nullptr) {
-    take_passage(*arrival.passage, now);
+    passage_.hear_through(*arrival.passage, now);
   } else {
-    passage_.reset();
-    heard_directly_ = now;
+    passage_.hear_directly(now);
   }
   const bool is_copy = way->is_copy(announcement.sequence, now);
   if (std::exchange(has_spoken_, true) && !way->has(announcement.sequence)) standing_.hear(now);
   way->count(announcement, arrival, order == Order::contradiction);
-  is_suspected_ = false;
+  known_.set_suspected(false);
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
   if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
@@ -133,7 +129,7 @@ void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcemen
   const auto now = arrival.now;
   if (announcement.kind == announcement::Kind::presence) {
     way.affirm(announcement.revision, now, is_contested_);
-    if (announcement.revision == said_revision_ && !is_contested_) header_.affirm(now);
+    if (announcement.revision == known_.said() && !is_contested_) header_.affirm(now);
     take_interval(announcement, now);
     take_revision(way, announcement, now, changes);
   } else if (announcement.kind == announcement::Kind::change) {
@@ -150,7 +146,7 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
                                  const Arrival& arrival) {
   const auto now = arrival.now;
   const auto held = hold(now);
-  said_revision_ = announcement.revision;
+  known_.say(announcement.revision);
   auto header = header_of(announcement);
   if (header == header_.value()) {
     header_.affirm(now);
@@ -171,21 +167,16 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
 
 void NeighbourRecord::take_change(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
                                   std::vector<Change>& changes) {
-  const bool follows =
-      !is_contested_ && announcement.since <= said_revision_ && said_revision_ <= announcement.revision;
-  const bool completes = follows && is_complete_ && announcement.since <= revision_;
+  const bool follows = !is_contested_ && announcement.since <= known_.said() && known_.said() <= announcement.revision;
+  const bool completes = follows && known_.is_complete() && announcement.since <= known_.revision();
   way.advance(announcement.since, announcement.revision, now, is_contested_);
   if (follows) {
-    said_revision_ = announcement.revision;
+    known_.say(announcement.revision);
     header_.affirm(now);
   }
   take_interval(announcement, now);
   take_revision(way, announcement, now, changes);
-  if (completes && update_services(complete_, announcement)) {
-    is_complete_ = true;
-    affirmed_ = now;
-    held_revision_ = revision_;
-  }
+  if (completes && known_.complete_by(announcement)) known_.affirm(now);
   services_.apply(announcement, moment(now, true), changes);
   if (!is_contested_) services_.withdraw_removed(announcement, moment(now, true), changes);
 }
@@ -197,24 +188,15 @@ void NeighbourRecord::take_interval(const announcement::Announcement& announceme
 
 void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
                                     std::vector<Change>& changes) {
-  if (announcement.revision != revision_) {
-    if (announcement.revision < revision_) revisions_.restart(announcement.revision, now);
-    revisions_.rise(announcement.revision, now);
-    revision_ = announcement.revision;
-    is_complete_ = false;
-    next_service_deadline_ = services_.earliest_deadline();
-  }
+  if (known_.believe(announcement.revision, now)) next_service_deadline_ = services_.earliest_deadline();
   if (is_contested_) return;
   const bool is_state = announcement.kind == announcement::Kind::state;
-  if (!is_complete_ && is_state && way.assemble(announcement)) {
-    is_complete_ = true;
-    complete_ = way.assembled();
-    services_.withdraw_absent(complete_, moment(now, true), changes);
-    for (auto& each : ways_.all()) each.forget_parts();
+  if (!known_.is_complete() && is_state && way.assemble(announcement)) {
+    const auto& whole = known_.complete(way.assembled());
+    services_.withdraw_absent(whole, moment(now, true), changes);
+    ways_.forget_parts();
   }
-  if (!is_complete_) return;
-  affirmed_ = now;
-  held_revision_ = revision_;
+  if (known_.is_complete()) known_.affirm(now);
 }
 
 void NeighbourRecord::meet(NeighbourWay& way, const Arrival& arrival) {
@@ -223,12 +205,7 @@ void NeighbourRecord::meet(NeighbourWay& way, const Arrival& arrival) {
 }
 
 bool NeighbourRecord::introduces(const announcement::Announcement& state, const Arrival& arrival) const {
-  const auto lists = [&](std::string_view address) {
-    return std::ranges::any_of(state.addresses, [&](const auto& each) {
-      return NeighbourWays::without_zone(each) == NeighbourWays::without_zone(address);
-    });
-  };
-  return lists(arrival.source) && !lists(services_.owner().address);
+  return NeighbourWays::lists(state, arrival.source) && !NeighbourWays::lists(state, services_.owner().address);
 }
 
 void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now) {
@@ -239,17 +216,14 @@ void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now
 }
 
 void NeighbourRecord::succeed(std::uint32_t lasting, const Arrival& arrival) {
-  const bool is_same =
-      (lasting != 0 && lasting == this->lasting()) || std::ranges::any_of(ways_.all(), [&](const NeighbourWay& way) {
-        return way.is_on(arrival.interface) && way.source() == arrival.source;
-      });
+  const bool is_same = (lasting != 0 && lasting == this->lasting()) || ways_.is_from_one(arrival);
   if (!is_same || is_contested_) return;
   signs_.succeed(arrival.now, lasting_interval(arrival.now));
 }
 
 void NeighbourRecord::postpone(Instant until) {
   signs_.postpone(until);
-  for (auto& way : ways_.all()) way.deadline = std::max(way.deadline, until);
+  ways_.postpone(until);
 }
 
 void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
@@ -259,20 +233,16 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   contested_until_ = now + std::max(announcement::contest_intervals * interval_.lasting(now), at.hold);
   if (!is_first) return;
   contested_since_ = now;
-  services_.roll_back(is_complete_ ? affirmed_ : Instant::min(), at, changes);
-  for (auto& way : ways_.all()) {
-    way.roll_back(now, at.hold);
-    way.forget_parts();
-  }
+  services_.roll_back(known_.is_complete() ? known_.affirmed() : Instant::min(), at, changes);
+  ways_.roll_back(now, at.hold);
+  ways_.forget_parts();
   is_anew_ |= header_.roll_back(now, at.hold);
   interval_.roll_back(now, at.hold);
   services_.set_name(header_.value().name);
   choose_address();
-  is_complete_ = false;
-  complete_.clear();
+  known_.forget();
   // Deadlines that the lie moved are moved back.
-  const auto latest = now + patience(lasting_interval(now), {.loss = ways_.loss()});
-  for (auto& way : ways_.all()) way.deadline = std::min(way.deadline, latest);
+  ways_.shorten(now + patience(lasting_interval(now), {.loss = ways_.loss()}));
   services_.shorten(moment(now, false).deadline);
   next_service_deadline_ = services_.earliest_deadline();
   next_lapse_ = now;
@@ -282,7 +252,7 @@ void NeighbourRecord::end_contest(Instant now) {
   if (!is_contested_ || now < contested_until_) return;
   is_contested_ = false;
   next_lapse_ = base::never;
-  for (auto& way : ways_.all()) way.forget_parts();
+  ways_.forget_parts();
   next_service_deadline_ = services_.earliest_deadline();
 }
 
@@ -295,20 +265,10 @@ Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announce
   return Hearing::contradiction;
 }
 
-void NeighbourRecord::note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
-  if (ways_.find_bound(announcement, arrival) == nullptr) return;
-  auto& goodbye = ways_.find(announcement, arrival)->goodbye;
-  if (!goodbye) goodbye = announcement.sequence;
-}
-
 NeighbourRecord::Proof NeighbourRecord::proof(const announcement::Announcement& announcement, const Arrival& arrival,
                                               Instant left) {
-  const auto* way = ways_.find_bound(announcement, arrival);
-  if (way == nullptr) {
-    // The sender of a false goodbye may have moved the way before.
-    way = ways_.find(announcement, arrival);
-    if (way == nullptr || !way->was_of(arrival.source)) return Proof::none;
-  }
+  const auto* way = ways_.find_once_bound(announcement, arrival);
+  if (way == nullptr) return Proof::none;
   const bool is_heard = way->has(announcement.sequence);
   // A true goodbye has the highest number. A lower number may have been overtaken by it, but not for long.
   const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye && !is_heard;
@@ -319,7 +279,7 @@ NeighbourRecord::Proof NeighbourRecord::proof(const announcement::Announcement& 
 Duration NeighbourRecord::memory(Instant now) const { return std::max<Duration>(goodbye_memory, hold(now)); }
 
 void NeighbourRecord::come_back(Instant now, std::vector<Change>& changes) {
-  for (auto& way : ways_.all()) way.goodbye.reset();
+  ways_.forget_goodbyes();
   services_.forget_told();
   contest(now, changes);
 }
@@ -333,6 +293,53 @@ bool NeighbourRecord::yields_to(const announcement::Announcement& rival, const A
   return false;
 }
 
+void NeighbourRecord::hear_of(const Passage& passage, std::uint64_t revision, Instant now) {
+  if (is_contested_ || is_heard_directly(now)) return;
+  passage_.hear_through(passage, now);
+  ways_.set_relayed_loss(passage.loss);
+  if (revision > known_.revision()) suspect();
+  const auto seen = now - passage.age;
+  const auto succeeded = signs_.succeeded();
+  if (seen <= signs_.heard() || (succeeded && seen <= *succeeded)) return;
+  standing_.hear(now);
+  signs_.hear(seen);
+  signs_.renew(lasting_interval(now), reception(now));
+  if (known_.is_complete() && revision == known_.revision()) known_.affirm_seen(seen);
+  ways_.postpone(signs_.deadline());
+}
+
+Reach NeighbourRecord::reach() const {
+  return {.id = id_,
+          .revision = held_revision(),
+          .heard = is_contested_ ? signs_.heard() : std::max(signs_.heard(), witnesses_.seen(id_)),
+          .interval = interval(),
+          .loss = ways_.loss(),
+          .hops = passage() ? passage()->hops : 0,
+          .beyond = passage() ? passage()->interface : env::InterfaceIndex{},
+          .ways = ways_.all(),
+          .reachability = reachability_};
+}
+
+void NeighbourRecord::judge_reach(const JudgeReach& judge, std::vector<Change>& changes) {
+  if (ways_.all().empty()) return;  // Without a way nothing is known that is new.
+  const std::string& address = services_.owner().address;
+  const bool is_afar = passage() != nullptr || std::ranges::all_of(ways_.all(), &NeighbourWay::is_heard_alone);
+  const bool is_judged = is_afar && !address.empty();
+  const auto reachability = is_judged ? judge(address, observed_address(reach())) : Reachability::reachable;
+  if (reachability == reachability_) return;
+  reachability_ = reachability;
+  services_.set_reachable(reachability == Reachability::reachable);
+  services_.tell(moment(signs_.heard(), false), changes);
+}
+
+void NeighbourRecord::ask_witnesses(Instant now) {
+  // For a contested participant only its own datagrams count. Without a way we may not reach it, though others do.
+  if (is_contested_ || ways_.all().empty()) return;
+  if (!signs_.witness(witnesses_.seen(id_), now, lasting_interval(now), reception(now))) return;
+  // The way on which it was heard last is the best guess of how it can be reached.
+  ways_.postpone_last(signs_.deadline());
+}
+
 void NeighbourRecord::choose_address() {
   const auto& owner = services_.owner();
   const auto chosen = best_address(ways_.all(), owner.address, owner.zone);
@@ -341,12 +348,11 @@ void NeighbourRecord::choose_address() {
 }
 
 void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
-  const auto lost = std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.deadline <= now; });
-  if (lost > 0) choose_address();
+  if (ways_.expire(now)) choose_address();
   if (standing_.is_confirmed) signs_.doubt(now, lasting_interval(now));
   if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
   end_contest(now);
-  if (!is_complete_ && next_service_deadline_ <= now) {
+  if (!known_.is_complete() && next_service_deadline_ <= now) {
     services_.expire(moment(now, false), changes);
     next_service_deadline_ = services_.earliest_deadline();
   }
@@ -354,12 +360,7 @@ void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
 }
 
 void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
-  if (std::erase_if(ways_.all(), [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return;
-  // It is we who hear it on fewer ways: those that are left count.
-  for (auto& way : ways_.all()) {
-    way.is_vouched = true;
-    ways_.vouch(way.source());
-  }
+  if (!ways_.forget_interface(interface)) return;
   choose_address();
   services_.tell(moment(signs_.heard(), false), changes);
 }
@@ -369,7 +370,7 @@ Instant NeighbourRecord::next_deadline() const {
   for (const auto& way : ways_.all()) next = std::min(next, way.deadline);
   if (standing_.is_confirmed && !signs_.is_doubted())
     next = std::min(next, signs_.doubt_due(lasting_interval(signs_.heard())));
-  if (!is_complete_) next = std::min(next, next_service_deadline_);
+  if (!known_.is_complete()) next = std::min(next, next_service_deadline_);
   if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
   return next;
 }
@@ -389,8 +390,8 @@ Neighbour NeighbourRecord::snapshot() const {
   neighbour.publications = services_.publications();
   neighbour.subscriptions = services_.size() - neighbour.publications;
   neighbour.is_deaf = witnesses_.is_surely_deaf_to_us(id_);
-  if (passage_) neighbour.through = passage_->through;
-  neighbour.is_complete = is_complete_;
+  if (passage() != nullptr) neighbour.through = passage()->through;
+  neighbour.is_complete = known_.is_complete();
   return neighbour;
 }
 

@@ -18,13 +18,14 @@
 #include "discovery/membership/neighbour/arrival.hpp"
 #include "discovery/membership/neighbour/change.hpp"
 #include "discovery/membership/neighbour/hearing.hpp"
+#include "discovery/membership/neighbour/known_state.hpp"
+#include "discovery/membership/neighbour/last_passage.hpp"
 #include "discovery/membership/neighbour/life_signs.hpp"
 #include "discovery/membership/neighbour/neighbour.hpp"
 #include "discovery/membership/neighbour/neighbour_services.hpp"
 #include "discovery/membership/neighbour/neighbour_ways.hpp"
 #include "discovery/membership/neighbour/reach.hpp"
 #include "discovery/membership/neighbour/revocable.hpp"
-#include "discovery/membership/neighbour/rising_count.hpp"
 #include "discovery/membership/neighbour/service_room.hpp"
 #include "discovery/membership/schedule/search.hpp"
 #include "discovery/membership/witnesses/witnesses.hpp"
@@ -65,7 +66,9 @@ class NeighbourRecord {
   /// contested participant only shortens its deadline, so that it stays if it goes on speaking.
   [[nodiscard]] Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
   /// Remembers the number of a goodbye on its way. A datagram with a higher number was sent after it.
-  void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
+  void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
+    ways_.note_goodbye(announcement, arrival);
+  }
   /// The proof in a state of a participant that seemed to leave at `left`.
   enum class Proof : std::uint8_t {
     none,   ///< nothing: it is from elsewhere, or may be older than that
@@ -96,9 +99,11 @@ class NeighbourRecord {
   /// not said). Counts for nothing while it is heard directly or is contested.
   void hear_of(const Passage& passage, std::uint64_t revision, base::Instant now);
   /// Whether we hear it ourselves: it spoke to us within hold_intervals.
-  [[nodiscard]] bool is_heard_directly(base::Instant now) const;
+  [[nodiscard]] bool is_heard_directly(base::Instant now) const {
+    return passage_.is_direct(announcement::hold_intervals * lasting_interval(now), now);
+  }
   /// The relays on the way to it; null: it was last heard directly.
-  [[nodiscard]] const Passage* passage() const { return passage_ ? &*passage_ : nullptr; }
+  [[nodiscard]] const Passage* passage() const { return passage_.relayed(); }
   /// Its ways, for a relay.
   [[nodiscard]] Reach reach() const;
 
@@ -132,7 +137,7 @@ class NeighbourRecord {
   /// Whether its name, ontology or lasting identity has changed since the last call.
   [[nodiscard]] bool take_anew() { return std::exchange(is_anew_, false); }
   /// When a datagram last proved that a complete revision still holds.
-  [[nodiscard]] base::Instant affirmed() const { return affirmed_; }
+  [[nodiscard]] base::Instant affirmed() const { return known_.affirmed(); }
   /// The lasting identity of all its incarnations; 0: it has none.
   [[nodiscard]] std::uint32_t lasting() const { return header_.value().lasting; }
   /// The time between two of its announcements, as it announces it.
@@ -140,9 +145,9 @@ class NeighbourRecord {
   /// The same, as far as it is believed: no single datagram makes deadlines shorter or longer.
   [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
   /// Takes in that somebody else seems to have a newer state of it: it is asked for until the participant speaks.
-  void suspect() { is_suspected_ = is_complete_ && !is_contested_; }
+  void suspect() { known_.set_suspected(known_.is_complete() && !is_contested_); }
   /// The last revision that is known in whole, or is believed while it is contested; 0: none.
-  [[nodiscard]] std::uint64_t held_revision() const { return is_contested_ ? revision_ : held_revision_; }
+  [[nodiscard]] std::uint64_t held_revision() const { return is_contested_ ? known_.revision() : known_.held(); }
   /// Whether its newest state is unknown or uncertain, or is unknown for one of its ways, or had no room.
   [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
   /// Whether its newest state is to be asked for at once. While somebody goes on lying in its name, our next presence
@@ -192,7 +197,7 @@ class NeighbourRecord {
   };
 
   [[nodiscard]] bool is_state_lacking() const {
-    return !is_complete_ || is_suspected_ || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
+    return !known_.is_complete() || known_.is_suspected() || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
   }
   static Header header_of(const announcement::Announcement& announcement);
   [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const announcement::Announcement& announcement,
@@ -215,8 +220,6 @@ class NeighbourRecord {
   /// Whether a state shows that its source is an address of its sender, since the sender moves there: from now on its
   /// services are told there. So nobody can keep somebody else's services alive where they are.
   [[nodiscard]] bool introduces(const announcement::Announcement& state, const Arrival& arrival) const;
-  /// Takes in on which way it is heard now.
-  void take_passage(const Passage& passage, base::Instant now);
   void set_deadlines(NeighbourWay& way, bool is_sign, base::Instant now);
   /// Chooses the address for services without one.
   void choose_address();
@@ -226,9 +229,6 @@ class NeighbourRecord {
   [[nodiscard]] base::Duration hold(base::Instant now) const;
   [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
   [[nodiscard]] Reception reception(base::Instant now) const;
-  /// The time by which signs of life of a participant with this interval are late: the intervals of all relays on the
-  /// way. A relay of which nothing is known counts as the slower one of the participant and the last relay.
-  [[nodiscard]] base::Duration delay(base::Duration interval) const;
   /// The loss of its best way, or a bad one if too few datagrams were heard to tell.
   [[nodiscard]] double known_loss() const;
 
@@ -242,23 +242,14 @@ class NeighbourRecord {
   bool is_anew_ = false;        ///< the header has changed since take_anew()
   AnnouncedInterval interval_;  ///< the interval that it keeps: that of the header, stretched
   LifeSigns signs_;
-  std::uint64_t revision_;       ///< the revision that is believed
-  std::uint64_t said_revision_;  ///< the last revision of which a state was heard
-  RisingCount revisions_;        ///< when it and the revisions before it were first heard
-  bool is_complete_ = false;
-  std::uint64_t held_revision_ = 0;
-  bool is_suspected_ = false;            ///< somebody else seems to have a newer state
-  std::vector<ServiceNumber> complete_;  ///< the services of a complete revision
-  base::Instant affirmed_;               ///< when a datagram last proved that a complete revision still holds
+  KnownState known_;
   bool is_contested_ = false;
   base::Instant contested_since_;
   base::Instant contested_until_;
   base::Instant next_lapse_ = base::never;  ///< while contested: the first instant at which a service may lapse
   base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier deadline
   base::Rare<Rival> rival_;
-  std::optional<base::Instant> heard_directly_;
-  std::optional<Passage> passage_;  ///< present while the last word came through a relay
-  base::Instant passed_{};          ///< when that passage was last used
+  LastPassage passage_;
   Reachability reachability_ = Reachability::reachable;
   NeighbourWays ways_;
   NeighbourServices services_;

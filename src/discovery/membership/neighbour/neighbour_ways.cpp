@@ -8,6 +8,7 @@
 namespace geminga::membership {
 
 using base::Duration;
+using base::Instant;
 
 NeighbourWay* NeighbourWays::find(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto way =
@@ -21,6 +22,13 @@ const NeighbourWay* NeighbourWays::find_bound(const announcement::Announcement& 
     return each.is_way_of(announcement, arrival) && (each.is_relayed() || each.source() == arrival.source);
   });
   return way == ways_.end() ? nullptr : &*way;
+}
+
+const NeighbourWay* NeighbourWays::find_once_bound(const announcement::Announcement& announcement,
+                                                   const Arrival& arrival) {
+  if (const auto* way = find_bound(announcement, arrival)) return way;
+  const auto* way = find(announcement, arrival);
+  return way != nullptr && way->was_of(arrival.source) ? way : nullptr;
 }
 
 bool NeighbourWays::may_open(const announcement::Announcement& announcement, const Arrival& arrival, Duration hold,
@@ -63,8 +71,68 @@ bool NeighbourWays::close_later(const NeighbourWay& way, const Arrival& arrival)
   return closed > 0;
 }
 
+bool NeighbourWays::forget_interface(env::InterfaceIndex interface) {
+  if (std::erase_if(ways_, [&](const NeighbourWay& way) { return way.is_on(interface); }) == 0) return false;
+  for (auto& way : ways_) {
+    way.is_vouched = true;
+    vouch(way.source());
+  }
+  return true;
+}
+
+bool NeighbourWays::expire(Instant now) {
+  return std::erase_if(ways_, [now](const NeighbourWay& way) { return way.deadline <= now; }) > 0;
+}
+
+void NeighbourWays::postpone(Instant until) {
+  for (auto& way : ways_) way.deadline = std::max(way.deadline, until);
+}
+
+void NeighbourWays::postpone_last(Instant until) {
+  const auto last = std::ranges::max_element(ways_, {}, &NeighbourWay::heard);
+  if (last != ways_.end()) last->deadline = std::max(last->deadline, until);
+}
+
+void NeighbourWays::shorten(Instant latest) {
+  for (auto& way : ways_) way.deadline = std::min(way.deadline, latest);
+}
+
+bool NeighbourWays::is_from_one(const Arrival& arrival) const {
+  return std::ranges::any_of(
+      ways_, [&](const NeighbourWay& way) { return way.is_on(arrival.interface) && way.source() == arrival.source; });
+}
+
+void NeighbourWays::set_relayed_loss(double loss) {
+  for (auto& way : ways_) {
+    if (way.is_relayed()) way.set_loss(loss);
+  }
+}
+
+void NeighbourWays::roll_back(Instant now, Duration hold) {
+  for (auto& way : ways_) way.roll_back(now, hold);
+}
+
+void NeighbourWays::forget_parts() {
+  for (auto& way : ways_) way.forget_parts();
+}
+
+void NeighbourWays::note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
+  if (find_bound(announcement, arrival) == nullptr) return;
+  auto& goodbye = find(announcement, arrival)->goodbye;
+  if (!goodbye) goodbye = announcement.sequence;
+}
+
+void NeighbourWays::forget_goodbyes() {
+  for (auto& way : ways_) way.goodbye.reset();
+}
+
 bool NeighbourWays::is_vouched(std::string_view source) const {
   return std::ranges::find(vouched_, without_zone(source)) != vouched_.end();
+}
+
+bool NeighbourWays::lists(const announcement::Announcement& state, std::string_view address) {
+  return std::ranges::any_of(state.addresses,
+                             [&](const auto& each) { return without_zone(each) == without_zone(address); });
 }
 
 void NeighbourWays::vouch(std::string_view source) {

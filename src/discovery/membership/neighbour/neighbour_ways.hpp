@@ -14,13 +14,15 @@ namespace geminga::membership {
 class NeighbourWays {
  public:
   [[nodiscard]] const std::vector<NeighbourWay>& all() const { return ways_; }
-  [[nodiscard]] std::vector<NeighbourWay>& all() { return ways_; }
 
   /// The way of a datagram, from whatever address it came; null: there is none.
   [[nodiscard]] NeighbourWay* find(const announcement::Announcement& announcement, const Arrival& arrival);
   /// The way of a datagram if it came from the address that the way belongs to; null otherwise.
   [[nodiscard]] const NeighbourWay* find_bound(const announcement::Announcement& announcement,
                                                const Arrival& arrival) const;
+  /// The same, or the way that belonged to that address before somebody moved it; null: there is none.
+  [[nodiscard]] const NeighbourWay* find_once_bound(const announcement::Announcement& announcement,
+                                                    const Arrival& arrival);
   /// Opens a way for a datagram; null: it may not be opened, or there are max_paths. A way that was heard within `hold`
   /// is alive.
   [[nodiscard]] NeighbourWay* open(const announcement::Announcement& announcement, const Arrival& arrival,
@@ -31,6 +33,30 @@ class NeighbourWays {
 
   /// Closes the ways through relays, since the participant is heard directly.
   void close_relayed() { std::erase_if(ways_, &NeighbourWay::is_relayed); }
+  /// Closes the ways on an interface that is gone. Returns whether there were any. It is we who hear the participant on
+  /// fewer ways, so those that are left count.
+  bool forget_interface(env::InterfaceIndex interface);
+  /// Closes the ways that have their deadline at or before `now`. Returns whether there were any.
+  bool expire(base::Instant now);
+  /// Moves every deadline before `until` to `until`.
+  void postpone(base::Instant until);
+  /// The same for the way on which the participant was heard last.
+  void postpone_last(base::Instant until);
+  /// Moves every deadline after `latest` to `latest`.
+  void shorten(base::Instant latest);
+
+  /// Whether a datagram comes from the address of one of the ways.
+  [[nodiscard]] bool is_from_one(const Arrival& arrival) const;
+  /// Takes in the loss on the ways through relays, which a relay states.
+  void set_relayed_loss(double loss);
+  /// Undoes what was said of all ways within `hold`, because somebody has lied.
+  void roll_back(base::Instant now, base::Duration hold);
+  /// Forgets the parts of states that are not whole.
+  void forget_parts();
+  /// Remembers the number of the first goodbye on its way, if it came from the address that the way belongs to.
+  void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
+  /// Forgets the numbers of goodbyes.
+  void forget_goodbyes();
 
   /// Whether words from this address are signs of life (ANNOUNCEMENT.md, "Whose words are signs of life").
   [[nodiscard]] bool is_vouched(std::string_view source) const;
@@ -38,6 +64,8 @@ class NeighbourWays {
   [[nodiscard]] static std::string_view without_zone(std::string_view address) {
     return address.substr(0, address.find('%'));
   }
+  /// Whether a state names this address, whatever its zone.
+  [[nodiscard]] static bool lists(const announcement::Announcement& state, std::string_view address);
 
   /// Takes over the losses on one way before the participant was given up.
   void go_on_from(env::InterfaceIndex interface, std::uint32_t link, const LossWindow& former);
