@@ -65,7 +65,12 @@ void AsioEnv::open_air(AirSettings settings) {
   unicast_.reset();
   if (!settings_.peers.empty() || settings_.admission != Admission::nobody) {
     unicast_ = std::make_unique<Unicast>(
-        context_, settings_.peers, settings_.are_peers_links, settings_.admission, settings_.port, log_, air_counts_,
+        context_,
+        UnicastSettings{.peers = settings_.peers,
+                        .are_links = settings_.are_peers_links,
+                        .admission = settings_.admission,
+                        .port = settings_.port},
+        log_, air_counts_,
         [this](InterfaceIndex interface, const address& source, std::span<const std::byte> datagram) {
           receive(interface, source, datagram);
         });

@@ -41,19 +41,18 @@ std::optional<address> source_towards(net::io_context& context, const udp::endpo
 
 class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
  public:
-  Sockets(net::io_context& context, std::vector<HostPort> peers, bool are_links, Admission admission,
-          std::uint16_t port, base::LogSink& log, AirCounts& counts, Receive receive)
+  Sockets(net::io_context& context, UnicastSettings settings, base::LogSink& log, AirCounts& counts, Receive receive)
       : context_(context),
-        port_(port),
-        are_links_(are_links),
-        admission_(admission),
+        port_(settings.port),
+        are_links_(settings.are_links),
+        admission_(settings.admission),
         log_(log),
         counts_(counts),
         receive_(std::move(receive)),
         resolver_(context),
         timer_(context),
-        guests_(admission == Admission::asked ? max_guests : max_unasked_guests) {
-    for (HostPort& peer : peers) peers_.emplace_back(std::move(peer), Clock::now());
+        guests_(admission_ == Admission::asked ? max_guests : max_unasked_guests) {
+    for (HostPort& peer : settings.peers) peers_.emplace_back(std::move(peer), Clock::now());
   }
 
   void start() { resolve_names(); }
@@ -317,10 +316,9 @@ class Unicast::Sockets : public std::enable_shared_from_this<Unicast::Sockets> {
   bool is_stopped_ = false;
 };
 
-Unicast::Unicast(net::io_context& context, std::vector<HostPort> peers, bool are_links, Admission admission,
-                 std::uint16_t port, base::LogSink& log, AirCounts& counts, Receive receive)
-    : sockets_(std::make_shared<Sockets>(context, std::move(peers), are_links, admission, port, log, counts,
-                                         std::move(receive))) {
+Unicast::Unicast(net::io_context& context, UnicastSettings settings, base::LogSink& log, AirCounts& counts,
+                 Receive receive)
+    : sockets_(std::make_shared<Sockets>(context, std::move(settings), log, counts, std::move(receive))) {
   sockets_->start();
 }
 Unicast::~Unicast() { sockets_->stop(); }

@@ -39,6 +39,13 @@ enum class Admission : std::uint8_t {
   asked,   ///< the same, and the owner wishes it: a host that has proved nothing gets what it needs for a proof
 };
 
+struct UnicastSettings {
+  std::vector<HostPort> peers;  ///< the named hosts
+  bool are_links = false;       ///< each of them is a link of its own, and gets only what is sent on that
+  Admission admission = Admission::nobody;
+  std::uint16_t port = 0;  ///< of ours
+};
+
 /// The unicast side of all interfaces. Each own address has one socket, bound to that address and the UDP port without
 /// address sharing. So a second daemon of this host cannot take our datagrams (it is told that the address is in use),
 /// and the multicast sockets, which are bound to group addresses, are not in the way.
@@ -56,10 +63,9 @@ class Unicast {
   using Receive = std::function<void(InterfaceIndex interface, const boost::asio::ip::address& source,
                                      std::span<const std::byte> datagram)>;
 
-  /// Adds the datagrams that are not taken to `counts`, which is borrowed for the life of this object. `are_links`:
-  /// each named host is a link of its own, and gets only what is sent on that.
-  Unicast(boost::asio::io_context& context, std::vector<HostPort> peers, bool are_links, Admission admission,
-          std::uint16_t port, base::LogSink& log, AirCounts& counts, Receive receive);
+  /// Adds the datagrams that are not taken to `counts`, which is borrowed for the life of this object.
+  Unicast(boost::asio::io_context& context, UnicastSettings settings, base::LogSink& log, AirCounts& counts,
+          Receive receive);
   ~Unicast();
   Unicast(const Unicast&) = delete;
   Unicast& operator=(const Unicast&) = delete;
