@@ -153,7 +153,8 @@ Exit status: 0 ended by Ctrl-C, 2 a rule cannot be read (file, line, what to do)
 }  // namespace
 
 void add_alerts(CLI::App& app, RunAlone& selected) {
-  CLI::App* command = app.add_subcommand("alerts", "What should hold in the team and does not, as events");
+  CLI::App* command =
+      app.add_subcommand("alerts", "Events when a rule about the team stops to hold, and when it holds again");
   const auto flags = std::make_shared<AlertFlags>();
   command->add_option("--rules", flags->rules, "The rules, in TOML")->type_name("FILE")->required();
   auto* exec = command->add_option("--exec", flags->command, "Run this for each event instead of printing it");

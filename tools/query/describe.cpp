@@ -55,7 +55,8 @@ std::vector<std::string> files_of(const Answer& ontology) {
 }  // namespace
 
 void add_describe(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("describe", "Say what this host's participant is, for the team to ask for");
+  CLI::App* command =
+      app.add_subcommand("describe", "Describe this host's participant, so that others find it by what it is");
   const auto said = std::make_shared<Described>();
   command->add_option("EXPRESSION", said->words,
                       "A class or a class expression, in place of the present one; a name that ends as ontology files "

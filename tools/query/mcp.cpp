@@ -33,7 +33,7 @@ shell::ExitStatus serve(const Context& context) {
 
 void add_mcp(CLI::App& app, RunAlone& selected) {
   CLI::App* command = app.add_subcommand(
-      "mcp", "The same questions for assistants: the Model Context Protocol on standard input and output, read only");
+      "mcp", "A read-only server of the Model Context Protocol on standard input and output, for assistants");
   command->footer(
       "Example: geminga-query mcp\n"
       "In the configuration of an assistant:\n"

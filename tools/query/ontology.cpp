@@ -76,7 +76,8 @@ void print_words(const Context& context, const Ontology& parts) {
 }  // namespace
 
 void add_ontology(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("ontology", "What is loaded, what of it is not used, who has another one");
+  CLI::App* command = app.add_subcommand(
+      "ontology", "The loaded ontology, what of it is not used, and the participants that have another one");
   const auto flags = std::make_shared<AlignFlags>();
   CLI::Option* participant =
       command

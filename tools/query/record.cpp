@@ -214,7 +214,7 @@ ExitStatus record(const Context& context, const RecordFlags& flags) {
 
 void add_record(CLI::App& app, RunAlone& selected) {
   CLI::App* command =
-      app.add_subcommand("record", "Keeps what happens in the team in a file, until Ctrl-C; replay plays it");
+      app.add_subcommand("record", "Record what happens in the team in a file, until Ctrl-C; replay plays it");
   const auto flags = std::make_shared<RecordFlags>();
   command->add_option("FILE", flags->file, "The recording; - is standard output")->required();
   command->add_flag("--append", flags->appends, "Go on behind a recording that is there");

@@ -56,8 +56,8 @@ void print_security(const Context& context, const Security& security) {
 }  // namespace
 
 void add_security(CLI::App& app, Run& selected) {
-  CLI::App* command =
-      app.add_subcommand("security", "What is on the air by mode and key, what was rejected, who lacks which key");
+  CLI::App* command = app.add_subcommand(
+      "security", "Datagrams heard, by mode of sealing and key; what was rejected; which participants lack a key");
   command->footer(
       "Examples:\n  geminga-query security\n  geminga-query --json security | jq '.participants[] | select(.lacks != "
       "[])'\nIn a rotation: LACKS is empty everywhere when everybody has the new key, and SEALS WITH shows it "

@@ -233,11 +233,11 @@ Plan plan_of(const TeamFlags& flags) {
 }  // namespace
 
 void add_team(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("team", "Which robots together fill the roles of a task, as few as can be");
+  CLI::App* command = app.add_subcommand("team", "The smallest set of robots that together fill the roles of a task");
   const auto flags = std::make_shared<TeamFlags>();
   CLI::Option* file =
       command->add_option("FILE", flags->file, "A task in any syntax of OWL, in the words of ontology/capability.ttl");
-  file->type_name("FILE");
+  file->type_name("FILE")->check(CLI::ExistingFile, "", "");
   command->add_option("--task", flags->task, "The name or IRI of the task, where the file has several")
       ->type_name("NAME")
       ->needs(file);

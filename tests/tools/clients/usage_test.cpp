@@ -76,6 +76,7 @@ TEST(Programs, EndWithTwoOnWrongUsage) {
       {"geminga-query", {"participants", "--missing"}},
       {"geminga-query", {"participants", "hasPart some Gripper", "--missing", "--why"}},
       {"geminga-query", {"team"}},
+      {"geminga-query", {"team", "/no/such/task.ttl"}},
       {"geminga-query", {"team", "--need", ""}},
       {"geminga-query", {"team", "--need", "2:"}},
       {"geminga-query", {"team", "--need", "0: hasPart some Gripper"}},
