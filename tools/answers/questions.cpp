@@ -23,6 +23,7 @@ constexpr Key text_key{"text", "This text instead of a concept"};
 constexpr Key mode_key{"mode", "In this mode: oto, otm/stream or otm/pubsub"};
 constexpr Key convert_key{"convert", "Also what can be converted: yes, no or the largest cost"};
 constexpr Key where_key{"where", "A condition over attributes, as in: rate >= 30 and frame = \"map\""};
+constexpr Key on_key{"on", "On participants that are known to be this: a class or a class expression"};
 constexpr Key filter_key{"filter", "A text that occurs in a word, name, identity or attribute"};
 
 constexpr auto participant_keys = std::to_array<Key>(
@@ -54,6 +55,7 @@ constexpr auto match_keys = std::to_array<Key>(
      {"degree", "The weakest degree that counts: exact, equivalent, narrower (unless told), broader or overlapping"},
      mode_key,
      where_key,
+     on_key,
      {"provider", "From one of these: PARTICIPANT[/PEER],..."},
      {"limit", "At most so many, the best", number},
      convert_key});
@@ -74,7 +76,7 @@ constexpr auto why_keys = std::to_array<Key>(
      {"rank", "The criteria by which providers are ranked first"},
      where_key,
      {"protocol", "In one of these protocols, separated by commas"},
-     {"on", "On participants that are known to be this: a class or a class expression"},
+     on_key,
      {"scope", "From these hosts: host, group, any or names, and ! before what is excluded"},
      {"limit", "From so many at most", number},
      convert_key,

@@ -18,6 +18,7 @@ struct Flags {
   std::optional<ChannelMode> mode;
   Degree degree = Degree::narrower;
   std::string where;
+  std::string on;
   std::vector<std::string> providers;
   std::uint32_t limit = 0;
   std::string convert;
@@ -102,6 +103,7 @@ Listing listing_of(const Flags& flags) {
   if (flags.degree != Degree::narrower) parameters.emplace_back("degree", to_string(flags.degree));
   if (flags.mode) parameters.emplace_back("mode", to_string(*flags.mode));
   if (!flags.where.empty()) parameters.emplace_back("where", flags.where);
+  if (!flags.on.empty()) parameters.emplace_back("on", flags.on);
   if (!flags.providers.empty()) parameters.emplace_back("provider", CLI::detail::join(flags.providers, ","));
   if (!flags.convert.empty()) parameters.emplace_back("convert", flags.convert);
   if (flags.limit != 0) parameters.emplace_back("limit", std::to_string(flags.limit));
@@ -130,6 +132,10 @@ void add_match(CLI::App& app, Run& selected) {
   shell::add_degree(*command, flags->degree);
   shell::add_mode(*command, flags->mode, "Only this channel mode");
   command->add_option("--where", flags->where, "Only services whose attributes fit")->type_name("EXPRESSION");
+  command
+      ->add_option("--on", flags->on,
+                   "Only on robots that are known to be this by their descriptions: a class or a class expression")
+      ->type_name("EXPRESSION");
   command->add_option("--provider", flags->providers, "Only these providers")
       ->type_name("PARTICIPANT[/PEER]")
       ->allow_extra_args(false);
@@ -149,6 +155,7 @@ void add_match(CLI::App& app, Run& selected) {
       "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --mode otm/stream\n"
       "  geminga-query match soccer:BallInfo --representation soccer:CartesianFieldFrame --convert yes\n"
       "  geminga-query match --id 0x30242948\n  geminga-query match soccer:BallInfo --where 'rate >= 30' --limit 1\n"
+      "  geminga-query match soccer:BallInfo --on 'Robot and hasPart some Arm'\n"
       "  geminga-query match soccer:SharedBallInfo --missing");
   command->callback([flags, &selected] {
     read_words(*flags);

@@ -158,10 +158,11 @@ Told told_matches(const State& state, std::uint32_t id, const gcnp::QueryMatch& 
 }
 
 Told on(const State& state, std::uint32_t id, const gcnp::QueryMatch& query) {
-  if (!query.where.empty() || query.convert != 0) {
-    return refused(ErrorCode::impossible,
-                   "a recording judges no conditions and conversions: leave out where and convert, or ask for "
-                   "services and read their attributes");
+  if (!query.where.empty() || !query.on.empty() || query.convert != 0) {
+    return refused(
+        ErrorCode::impossible,
+        "a recording judges no conditions, descriptions and conversions: leave out where, on and convert, or "
+        "ask for services and read their attributes");
   }
   if (const Answer* answer = recorded_matches(state, query)) return told_matches(state, id, query, *answer);
   std::vector<const Record*> found;

@@ -176,6 +176,7 @@ Request read_query_match(KeyReader& keys) {
   query.mode = keys.mode();
   query.providers = keys.providers("provider").value_or(std::vector<ProviderFilter>{});
   query.where = keys.text("where", max_where_bytes).value_or("");
+  query.on = keys.text("on", max_concept_bytes).value_or("");
   query.limit = keys.number("limit").value_or(0);
   query.convert = keys.conversion().value_or(0);
   query.missing = keys.flag("missing");

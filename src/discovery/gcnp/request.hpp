@@ -112,6 +112,7 @@ struct QueryMatch {
   std::optional<ChannelMode> mode;
   std::vector<ProviderFilter> providers;
   std::string where;
+  std::string on{};           ///< the description that the participant of a service must meet; empty: any
   std::uint32_t limit = 0;    ///< 0: all
   std::uint32_t convert = 0;  ///< the largest cost of conversions that counts
   bool missing = false;       ///< also those that come near, with what is missing; then there is a concept

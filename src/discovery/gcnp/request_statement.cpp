@@ -192,6 +192,7 @@ struct Writer {
     if (query.mode) append(parameters, "mode", std::string(to_string(*query.mode)));
     append_stated(parameters, "provider", provider_list(query.providers));
     append_stated(parameters, "where", query.where);
+    append_stated(parameters, "on", query.on);
     if (query.limit != 0) append(parameters, "limit", query.limit);
     if (query.convert != 0) append(parameters, "convert", conversion_word(query.convert));
     if (query.missing) append(parameters, "missing", "1");

@@ -101,7 +101,9 @@ class Ranking {
       const auto* entry = by.matcher.find_publication(key);
       return entry != nullptr && has_expression(entry->publication.identity);
     };
-    if (request_->asks.compares && candidates_ && std::ranges::any_of(*candidates_, is_question)) candidates_.reset();
+    const bool may_ask = (request_->on && request_->on->compares) ||
+                         (request_->asks.compares && candidates_ && std::ranges::any_of(*candidates_, is_question));
+    if (may_ask) candidates_.reset();
   }
 
   bool operator()(Piece& piece) {
@@ -227,6 +229,11 @@ std::expected<Answering, Error> begin(std::string kind, const Listed& by, const 
   asked.where = query.where;
   asked.convert = query.convert;
   asked.reach = RequiredReach::any;  // what cannot be reached is listed, and marked
+  if (!query.on.empty()) {
+    auto on = by.resolver.resolve_on(query.on);
+    if (!on) return std::unexpected(on.error());
+    asked.on = std::move(*on);
+  }
   if (query.identity) {
     auto identity = by.resolver.resolve(*query.identity);
     if (!identity) return std::unexpected(identity.error());
