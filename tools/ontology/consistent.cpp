@@ -31,8 +31,7 @@ std::string as_json(const Answer& answer) {
 std::string as_text(const Answer& answer) {
   if (answer.verdict == Verdict::yes) return "Consistent: there can be a world as these files say.\n";
   if (answer.verdict == Verdict::no)
-    return "Contradiction: no world can be as these files say; geminga-ontology explain shows why with owl:Thing below "
-           "owl:Nothing.\n";
+    return "Contradiction: no world can be as these files say; geminga-ontology explain --inconsistent shows why.\n";
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
+#include "ontology/individuals/realized_files.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "ontology/picture/picture.hpp"
@@ -78,6 +79,7 @@ Exit draw(const DrawRequest& request, const WorkLimits& limits, const Graphviz& 
   if (!classified) return Exit::usage;
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
+  if (!classified->classification.is_consistent) say_error(contradiction_words);
   std::optional<taxonomy::ClassNumber> root;
   if (!request.root.empty()) {
     root = find_or_say(*ontology, request.root);

@@ -106,5 +106,14 @@ TEST_F(Draw, SvgComesFromGraphvizOrSaysThatItIsMissing) {
   }
 }
 
+TEST(DrawOfContradiction, SaysThatThePictureIsEmptyBecauseOfAContradiction) {
+  const Program program;
+  program.turtle("a.ttl", ":A a owl:Class ; owl:disjointWith :B . :B a owl:Class . :i a :A , :B .");
+  const Outcome outcome = program.run({"draw", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("the ontology contradicts itself"));
+  EXPECT_THAT(program.run({"consistent", "a.ttl"}).out, HasSubstr("explain --inconsistent shows why"));
+}
+
 }  // namespace
 }  // namespace geminga::ontology

@@ -131,8 +131,12 @@ std::vector<std::string> gaps_of(const ClassifiedFiles& classified) {
 
 Exit exit_of(const ClassifiedFiles& classified, Exit exit) {
   if (!classified.classification.is_cut_off) return exit;
-  return say_error(base::joined(classified.classification.gaps, ", ") + ", and what is settled by then counts: " +
-                       describe_undecided(classified).value_or("everything is decided") + ": raise the limit",
+  const std::vector<std::string>& gaps = classified.classification.gaps;
+  // The constructs that take long are told by check. A reader needs the limit here (base::Budget::reason).
+  const auto limit = std::ranges::find_if(gaps, [](const std::string& gap) { return gap.ends_with(" was reached"); });
+  return say_error((limit == gaps.end() ? base::joined(gaps, ", ") : *limit) +
+                       ", and what is settled by then counts; " +
+                       describe_undecided(classified).value_or("everything is decided") + "; raise the limit",
                    Exit::timed_out);
 }
 
