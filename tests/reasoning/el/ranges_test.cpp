@@ -121,6 +121,19 @@ TEST(NewsOfARange, IsHarmlessUnlessAConjunctionIsNear) {
       Outcome::needs_rules);
 }
 
+TEST(NewsOfARange, IsNotLookedIntoWhereConjunctionsAreTooMany) {
+  const auto with_partners = [](std::size_t count) {
+    std::string axioms = over_a_chain;
+    for (std::size_t at = 0; at < count; ++at)
+      axioms += "SubClassOf(ObjectIntersectionOf(P" + std::to_string(at) + " ObjectSomeValuesFrom(s R)) D)\n";
+    return owl::written(axioms);
+  };
+  constexpr std::size_t most = 64;
+  EXPECT_EQ(tested(with_partners(most - 1)), Outcome::passed);
+  EXPECT_EQ(tested(with_partners(most)), Outcome::passed);
+  EXPECT_EQ(tested(with_partners(most + 1)), Outcome::needs_rules);
+}
+
 TEST(NewsOfARange, CountsAtTheSecondNodeOfAnEnd) {
   // B leads over t and u to what is a B, an A and, by the range of v, an E: that leads on to another one, and is a D.
   const owl::Ontology source = owl::written(

@@ -186,7 +186,7 @@ base::Rows<std::uint32_t> RangeTest::find_below() const {
 //  X is new at `R some N`, and only conjunctions of X with atoms have rules: nothing below both `R some N` and such an
 //  atom shows that no rule fires
 bool RangeTest::is_news_harmless() const {
-  constexpr std::size_t max_partners = 64;
+  constexpr std::size_t max_partners = 64;  // each is looked for in the whole closure; rules are used where X has more
   if (news_.empty()) return true;
   const base::Rows<std::uint32_t> below = find_below();
   const auto all_below = [&](std::vector<std::uint32_t> open) {
