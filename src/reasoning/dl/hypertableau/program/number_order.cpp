@@ -54,7 +54,7 @@ Hierarchy hierarchy_of_concepts(const clauses::ClauseSet& set, std::span<const C
   return result;
 }
 
-/// What concepts exclude, as far as single clauses say.
+/// The exclusions between concepts, as far as single clauses say them.
 class Exclusions {
  public:
   Exclusions(const clauses::ClauseSet& set, Hierarchy& hierarchy)
