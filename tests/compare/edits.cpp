@@ -36,6 +36,9 @@ bool is_in(std::span<const TermKind> kinds, TermKind kind) { return std::ranges:
 /// Whether an edit may put another class expression or data range in the place of such a term.
 bool is_part(TermKind kind) { return owl::is_class_expression(kind) || owl::is_data_range(kind); }
 
+/// The parts of such a term must be what they are: the datatype of a literal or a restriction is no range of any kind.
+bool is_whole(TermKind kind) { return kind == TermKind::literal || kind == TermKind::datatype_restriction; }
+
 /// Parts of terms that are larger are not looked at.
 constexpr std::size_t most_parts = 2'000;
 
@@ -115,6 +118,7 @@ void Editor::change() {
 std::size_t Editor::count_of_parts(TermId id) const {
   const owl::Term term = terms_.term(id);
   std::size_t count = is_part(term.kind) ? 1 : 0;
+  if (is_whole(term.kind)) return count;
   for (const TermId part : term.arguments) {
     if (count <= most_parts) count += count_of_parts(part);
   }

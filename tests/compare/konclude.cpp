@@ -102,16 +102,23 @@ std::expected<cases::Closure, std::string> closure_of_owl_xml(const fs::path& fi
   return cases::closure_of_pairs(pairs);
 }
 
+std::expected<bool, std::string> konclude_consistency(const fs::path& file, unsigned seconds, Effort* effort) {
+  const Scratch scratch;
+  const auto [asked, answer] = run("consistency", file, {}, scratch.path() / "log", seconds);
+  if (effort != nullptr) *effort = asked.effort;
+  if (answer.find("is inconsistent") != std::string::npos) return false;
+  if (answer.find("is consistent") != std::string::npos) return true;
+  return std::unexpected("Konclude does not say whether it is consistent (status " + std::to_string(asked.status) +
+                         ")");
+}
+
 std::expected<cases::Closure, std::string> konclude_closure(const fs::path& file, unsigned seconds, Effort* effort) {
+  const auto has_model = konclude_consistency(file, seconds, effort);
+  if (!has_model) return std::unexpected(has_model.error());
+  if (!*has_model) return cases::Closure{"inconsistent"};
   const Scratch scratch;
   const fs::path output = scratch.path() / "taxonomy.owx";
   const fs::path log = scratch.path() / "log";
-  const auto [asked, answer] = run("consistency", file, {}, log, seconds);
-  if (effort != nullptr) *effort = asked.effort;
-  if (answer.find("is inconsistent") != std::string::npos) return cases::Closure{"inconsistent"};
-  if (answer.find("is consistent") == std::string::npos)
-    return std::unexpected("Konclude does not say whether it is consistent (status " + std::to_string(asked.status) +
-                           ")");
   const TimedRun ran = run("classification", file, output, log, seconds).first;
   if (effort != nullptr) *effort = ran.effort;
   if (ran.status != 0) return std::unexpected("Konclude ended with status " + std::to_string(ran.status));

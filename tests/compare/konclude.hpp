@@ -14,6 +14,10 @@ namespace geminga::compare {
 /// Whether there is a program of that name on the PATH.
 [[nodiscard]] bool is_konclude_installed();
 
+/// Whether it has a model. The error says what happened: Konclude did not end within `seconds`, or said neither.
+[[nodiscard]] std::expected<bool, std::string> konclude_consistency(const std::filesystem::path& file,
+                                                                    unsigned seconds = 60, Effort* effort = nullptr);
+
 /// The closure as cases::closure_of() gives it, with whole IRIs. `file` is in functional-style syntax or RDF/XML. The
 /// error says what happened: it did not end within `seconds`, or said no word that is understood.
 /// Konclude 0.7 hangs with one thread (`-w 1`), so it gets two. `effort`, if not null, is what its last run took.

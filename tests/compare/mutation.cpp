@@ -19,7 +19,7 @@ using owl::TermId;
 using owl::TermKind;
 
 /// Edits of one mutation. With many more, nearly all ontologies of individuals have a contradiction.
-constexpr std::size_t most_edits = 60;
+constexpr std::size_t most_edits = 100;
 
 /// The axioms to take from an original, ascending, and a word for how they were chosen.
 std::pair<std::vector<std::uint32_t>, std::string> sample(const owl::Ontology& original, base::Random& random) {
@@ -126,7 +126,7 @@ Mutation mutation(std::span<const owl::Ontology* const> originals, std::uint64_t
     join(draft, *originals[place], axioms, place, random);
     words += (place == 0 ? "" : ", ") + choice;
   }
-  const std::uint64_t per_thousand = 3 + random.below(38);
+  const std::uint64_t per_thousand = random.chance(0.7) ? 3 + random.below(38) : 40 + random.below(160);
   const std::size_t edits = std::min(draft.axioms.size() * per_thousand / 1000 + 2 + random.below(8), most_edits);
   Editor editor(draft.terms, draft.axioms, random);
   for (std::size_t left = edits; left > 0; --left) editor.edit();

@@ -37,6 +37,7 @@ struct Request {
   unsigned seconds = 20;
   std::size_t axioms = 10'000;  ///< files with more are left out
   bool shows_all = false;
+  bool asks_engines = false;  ///< our engines one by one, and not Konclude
   std::vector<std::string> files;
 };
 
@@ -71,17 +72,34 @@ int answer(const char* file) {
   return 0;
 }
 
+/// How single engines of ours contradict all of them together about one file, one line each; in a process of its own.
+int engines(const char* file) {
+  ontology::Readers readers;
+  const auto loaded = rdf::load(std::vector{std::string(file)}, {}, &readers);
+  if (!loaded) return 2;
+  const Opinion whole = of_the_reasoner(loaded->source);
+  const auto tell = [&](const char* name, const Opinion& opinion) {
+    for (const std::string& line : contradictions(whole, opinion))
+      std::printf("of all engines and %s %s\n", name, line.c_str());
+  };
+  tell("models", of_models(loaded->source));
+  tell("el", of_el(loaded->source));
+  tell("consequence", of_consequence(loaded->source));
+  return 0;
+}
+
 struct Answer {
   Opinion opinion;
   std::string words;  ///< empty: complete
   Effort effort;
 };
 
+std::string own_path() { return fs::read_symlink("/proc/self/exe").string(); }
+
 /// The words of answer() about a file.
 Answer ours(const fs::path& file, unsigned seconds) {
   const fs::path output = file.string() + ".answer";
-  const std::string self = fs::read_symlink("/proc/self/exe").string();
-  const TimedRun ran = run_timed({self, "--answer", file.string()}, seconds, output);
+  const TimedRun ran = run_timed({own_path(), "--answer", file.string()}, seconds, output);
   Answer given{{{}, false, {}}, {}, ran.effort};
   std::ifstream stream(output);
   std::string line;
@@ -122,6 +140,7 @@ struct Tally {
   std::uint64_t different = 0;
   std::uint64_t slower = 0;
   std::uint64_t undecided = 0;
+  std::uint64_t contradictory = 0;
   std::uint64_t without_konclude = 0;
   double our_seconds = 0;
   double konclude_seconds = 0;
@@ -156,6 +175,32 @@ std::string cost(const Effort& effort) {
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
+/// Konclude's own test of the consistency of an instance of A that is no instance of B, for `... A < B`: its
+/// classification misses or invents pairs about which that test is right.
+std::string second_thought(const owl::Ontology& source, const std::string& line, const fs::path& folder,
+                           unsigned seconds) {
+  const std::size_t middle = line.find(" < ");
+  const std::size_t begin = line.rfind(' ', middle - 1) + 1;
+  if (middle == std::string::npos) return {};
+  owl::Ontology asked = source;
+  const auto class_of = [&](const std::string& name) {
+    return name == "Thing" ? owl::thing_term : name == "Nothing" ? owl::nothing_term : asked.named_class(name);
+  };
+  const owl::FileId file = asked.add_file("asked");
+  const owl::TermId instance = asked.individual("http://asked.example/#instance");
+  const owl::TermId sub = class_of(line.substr(begin, middle - begin));
+  const owl::TermId super = class_of(line.substr(middle + 3));
+  asked.add(owl::AxiomKind::class_assertion, {sub, instance}, file, 0);
+  const owl::TermId others = asked.term(owl::TermKind::object_complement_of, {super});
+  asked.add(owl::AxiomKind::class_assertion, {others, instance}, file, 0);
+  const fs::path document = folder / "asked.ofn";
+  write(document, functional_syntax(asked));
+  const auto has_model = konclude_consistency(document, seconds);
+  if (!has_model) return has_model.error();
+  return *has_model ? "Konclude finds an instance that shows that it does not follow"
+                    : "Konclude finds no instance of the first that is none of the second: it follows";
+}
+
 /// Compares one variation, tells what is worth a line, and keeps its file.
 void compare(const Request& request, const Mutation& made, std::uint64_t seed, bool has_konclude, Tally& tally) {
   const fs::path folder = fs::temp_directory_path() / ("mutation-" + std::to_string(::getpid()));
@@ -183,6 +228,10 @@ void compare(const Request& request, const Mutation& made, std::uint64_t seed, b
     const auto found = closure ? contradictions(we.opinion, {*closure, true, {}}) : std::vector<std::string>();
     if (!found.empty()) ++tally.different;
     for (std::size_t at = 0; at < found.size() && at < 5; ++at) lines.push_back("DIFFERENT: " + found[at]);
+    if (!found.empty()) {
+      const std::string thought = second_thought(made.source, found.front(), folder, request.seconds);
+      if (!thought.empty()) lines.push_back("about the first pair " + thought);
+    }
     if (found.size() > 5) lines.push_back("DIFFERENT: and " + std::to_string(found.size() - 5) + " more");
     const double beyond = we.effort.user_seconds - effort.user_seconds;
     if (closure && beyond > slower_seconds && we.effort.user_seconds > slower_times * effort.user_seconds) {
@@ -192,6 +241,7 @@ void compare(const Request& request, const Mutation& made, std::uint64_t seed, b
   }
   ++tally.compared;
   tally.undecided += we.words.empty() ? 0U : 1U;
+  tally.contradictory += we.opinion.closure == cases::Closure{"inconsistent"} ? 1U : 0U;
   tally.our_seconds += we.effort.user_seconds;
   tally.konclude_seconds += effort.user_seconds;
   if (!lines.empty() || request.shows_all) {
@@ -204,22 +254,49 @@ void compare(const Request& request, const Mutation& made, std::uint64_t seed, b
   fs::remove_all(folder);
 }
 
+/// The same for our engines one by one.
+void compare_engines(const Request& request, const Mutation& made, std::uint64_t seed, Tally& tally) {
+  const fs::path file = "mutation-" + std::to_string(seed) + ".ofn";
+  const fs::path output = file.string() + ".answer";
+  write(file, functional_syntax(made.source));
+  const TimedRun ran = run_timed({own_path(), "--engines", file.string()}, request.seconds, output);
+  std::ifstream stream(output);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line) && lines.size() < 5;) lines.push_back("DIFFERENT: " + line);
+  ++tally.compared;
+  if (!lines.empty()) ++tally.different;
+  if (ran.status == 124) ++tally.undecided;
+  if (ran.status != 0 && ran.status != 124) lines.push_back("crashed with " + std::to_string(ran.status));
+  tally.our_seconds += ran.effort.user_seconds;
+  if (!lines.empty() || request.shows_all) {
+    std::printf("seed %llu: %s: %s\n", static_cast<unsigned long long>(seed), made.words.c_str(),
+                cost(ran.effort).c_str());
+    for (const std::string& line : lines) std::printf("    %s\n", line.c_str());
+    std::fflush(stdout);
+  }
+  fs::remove(output);
+  if (lines.empty()) fs::remove(file);
+}
+
 int run(const Request& request) {
-  const bool has_konclude = is_konclude_installed();
-  if (!has_konclude)
+  const bool has_konclude = !request.asks_engines && is_konclude_installed();
+  if (!has_konclude && !request.asks_engines)
     std::printf("NOT COMPARED with Konclude, which is not installed (Debian: apt-get install konclude)\n");
   Originals originals(request);
   Tally tally;
   for (std::uint64_t seed = request.first; seed < request.first + request.seeds; ++seed) {
     const std::optional<Mutation> made = vary(request, originals, seed);
-    if (made) compare(request, *made, seed, has_konclude, tally);
+    if (made && request.asks_engines) compare_engines(request, *made, seed, tally);
+    if (made && !request.asks_engines) compare(request, *made, seed, has_konclude, tally);
   }
   std::printf(
-      "%llu variations, %llu different, %llu slower, %llu undecided, %llu without an answer of Konclude; "
+      "%llu variations, %llu different, %llu slower, %llu undecided, %llu contradictory, %llu without an answer of "
+      "Konclude; "
       "we took %.1f s, Konclude %.1f s\n",
       static_cast<unsigned long long>(tally.compared), static_cast<unsigned long long>(tally.different),
       static_cast<unsigned long long>(tally.slower), static_cast<unsigned long long>(tally.undecided),
-      static_cast<unsigned long long>(tally.without_konclude), tally.our_seconds, tally.konclude_seconds);
+      static_cast<unsigned long long>(tally.contradictory), static_cast<unsigned long long>(tally.without_konclude),
+      tally.our_seconds, tally.konclude_seconds);
   return tally.different == 0 ? 0 : 1;
 }
 
@@ -230,6 +307,7 @@ int main(int argc, char** argv) {
   geminga::compare::Request request;
   try {
     if (argc == 3 && std::strcmp(argv[1], "--answer") == 0) return geminga::compare::answer(argv[2]);
+    if (argc == 3 && std::strcmp(argv[1], "--engines") == 0) return geminga::compare::engines(argv[2]);
     for (int at = 1; at < argc; ++at) {
       const std::string word = argv[at];
       const bool has_next = at + 1 < argc;
@@ -241,6 +319,8 @@ int main(int argc, char** argv) {
         request.seconds = static_cast<unsigned>(std::stoul(argv[++at]));
       } else if (word == "--axioms" && has_next) {
         request.axioms = std::stoul(argv[++at]);
+      } else if (word == "--engines") {
+        request.asks_engines = true;
       } else if (word == "--all") {
         request.shows_all = true;
       } else {
@@ -248,7 +328,8 @@ int main(int argc, char** argv) {
       }
     }
     if (!request.files.empty()) return geminga::compare::run(request);
-    std::fprintf(stderr, "usage: %s [--seeds N] [--first N] [--seconds N] [--axioms N] [--all] FILE...\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--seeds N] [--first N] [--seconds N] [--axioms N] [--engines] [--all] FILE...\n",
+                 argv[0]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
   }

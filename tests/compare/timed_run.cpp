@@ -11,7 +11,7 @@
 namespace geminga::compare {
 
 /// A program that takes this many times its processor time hangs, as Konclude sometimes does.
-constexpr unsigned hanging_times = 2;
+constexpr unsigned hanging_times = 3;
 
 TimedRun run_timed(const std::vector<std::string>& words, unsigned seconds, const std::filesystem::path& output) {
   std::vector<std::string> all{"timeout", "--kill-after=2", std::to_string(seconds * hanging_times)};
