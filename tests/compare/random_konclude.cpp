@@ -12,6 +12,7 @@
 
 #include "compare/disguises.hpp"
 #include "compare/functional_syntax.hpp"
+#include "compare/genealogies.hpp"
 #include "compare/konclude.hpp"
 #include "compare/opinions.hpp"
 #include "compare/shapes.hpp"
@@ -42,6 +43,7 @@ std::vector<Subject> subjects(std::uint64_t seed) {
   all.push_back({"numbers", qualified_numbers(seed)});
   all.push_back({"large numbers", large_numbers(seed, static_cast<std::uint32_t>(2 + seed % 40))});
   all.push_back({"family", family(seed, 2 + seed % 60)});
+  all.push_back({"genealogy", genealogy(seed, 4 + seed % 60)});
   all.push_back({"features", features(seed, 5 + seed % 20)});
   all.push_back({"anatomy", anatomy(seed, 6 + seed % 30)});
   all.push_back({"pairings", pairings(seed, 2 + seed % 12)});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "compare/shape_writer.hpp"
 
 namespace geminga::compare {
 namespace {
@@ -14,26 +15,7 @@ using owl::AxiomKind;
 using owl::TermId;
 using owl::TermKind;
 
-class Writer {
- public:
-  Writer() : file_(source_.add_file("shape")) {}
-
-  TermId named(const std::string& name) { return source_.named_class("http://shape.example/#" + name); }
-  TermId property(const std::string& name) { return source_.object_property("http://shape.example/#" + name); }
-  TermId individual(const std::string& name) { return source_.individual("http://shape.example/#" + name); }
-  TermId term(TermKind kind, std::vector<TermId> arguments, std::uint32_t number = 0) {
-    return source_.term(kind, std::move(arguments), number);
-  }
-  void add(AxiomKind kind, const std::vector<TermId>& arguments) { source_.add(kind, arguments, file_, ++line_); }
-  owl::Ontology take() { return std::move(source_); }
-
- private:
-  owl::Ontology source_;
-  owl::FileId file_{};
-  std::uint32_t line_ = 0;
-};
-
-void cover(Writer& writer, Covering covering, TermId whole, const std::vector<TermId>& parts) {
+void cover(ShapeWriter& writer, Covering covering, TermId whole, const std::vector<TermId>& parts) {
   if (parts.size() == 1) return writer.add(AxiomKind::sub_class_of, {parts[0], whole});
   if (covering == Covering::disjoint_union) {
     std::vector<TermId> all{whole};
@@ -49,7 +31,7 @@ void cover(Writer& writer, Covering covering, TermId whole, const std::vector<Te
 }
 
 /// Says that an instance of `whole` puts each of `pigeons` pigeons into one of `holes` holes, no two into the same.
-void put_pigeons(Writer& writer, const std::string& whole, std::size_t pigeons, std::size_t holes) {
+void put_pigeons(ShapeWriter& writer, const std::string& whole, std::size_t pigeons, std::size_t holes) {
   const auto place = [&](std::size_t pigeon, std::size_t hole) {
     return writer.named(whole + std::to_string(pigeon) + "in" + std::to_string(hole));
   };
@@ -67,7 +49,7 @@ void put_pigeons(Writer& writer, const std::string& whole, std::size_t pigeons, 
 }  // namespace
 
 owl::Ontology covering_tree(Covering covering, std::size_t classes, std::size_t width) {
-  Writer writer;
+  ShapeWriter writer;
   std::map<std::size_t, std::vector<TermId>> children;
   for (std::size_t at = 1; at < classes; ++at)
     children[(at - 1) / width].push_back(writer.named("C" + std::to_string(at)));
@@ -77,7 +59,7 @@ owl::Ontology covering_tree(Covering covering, std::size_t classes, std::size_t 
 }
 
 owl::Ontology pigeonhole(std::size_t holes) {
-  Writer writer;
+  ShapeWriter writer;
   put_pigeons(writer, "A", holes + 1, holes);
   put_pigeons(writer, "B", holes + 1, holes + 1);
   return writer.take();
@@ -85,7 +67,7 @@ owl::Ontology pigeonhole(std::size_t holes) {
 
 owl::Ontology enumeration(std::uint64_t seed, std::size_t individuals) {
   base::Random random(seed);
-  Writer writer;
+  ShapeWriter writer;
   std::vector<TermId> members;
   for (std::size_t at = 0; at < individuals; ++at) {
     members.push_back(writer.individual("i" + std::to_string(at)));
@@ -100,7 +82,7 @@ owl::Ontology enumeration(std::uint64_t seed, std::size_t individuals) {
 
 owl::Ontology qualified_numbers(std::uint64_t seed) {
   base::Random random(seed);
-  Writer writer;
+  ShapeWriter writer;
   const TermId has = writer.property("has");
   const auto any = [&] { return writer.named("C" + std::to_string(random.below(7))); };
   cover(writer, Covering::disjoint_union, writer.named("C0"), {writer.named("C1"), writer.named("C2")});
@@ -117,7 +99,7 @@ owl::Ontology qualified_numbers(std::uint64_t seed) {
 
 owl::Ontology large_numbers(std::uint64_t seed, std::uint32_t greatest) {
   base::Random random(seed);
-  Writer writer;
+  ShapeWriter writer;
   const auto property = [&]() -> TermId {
     const TermId named = writer.property("p" + std::to_string(random.below(3)));
     return random.chance(0.15) ? writer.term(TermKind::object_inverse_of, {named}) : named;
@@ -162,7 +144,7 @@ owl::Ontology large_numbers(std::uint64_t seed, std::uint32_t greatest) {
 
 owl::Ontology family(std::uint64_t seed, std::size_t individuals) {
   base::Random random(seed);
-  Writer writer;
+  ShapeWriter writer;
   const TermId person = writer.named("Person");
   const TermId child = writer.property("hasChild");
   const TermId parent = writer.property("hasParent");
@@ -204,7 +186,7 @@ owl::Ontology features(std::uint64_t seed, std::size_t kinds) {
   constexpr std::size_t properties = 5;
   constexpr std::size_t values = 3;
   base::Random random(seed);
-  Writer writer;
+  ShapeWriter writer;
   const auto has = [&](std::size_t of) { return writer.property("has" + std::to_string(of)); };
   const auto value = [&](std::size_t of, std::size_t at) {
     return writer.named("V" + std::to_string(of) + "_" + std::to_string(at));
@@ -247,7 +229,7 @@ owl::Ontology features(std::uint64_t seed, std::size_t kinds) {
 
 owl::Ontology anatomy(std::uint64_t seed, std::size_t organs) {
   base::Random random(seed);
-  Writer writer;
+  ShapeWriter writer;
   const TermId part_of = writer.property("part_of");
   const TermId has_part = writer.property("has_part");
   const TermId proper = writer.property("proper_part_of");
@@ -293,7 +275,7 @@ owl::Ontology anatomy(std::uint64_t seed, std::size_t organs) {
 
 owl::Ontology pairings(std::uint64_t seed, std::size_t definitions) {
   base::Random random(seed);
-  Writer writer;
+  ShapeWriter writer;
   const TermId has_part = writer.property("has_part");
   const TermId pairs = writer.property("pairs");
   const std::array<TermId, 3> ways = {writer.property("pairs1"), writer.property("pairs2"), writer.property("pairs3")};

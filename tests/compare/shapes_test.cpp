@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/functional_syntax.hpp"
+#include "compare/genealogies.hpp"
 #include "compare/opinions.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "support/rounds.hpp"
@@ -98,6 +99,27 @@ TEST(Family, IsDecidedWithHundredsOfIndividuals) {
   for (const std::size_t individuals : {400U, 600U}) {
     const Opinion found = of_the_reasoner(family(individuals, individuals));
     EXPECT_TRUE(found.is_complete) << individuals;
+  }
+}
+
+TEST(Genealogy, IsUnderstoodByModelsAsByTheWholeReasoner) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(8U); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const owl::Ontology source = genealogy(seed, 2 + seed % 3);
+    const Opinion models = of_models(source);
+    const Opinion whole = of_the_reasoner(source);
+    EXPECT_TRUE(whole.is_complete);
+    EXPECT_THAT(contradictions(models, whole), IsEmpty()) << functional_syntax(source);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Genealogy, IsDecidedWithHundredsOfPersons) {
+  for (const std::uint64_t seed : {8U, 31U}) {
+    base::Budget budget(20'000'000);
+    const auto found = reasoner::classify(genealogy(seed, 200), {.budget = &budget});
+    ASSERT_TRUE(found.has_value());
+    EXPECT_THAT(found->gaps, IsEmpty()) << "seed " << seed << ", " << budget.spent() << " steps";
   }
 }
 

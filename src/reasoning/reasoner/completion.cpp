@@ -224,6 +224,10 @@ class Completing {
     if (world == Verdict::no) result_.is_consistent = false;
     if (world == Verdict::no) return;
     if (world == Verdict::yes) {
+      // An instance of a class needs neighbours as the individuals do, and so a good part of the steps that these took.
+      const std::size_t most = std::max(limits_.question.steps, 2 * most_vain_steps());
+      question_.steps = std::clamp(former_steps_ / 2, limits_.question.steps, most);
+      tableau.limit_steps(question_.steps);
       learn(tableau.model(), concepts);
       learn_plain();
     }

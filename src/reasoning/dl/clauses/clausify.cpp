@@ -9,6 +9,7 @@
 #include "reasoning/dl/clauses/fact_clauses.hpp"
 #include "reasoning/dl/clauses/property_clauses.hpp"
 #include "reasoning/dl/clauses/rule_clauses.hpp"
+#include "reasoning/dl/clauses/told_ends.hpp"
 
 namespace geminga::clauses {
 namespace {
@@ -169,8 +170,9 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
     chains.push_back({{*top_role_, *top_role_}, *top_role_, 0});
   }
   owl::RoleBox roles(set_.properties.size(), inclusions, chains, limits_.automaton_states);
-  Translator translator(vocabulary_, roles, set_, limits_.clauses);
   Allowed allowed(vocabulary_, roles, limits_.cardinality);
+  ToldEnds ends(vocabulary_, roles, inclusions, allowed, all);
+  Translator translator(vocabulary_, roles, ends, set_, limits_.clauses);
   PropertyClauses of_properties(vocabulary_, allowed, translator);
   ClassClauses of_classes(vocabulary_, allowed, translator, set_);
   FactClauses of_facts(vocabulary_, translator, set_, limits_.clauses);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/literal.hpp"
+#include "reasoning/dl/clauses/told_ends.hpp"
 #include "reasoning/dl/clauses/vocabulary.hpp"
 #include "reasoning/owl/role_box.hpp"
 
@@ -37,8 +38,13 @@ struct Draft {
 
 class Translator {
  public:
-  Translator(Vocabulary& vocabulary, const owl::RoleBox& roles, ClauseSet& set, std::size_t max_clauses)
-      : vocabulary_(vocabulary), source_(vocabulary.source()), roles_(roles), set_(set), max_clauses_(max_clauses) {}
+  Translator(Vocabulary& vocabulary, const owl::RoleBox& roles, ToldEnds& ends, ClauseSet& set, std::size_t max_clauses)
+      : vocabulary_(vocabulary),
+        source_(vocabulary.source()),
+        roles_(roles),
+        ends_(ends),
+        set_(set),
+        max_clauses_(max_clauses) {}
 
   /// Adds: everything is in one of these.
   void add(std::vector<Literal> disjunction);
@@ -94,6 +100,10 @@ class Translator {
   void place_data(Draft& draft, const Shape& shape);
   void split(Draft draft);
   void finish(Draft draft);
+  /// Whether each path of the role begins in the class because its first edge does, by what is told of single edges.
+  [[nodiscard]] bool begins_in(Role role, Literal literal);
+  /// Whether each path of the role ends in the class because its last edge does.
+  [[nodiscard]] bool ends_in(Role role, Literal literal);
   /// The concept of the first state of the automaton for `every role.filler`, and whether it goes into the head.
   std::pair<ConceptId, bool> path(Role role, Literal filler);
   void add_moves(const owl::Automaton& automaton, const std::vector<ConceptId>& states, Literal filler,
@@ -102,6 +112,7 @@ class Translator {
   Vocabulary& vocabulary_;
   const owl::Ontology& source_;
   const owl::RoleBox& roles_;
+  ToldEnds& ends_;
   ClauseSet& set_;
   std::size_t max_clauses_;
   std::map<Key, Name> names_;

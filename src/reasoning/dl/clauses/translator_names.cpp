@@ -86,8 +86,14 @@ void Translator::define_names() {
 
 void Translator::add_every(Role role, Literal filler, Literal literal) {
   role = roles_.canonical(role);
+  if (!roles_.is_simple(role) && shape_of(source_, literal).kind == ShapeKind::all_of) {
+    const std::vector<Literal> operands = shape_of(source_, literal).operands;
+    for (const Literal operand : operands) add_every(role, filler, operand);
+    return;
+  }
   Draft draft;
-  if (roles_.is_simple(role)) {
+  const bool is_empty = shape_of(source_, filler).kind == ShapeKind::falsity;
+  if (roles_.is_simple(role) || (is_empty && begins_in(role, literal))) {
     place_every(draft, role, filler);
     draft.is_binary = true;
   } else {
@@ -98,10 +104,31 @@ void Translator::add_every(Role role, Literal filler, Literal literal) {
   add(std::move(draft));
 }
 
+bool Translator::begins_in(Role role, Literal literal) {
+  const Shape shape = shape_of(source_, literal);
+  const owl::Automaton& automaton = roles_.automaton(role);
+  if (shape.kind != ShapeKind::atom || automaton.is_final(owl::Automaton::begin)) return false;
+  // The edges of the role itself have a clause in any case.
+  return std::ranges::all_of(automaton.moves(), [&](const owl::Automaton::Move& move) {
+    return move.from != owl::Automaton::begin || move.label == role || ends_.begins_in(move.label, shape.term);
+  });
+}
+
+bool Translator::ends_in(Role role, Literal literal) {
+  const Shape shape = shape_of(source_, literal);
+  const owl::Automaton& automaton = roles_.automaton(role);
+  if (shape.kind != ShapeKind::atom || automaton.is_final(owl::Automaton::begin)) return false;
+  return std::ranges::all_of(automaton.moves(), [&](const owl::Automaton::Move& move) {
+    return !automaton.is_final(move.to) || ends_.ends_in(move.label, shape.term);
+  });
+}
+
 std::pair<ConceptId, bool> Translator::path(Role role, Literal filler) {
   // Forwards, if the filler goes into the head: Q is below every R.F and travels along the path to F. Backwards, if it
   // goes into the body: Q is above some R.G with G = not F, and travels from G to the beginning of the path.
   const bool is_forward = is_positive(filler);
+  // Some R.G is some R.T, if G is a range of R.
+  if (!is_forward && ends_in(role, complement(filler))) filler = bottom;
   const Literal named = is_forward ? filler : complement(filler);
   const auto [found, is_new] = paths_.try_emplace({role, key_of(named), is_forward});
   if (!is_new) return {found->second, is_forward};

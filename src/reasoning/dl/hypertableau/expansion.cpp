@@ -270,6 +270,7 @@ bool Expansion::is_forbidden(const Forbidden& all, NodeId node) {
 
 bool Expansion::is_satisfied(const Fact& fact) {
   const bool is_data = fact.kind == FactKind::data_at_least;
+  if (!is_data && program_.needed(fact.predicate) == 1) return witnesses_.satisfy(fact.predicate, fact.a);
   const std::uint32_t count = is_data ? set_.data_at_leasts[fact.predicate].count : program_.needed(fact.predicate);
   const bool is_inverse = !is_data && set_.at_leasts[fact.predicate].role.is_inverse;
   const std::uint32_t property = is_data ? number(set_.data_at_leasts[fact.predicate].property)

@@ -17,6 +17,7 @@
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
+#include "reasoning/dl/hypertableau/witnesses.hpp"
 
 namespace geminga::hypertableau {
 
@@ -24,7 +25,8 @@ namespace geminga::hypertableau {
 class Expansion {
  public:
   Expansion(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, const Graph& graph,
-            DependencySets& sets, Effort& effort, Assertions& facts, Neighbours& neighbours, Blocking& blocking)
+            DependencySets& sets, Effort& effort, Assertions& facts, Neighbours& neighbours, Blocking& blocking,
+            Witnesses& witnesses)
       : source_(source),
         set_(set),
         program_(program),
@@ -33,7 +35,8 @@ class Expansion {
         effort_(effort),
         facts_(facts),
         neighbours_(neighbours),
-        blocking_(blocking) {}
+        blocking_(blocking),
+        witnesses_(witnesses) {}
 
   /// Adds an at-least that was asserted. If no new node is needed, satisfies it at once, so that a clash is found
   /// before more is guessed.
@@ -111,6 +114,7 @@ class Expansion {
   Assertions& facts_;
   Neighbours& neighbours_;
   Blocking& blocking_;
+  Witnesses& witnesses_;
   std::vector<Existential> existentials_;
   std::vector<std::uint32_t> newest_;  ///< by node: its newest existential
   /// Existentials that expand() must look at: all that are not done and whose nodes are active and not blocked, and

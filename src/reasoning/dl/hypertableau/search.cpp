@@ -31,7 +31,8 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       disjunctions_(set, program_, graph_, sets_, effort_, facts_, neighbours_, numbers_, records_),
       bounds_(program_, graph_, sets_, facts_, neighbours_, disjunctions_),
       blocking_(program_, graph_, effort_),
-      expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_),
+      witnesses_(set, program_, graph_, effort_),
+      expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_, witnesses_),
       derivation_(set, program_, graph_, sets_, effort_, facts_, numbers_, disjunctions_, bounds_, expansion_),
       keys_(source, set, graph_, sets_, facts_),
       rules_(source, set, graph_, sets_, effort_, facts_, disjunctions_) {}

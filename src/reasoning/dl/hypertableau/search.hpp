@@ -28,6 +28,7 @@
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/rules.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
+#include "reasoning/dl/hypertableau/witnesses.hpp"
 
 namespace geminga::hypertableau {
 
@@ -138,6 +139,7 @@ class Search {
   Disjunctions disjunctions_;
   Bounds bounds_;
   Blocking blocking_;
+  Witnesses witnesses_;
   Expansion expansion_;
   Derivation derivation_;
   Keys keys_;

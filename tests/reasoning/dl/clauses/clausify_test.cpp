@@ -58,6 +58,10 @@ const std::vector<Translated> cases = {
      {"A(x), B(y1), r(x,y1) -> false"}},
     {"UniversalOverInverse", "SubClassOf(A ObjectAllValuesFrom(ObjectInverseOf(r) B))", {"A(x), r(y1,x) -> B(y1)"}},
     {"DomainAndRange", "ObjectPropertyDomain(r A)\nObjectPropertyRange(r B)", {"r(x,y1) -> A(x)", "r(y1,x) -> B(x)"}},
+    {"RangeOfAPathThatItsEdgesHave",
+     "SubObjectPropertyOf(r s)\nTransitiveObjectProperty(s)\nObjectPropertyRange(s B)\nSubClassOf(B A)\n"
+     "ObjectPropertyRange(s A)\nSubClassOf(ObjectSomeValuesFrom(s A) C)",
+     {"B(x) -> A(x)", "Q2(x) -> C(x)", "r(x,y1) -> s(x,y1)", "s(x,y1) -> Q2(x)", "s(y1,x) -> A(x)", "s(y1,x) -> B(x)"}},
     {"Functional", "FunctionalObjectProperty(r)", {"r(x,y1), r(x,y2) -> y1=y2"}},
     {"AtMost", "SubClassOf(A ObjectMaxCardinality(1 r B))", {"A(x), B(y1), B(y2), r(x,y1), r(x,y2) -> y1=y2"}},
     {"AtMostOfAComplement",

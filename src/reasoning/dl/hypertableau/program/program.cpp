@@ -24,6 +24,7 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
       directions_(set, domains_.concept_count()),
       denials_(set),
       unions_(set),
+      parts_(set),
       burdens_(set, domains_, denials_),
       counts_(counts) {
   const std::size_t count = std::size_t{mark_of_question()} + 1;

@@ -18,6 +18,7 @@
 #include "reasoning/dl/hypertableau/program/directions.hpp"
 #include "reasoning/dl/hypertableau/program/domains.hpp"
 #include "reasoning/dl/hypertableau/program/number_order.hpp"
+#include "reasoning/dl/hypertableau/program/parts.hpp"
 #include "reasoning/dl/hypertableau/program/union_names.hpp"
 
 namespace geminga::hypertableau {
@@ -104,6 +105,8 @@ class Program {
   [[nodiscard]] const Denials& denials() const { return denials_; }
   /// Fillers in which a neighbour is by being in another concept; see union_names.hpp.
   [[nodiscard]] const UnionNames& unions() const { return unions_; }
+  /// Fillers that hold of a node when their parts do; see parts.hpp.
+  [[nodiscard]] const Parts& parts() const { return parts_; }
   /// The requirements of facts; see burdens.hpp.
   [[nodiscard]] const Burdens& burdens() const { return burdens_; }
   [[nodiscard]] bool counts() const { return counts_; }
@@ -138,6 +141,7 @@ class Program {
   Directions directions_;
   Denials denials_;
   UnionNames unions_;
+  Parts parts_;
   Burdens burdens_;
   std::vector<Step> steps_;
   std::vector<clauses::Atom> heads_;
