@@ -54,7 +54,7 @@ class Terms {
     const bool is_long = is_turtle && words.contains('\n');
     const std::string_view quotes = is_long ? R"(""")" : R"(")";
     text += quotes;
-    for (const char c : words) escaped(c, is_long);
+    for (const char c : words) escaped(c, is_turtle, is_long);
     text += quotes;
     if (term.value.literal.language_len != 0) {
       (text += '@').append(reinterpret_cast<const char*>(term.value.literal.language), term.value.literal.language_len);
@@ -77,7 +77,7 @@ class Terms {
     return name == nullptr ? std::string_view() : std::string_view(reinterpret_cast<const char*>(name), size);
   }
 
-  void escaped(char c, bool is_long) {
+  void escaped(char c, bool is_turtle, bool is_long) {
     switch (c) {
       case '"':
       case '\\':
@@ -90,7 +90,7 @@ class Terms {
         text += "\\r";
         return;
       case '\t':
-        text += is_long ? "\t" : "\\t";  // the OWL API reads the escape as the letter t there
+        text += is_turtle ? "\t" : "\\t";  // the OWL API reads the escape in Turtle as the letter t
         return;
       default:
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {

@@ -17,8 +17,21 @@ using owl::AxiomKind;
 using owl::TermId;
 using owl::TermKind;
 
-constexpr std::string_view rdfs_namespace = "http://www.w3.org/2000/01/rdf-schema#";
-constexpr std::string_view owl_namespace = "http://www.w3.org/2002/07/owl#";
+/// The annotation properties of OWL 2 (structural specification, section 5.5), which have no frame.
+constexpr std::array<std::string_view, 9> built_in_annotations{
+    "http://www.w3.org/2000/01/rdf-schema#label",    "http://www.w3.org/2000/01/rdf-schema#comment",
+    "http://www.w3.org/2000/01/rdf-schema#seeAlso",  "http://www.w3.org/2000/01/rdf-schema#isDefinedBy",
+    "http://www.w3.org/2002/07/owl#deprecated",      "http://www.w3.org/2002/07/owl#versionInfo",
+    "http://www.w3.org/2002/07/owl#priorVersion",    "http://www.w3.org/2002/07/owl#backwardCompatibleWith",
+    "http://www.w3.org/2002/07/owl#incompatibleWith"};
+/// The classes and properties of OWL 2, which have no frame either.
+constexpr std::array<std::string_view, 7> built_in_names{owl::owl_thing,
+                                                         owl::owl_nothing,
+                                                         owl::owl_top_object_property,
+                                                         owl::owl_bottom_object_property,
+                                                         owl::owl_top_data_property,
+                                                         owl::owl_bottom_data_property,
+                                                         owl::rdfs_literal};
 
 /// The section of a frame in which an axiom of one kind stands, and the place of its subject. The other operands are
 /// what the section lists. `miscellaneous` is the word for any number of operands without a frame.
@@ -167,13 +180,14 @@ class Frames {
     for (const TermId id : owl::terms_in(source_, roots_)) {
       if (source_.kind(id) > TermKind::individual) continue;
       const std::string_view iri = source_.name_of(id);
-      const bool is_built_in = iri.starts_with(owl_namespace) || iri == owl::rdfs_literal || owl::Datatype::find(iri);
+      const bool is_built_in =
+          std::ranges::find(built_in_names, iri) != built_in_names.end() || owl::Datatype::find(iri);
       if (!is_built_in) frame_of(id);
     }
     roots_.clear();
     for (std::uint32_t number = 0; document_.has_annotations && number < document_.annotations.size(); ++number) {
       const std::string_view property = document_.annotations.at(number).property;
-      if (property.starts_with(owl_namespace) || property.starts_with(rdfs_namespace)) continue;
+      if (std::ranges::find(built_in_annotations, property) != built_in_annotations.end()) continue;
       if (!frame_of_name_.contains(property))
         frame_of_name_[property] = frame_named(std::string(frame_word(TermKind::annotation_property)) + name(property));
     }
@@ -316,7 +330,7 @@ class Frames {
                                                             : "Domain",
                    ": "});
       annotations(document_.annotations.about(Annotation::Of::annotation, number));
-      output_.add(name(annotation.value));
+      output_.add(word == owl::sub_annotation_property_of ? name(annotation.value) : in_full(annotation.value));
     }
     output_.add("\n");
   }
