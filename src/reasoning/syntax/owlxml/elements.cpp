@@ -29,6 +29,24 @@ std::string_view view(const xmlChar* text, std::ptrdiff_t size) {
 
 xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
 
+/// Whether the text of an element says something; of all others, white space says nothing.
+bool may_have_text(std::string_view name) {
+  return name == "Literal" || name == "IRI" || name == "AbbreviatedIRI" || name == "Import";
+}
+
+/// The attributes of a tag, counted before libxml2 compares them. Nothing but a start tag has any.
+std::size_t attributes_of(std::string_view tag) {
+  std::size_t count = 0;
+  if (tag.size() < 2 || tag[1] == '!' || tag[1] == '?' || tag[1] == '/') return 0;
+  for (std::size_t at = tag.find_first_of("\"'>"); at != std::string_view::npos && tag[at] != '>';) {
+    ++count;
+    const std::size_t close = tag.find(tag[at], at + 1);
+    if (close == std::string_view::npos) break;
+    at = tag.find_first_of("\"'>", close + 1);
+  }
+  return count;
+}
+
 struct FreeContext {
   void operator()(xmlParserCtxt* context) const {
     if (context->myDoc != nullptr) xmlFreeDoc(context->myDoc);  // holds the entities
@@ -67,6 +85,7 @@ class Walk {
     context_->_private = this;
     for (std::size_t at = 0; at < bytes.size() && !problem_; at += chunk_bytes) {
       const std::string_view chunk = bytes.substr(at, chunk_bytes);
+      if (!look_at_tags(bytes.substr(0, at + chunk.size()))) break;
       xmlParseChunk(context_, chunk.data(), static_cast<int>(chunk.size()), 0);
     }
     if (!problem_) xmlParseChunk(context_, nullptr, 0, 1);
@@ -76,6 +95,26 @@ class Walk {
   }
 
  private:
+  /// Counts the attributes of the tags that the end of the text has added, before libxml2 sees it. No tag has a < in
+  /// it, so that only what is long up to the next one can have many.
+  bool look_at_tags(std::string_view seen) {
+    constexpr std::size_t least_attribute = 5;  // ` a=""`
+    while (open_ < seen.size()) {
+      const std::size_t next = std::min(seen.find('<', std::max(open_ + 1, looked_)), seen.size());
+      const bool is_long = next - open_ > limits_.attributes * least_attribute;
+      if (is_long && attributes_of(seen.substr(open_, next - open_)) > limits_.attributes) {
+        const auto lines = std::ranges::count(seen.substr(0, open_), '\n');
+        problem_ = Problem{1 + static_cast<std::uint32_t>(lines),
+                           "more than " + std::to_string(limits_.attributes) + " attributes of an element"};
+        return false;
+      }
+      looked_ = next;
+      if (next == seen.size()) break;  // what is behind may belong to it
+      open_ = next;
+    }
+    return true;
+  }
+
   static Walk& behind(void* context) { return *static_cast<Walk*>(static_cast<xmlParserCtxt*>(context)->_private); }
 
   [[nodiscard]] std::uint32_t line() const {
@@ -114,6 +153,7 @@ class Walk {
         walk.attributes_.push_back(
             {view(attribute[2]), view(attribute[0]), view(attribute[3], attribute[4] - attribute[3])});
       }
+      walk.is_text_told_ = may_have_text(view(name));
       return walk.listener_.begin(view(space), view(name), walk.attributes_, walk.line());
     });
   }
@@ -122,13 +162,16 @@ class Walk {
     Walk& walk = behind(context);
     walk.guarded([&] {
       --walk.depth_;
+      walk.is_text_told_ = false;
       return walk.listener_.end(walk.line());
     });
   }
 
   static void text(void* context, const xmlChar* part, int size) {
     Walk& walk = behind(context);
-    walk.guarded([&] { return walk.listener_.text(view(part, size), walk.line()); });
+    const std::string_view told = view(part, size);
+    if (!walk.is_text_told_ && told.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+    walk.guarded([&] { return walk.listener_.text(told, walk.line()); });
   }
 
   /// Keeps plain internal entities, as Protégé writes them for namespaces, and nothing else.
@@ -183,6 +226,9 @@ class Walk {
   std::vector<Attribute> attributes_;
   std::optional<Problem> problem_;
   std::size_t depth_ = 0;
+  std::size_t open_ = 0;       ///< the place of the last < of which the tag was not yet counted
+  std::size_t looked_ = 0;     ///< up to here stands no other <
+  bool is_text_told_ = false;  ///< the innermost element has text that says something
   std::map<std::string, std::size_t, std::less<>> entity_bytes_;  ///< expanded
 };
 

@@ -24,9 +24,9 @@ struct Problem {
   std::string text;
 };
 
-/// Receives the content of a file in its order, with the lines. Values of attributes and texts are valid during the
-/// call, and all names until finish() returns. A call that returns a text refuses the file with it, and is the last one
-/// but finish().
+/// Receives the content of a file in its order, with the lines, but no white space outside of elements that have a
+/// text. Values of attributes and texts are valid during the call, and all names until finish() returns. A call that
+/// returns a text refuses the file with it, and is the last one but finish().
 class Listener {
  public:
   virtual ~Listener() = default;

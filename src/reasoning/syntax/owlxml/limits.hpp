@@ -17,6 +17,8 @@ struct XmlLimits {
   std::size_t literal_bytes = std::size_t{1} << 20;
   /// Nested elements. libxml2 has a limit of its own, which is 256.
   std::size_t nesting = 250;
+  /// Of one element: libxml2 compares each with each.
+  std::size_t attributes = 1024;
   /// Of one expression or axiom.
   std::size_t operands = 1'000'000;
   std::size_t prefixes = 10'000;

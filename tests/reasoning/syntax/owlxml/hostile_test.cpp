@@ -111,6 +111,17 @@ TEST(Limits, OfNamesTextsPrefixesImportsOperandsAndTheFile) {
   EXPECT_EQ(classes(3), "");
   EXPECT_EQ(classes(4), "t.owx:2: more than 3 operands");
   limits = {};
+  limits.attributes = 3;
+  const auto attributes = [&](std::string_view of) {
+    return Reading(ontology("<Declaration>\n<Class " + std::string(of) + "/></Declaration>"), limits).error;
+  };
+  EXPECT_EQ(attributes("IRI='>>>>>>>>>>>>>>>>>>' a=\"''''''''\""), "");
+  EXPECT_EQ(attributes("IRI='a' b='b' c='c'"), "");
+  EXPECT_EQ(attributes("IRI='a' b='b' c='c' d='d'"), "t.owx:3: more than 3 attributes of an element");
+  EXPECT_EQ(attributes("IRI='a'/><!-- '' '' '' '' '' '' '' '' '' '' --><Class IRI='b'"), "");
+  limits = {};
+  EXPECT_EQ(Reading(ontology("<Declaration " + times(300'000, "a='a' ") + "/>")).error,
+            "t.owx:2: more than 1024 attributes of an element");
   const std::string empty = ontology("");
   limits.file_bytes = empty.size();
   EXPECT_EQ(Reading(empty, limits).error, "");

@@ -53,8 +53,8 @@ struct Layout {
 [[nodiscard]] std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::FileLimits& limits);
 /// RDF/XML: encoding, nesting, long texts and tags, and the declarations of its DOCTYPE.
 [[nodiscard]] std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits);
-/// The same for OWL/XML, whose reader has limits of its own: a file without a DOCTYPE and without a long tag is looked
-/// through in a quarter of the time.
+/// The same for OWL/XML, whose reader has limits of its own, so that nothing is looked for behind its prologue unless
+/// there is a DOCTYPE in it.
 [[nodiscard]] std::expected<Layout, ScanProblem> scan_owl_xml(std::string_view bytes, const syntax::FileLimits& limits);
 
 /// The place of `encoding="NAME"` in an XML declaration, and the name. Empty without one.

@@ -334,23 +334,17 @@ std::optional<ScanProblem> scan_encoding(std::string_view bytes) {
   return scan_text(bytes, is_utf8);
 }
 
-/// Whether no tag can have more attributes or octets than the limits allow: between one < and the next, which no tag
-/// has in it, stands little, or little that is quoted. The DOCTYPE is for the scan.
-bool has_short_tags(std::string_view bytes, const syntax::FileLimits& limits) {
-  constexpr std::size_t least_attribute = 5;  // ` a=""`
-  const std::size_t most = std::min({limits.attributes * least_attribute, limits.tag_bytes, limits.literal_bytes});
+/// Whether a DOCTYPE stands before the first element.
+bool has_doctype(std::string_view bytes) {
   for (std::size_t at = bytes.find('<'); at != std::string_view::npos;) {
-    const std::size_t next = bytes.find('<', at + 1);
-    const std::string_view stretch = bytes.substr(at, next - at);
-    if (stretch.starts_with("<!DOCTYPE")) return false;
-    if (stretch.size() > most) {
-      const auto quotes = std::ranges::count_if(stretch, [](char c) { return c == '"' || c == '\''; });
-      const bool is_short = stretch.size() <= std::min(limits.tag_bytes, limits.literal_bytes);
-      if (!is_short || static_cast<std::size_t>(quotes) > 2 * limits.attributes) return false;
-    }
-    at = next;
+    const std::string_view rest = bytes.substr(at);
+    if (rest.starts_with("<!DOCTYPE")) return true;
+    const bool is_comment = rest.starts_with("<!--");
+    if (!is_comment && !rest.starts_with("<?")) return false;
+    const std::size_t end = rest.find(is_comment ? "-->" : "?>", 2);
+    at = end == std::string_view::npos ? end : bytes.find('<', at + end);
   }
-  return true;
+  return false;
 }
 
 }  // namespace
@@ -362,7 +356,7 @@ std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax
 
 std::expected<Layout, ScanProblem> scan_owl_xml(std::string_view bytes, const syntax::FileLimits& limits) {
   if (auto problem = scan_encoding(bytes)) return std::unexpected(std::move(*problem));
-  if (!has_short_tags(bytes, limits)) return XmlScan(bytes, limits).run();
+  if (has_doctype(bytes)) return XmlScan(bytes, limits).run();
   return Layout{Pieces(limits.piece_bytes)};
 }
 
