@@ -328,7 +328,8 @@ void add_query(CLI::App& program, Choice& choice) {
   command->footer(
       "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file that ends in .rq. The prefixes of the "
       "files\n"
-      "need no declaration. Nothing is fetched: FROM and SERVICE are refused. What follows are all relations between\n"
+      "need no declaration. Nothing is fetched: FROM and SERVICE are refused, and so are DESCRIBE, EXISTS (write MINUS)\n"
+      "and paths of properties. What follows are all relations between\n"
       "named classes and properties, and all types and facts of named individuals. Of a class expression, as\n"
       "OWL is written in RDF (?x a [ a owl:Restriction ; owl:onProperty ... ]), the named individuals are found that "
       "are\n"
@@ -344,6 +345,7 @@ void add_query(CLI::App& program, Choice& choice) {
       "\nExamples:\n"
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query team/ 'SELECT ?x WHERE { ?x a [ owl:complementOf soccer:BallInfo ] }'\n"
+      "  geminga-ontology query team/ 'SELECT ?t (COUNT(?x) AS ?n) WHERE { ?x a ?t } GROUP BY ?t ORDER BY DESC(?n)'\n"
       "  geminga-ontology query team/ 'ASK { soccer:SharedBallInfo rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query pizza.owl unnamed.rq --format csv");
   run_when_named(*command, choice, request, query);

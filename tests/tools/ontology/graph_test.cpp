@@ -379,13 +379,13 @@ TEST(Query, EndsAtItsLimitOfStepsWithoutAnAnswer) {
   program.write("too-deep.rq", nested(3000));
   EXPECT_EQ(program.run({"query", "a.ttl", "nested.rq"}).status, 0);
   EXPECT_EQ(program.run({"query", "a.ttl", "too-deep.rq"}).status, 2);
-  const Outcome ended = program.run({"query", "a.ttl", "nested.rq", "--query-steps", "100"});
+  const Outcome ended = program.run({"query", "a.ttl", "nested.rq", "--query-steps", "50"});
   EXPECT_EQ(ended.status, 4) << ended.err;
   EXPECT_THAT(ended.err, testing::HasSubstr("raise --query-steps"));
   EXPECT_THAT(ended.out, testing::IsEmpty());
-  const Outcome json = program.run({"query", "a.ttl", "nested.rq", "--query-steps", "100", "--json"});
+  const Outcome json = program.run({"query", "a.ttl", "nested.rq", "--query-steps", "50", "--json"});
   EXPECT_EQ(json.status, 4);
-  EXPECT_THAT(json.out, testing::HasSubstr("{\"error\":\"the query has no answer, because the limit of 100 steps"));
+  EXPECT_THAT(json.out, testing::HasSubstr("{\"error\":\"the query has no answer, because the limit of 50 steps"));
 }
 
 }  // namespace

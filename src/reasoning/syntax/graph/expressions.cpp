@@ -21,19 +21,9 @@ bool describes_class(const rasqal_triple& pattern) {
          std::ranges::find(constructors, predicate.substr(syntax::owl_namespace.size())) != std::end(constructors);
 }
 
-/// The patterns of all groups of a query, whatever the groups are for.
-std::vector<rasqal_triple*> patterns_of(rasqal_query* query) {
-  std::vector<rasqal_triple*> patterns;
-  raptor_sequence* triples = rasqal_query_get_triple_sequence(query);
-  for (int at = 0; triples != nullptr && at < raptor_sequence_size(triples); ++at)
-    patterns.push_back(static_cast<rasqal_triple*>(raptor_sequence_get_at(triples, at)));
-  return patterns;
-}
-
 }  // namespace
 
-std::optional<std::string> Expressions::read(rasqal_query* query) {
-  const std::vector<rasqal_triple*> patterns = patterns_of(query);
+std::optional<std::string> Expressions::read(const std::vector<rasqal_triple*>& patterns) {
   std::set<std::string_view> described;
   for (const rasqal_triple* pattern : patterns) {
     if (describes_class(*pattern)) described.insert(blank_name(pattern->subject));
@@ -43,9 +33,6 @@ std::optional<std::string> Expressions::read(rasqal_query* query) {
     const std::string_view of = blank_name(pattern->object);
     if (is_type(*pattern) && described.contains(of)) roots_.emplace(of);
   }
-  if (roots_.size() > max_expressions)
-    return "the query asks for the instances of more than " + std::to_string(max_expressions) +
-           " class expressions: ask in several queries";
   for (const std::string& root : roots_) {
     if (auto refusal = take(root, patterns)) return refusal;
   }

@@ -42,9 +42,11 @@ class Expressions {
  public:
   explicit Expressions(World& world) : own_(world) {}
 
-  /// Reads the patterns of a query that rasqal has read. Returns why it is refused, in one line: a variable in an
-  /// expression, a blank node of an expression that stands elsewhere, too, or too many expressions.
-  [[nodiscard]] std::optional<std::string> read(rasqal_query* query);
+  /// Reads the triples of a query's pattern. Returns why it is refused, in one line: a variable in an expression, or a
+  /// blank node of an expression that stands elsewhere, too.
+  [[nodiscard]] std::optional<std::string> read(const std::vector<rasqal_triple*>& patterns);
+  /// How many there are.
+  [[nodiscard]] std::size_t size() const { return asked_.size(); }
   /// Finds the instances of each expression, or says why that failed.
   [[nodiscard]] std::optional<std::string> find(const FindInstances& find_instances);
 

@@ -1,4 +1,4 @@
-// The values of rasqal as the terms of raptor, and back.
+// The constants of rasqal as the terms of raptor.
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_LITERALS_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_LITERALS_HPP
 
@@ -17,9 +17,6 @@ using OwnedTerm = std::unique_ptr<raptor_term, FreeTerm>;
 /// The term of a constant: an IRI, a blank node, or a literal with its lexical form. Null for a variable, for null, and
 /// if memory is short.
 [[nodiscard]] OwnedTerm term_of(World& world, rasqal_literal* literal);
-
-/// A new value for this term; null if memory is short. Numbers and times compare as what they mean.
-[[nodiscard]] rasqal_literal* literal_of(World& world, const raptor_term& term);
 
 /// The name of a blank node or of a variable that stands for one; empty for what is named, and for null.
 [[nodiscard]] std::string_view blank_name(const rasqal_literal* literal);

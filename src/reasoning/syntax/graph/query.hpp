@@ -1,4 +1,4 @@
-// A SPARQL query over a graph, by rasqal. Nothing is fetched, and nothing is changed.
+// A SPARQL query over a graph. Nothing is fetched, and nothing is changed.
 #ifndef GEMINGA_REASONING_SYNTAX_GRAPH_QUERY_HPP
 #define GEMINGA_REASONING_SYNTAX_GRAPH_QUERY_HPP
 
@@ -32,7 +32,7 @@ struct AskError {
 
 /// Asks a sorted graph. SELECT, ASK and CONSTRUCT are answered. What would fetch or change something (SERVICE, FROM,
 /// LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares them. `budget`
-/// (null: no limit) counts the triples that are looked at; what rasqal computes without them, only the process limits.
+/// (null: no limit) counts the triples that are looked at, and the rows that are joined.
 /// Beyond a limit there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS).
 /// With `find_instances` a blank node of a class expression behind rdf:type (expressions.hpp) asks for the instances
 /// that it finds, before anything is looked at; without, for the triples of such a node.

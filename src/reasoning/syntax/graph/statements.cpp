@@ -26,8 +26,8 @@ Statements::~Statements() {
   for (raptor_statement* statement : all_) raptor_free_statement(statement);
 }
 
-raptor_term* Statements::term_of(const Node& node) const {
-  raptor_world* raptor = world_.raptor();
+raptor_term* new_term(World& world, const Node& node) {
+  raptor_world* raptor = world.raptor();
   const unsigned char* text = octets(node.text);
   switch (node.kind) {
     case Node::Kind::iri:
@@ -38,9 +38,9 @@ raptor_term* Statements::term_of(const Node& node) const {
       break;
   }
   if (node.language.size() > std::numeric_limits<unsigned char>::max()) return nullptr;
-  raptor_uri* datatype = node.datatype.empty()
-                             ? nullptr
-                             : raptor_new_uri_from_counted_string(raptor, octets(node.datatype), node.datatype.size());
+  const bool is_plain = node.datatype.empty() || node.datatype == xsd_string || !node.language.empty();
+  raptor_uri* datatype =
+      is_plain ? nullptr : raptor_new_uri_from_counted_string(raptor, octets(node.datatype), node.datatype.size());
   raptor_term* term = raptor_new_term_from_counted_literal(raptor, text, node.text.size(), datatype,
                                                            node.language.empty() ? nullptr : octets(node.language),
                                                            static_cast<unsigned char>(node.language.size()));
@@ -49,9 +49,9 @@ raptor_term* Statements::term_of(const Node& node) const {
 }
 
 bool Statements::add(const Node& subject, const Node& predicate, const Node& object) {
-  raptor_term* s = term_of(subject);
-  raptor_term* p = term_of(predicate);
-  raptor_term* o = term_of(object);
+  raptor_term* s = new_term(world_, subject);
+  raptor_term* p = new_term(world_, predicate);
+  raptor_term* o = new_term(world_, object);
   if (s == nullptr || p == nullptr || o == nullptr) {
     for (raptor_term* term : {s, p, o}) {
       if (term != nullptr) raptor_free_term(term);
@@ -66,7 +66,11 @@ bool Statements::add(const Node& subject, const Node& predicate, const Node& obj
 
 bool Statements::add_copy(const raptor_statement* statement) {
   // The parser reuses its statement for the next triple. Terms have counts of references.
-  const auto copy = [](raptor_term* term) { return raptor_term_copy(term); };
+  const auto copy = [&](raptor_term* term) {
+    const bool is_text = term->type == RAPTOR_TERM_TYPE_LITERAL && term->value.literal.datatype != nullptr &&
+                         text_of(term->value.literal.datatype) == xsd_string;
+    return is_text ? new_term(world_, node_of(*term)) : raptor_term_copy(term);
+  };
   raptor_statement* kept = raptor_new_statement_from_nodes(
       world_.raptor(), copy(statement->subject), copy(statement->predicate), copy(statement->object), nullptr);
   if (kept == nullptr) return false;

@@ -35,12 +35,12 @@ class Statements {
   [[nodiscard]] std::span<raptor_statement* const> all() const { return all_; }
 
  private:
-  [[nodiscard]] raptor_term* term_of(const Node& node) const;
-
   World& world_;
   std::vector<raptor_statement*> all_;
 };
 
+/// A new term; null if memory is short or Redland cannot hold it. A text of xsd:string is a plain one.
+[[nodiscard]] raptor_term* new_term(World& world, const Node& node);
 /// The octets of the texts of a term.
 [[nodiscard]] std::size_t octets_of(const raptor_term& term);
 /// A term as plain texts.

@@ -15,8 +15,8 @@
 
 namespace geminga::graph {
 
-/// Sorted views of the triples of one graph, which must outlive it and stay as it is. rasqal has no limits of its own,
-/// so it is ended here: beyond a limit every search finds nothing more, and problem() says why.
+/// Sorted views of the triples of one graph, which must outlive it and stay as it is. Beyond a limit every search finds
+/// nothing more, and problem() says why.
 class TripleIndex {
  public:
   /// `sorted` as raptor_statement_compare() orders them. `budget` (null: no limit) counts the triples that are looked

@@ -12,6 +12,9 @@
 
 namespace geminga::graph {
 
+/// The datatype of plain texts. A literal of it is written without it (RDF 1.1 Concepts, section 3.3).
+inline constexpr std::string_view xsd_string = "http://www.w3.org/2001/XMLSchema#string";
+
 struct Node {
   enum class Kind : std::uint8_t { iri, blank, literal } kind = Kind::iri;
   std::string text;      ///< IRI, the label of a blank node without _:, or lexical form
