@@ -64,7 +64,7 @@ TEST_P(Types, AreThoseOfTheCase) {
   const fs::path name = cases_folder / GetParam();
   std::ifstream file(name.string() + ".types", std::ios::binary);
   const std::string expected{std::istreambuf_iterator<char>(file), {}};
-  const auto loaded = rdf::load(std::vector{name.string() + ".ttl"});
+  auto loaded = rdf::load(std::vector{name.string() + ".ttl"});
   ASSERT_TRUE(loaded) << syntax::to_string(loaded.error());
   const auto classification = reasoner::classify(loaded->source);
   ASSERT_TRUE(classification) << classification.error().text;

@@ -40,7 +40,7 @@ Exit say_contradiction(bool as_json) {
 
 Exit realize(const RealizeRequest& request, const WorkLimits& limits) {
   base::Budget classifying = budget_of(first_half(limits));
-  const auto classified = classify_or_say(
+  auto classified = classify_or_say(
       request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &classifying});
   if (!classified) return Exit::usage;
   if (!classified->classification.is_consistent) return say_contradiction(request.as_json);

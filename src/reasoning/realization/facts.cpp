@@ -9,6 +9,7 @@
 namespace geminga::realization {
 
 using clauses::number;
+using hypertableau::FactModel;
 using hypertableau::Individuals;
 using hypertableau::NodeId;
 
@@ -38,7 +39,7 @@ std::vector<Fact> FactNames::write(const Individuals& individuals, const Certain
   const Paths paths = links_.follow(certain.links, individuals, budget, use);
   if (paths.is_cut_off) gaps.insert(budget->reason().value_or(""));
   if (paths.are_open) gaps.insert("chains of properties were not followed through everything without a name");
-  for (const Individuals::Value& value : certain.values) {
+  for (const FactModel::Value& value : certain.values) {
     const Row* const subject = row_of(value.subject);
     if (subject == nullptr) continue;
     const owl::TermId property = set_.data_properties[number(value.property)];
@@ -80,17 +81,43 @@ std::vector<UncertainLink> uncertain_links(const Individuals& individuals, const
   return found;
 }
 
-bool has_uncertain_values(const Individuals& individuals, const std::vector<Row>& rows) {
+std::vector<UncertainFact> uncertain_values(FactModel& model, const clauses::ClauseSet& set,
+                                            const std::vector<Row>& rows) {
   std::set<std::tuple<clauses::DataPropertyId, NodeId, owl::TermId>> certain;
-  for (const Individuals::Value& value : individuals.certain_values())
+  for (const FactModel::Value& value : model.certain_values())
     certain.emplace(value.property, value.subject, value.literal);
   const auto rows_of = rows_by_node(rows);
-  return std::ranges::any_of(individuals.values(), [&](const Individuals::Value& value) {
+  std::vector<UncertainFact> found;
+  for (const FactModel::Value& value : model.values()) {
     const auto subjects = rows_of.find(value.subject);
-    return subjects != rows_of.end() && std::ranges::any_of(subjects->second, [&](const Row* subject) {
-             return !certain.contains({value.property, subject->certain, value.literal});
-           });
-  });
+    if (subjects == rows_of.end()) continue;
+    for (const Row* const subject : subjects->second) {
+      if (!certain.contains({value.property, subject->certain, value.literal}))
+        found.push_back(
+            {set.data_properties[number(value.property)], subject->names.front(), std::nullopt, value.literal});
+    }
+  }
+  return found;
+}
+
+std::vector<UncertainFact> uncertain_paths(const Individuals& individuals, const LinkNames& links,
+                                           const std::vector<Row>& rows, base::Budget* budget, Gaps& gaps) {
+  std::vector<UncertainFact> found;
+  if (!links.has_paths() || !individuals.has_uncertain_links()) return found;
+  const auto rows_of = rows_by_node(rows);
+  const Paths paths =
+      links.follow(individuals.links(), individuals, budget, [&](owl::TermId property, NodeId from, NodeId to) {
+        const auto subjects = rows_of.find(from);
+        const auto objects = rows_of.find(to);
+        if (subjects == rows_of.end() || objects == rows_of.end()) return;
+        for (const Row* const subject : subjects->second) {
+          for (const Row* const object : objects->second)
+            found.push_back({property, subject->names.front(), object->names.front(), {}});
+        }
+      });
+  if (paths.is_cut_off) gaps.insert(budget->reason().value_or(""));
+  if (paths.are_open) gaps.insert("chains of properties were not followed through everything without a name");
+  return found;
 }
 
 }  // namespace geminga::realization

@@ -56,8 +56,9 @@ struct Realization {
   bool is_consistency_open = false;
 };
 
-/// Realises the ontology. The classification must be that of the source.
-[[nodiscard]] Realization realize(const owl::Ontology& source, const taxonomy::Classification& classification,
+/// Realises the ontology. The classification must be that of the source. Adds the literals of facts whose values rules
+/// or ranges have made.
+[[nodiscard]] Realization realize(owl::Ontology& source, const taxonomy::Classification& classification,
                                   const Options& options = {});
 
 /// The most specific ones of a set of types.

@@ -9,6 +9,7 @@
 #include "reasoning/realization/memberships.hpp"
 #include "reasoning/realization/realization.hpp"
 #include "reasoning/realization/rows.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
 
 namespace geminga::realization {
 namespace {
@@ -20,9 +21,12 @@ using hypertableau::FactModel;
 using hypertableau::Verdict;
 using taxonomy::ClassNumber;
 
+/// The most facts that are asked about one by one, each by a model of its own.
+constexpr std::size_t max_fact_questions = 1000;
+
 class Realizing {
  public:
-  Realizing(const owl::Ontology& source, const taxonomy::Classification& classification, const Options& options)
+  Realizing(owl::Ontology& source, const taxonomy::Classification& classification, const Options& options)
       : source_(source), classification_(classification), options_(options), types_(classification) {}
 
   Realization run() {
@@ -47,20 +51,17 @@ class Realizing {
         return std::move(result_);
       }
       rows_ = find_rows(model.individuals(), named, concepts, types_);
-      if (options_.with_facts) certain_ = {model.individuals().certain_links(), model.individuals().certain_values()};
+      if (options_.with_facts) copy_facts(model);
       if (answer.verdict == Verdict::unknown) {
         gaps_.insert(answer.reason);
         result_.is_consistency_open = true;
         is_open_.assign(rows_.size(), true);
       } else {
-        open = find_open(model.individuals(), concepts);
+        open = find_open(model, concepts);
       }
-      if (open.is_empty()) {
-        write_facts(model.individuals(), {});
-        return finish();
-      }
+      if (open.is_empty()) write_facts(model.individuals(), {});
     }
-    ask(open);
+    if (!open.is_empty()) ask(open);
     return finish();
   }
 
@@ -69,8 +70,23 @@ class Realizing {
     if (options_.progress) options_.progress(phase, done);
   }
 
+  /// Copies the certain facts, and the forms of literals that the source does not have.
+  void copy_facts(FactModel& model) {
+    certain_ = {model.individuals().certain_links(), model.certain_values()};
+    std::erase_if(certain_.values, [&](const FactModel::Value& value) { return !copy_literal(model, value.literal); });
+  }
+
+  /// Copies the form of a literal that the source does not have. False if it has none.
+  bool copy_literal(FactModel& model, owl::TermId literal) {
+    if (!FactModel::is_made(literal) || made_.contains(literal)) return true;
+    auto written = model.written(literal);
+    if (written) made_.emplace(literal, std::move(*written));
+    if (!written) gaps_.insert("a value that a rule or a range has made has no written form here");
+    return written.has_value();
+  }
+
   /// Finds what the model leaves open. Adds the concepts that questions need to the clauses.
-  OpenQuestions find_open(const hypertableau::Individuals& individuals, const reasoner::NamedConcepts& concepts) {
+  OpenQuestions find_open(FactModel& model, const reasoner::NamedConcepts& concepts) {
     OpenQuestions open;
     for (const auto& [first, second] : possible_pairs(rows_)) open.pairs.push_back({first, second});
     std::map<ClassNumber, std::vector<IndividualId>> candidates;
@@ -81,7 +97,7 @@ class Realizing {
       }
     }
     add_columns(std::move(candidates), concepts, open);
-    if (options_.with_facts) add_links(individuals, open);
+    if (options_.with_facts) add_links(model, open);
     sort_clauses(set_);
     return open;
   }
@@ -119,16 +135,55 @@ class Realizing {
     return std::nullopt;
   }
 
-  void add_links(const hypertableau::Individuals& individuals, OpenQuestions& open) {
+  void add_links(FactModel& model, OpenQuestions& open) {
     std::map<clauses::PropertyId, std::pair<ConceptId, ConceptId>> unlinked;
-    for (const UncertainLink& link : uncertain_links(individuals, rows_)) {
+    for (const UncertainLink& link : uncertain_links(model.individuals(), rows_)) {
       const auto [place, is_new] = unlinked.try_emplace(link.property);
       if (is_new) place->second = add_unlinked(set_, link.property);
       open.links.push_back({link.property, link.first, link.second, place->second.first, place->second.second});
     }
-    if (has_uncertain_values(individuals, rows_)) gaps_.insert("values that depend on choices were not decided");
-    if (!open.links.empty() && LinkNames(source_, set_).has_paths())
-      gaps_.insert("chains of properties were followed through certain links only");
+    open_facts_ = uncertain_values(model, set_, rows_);
+    for (const UncertainFact& fact : open_facts_) copy_literal(model, fact.literal);
+    const auto paths = uncertain_paths(model.individuals(), LinkNames(source_, set_), rows_, options_.budget, gaps_);
+    open_facts_.insert(open_facts_.end(), paths.begin(), paths.end());
+  }
+
+  /// Asks about facts that no link of the model is the reason for, one by one.
+  void ask_facts() {
+    std::size_t questions = 0;
+    std::size_t undecided = 0;
+    for (const UncertainFact& fact : open_facts_) {
+      const owl::TermId subject = set_.individuals[number(fact.subject)];
+      const owl::TermId object = fact.object ? set_.individuals[number(*fact.object)] : fact.literal;
+      if (std::ranges::binary_search(result_.facts, Fact{subject, fact.property, object})) continue;
+      const bool may_ask =
+          ++questions <= max_fact_questions && (options_.budget == nullptr || !options_.budget->is_spent());
+      const owl::TermId value = source_.term(
+          fact.object ? owl::TermKind::object_has_value : owl::TermKind::data_has_value, {fact.property, object});
+      const owl::TermId one = source_.term(owl::TermKind::object_one_of, {subject});
+      const Verdict verdict =
+          may_ask ? reasoner::entails(source_, std::nullopt, one, value, options_.budget).verdict : Verdict::unknown;
+      if (verdict == Verdict::unknown) ++undecided;
+      if (verdict == Verdict::yes) add_fact(fact, object);
+    }
+    if (undecided > 0) gaps_.insert(std::to_string(undecided) + " facts of chains or values were not decided");
+  }
+
+  /// Adds a fact for all names of its individuals.
+  void add_fact(const UncertainFact& fact, owl::TermId literal) {
+    const auto row_of = [&](IndividualId name) {
+      return std::ranges::find_if(
+          rows_, [&](const Row& row) { return std::ranges::find(row.names, name) != row.names.end(); });
+    };
+    const Row& subject = *row_of(fact.subject);
+    for (const IndividualId first : subject.names) {
+      const owl::TermId term = set_.individuals[number(first)];
+      if (!fact.object) result_.facts.push_back({term, fact.property, literal});
+      if (!fact.object) continue;
+      for (const IndividualId second : row_of(*fact.object)->names)
+        result_.facts.push_back({term, fact.property, set_.individuals[number(second)]});
+    }
+    base::sort_unique(result_.facts);
   }
 
   void ask(OpenQuestions& open) {
@@ -211,7 +266,24 @@ class Realizing {
     result_.facts = FactNames(source_, set_, rows).write(individuals, certain_, options_.budget, gaps_);
   }
 
+  /// Adds the literals that were made, when no model of the source is left.
+  void add_made_literals() {
+    std::map<owl::TermId, owl::TermId> added;
+    for (const auto& [literal, written] : made_)
+      added.emplace(literal, source_.literal(written.lexical, written.datatype, written.language));
+    for (Fact& fact : result_.facts) {
+      if (const auto found = added.find(fact.object); found != added.end()) fact.object = found->second;
+    }
+    for (UncertainFact& fact : open_facts_) {
+      if (const auto found = added.find(fact.literal); found != added.end()) fact.literal = found->second;
+    }
+    std::erase_if(open_facts_, [](const UncertainFact& fact) { return FactModel::is_made(fact.literal); });
+    if (!added.empty()) base::sort_unique(result_.facts);
+  }
+
   Realization finish() {
+    add_made_literals();
+    ask_facts();
     struct Entry {
       std::string_view iri;
       owl::TermId term;
@@ -239,7 +311,7 @@ class Realizing {
     return std::move(result_);
   }
 
-  const owl::Ontology& source_;
+  owl::Ontology& source_;
   const taxonomy::Classification& classification_;
   const Options& options_;
   clauses::ClauseSet set_;
@@ -248,14 +320,15 @@ class Realizing {
   std::vector<bool> is_open_;         ///< by row
   std::vector<ClassNumber> classes_;  ///< by column
   CertainFacts certain_;
+  std::map<owl::TermId, hypertableau::WrittenValue> made_;  ///< literals that the source does not have
+  std::vector<UncertainFact> open_facts_;                   ///< to be asked one by one
   Gaps gaps_;
   Realization result_;
 };
 
 }  // namespace
 
-Realization realize(const owl::Ontology& source, const taxonomy::Classification& classification,
-                    const Options& options) {
+Realization realize(owl::Ontology& source, const taxonomy::Classification& classification, const Options& options) {
   if (!classification.is_consistent) {
     Realization none;
     none.is_consistent = false;

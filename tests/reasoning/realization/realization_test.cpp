@@ -8,6 +8,7 @@
 #include <string>
 
 #include "reasoning/reasoner/reasoner.hpp"
+#include "reasoning/syntax/functional/read.hpp"
 #include "support/written.hpp"
 
 namespace geminga::realization {
@@ -21,15 +22,21 @@ using testing::Not;
 
 std::string local(std::string_view iri) { return std::string(iri.substr(iri.find('#') + 1)); }
 
-Realization realized(const owl::Ontology& source, const Options& options = {.with_facts = true}) {
+Realization realized(owl::Ontology& source, const Options& options = {.with_facts = true}) {
   const auto classification = reasoner::classify(source);
   EXPECT_TRUE(classification);
   return realize(source, *classification, options);
 }
 
+/// Of an ontology that nothing else is asked of.
+Realization realized(std::string_view text) {
+  owl::Ontology source = written(text);
+  return realized(source);
+}
+
 /// `subject property object` with local names.
 std::vector<std::string> facts_of(std::string_view text) {
-  const owl::Ontology source = written(text);
+  owl::Ontology source = written(text);
   const Realization found = realized(source);
   EXPECT_THAT(found.gaps, IsEmpty());
   std::vector<std::string> lines;
@@ -61,6 +68,37 @@ TEST(Facts, AreSharedByIndividualsThatAreTheSame) {
               ElementsAre("a r b", "a r c", "b u 1", "c u 1"));
 }
 
+TEST(Facts, HaveTheValuesThatRulesAndRangesMake) {
+  owl::Ontology source = written(
+      "DataPropertyAssertion(d:u i:a \"1\"^x:integer)\n"
+      "ClassAssertion(DataSomeValuesFrom(d:u DatatypeRestriction(x:integer x:minInclusive "
+      "\"7\"^x:integer x:maxInclusive \"7\"^x:integer)) i:b)\n");
+  const owl::FileId file = source.add_file("rule.ofn");
+  ASSERT_TRUE(functional::read(
+      "Prefix(:=<https://t.example/#>)Prefix(b:=<http://www.w3.org/2003/11/swrlb#>)Prefix(xsd:=<http://www.w3.org/2001/"
+      "XMLSchema#>)Ontology(DLSafeRule(Body(DataPropertyAtom(:u Variable(:x) Variable(:v)) BuiltInAtom(b:divide "
+      "Variable(:w) Variable(:v) \"8\"^^xsd:integer)) Head(DataPropertyAtom(:v Variable(:x) Variable(:w)))))",
+      file, source, {.wrong_axioms = 0}));
+  const Realization found = realized(source);
+  std::vector<std::string> lines;
+  for (const Fact& fact : found.facts)
+    lines.push_back(local(source.name_of(fact.subject)) + ' ' + local(source.name_of(fact.property)) + ' ' +
+                    std::string(source.name_of(fact.object)));
+  std::ranges::sort(lines);
+  EXPECT_THAT(lines, ElementsAre("a u 1", "a v 0.125", "b u 7", "b v 0.875"));
+}
+
+TEST(Facts, OfChainsAndValuesThatHoldInEachCaseAreFound) {
+  EXPECT_THAT(facts_of("TransitiveObjectProperty(r)\nClassAssertion(ObjectUnionOf(B C) i:a)\n"
+                       "SubClassOf(B ObjectSomeValuesFrom(r ObjectIntersectionOf(D ObjectHasValue(r i:b))))\n"
+                       "SubClassOf(C ObjectSomeValuesFrom(r ObjectIntersectionOf(E ObjectHasValue(r i:b))))\n"),
+              ElementsAre("a r b"));
+  EXPECT_THAT(facts_of("SubDataPropertyOf(d:u d:w)\nSubDataPropertyOf(d:v d:w)\n"
+                       "ClassAssertion(ObjectUnionOf(DataHasValue(d:u \"1\"^x:integer) DataHasValue(d:v "
+                       "\"1\"^x:integer)) i:a)\n"),
+              ElementsAre("a w 1"));
+}
+
 TEST(Facts, ThatHoldInEachCaseAreFound) {
   EXPECT_THAT(facts_of("ClassAssertion(ObjectUnionOf(ObjectHasValue(r i:b) ObjectHasValue(s i:b)) i:a)\n"
                        "SubObjectPropertyOf(r t)\nSubObjectPropertyOf(s t)\n"),
@@ -68,7 +106,7 @@ TEST(Facts, ThatHoldInEachCaseAreFound) {
 }
 
 TEST(Types, OfACoveringAxiomAreTestedAndNotTakenFromTheModel) {
-  const owl::Ontology source = written(
+  owl::Ontology source = written(
       "EquivalentClasses(P ObjectUnionOf(M W))\nDisjointClasses(M W)\nClassAssertion(P i:a)\n"
       "ClassAssertion(P i:b)\nClassAssertion(ObjectComplementOf(M) i:b)\n");
   const auto classification = reasoner::classify(source);
@@ -80,11 +118,11 @@ TEST(Types, OfACoveringAxiomAreTestedAndNotTakenFromTheModel) {
 }
 
 TEST(Realization, OfAContradictionSaysSo) {
-  EXPECT_FALSE(realized(written("DisjointClasses(A B)\nClassAssertion(A i:a)\nClassAssertion(B i:a)\n")).is_consistent);
+  EXPECT_FALSE(realized("DisjointClasses(A B)\nClassAssertion(A i:a)\nClassAssertion(B i:a)\n").is_consistent);
 }
 
 TEST(Realization, WithoutABudgetLeftNamesWhatIsOpen) {
-  const owl::Ontology source = written("ClassAssertion(A i:a)\nClassAssertion(B i:b)\n");
+  owl::Ontology source = written("ClassAssertion(A i:a)\nClassAssertion(B i:b)\n");
   base::Budget budget(1);
   while (budget.spend(1)) {
   }
@@ -95,7 +133,7 @@ TEST(Realization, WithoutABudgetLeftNamesWhatIsOpen) {
 }
 
 TEST(Realization, OfNothingIsEmpty) {
-  const Realization found = realized(written("SubClassOf(A B)\n"));
+  const Realization found = realized("SubClassOf(A B)\n");
   EXPECT_TRUE(found.is_consistent);
   EXPECT_THAT(found.individuals, IsEmpty());
   EXPECT_THAT(found.gaps, IsEmpty());

@@ -67,6 +67,16 @@ TEST(Consistency, KnowsValues) {
             "yes");
 }
 
+TEST(Consistency, IsLostByMoreValuesThanADatatypeHas) {
+  const auto with = [](const std::string& count) {
+    return consistency_of("DataPropertyRange(d:u x:byte)\nClassAssertion(DataExactCardinality(" + count +
+                          " d:u) i:a)\n");
+  };
+  EXPECT_EQ(with("255"), "yes");
+  EXPECT_EQ(with("256"), "yes");
+  EXPECT_EQ(with("257"), "no");
+}
+
 TEST(Consistency, ASourceOverItsLimitsIsUndecided) {
   owl::Ontology source({.axioms = 1});
   owl::write_into(source, "SubClassOf(A B)\nSubClassOf(B C)", "a.ofn");

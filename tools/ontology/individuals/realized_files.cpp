@@ -4,7 +4,7 @@
 #include "ontology/command/words.hpp"
 
 namespace geminga::ontology {
-realization::Realization realize_files(const ClassifiedFiles& classified, base::Budget& budget, Progress& progress,
+realization::Realization realize_files(ClassifiedFiles& classified, base::Budget& budget, Progress& progress,
                                        bool with_facts) {
   realization::Options options{.budget = &budget, .with_facts = with_facts};
   options.progress = [&](std::string_view phase, double done) { progress.show(phase, done); };

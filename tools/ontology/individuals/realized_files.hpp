@@ -17,7 +17,8 @@ inline constexpr std::string_view contradiction_words =
     "the ontology contradicts itself, so that everything follows from it: see geminga-ontology check";
 
 /// Realises classified files, which must be consistent as far as classification says. Shows on a terminal what it does.
-[[nodiscard]] realization::Realization realize_files(const ClassifiedFiles& classified, base::Budget& budget,
+/// Adds the literals of facts to the files' source.
+[[nodiscard]] realization::Realization realize_files(ClassifiedFiles& classified, base::Budget& budget,
                                                      Progress& progress, bool with_facts);
 
 /// The reasons why something may be missing, and the individuals that are not decided, in one line; nothing where

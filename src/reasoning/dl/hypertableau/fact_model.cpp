@@ -14,6 +14,23 @@ FactModel::~FactModel() = default;
 
 Individuals FactModel::individuals() const { return search_->individuals(); }
 
+std::vector<FactModel::Value> FactModel::values(bool are_certain) {
+  std::vector<Value> found;
+  for (const Individuals::Value& fact : individuals().values(are_certain)) {
+    const auto literal = search_->known_value(fact.value, are_certain);
+    if (literal) found.push_back({fact.property, fact.subject, *literal});
+  }
+  return found;
+}
+
+bool FactModel::is_made(owl::TermId literal) { return static_cast<std::uint32_t>(literal) >= first_made_value; }
+
+std::optional<WrittenValue> FactModel::written(owl::TermId literal) {
+  if (!is_made(literal)) return std::nullopt;
+  const auto& value = search_->value_of(literal);
+  return value ? hypertableau::written(*value) : std::nullopt;
+}
+
 Answer FactModel::build() {
   switch (rebuild(true)) {
     case Outcome::model:

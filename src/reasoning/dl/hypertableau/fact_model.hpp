@@ -3,9 +3,12 @@
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_FACT_MODEL_HPP
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "reasoning/dl/hypertableau/individuals.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
+#include "reasoning/dl/hypertableau/values/written_value.hpp"
 
 namespace geminga::hypertableau {
 
@@ -28,7 +31,22 @@ class FactModel {
   [[nodiscard]] Answer is_possible(const Supposition& supposed);
   [[nodiscard]] Individuals individuals() const;
 
+  /// A fact about a value. The literal may be one that no ontology has: written() has its form.
+  struct Value {
+    clauses::DataPropertyId property{};
+    NodeId subject = 0;
+    owl::TermId literal{};
+  };
+  /// The facts about known values that hold in every model, or all of this model: values of literals, and those that
+  /// are the only ones of their ranges.
+  [[nodiscard]] std::vector<Value> certain_values() { return values(true); }
+  [[nodiscard]] std::vector<Value> values() { return values(false); }
+  /// The form of a literal that a rule or a range has made; nothing if it is the source's, or has no form here.
+  [[nodiscard]] std::optional<WrittenValue> written(owl::TermId literal);
+  [[nodiscard]] static bool is_made(owl::TermId literal);
+
  private:
+  [[nodiscard]] std::vector<Value> values(bool are_certain);
   Outcome rebuild(bool is_first);
   Outcome ask(const Supposition& supposed);
   void end_question();

@@ -1,6 +1,8 @@
 // The facts of the graph, read for the individuals.
 #include "reasoning/dl/hypertableau/individuals.hpp"
 
+#include <algorithm>
+
 namespace geminga::hypertableau {
 
 using clauses::number;
@@ -50,16 +52,21 @@ std::vector<Individuals::Link> Individuals::links() const {
   return found;
 }
 
+bool Individuals::has_uncertain_links() const {
+  return std::ranges::any_of(graph_.facts(), [&](const Fact& fact) {
+    return fact.kind == FactKind::role && fact.dependency != no_dependency && graph_.is_active(fact.a) &&
+           graph_.is_active(fact.b);
+  });
+}
+
 std::vector<Individuals::Value> Individuals::values(bool are_certain) const {
   std::vector<Value> found;
   for (const Fact& fact : graph_.facts()) {
     if (fact.kind != FactKind::data_role) continue;
     const NodeId value = are_certain ? certain(fact.b) : current(fact.b);
-    if (graph_.node(value).literal == none) continue;
     const bool counts =
         are_certain ? fact.dependency == no_dependency && certain(fact.a) == fact.a : graph_.is_active(fact.a);
-    if (counts)
-      found.push_back({clauses::DataPropertyId{fact.predicate}, fact.a, owl::TermId{graph_.node(value).literal}});
+    if (counts) found.push_back({clauses::DataPropertyId{fact.predicate}, fact.a, value});
   }
   return found;
 }

@@ -50,14 +50,16 @@ class Individuals {
   /// The facts between any two nodes of this model.
   [[nodiscard]] std::vector<Link> links() const;
 
+  /// Whether a fact between nodes depends on a choice.
+  [[nodiscard]] bool has_uncertain_links() const;
+
   struct Value {
     clauses::DataPropertyId property{};
     NodeId subject = 0;
-    owl::TermId literal{};
+    NodeId value = 0;
   };
-  /// The facts about literals that hold in every model, or all of this model. Values without a literal are left out.
-  [[nodiscard]] std::vector<Value> certain_values() const { return values(true); }
-  [[nodiscard]] std::vector<Value> values() const { return values(false); }
+  /// The facts about values that hold in every model, or all of this model.
+  [[nodiscard]] std::vector<Value> values(bool are_certain) const;
 
   /// The node whose at-least made this one; none: it is an individual.
   [[nodiscard]] NodeId parent_of(NodeId node) const { return graph_.node(node).parent; }
@@ -67,7 +69,6 @@ class Individuals {
 
  private:
   [[nodiscard]] std::vector<clauses::ConceptId> label(NodeId node, bool is_certain) const;
-  [[nodiscard]] std::vector<Value> values(bool are_certain) const;
   [[nodiscard]] NodeId certain(NodeId node) const;
   [[nodiscard]] NodeId current(NodeId node) const;
 

@@ -124,6 +124,14 @@ void Search::ask_again() {
   if (has_question_ && graph_.mark().facts <= question_mark_) ask();
 }
 
+std::optional<owl::TermId> Search::known_value(NodeId node, bool is_certain) {
+  if (const std::uint32_t literal = graph_.node(node).literal; literal != none) return owl::TermId{literal};
+  DependencySet dependency = no_dependency;
+  bool is_free = false;
+  const auto only = facts_.only_value(node, dependency, is_free);
+  return is_certain && dependency != no_dependency ? std::nullopt : only;
+}
+
 Model Search::model() {
   return write_model(graph_, sets_, set_.concepts.size(), has_question_ ? question_node_ : none,
                      base_ ? base_->mark : Mark{});

@@ -58,6 +58,10 @@ class Search {
   Outcome find_supposing(Supposition supposed);
   /// Reads the model in the graph for the individuals.
   [[nodiscard]] Individuals individuals() const { return {set_, graph_, facts_.individuals()}; }
+  /// The literal of a value node, or the only one that its ranges allow; with `is_certain` in every model.
+  [[nodiscard]] std::optional<owl::TermId> known_value(NodeId node, bool is_certain);
+  /// The value of a literal, of the source or made; nothing where it is not known.
+  [[nodiscard]] const std::optional<Value>& value_of(owl::TermId literal) { return facts_.value(literal); }
   /// The labels of the model that the last question found. To be called before end_question().
   [[nodiscard]] Model model();
   /// Gives each later question so many steps.

@@ -1,7 +1,8 @@
 // A small constraint problem: every value in its ranges, some pairs different.
 //
-// A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside. The
-// remaining nodes are few, and assignments are tried. If a range is not fully known, a clash must follow from its upper
+// A node whose ranges have more values than it has nodes to differ from can always be given one, and is put aside. If
+// all others must differ from each other, a matching with values decides. Otherwise they are few, and assignments are
+// tried. If a range is not fully known, a clash must follow from its upper
 // bound, and a model from its lower bound.
 //
 // A model chooses its opaque sets (value_ranges.hpp). The values in one must differ from those outside of it, and that
@@ -11,10 +12,59 @@
 #include "reasoning/dl/hypertableau/value_check.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace geminga::hypertableau {
 
 using clauses::DataRangeId;
+
+namespace {
+
+/// As many values are looked at to give different ones to nodes that must all differ.
+constexpr std::size_t max_matching_steps = 20'000'000;
+
+/// Whether each of these can have a value of its own: a matching of all with values, by augmenting paths (Kuhn, 1955).
+/// Nothing after too many steps.
+std::optional<bool> can_all_differ(const std::vector<std::vector<Value>>& values) {
+  std::map<Value, std::uint32_t> numbers;
+  std::vector<std::vector<std::uint32_t>> choices;
+  for (const std::vector<Value>& own : values) {
+    auto& of_one = choices.emplace_back();
+    for (const Value& value : own)
+      of_one.push_back(numbers.try_emplace(value, static_cast<std::uint32_t>(numbers.size())).first->second);
+  }
+  std::vector<std::uint32_t> taken_by(numbers.size(), none);
+  std::vector<std::uint32_t> has(choices.size(), none);
+  std::size_t steps = 0;
+  for (std::uint32_t start = 0; start < choices.size(); ++start) {
+    // For whom each value was reached; breadth first, so that no recursion is as deep as there are values.
+    std::vector<std::uint32_t> reached_for(numbers.size(), none);
+    std::vector<std::uint32_t> open{start};
+    std::uint32_t next = none;
+    for (std::size_t at = 0; at < open.size() && next == none; ++at) {
+      const std::uint32_t one = open[at];
+      for (const std::uint32_t value : choices[one]) {
+        if (++steps > max_matching_steps) return std::nullopt;
+        if (reached_for[value] != none) continue;
+        reached_for[value] = one;
+        if (taken_by[value] == none) {
+          next = value;
+          break;
+        }
+        open.push_back(taken_by[value]);
+      }
+    }
+    if (next == none) return false;
+    while (next != none) {  // each on the way takes the value that it reached, and leaves its own
+      const std::uint32_t one = reached_for[next];
+      taken_by[next] = one;
+      next = std::exchange(has[one], next);
+    }
+  }
+  return true;
+}
+
+}  // namespace
 
 bool ValueCheck::are_different(owl::TermId first, owl::TermId second) {
   const std::optional<Value> a = ranges_.value(first);
@@ -37,13 +87,10 @@ owl::TermId ValueCheck::representative(owl::TermId literal) {
 }
 
 std::optional<owl::TermId> ValueCheck::made(const Value& value) {
-  // Sources hold fewer terms.
-  constexpr std::uint32_t first_made = 0x80000000U;
-  static_assert(owl::SourceLimits{}.terms < first_made);
   const auto found = representative_.find(value);
   if (found != representative_.end()) return found->second;
   if (made_ >= max_made_values) return std::nullopt;
-  const owl::TermId literal{first_made + made_++};
+  const owl::TermId literal{first_made_value + made_++};
   ranges_.set_value(literal, value);
   representative_.emplace(value, literal);
   return literal;
@@ -268,6 +315,14 @@ std::optional<bool> ValueCheck::can_differ(const std::vector<Variable>& variable
     values.push_back((uses_most ? one.set.most : one.set.least).list(count(at)));
     if (values.back().size() < count(at)) return std::nullopt;  // not all of them can be listed
   }
+  const bool all_differ = std::ranges::all_of(order, [&](std::uint32_t one) {
+    std::set<std::uint32_t> others;
+    for (const std::uint32_t other : variables[one].differs) {
+      if (open.contains(other)) others.insert(other);
+    }
+    return others.size() + 1 == order.size();
+  });
+  if (all_differ) return can_all_differ(values);
   // Depth first, with an index into the values of each.
   std::vector<std::size_t> chosen = {0};
   for (std::size_t attempts = 0; attempts < max_value_attempts; ++attempts) {

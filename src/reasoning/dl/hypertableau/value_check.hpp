@@ -23,6 +23,9 @@ inline constexpr std::size_t max_value_attempts = 100'000;
 
 /// As many values may rules make that no literal names.
 inline constexpr std::size_t max_made_values = 100'000;
+/// The number of the first of them; sources hold fewer terms.
+inline constexpr std::uint32_t first_made_value = 0x80000000U;
+static_assert(owl::SourceLimits{}.terms < first_made_value);
 /// The most pairs of values that must differ because one is in an opaque set and the other is not.
 inline constexpr std::size_t max_opaque_pairs = 100'000;
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "reasoning/dl/hypertableau/values/written_value.hpp"
+
 namespace geminga::hypertableau {
 namespace {
 
@@ -125,17 +127,8 @@ Computed compute_exactly(BuiltIn built_in, std::span<const Value> operands) {
   }
 }
 
-// The ranks of floats (value.hpp) back to floats. NaN is in a layer of its own.
 double double_of(const Value& value) {
-  if (value.family == DataFamily::number) return value.position.convert_to<double>();
-  if (value.layer == 1) return std::numeric_limits<double>::quiet_NaN();
-  if (value.family == DataFamily::float_) {
-    const auto rank = boost::multiprecision::numerator(value.position).convert_to<std::int64_t>();
-    const std::int64_t bits = rank >= 0 ? rank : std::int64_t{std::numeric_limits<std::int32_t>::min()} - rank - 1;
-    return std::bit_cast<float>(static_cast<std::int32_t>(bits));
-  }
-  const auto rank = boost::multiprecision::numerator(value.position).convert_to<std::int64_t>();
-  return std::bit_cast<double>(rank >= 0 ? rank : std::numeric_limits<std::int64_t>::min() - (rank + 1));
+  return value.family == DataFamily::number ? value.position.convert_to<double>() : float_of(value);
 }
 
 template <typename Float>
