@@ -281,25 +281,6 @@ std::optional<DependencySet> ValueCheck::clash(Graph& graph, DependencySets& set
   return std::nullopt;
 }
 
-// Pigeons and holes: 257 different values are too many for the bytes, and no assignment needs to be tried.
-bool ValueCheck::are_too_many(const std::vector<Variable>& variables, const std::vector<std::uint32_t>& nodes,
-                              bool uses_most) const {
-  std::map<std::uint32_t, std::vector<std::uint32_t>> of_set;
-  for (const std::uint32_t node : nodes) of_set[variables[node].known].push_back(node);
-  const auto all_differ = [&](const std::vector<std::uint32_t>& members) {
-    return std::ranges::all_of(members, [&](std::uint32_t member) {
-      std::vector<std::uint32_t> others = variables[member].differs;
-      others.push_back(member);
-      std::ranges::sort(others);
-      return std::ranges::includes(others, members);
-    });
-  };
-  return std::ranges::any_of(of_set, [&](const auto& entry) {
-    const Counted& set = sets_[entry.first];
-    return entry.second.size() > (uses_most ? set.most : set.least) && all_differ(entry.second);
-  });
-}
-
 std::optional<bool> ValueCheck::can_differ(const std::vector<Variable>& variables,
                                            const std::vector<std::uint32_t>& group, bool uses_most) {
   const auto count = [&](std::uint32_t at) {
@@ -327,7 +308,6 @@ std::optional<bool> ValueCheck::can_differ(const std::vector<Variable>& variable
   if (open.empty()) return true;
   std::vector<std::uint32_t> order;
   for (const auto& [at, degree] : open) order.push_back(at);
-  if (are_too_many(variables, order, uses_most)) return false;
   std::ranges::stable_sort(order, {}, count);
   std::vector<std::vector<Value>> values;
   for (const std::uint32_t at : order) {

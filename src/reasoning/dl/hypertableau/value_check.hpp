@@ -89,9 +89,6 @@ class ValueCheck {
   /// say; empty: it is.
   std::string separate_opaque(std::vector<Variable>& variables, bool has_all_facts) const;
   std::uint32_t known_set(const std::vector<std::uint32_t>& ranges, std::uint32_t literal);
-  /// Whether some of these nodes have one set, all differ from each other, and are more than it has values.
-  [[nodiscard]] bool are_too_many(const std::vector<Variable>& variables, const std::vector<std::uint32_t>& nodes,
-                                  bool uses_most) const;
   /// Whether different values can be given; nothing after too many attempts.
   [[nodiscard]] std::optional<bool> can_differ(const std::vector<Variable>& variables,
                                                const std::vector<std::uint32_t>& group, bool uses_most);
