@@ -80,6 +80,16 @@ TEST(Convert, WritesTriplesThatAreReadAsTheSameAxiomsWhereNothingIsDeclared) {
   }
 }
 
+TEST(Convert, TakesNoCellOfAListForAFactWhereAFileDeclaresItsVocabulary) {
+  const Program program;
+  program.turtle("in.ttl",
+                 ":p a owl:ObjectProperty ; rdfs:domain [ owl:unionOf ( :A :B ) ; a owl:Class ] . :A a owl:Class . "
+                 ":B a owl:Class . <http://www.w3.org/1999/02/22-rdf-syntax-ns#first> a owl:ObjectProperty .");
+  const std::string text = program.run({"convert", "in.ttl", "-o", "-", "--to", "functional"}).out;
+  EXPECT_THAT(text, HasSubstr("ObjectUnionOf("));
+  EXPECT_THAT(text, Not(HasSubstr("ObjectPropertyAssertion")));
+}
+
 TEST(Infer, WritesTheSyntaxesOfOwl) {
   const Program program;
   program.turtle("team.ttl", team);

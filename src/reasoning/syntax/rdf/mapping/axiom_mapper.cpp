@@ -182,8 +182,11 @@ void AxiomMapper::map_identity(std::uint32_t number, owl::AxiomKind kind) {
 
 void AxiomMapper::map_assertion(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
+  // The cells of lists stay cells where a file declares rdf:first as a property, in whatever order triples come.
+  const Word word = word_of(triple.predicate);
+  if (graph_.is_blank(triple.subject) && (word == Word::rdf_first || word == Word::rdf_rest)) return;
   if (!types_.is_property(triple.predicate) &&
-      (word_of(triple.predicate) != Word::none || graph_.text(triple.predicate).starts_with(syntax::owl_namespace)))
+      (word != Word::none || graph_.text(triple.predicate).starts_with(syntax::owl_namespace)))
     return;              // vocabulary
   triples_.use(number);  // where it becomes no axiom, as an annotation
   const bool is_value = graph_.is_literal(triple.object);
