@@ -13,9 +13,6 @@
 namespace geminga::rdf {
 namespace {
 
-/// White space of XML 1.0, section 2.3.
-constexpr std::string_view xml_space = " \t\r\n";
-
 class XmlScan {
  public:
   XmlScan(std::string_view bytes, const syntax::FileLimits& limits)

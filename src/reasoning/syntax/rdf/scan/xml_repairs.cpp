@@ -10,8 +10,6 @@ namespace geminga::rdf {
 namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
-/// White space of XML 1.0, section 2.3.
-constexpr std::string_view xml_space = " \t\r\n";
 
 /// An attribute in its tag: the places of its name, its value, and behind its closing quotation mark.
 struct Found {

@@ -12,6 +12,9 @@
 
 namespace geminga::rdf {
 
+/// White space of XML 1.0, section 2.3.
+inline constexpr std::string_view xml_space = " \t\r\n";
+
 /// XML's NCName, where every character beyond ASCII counts as a letter: raptor decides about those.
 [[nodiscard]] bool is_xml_name(std::string_view name);
 
