@@ -39,7 +39,10 @@ Witnesses::Witnesses(const clauses::ClauseSet& set, const Program& program, cons
 bool Witnesses::satisfy(std::uint32_t at_least, NodeId node, std::uint32_t depth) {
   const clauses::AtLeast& one = set_.at_leasts[at_least];
   const bool is_individual = graph_.node(node).kind == NodeKind::root;
-  const auto is_witness = [&](NodeId other) { return is_in(number(one.filler), other, is_individual, depth); };
+  const auto is_witness = [&](NodeId other) {
+    const bool may_be = depth == 0 || graph_.node(other).kind == NodeKind::root;
+    return may_be && is_in(number(one.filler), other, is_individual, depth);
+  };
   return any_neighbour(graph_, effort_, one.role, node, is_witness) ||
          (is_individual && is_composite_[at_least] && has_path(one, node, depth));
 }

@@ -6,7 +6,9 @@
 // That a cousin has an ancestor with a sibling is mostly derived from such nodes. What is not in the labels of x and a
 // neighbour, but around that neighbour, is looked for if x is an individual, and only at individuals. These are there
 // once, whatever is blocked, so each model that the graph stands for has what is around them. A blocked node lives on
-// what is around its blocker, and blocking compares only the labels of the two and of their parents.
+// what is around its blocker, and blocking compares only the labels of the two and of their parents. Around a neighbour
+// only individuals count: if two individuals are merged, labels and edges between individuals stay, but the nodes below
+// one of them go, and those that are made anew may choose otherwise.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_WITNESSES_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_WITNESSES_HPP
 

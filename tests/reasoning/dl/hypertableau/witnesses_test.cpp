@@ -84,5 +84,25 @@ TEST(Witnesses, OnPathsAreNamed) {
             Verdict::no);
 }
 
+// The individual n and its neighbour without a name put x where x has to be, until n turns out to be m, whose
+// neighbours are others. Either alternative of E may come first.
+TEST(Witnesses, AroundIndividualsAreThereAfterAMerge) {
+  const std::string axioms =
+      "ClassAssertion(ObjectAllValuesFrom(s ObjectComplementOf(B)) i:m)\nClassAssertion(A i:m)\n"
+      "ObjectPropertyAssertion(r i:x i:n)\nClassAssertion(A i:n)\nClassAssertion(ObjectSomeValuesFrom(s E) i:n)\n"
+      "ObjectPropertyAssertion(r i:x i:o)\nClassAssertion(ObjectComplementOf(A) i:o)\n"
+      "ClassAssertion(ObjectMaxCardinality(2 r) i:x)\n"
+      "ClassAssertion(ObjectSomeValuesFrom(g G) i:x)\nSubClassOf(G ObjectUnionOf(G1 G2))\n"
+      "SubClassOf(ObjectSomeValuesFrom(g G1) Late)\nSubClassOf(ObjectSomeValuesFrom(g G2) Late)\n"
+      "SubClassOf(Late ObjectSomeValuesFrom(r ObjectIntersectionOf(A ObjectSomeValuesFrom(s B))))\n"
+      "SubClassOf(Late ObjectSomeValuesFrom(z Z))\nSubClassOf(Z ObjectUnionOf(Z1 Z2))\n"
+      "ObjectPropertyAssertion(q i:y i:x)\n"
+      "SubClassOf(ObjectSomeValuesFrom(q ObjectSomeValuesFrom(z Z1)) ObjectMaxCardinality(1 t))\n"
+      "SubClassOf(ObjectSomeValuesFrom(q ObjectSomeValuesFrom(z Z2)) ObjectMaxCardinality(1 t))\n"
+      "ObjectPropertyAssertion(t i:y i:n)\nObjectPropertyAssertion(t i:y i:m)\n";
+  EXPECT_EQ(answer(axioms + "SubClassOf(E ObjectUnionOf(B D))\n", 100), Verdict::no);
+  EXPECT_EQ(answer(axioms + "SubClassOf(E ObjectUnionOf(D B))\n", 100), Verdict::no);
+}
+
 }  // namespace
 }  // namespace geminga::hypertableau
