@@ -328,7 +328,8 @@ void add_query(CLI::App& program, Choice& choice) {
   command->footer(
       "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file that ends in .rq. The prefixes of the "
       "files\n"
-      "need no declaration. Nothing is fetched: FROM and SERVICE are refused, and so are DESCRIBE, EXISTS (write MINUS)\n"
+      "need no declaration. Nothing is fetched: FROM and SERVICE are refused, and so are DESCRIBE, EXISTS (write "
+      "MINUS)\n"
       "and paths of properties. What follows are all relations between\n"
       "named classes and properties, and all types and facts of named individuals. Of a class expression, as\n"
       "OWL is written in RDF (?x a [ a owl:Restriction ; owl:onProperty ... ]), the named individuals are found that "

@@ -89,7 +89,8 @@ void Parser::prefix_declaration() {
   take();
   const Token name = tokens_.token();
   // A prefix may be a word that begins a frame elsewhere.
-  if ((name.kind != TokenKind::name && !is_section()) || name.text.find(':') + 1 != name.text.size() || name.text.front() == '<') {
+  if ((name.kind != TokenKind::name && !is_section()) || name.text.find(':') + 1 != name.text.size() ||
+      name.text.front() == '<') {
     expected("a prefix that ends in a colon");
     return;
   }
