@@ -15,7 +15,6 @@ namespace geminga::realization {
 namespace {
 
 using owl::written;
-using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;

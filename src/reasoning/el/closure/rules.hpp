@@ -70,9 +70,10 @@ void for_each_existential(const IndexedOntology& index, RoleId role, ExprId fill
 ///   add_member(C, one)       notes that C is below one atom
 template <typename Closure>
 class Rules {
- protected:
+  friend Closure;
   explicit Rules(const IndexedOntology& index) : index_(index) {}
 
+ protected:
   /// Applies all rules with the premise C < D, where D was concluded for C itself.
   void apply(std::uint32_t context, ExprId subsumer) {
     const std::uint8_t rules = index_.rule_bits(subsumer);

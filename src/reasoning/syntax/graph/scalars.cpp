@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <tuple>
 
 #include "base/text.hpp"
@@ -19,6 +20,8 @@ using Rational = boost::multiprecision::cpp_rational;
 /// The most digits of an exact number, and those behind the point of a quotient.
 constexpr std::size_t most_digits = 1000;
 constexpr unsigned fraction_digits = 18;
+
+Integer power_of_ten(std::size_t exponent) { return Integer('1' + std::string(exponent, '0')); }
 
 /// The local name of a datatype of XML Schema; empty for another one.
 std::string_view xsd_name(const Node& node) {
@@ -75,9 +78,7 @@ std::optional<Rational> read_exact(std::string_view value, bool is_whole) {
   const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
   const Integer whole = digits.size() <= short_digits ? Integer(base::parse_number<std::int64_t>(digits).value_or(0))
                                                       : Integer(digits.substr(first));
-  const Rational number = behind == 0
-                              ? Rational(whole)
-                              : Rational(whole, boost::multiprecision::pow(Integer(10), static_cast<unsigned>(behind)));
+  const Rational number = behind == 0 ? Rational(whole) : Rational(whole, power_of_ten(behind));
   return is_negative ? Rational(-number) : number;
 }
 
@@ -99,9 +100,9 @@ bool is_exact(Numeric::Type type) { return type <= Numeric::Type::decimal; }
 std::string exact_text(const Rational& number) {
   using boost::multiprecision::denominator;
   using boost::multiprecision::numerator;
-  const Integer scale = boost::multiprecision::pow(Integer(10), fraction_digits);
+  const Integer scale = power_of_ten(fraction_digits);
   const bool is_negative = number < 0;
-  const Integer above = boost::multiprecision::abs(numerator(number));
+  const Integer above = is_negative ? Integer(-numerator(number)) : numerator(number);
   Integer scaled = above * scale / denominator(number);
   std::string text = Integer(scaled / scale).str();
   std::string behind = Integer(scaled % scale).str();
@@ -127,9 +128,9 @@ std::string double_text(double number, bool is_single) {
 }
 
 bool is_too_long(const Rational& number) {
-  static const Integer bound = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(most_digits));
-  return boost::multiprecision::abs(boost::multiprecision::numerator(number)) > bound ||
-         boost::multiprecision::denominator(number) > bound;
+  static const Integer bound = power_of_ten(most_digits);
+  const Integer& numerator = boost::multiprecision::numerator(number);
+  return numerator > bound || numerator < -bound || boost::multiprecision::denominator(number) > bound;
 }
 
 double calculate_double(char operation, double a, double b) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "reasoning/dl/hypertableau/values/written_value.hpp"
@@ -20,7 +21,7 @@ using Integer = boost::multiprecision::cpp_int;
 constexpr unsigned quotient_digits = 18;
 /// 10^n for numbers of max_number_digits digits.
 const Integer& largest() {
-  static const Integer bound = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(max_number_digits));
+  static const Integer bound('1' + std::string(max_number_digits, '0'));
   return bound;
 }
 
@@ -42,15 +43,16 @@ Integer half_to_even(const Number& number) {
 }
 
 Computed exactly(const Number& number) {
-  const bool is_large = boost::multiprecision::abs(boost::multiprecision::numerator(number)) > largest() ||
-                        boost::multiprecision::denominator(number) > largest();
+  const Integer& numerator = boost::multiprecision::numerator(number);
+  const bool is_large =
+      numerator > largest() || numerator < -largest() || boost::multiprecision::denominator(number) > largest();
   if (is_large) return {Holds::unknown, std::nullopt};
   return {Holds::yes, value_of_number(number)};
 }
 
 /// A power of ten.
 Number ten_to(int exponent) {
-  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  const Integer power('1' + std::string(static_cast<std::size_t>(std::abs(exponent)), '0'));
   return exponent < 0 ? Number(1, power) : Number(power);
 }
 
@@ -66,10 +68,11 @@ Computed quotient_of(const Number& a, const Number& b) {
 }
 
 Computed power_of(const Number& base, const Number& exponent) {
-  if (boost::multiprecision::denominator(exponent) != 1 || boost::multiprecision::abs(exponent) > max_exponent)
+  if (boost::multiprecision::denominator(exponent) != 1 || exponent > max_exponent || exponent < -max_exponent)
     return {Holds::unknown, std::nullopt};
   if (base == 0 && exponent < 0) return {};
-  const auto times = boost::multiprecision::abs(boost::multiprecision::numerator(exponent)).convert_to<unsigned>();
+  const Integer& whole = boost::multiprecision::numerator(exponent);
+  const auto times = (whole < 0 ? Integer(-whole) : whole).convert_to<unsigned>();
   const auto bits = [](const Integer& number) { return number == 0 ? 0U : msb(number) + 1; };
   const Integer top = boost::multiprecision::abs(boost::multiprecision::numerator(base));
   const Integer bottom = boost::multiprecision::denominator(base);
