@@ -58,6 +58,23 @@ std::set<std::size_t> bound_in_all(const Rows& rows) {
   return bound;
 }
 
+/// Rows that are found for a seed. They stay for rows with the same seed, which mostly follow each other.
+class RowsOfSeed {
+ public:
+  template <typename Find>
+  const Rows& get(Row seed, Find&& find) {
+    if (!seed_ || *seed_ != seed) {
+      rows_ = find(seed);
+      seed_ = std::move(seed);
+    }
+    return rows_;
+  }
+
+ private:
+  std::optional<Row> seed_;
+  Rows rows_;
+};
+
 Row key_of(const Row& row, const std::vector<std::size_t>& variables) {
   Row key;
   for (const std::size_t variable : variables) key.push_back(value_in(row, variable));
@@ -187,15 +204,11 @@ Rows Patterns::with_optional(const Rows& rows, rasqal_graph_pattern* optional) {
   const Parts group = group_below(optional);
   const VariableSet variables = certain(group);
   Rows all;
-  std::optional<std::pair<Row, Rows>> last;
+  RowsOfSeed of_seed;
   for (const Row& row : rows) {
-    Row seed = restricted(row, variables);
-    if (!last || last->first != seed) {
-      Rows found = unfiltered(group, seed);
-      last.emplace(std::move(seed), std::move(found));
-    }
     Rows together;
-    for (const Row& found : last->second) {
+    for (const Row& found :
+         of_seed.get(restricted(row, variables), [&](const Row& seed) { return unfiltered(group, seed); })) {
       if (!index_.step()) return all;
       if (auto both = merged(row, found)) together.push_back(std::move(*both));
     }
@@ -210,16 +223,12 @@ Rows Patterns::without(const Rows& rows, rasqal_graph_pattern* minus) {
   const Parts group = group_below(minus);
   const VariableSet variables = certain(group);
   Rows kept;
-  std::optional<std::pair<Row, Rows>> last;
+  RowsOfSeed of_seed;
   for (const Row& row : rows) {
-    Row seed = restricted(row, variables);
-    if (!last || last->first != seed) {
-      Rows found = evaluate(group, seed);
-      last.emplace(std::move(seed), std::move(found));
-    }
-    const bool goes = std::ranges::any_of(last->second, [&](const Row& other) {
-      return index_.step() && share_a_variable(row, other) && merged(row, other);
-    });
+    const Rows& others =
+        of_seed.get(restricted(row, variables), [&](const Row& seed) { return evaluate(group, seed); });
+    const bool goes = std::ranges::any_of(
+        others, [&](const Row& other) { return index_.step() && share_a_variable(row, other) && merged(row, other); });
     if (!goes) kept.push_back(row);
   }
   return kept;
@@ -231,14 +240,10 @@ Rows Patterns::with_group(const Rows& rows, rasqal_graph_pattern* pattern) {
   for (rasqal_graph_pattern* branch : branches) {
     const Parts group = group_of(branch);
     const VariableSet variables = certain(group);
-    std::optional<std::pair<Row, Rows>> last;
+    RowsOfSeed of_seed;
     for (const Row& row : rows) {
-      Row seed = restricted(row, variables);
-      if (!last || last->first != seed) {
-        Rows found = evaluate(group, seed);
-        last.emplace(std::move(seed), std::move(found));
-      }
-      for (const Row& found : last->second) {
+      for (const Row& found :
+           of_seed.get(restricted(row, variables), [&](const Row& seed) { return evaluate(group, seed); })) {
         if (!index_.step()) return all;
         if (auto both = merged(row, found)) all.push_back(std::move(*both));
       }

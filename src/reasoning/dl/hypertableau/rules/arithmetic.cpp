@@ -68,7 +68,7 @@ Computed quotient_of(const Number& a, const Number& b) {
 }
 
 Computed power_of(const Number& base, const Number& exponent) {
-  if (boost::multiprecision::denominator(exponent) != 1 || exponent > max_exponent || exponent < -max_exponent)
+  if (boost::multiprecision::denominator(exponent) != 1 || exponent > max_exponent || -exponent > max_exponent)
     return {Holds::unknown, std::nullopt};
   if (base == 0 && exponent < 0) return {};
   const Integer& whole = boost::multiprecision::numerator(exponent);
