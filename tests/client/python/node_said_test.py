@@ -1,4 +1,4 @@
-"""Lines of the log hook and errors of calls (src/client/CHANNELS.md, "Nothing in silence"); in virtual time."""
+"""Lines of the log hook and errors of calls (src/client/CHANNELS.md, "The log hook"); in virtual time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-// The log hook: one line for each cause that a person should know of (src/client/CHANNELS.md, "Nothing in silence").
+// The log hook: one line for each cause that a person should know of (src/client/CHANNELS.md, "The log hook").
 
 /** Writes a line where the application has given no hook. */
 function toStandardError(line) {
