@@ -79,17 +79,18 @@ class Avahi {
 /// A message of multicast DNS (RFC 6762) that a hostile host may send.
 class Message {
  public:
-  Message& pointer(const std::string& from, const std::vector<std::string>& to) {
-    add_name(split(from));
-    octets_ += std::string("\0\x0c\0\x01\0\0\x11\x94", 8);  // PTR, IN, 4500 s
-    std::string data;
-    for (const std::string& label : to) data += static_cast<char>(label.size()) + label;
-    data += '\0';
-    octets_ += static_cast<char>(data.size() >> 8);
-    octets_ += static_cast<char>(data.size() & 0xff);
-    octets_ += data;
-    ++answers_;
-    return *this;
+  /// `from`: labels with dots between them. `to`: labels that may be any octets.
+  Message& pointer(const std::string& from, const std::vector<std::string>& to) { return record(from, 12, name(to)); }
+  Message& service(const std::string& from, std::uint16_t port, const std::string& host) {
+    return record(from, 33, std::string(4, '\0') + number(port) + name(split(host)));
+  }
+  Message& text(const std::string& from) { return record(from, 16, std::string(1, '\0')); }
+  /// `address`: numeric, of either family.
+  Message& address(const std::string& from, const std::string& address) {
+    const bool is_ipv6 = address.contains(':');
+    std::string data(is_ipv6 ? sizeof(in6_addr) : sizeof(in_addr), '\0');
+    EXPECT_EQ(::inet_pton(is_ipv6 ? AF_INET6 : AF_INET, address.c_str(), data.data()), 1);
+    return record(from, is_ipv6 ? 28 : 1, data);
   }
   [[nodiscard]] std::string octets() const {
     std::string head("\0\0\x84\0\0\0\0\0\0\0\0\0", 12);
@@ -98,6 +99,21 @@ class Message {
   }
 
  private:
+  Message& record(const std::string& owner, std::uint16_t type, const std::string& data) {
+    const std::string one_hour("\0\0\x0e\x10", 4);
+    octets_ += name(split(owner)) + number(type) + number(1 /* IN */) + one_hour +
+               number(static_cast<std::uint16_t>(data.size())) + data;
+    ++answers_;
+    return *this;
+  }
+  static std::string number(std::uint16_t value) {
+    return {static_cast<char>(value >> 8), static_cast<char>(value & 0xff)};
+  }
+  static std::string name(const std::vector<std::string>& labels) {
+    std::string octets;
+    for (const std::string& label : labels) octets += static_cast<char>(label.size()) + label;
+    return octets + '\0';
+  }
   static std::vector<std::string> split(const std::string& name) {
     std::vector<std::string> labels(1);
     for (const char octet : name) {
@@ -108,10 +124,6 @@ class Message {
       }
     }
     return labels;
-  }
-  void add_name(const std::vector<std::string>& labels) {
-    for (const std::string& label : labels) octets_ += static_cast<char>(label.size()) + label;
-    octets_ += '\0';
   }
 
   std::string octets_;
@@ -236,6 +248,20 @@ TEST_F(DnsSd, HealsWhenAvahiTheBusAndTheDaemonCameBack) {
   EXPECT_TRUE(others_see("geminga:Image", false));
   start_daemon();
   EXPECT_TRUE(knows({"dns:Printing"})) << bridge_->said();
+}
+
+TEST_F(DnsSd, TakesTheIpv4AddressOfAHostWhoseIpv6AddressOfTheLinkCameFirst) {
+  Message first;
+  first.pointer("_cam._tcp.local", {"Camera", "_cam", "_tcp", "local"})
+      .service("Camera._cam._tcp.local", 80, "c.local");
+  first.text("Camera._cam._tcp.local").address("c.local", "fe80::1");
+  Message then;
+  then.address("c.local", "10.47.17.2");
+  start_bridge({"--type", "_cam._tcp"});
+  lab_.visit(1, [&] { send_to_all({first}); });
+  EXPECT_TRUE(bridge_->wait_for("without an address that others can use")) << bridge_->said();
+  lab_.visit(1, [&] { send_to_all({then}); });
+  EXPECT_TRUE(knows({"text=_cam._tcp", "address=10.47.17.2", "port=80"})) << bridge_->said();
 }
 
 TEST_F(DnsSd, TakesNoHarmFromNamesThatAreNoTextAndFromAFlood) {

@@ -110,30 +110,45 @@ void Browsing::resolve(Sighting& sighting) {
                               std::uint16_t port, AvahiStringList* txt, AvahiLookupResultFlags, void* user) {
     Sighting& one = *static_cast<Sighting*>(user);
     if (event != AVAHI_RESOLVER_FOUND || address == nullptr) return one.owner->on_failure(one);
-    FoundService found = found_service(host, *address, port, txt);
-    found.name = one.place.name;
-    found.type = one.place.type;
-    found.domain = one.place.domain;
-    one.found = std::move(found);
-    one.owner->tell(one.place);
+    one.owner->on_found(one, found_service(host, *address, port, txt));
   };
   const Place& place = sighting.place;
   sighting.resolver =
       avahi_service_resolver_new(client_, place.interface, place.protocol, place.name.c_str(), place.type.c_str(),
-                                 place.domain.c_str(), AVAHI_PROTO_UNSPEC, AvahiLookupFlags{}, on_resolved, &sighting);
+                                 place.domain.c_str(), sighting.family, AvahiLookupFlags{}, on_resolved, &sighting);
   if (sighting.resolver == nullptr) return tally_.count("questions that Avahi refused");
   ++resolvers_;
 }
 
+void Browsing::on_found(Sighting& sighting, FoundService found) {
+  if (sighting.family == AVAHI_PROTO_UNSPEC && !is_shareable(found.address)) {
+    sighting.family = AVAHI_PROTO_INET;
+    free_resolver(sighting);
+    return resolve(sighting);
+  }
+  found.name = sighting.place.name;
+  found.type = sighting.place.type;
+  found.domain = sighting.place.domain;
+  sighting.found = std::move(found);
+  tell(sighting.place);
+}
+
 void Browsing::on_failure(Sighting& sighting) {
-  tally_.count("services without an answer");
+  const bool has_other_address = sighting.family == AVAHI_PROTO_INET;
+  tally_.count(has_other_address ? no_shareable_address : "services without an answer");
   // A host that has answered once may be slow; its service goes when Avahi says so.
   if (sighting.found) return;
   ++sighting.failures;
   sighting.pause = std::min(1U << std::min(sighting.failures, 6U), max_pause);
+  sighting.family = AVAHI_PROTO_UNSPEC;
+  free_resolver(sighting);
+  resolve_waiting();
+}
+
+void Browsing::free_resolver(Sighting& sighting) {
+  if (sighting.resolver == nullptr) return;
   avahi_service_resolver_free(std::exchange(sighting.resolver, nullptr));
   --resolvers_;
-  resolve_waiting();
 }
 
 void Browsing::retry() {
@@ -162,10 +177,7 @@ void Browsing::resolve_waiting() {
 void Browsing::forget(std::map<Place, std::unique_ptr<Sighting>>::iterator at) {
   const std::unique_ptr<Sighting> sighting = std::move(at->second);
   sightings_.erase(at);
-  if (sighting->resolver != nullptr) {
-    avahi_service_resolver_free(sighting->resolver);
-    --resolvers_;
-  }
+  free_resolver(*sighting);
   if (sighting->found) tell(sighting->place);
 }
 

@@ -54,6 +54,9 @@ class Browsing {
     Browsing* owner = nullptr;
     Place place;
     AvahiServiceResolver* resolver = nullptr;  ///< null: it waits
+    /// The family of the addresses that are asked for. Of a host with both, Avahi gives only the address that comes
+    /// first, which may be an IPv6 address of the link.
+    AvahiProtocol family = AVAHI_PROTO_UNSPEC;
     std::optional<FoundService> found{};
     unsigned failures = 0;  ///< attempts to resolve it that nobody has answered
     unsigned pause = 0;     ///< calls of retry() that it waits for
@@ -65,7 +68,9 @@ class Browsing {
   void on_service(AvahiBrowserEvent event, Place place, AvahiLookupResultFlags flags);
   void forget(std::map<Place, std::unique_ptr<Sighting>>::iterator at);
   void resolve(Sighting& sighting);
+  void on_found(Sighting& sighting, FoundService found);
   void on_failure(Sighting& sighting);
+  void free_resolver(Sighting& sighting);
   /// Resolves those that wait, as far as there is room: those that have failed the least first.
   void resolve_waiting();
   void tell(const Place& place);

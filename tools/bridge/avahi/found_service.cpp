@@ -31,16 +31,6 @@ void add_txt(const std::vector<std::string>& strings, Attributes& attributes) {
   }
 }
 
-/// Whether other hosts can use an address. An IPv6 address of a link means something only with an interface of this
-/// host.
-bool is_shareable(std::string_view text) {
-  using Scope = base::AddressScope;
-  const auto address = base::parse_address(text);
-  if (!address) return false;
-  const Scope scope = address->scope();
-  return scope == Scope::private_use || scope == Scope::global || (scope == Scope::link_local && !address->is_ipv6());
-}
-
 }  // namespace
 
 bool is_service_type(std::string_view text) {
@@ -50,10 +40,18 @@ bool is_service_type(std::string_view text) {
          std::ranges::all_of(name.substr(1), is_letter_digit_hyphen);
 }
 
+bool is_shareable(std::string_view text) {
+  using Scope = base::AddressScope;
+  const auto address = base::parse_address(text);
+  if (!address) return false;
+  const Scope scope = address->scope();
+  return scope == Scope::private_use || scope == Scope::global || (scope == Scope::link_local && !address->is_ipv6());
+}
+
 std::expected<Foreign, std::string_view> foreign_of(const FoundService& service) {
   if (!is_service_type(service.type)) return std::unexpected("types that are none of DNS-SD");
   if (service.port == 0) return std::unexpected("services without a port");
-  if (!is_shareable(service.address)) return std::unexpected("services without an address that others can use");
+  if (!is_shareable(service.address)) return std::unexpected(no_shareable_address);
   if (!base::is_valid_utf8(service.name)) return std::unexpected("names that are no UTF-8");
   NamedPublication publication{.identity = TextIdentity{service.type},
                                .mode = ChannelMode::one_to_one,

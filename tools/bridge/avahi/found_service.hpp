@@ -33,6 +33,12 @@ inline constexpr std::string_view own_tcp_type = "_geminga._tcp";
 [[nodiscard]] bool is_service_type(std::string_view text);
 [[nodiscard]] inline bool is_own_type(std::string_view type) { return type == own_udp_type || type == own_tcp_type; }
 
+/// Whether other hosts can use a numeric address. An IPv6 address of a link means something only with an interface of
+/// this host.
+[[nodiscard]] bool is_shareable(std::string_view address);
+/// The reason by which a service without such an address is counted.
+inline constexpr std::string_view no_shareable_address = "services without an address that others can use";
+
 /// The publication of a found service: mode `oto`, protocol `dns-sd`, the type as its text and as the name of a
 /// concept, and what else is known as attributes. The error is the reason by which it is counted.
 [[nodiscard]] std::expected<Foreign, std::string_view> foreign_of(const FoundService& service);
