@@ -12,6 +12,8 @@
 #include <unordered_set>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/rdf/triples/namespace_ends.hpp"
+#include "reasoning/syntax/rdf/triples/recent_iris.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
 // Raptor's Turtle grammar forgets the terms on its stack at a syntax error, its N-Triples reader one URI for each
@@ -106,6 +108,7 @@ struct RaptorParser::World {
   std::optional<syntax::LoadError> error;
   bool out_of_memory = false;
 
+  RecentIris recent;
   std::string label;
   std::string restored;
 
@@ -152,6 +155,13 @@ struct RaptorParser::World {
   }
 
   NodeId iri(std::string_view text) {
+    if (const NodeId known = recent.find(text); known != NodeId{}) return known;
+    const NodeId node = searched_iri(text);
+    recent.keep(graph->text(node), node);  // of a draft's word OWL's
+    return node;
+  }
+
+  NodeId searched_iri(std::string_view text) {
     const std::size_t known = graph->node_count();
     const NodeId node = graph->iri(text);
     if (graph->node_count() == known) {
@@ -355,12 +365,14 @@ std::optional<syntax::LoadError> RaptorParser::read(const FileText& text, std::s
   state.generated = 0;
   state.drafts.clear();
   state.made_up.clear();
+  state.recent.forget();
   state.prefixes.clear();
   state.known_prefixes.clear();
   state.passed.clear();
   state.error.reset();
   state.out_of_memory = false;
 
+  forget_namespace_depths();
   state.parser = raptor_new_parser(state.world, parser_name(text.syntax));
   raptor_uri* base = raptor_new_uri(state.world, reinterpret_cast<const unsigned char*>(text.base_iri.c_str()));
   if (state.parser == nullptr || base == nullptr) {
