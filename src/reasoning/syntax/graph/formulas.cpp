@@ -68,6 +68,13 @@ bool is_operator(rasqal_op op) {
   }
 }
 
+/// Whether it is a literal as with_opaque_constants() writes it. Its value is that of its first part.
+bool is_opaque_constant(const rasqal_expression& formula) {
+  const auto parts = operands_of(formula);
+  return formula.op == RASQAL_EXPR_COALESCE && parts.size() == 2 && parts[0]->op == RASQAL_EXPR_LITERAL &&
+         rasqal_literal_as_variable(parts[0]->literal) == nullptr && parts[1]->op == RASQAL_EXPR_RAND;
+}
+
 Scalar as_scalar(std::optional<bool> truth) { return truth ? Scalar(boolean(*truth)) : std::nullopt; }
 
 /// The values that the rows of a group have for an aggregate's argument.
@@ -126,7 +133,7 @@ class Collected {
 }  // namespace
 
 std::optional<std::string> refusal_of(const rasqal_expression* formula, std::size_t level) {
-  if (formula == nullptr) return std::nullopt;
+  if (formula == nullptr || is_opaque_constant(*formula)) return std::nullopt;
   if (level >= max_formula_levels)
     return "an expression nests deeper than " + std::to_string(max_formula_levels) +
            " levels: write it in parts, with BIND";

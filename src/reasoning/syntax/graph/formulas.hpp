@@ -56,7 +56,7 @@ class Formulas {
 
 /// The value of a function that looks at nothing but its arguments; nothing for an error. `formula` says which.
 [[nodiscard]] Scalar call(const rasqal_expression& formula, const std::vector<Scalar>& arguments);
-/// Whether call() knows it.
+/// Whether call() knows it, which requires that.
 [[nodiscard]] bool is_function(const rasqal_expression& formula);
 
 }  // namespace geminga::graph

@@ -1,6 +1,7 @@
 // Functions of SPARQL on terms, texts, numbers and times (SPARQL 1.1 Query Language, sections 17.4 and 17.5).
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
@@ -186,103 +187,91 @@ Scalar about_terms(rasqal_op op, const Scalar& first, const Scalar& second) {
   }
 }
 
+/// The value of the function of an operator for its arguments. Arguments that are missing are errors.
+using Function = Scalar (*)(rasqal_op op, const Arguments& arguments);
+
+Scalar argument(const Arguments& arguments, std::size_t at) {
+  return at < arguments.size() ? arguments[at] : std::nullopt;
+}
+
+template <Scalar (*function)(rasqal_op, const Scalar&)>
+Scalar of_one(rasqal_op op, const Arguments& arguments) {
+  return function(op, argument(arguments, 0));
+}
+
+template <Scalar (*function)(rasqal_op, const Scalar&, const Scalar&)>
+Scalar of_two(rasqal_op op, const Arguments& arguments) {
+  return function(op, argument(arguments, 0), argument(arguments, 1));
+}
+
+template <Scalar (*function)(const Arguments&)>
+Scalar of_all(rasqal_op /*op*/, const Arguments& arguments) {
+  return function(arguments);
+}
+
+Scalar cased(rasqal_op op, const Scalar& value) { return text_in_case(value, op == RASQAL_EXPR_UCASE); }
+
+/// The functions that have an operator of their own.
+constexpr std::pair<rasqal_op, Function> functions[] = {
+    {RASQAL_EXPR_STR, of_one<about_term>},
+    {RASQAL_EXPR_LANG, of_one<about_term>},
+    {RASQAL_EXPR_DATATYPE, of_one<about_term>},
+    {RASQAL_EXPR_ISURI, of_one<about_term>},
+    {RASQAL_EXPR_ISBLANK, of_one<about_term>},
+    {RASQAL_EXPR_ISLITERAL, of_one<about_term>},
+    {RASQAL_EXPR_ISNUMERIC, of_one<about_term>},
+    {RASQAL_EXPR_STRLEN, of_one<about_term>},
+    {RASQAL_EXPR_ENCODE_FOR_URI, of_one<about_term>},
+    {RASQAL_EXPR_URI, of_one<about_term>},
+    {RASQAL_EXPR_IRI, of_one<about_term>},
+    {RASQAL_EXPR_SAMETERM, of_two<about_terms>},
+    {RASQAL_EXPR_LANGMATCHES, of_two<about_terms>},
+    {RASQAL_EXPR_STRLANG, of_two<about_terms>},
+    {RASQAL_EXPR_STRDT, of_two<about_terms>},
+    {RASQAL_EXPR_REGEX, of_all<matches>},
+    {RASQAL_EXPR_REPLACE, of_all<replaced>},
+    {RASQAL_EXPR_CONCAT, of_all<joined>},
+    {RASQAL_EXPR_SUBSTR, of_all<part_of>},
+    {RASQAL_EXPR_UCASE, of_one<cased>},
+    {RASQAL_EXPR_LCASE, of_one<cased>},
+    {RASQAL_EXPR_STRSTARTS, of_two<compare_texts>},
+    {RASQAL_EXPR_STRENDS, of_two<compare_texts>},
+    {RASQAL_EXPR_CONTAINS, of_two<compare_texts>},
+    {RASQAL_EXPR_STRBEFORE, of_two<compare_texts>},
+    {RASQAL_EXPR_STRAFTER, of_two<compare_texts>},
+    {RASQAL_EXPR_ABS, of_one<rounded>},
+    {RASQAL_EXPR_ROUND, of_one<rounded>},
+    {RASQAL_EXPR_CEIL, of_one<rounded>},
+    {RASQAL_EXPR_FLOOR, of_one<rounded>},
+    {RASQAL_EXPR_YEAR, of_one<part_of_time>},
+    {RASQAL_EXPR_MONTH, of_one<part_of_time>},
+    {RASQAL_EXPR_DAY, of_one<part_of_time>},
+    {RASQAL_EXPR_HOURS, of_one<part_of_time>},
+    {RASQAL_EXPR_MINUTES, of_one<part_of_time>},
+    {RASQAL_EXPR_SECONDS, of_one<part_of_time>},
+    {RASQAL_EXPR_TZ, of_one<part_of_time>},
+};
+
+/// Null where there is none.
+Function function_of(rasqal_op op) {
+  const auto* const found = std::ranges::find(functions, op, &std::pair<rasqal_op, Function>::first);
+  return found == std::end(functions) ? nullptr : found->second;
+}
+
+/// Whether the function has a name instead of an operator.
+bool is_named(const rasqal_expression& formula) {
+  return formula.op == RASQAL_EXPR_FUNCTION || formula.op == RASQAL_EXPR_CAST;
+}
+
 }  // namespace
 
 bool is_function(const rasqal_expression& formula) {
-  switch (formula.op) {
-    case RASQAL_EXPR_FUNCTION:
-    case RASQAL_EXPR_CAST:
-      return !type_of_cast(formula).empty();
-    case RASQAL_EXPR_STR:
-    case RASQAL_EXPR_LANG:
-    case RASQAL_EXPR_DATATYPE:
-    case RASQAL_EXPR_ISURI:
-    case RASQAL_EXPR_ISBLANK:
-    case RASQAL_EXPR_ISLITERAL:
-    case RASQAL_EXPR_ISNUMERIC:
-    case RASQAL_EXPR_STRLEN:
-    case RASQAL_EXPR_ENCODE_FOR_URI:
-    case RASQAL_EXPR_URI:
-    case RASQAL_EXPR_IRI:
-    case RASQAL_EXPR_SAMETERM:
-    case RASQAL_EXPR_LANGMATCHES:
-    case RASQAL_EXPR_STRLANG:
-    case RASQAL_EXPR_STRDT:
-    case RASQAL_EXPR_REGEX:
-    case RASQAL_EXPR_REPLACE:
-    case RASQAL_EXPR_CONCAT:
-    case RASQAL_EXPR_SUBSTR:
-    case RASQAL_EXPR_UCASE:
-    case RASQAL_EXPR_LCASE:
-    case RASQAL_EXPR_STRSTARTS:
-    case RASQAL_EXPR_STRENDS:
-    case RASQAL_EXPR_CONTAINS:
-    case RASQAL_EXPR_STRBEFORE:
-    case RASQAL_EXPR_STRAFTER:
-    case RASQAL_EXPR_ABS:
-    case RASQAL_EXPR_ROUND:
-    case RASQAL_EXPR_CEIL:
-    case RASQAL_EXPR_FLOOR:
-    case RASQAL_EXPR_YEAR:
-    case RASQAL_EXPR_MONTH:
-    case RASQAL_EXPR_DAY:
-    case RASQAL_EXPR_HOURS:
-    case RASQAL_EXPR_MINUTES:
-    case RASQAL_EXPR_SECONDS:
-    case RASQAL_EXPR_TZ:
-      return true;
-    default:
-      return false;
-  }
+  return is_named(formula) ? !type_of_cast(formula).empty() : function_of(formula.op) != nullptr;
 }
 
-Scalar call(const rasqal_expression& formula, const std::vector<Scalar>& arguments) {
-  const rasqal_op op = formula.op;
-  const Scalar none;
-  const Scalar& first = arguments.empty() ? none : arguments[0];
-  const Scalar& second = arguments.size() < 2 ? none : arguments[1];
-  switch (op) {
-    case RASQAL_EXPR_FUNCTION:
-    case RASQAL_EXPR_CAST:
-      return cast(type_of_cast(formula), first);
-    case RASQAL_EXPR_REGEX:
-      return matches(arguments);
-    case RASQAL_EXPR_REPLACE:
-      return replaced(arguments);
-    case RASQAL_EXPR_CONCAT:
-      return joined(arguments);
-    case RASQAL_EXPR_SUBSTR:
-      return part_of(arguments);
-    case RASQAL_EXPR_UCASE:
-    case RASQAL_EXPR_LCASE:
-      return text_in_case(first, op == RASQAL_EXPR_UCASE);
-    case RASQAL_EXPR_STRSTARTS:
-    case RASQAL_EXPR_STRENDS:
-    case RASQAL_EXPR_CONTAINS:
-    case RASQAL_EXPR_STRBEFORE:
-    case RASQAL_EXPR_STRAFTER:
-      return compare_texts(op, first, second);
-    case RASQAL_EXPR_ABS:
-    case RASQAL_EXPR_ROUND:
-    case RASQAL_EXPR_CEIL:
-    case RASQAL_EXPR_FLOOR:
-      return rounded(op, first);
-    case RASQAL_EXPR_YEAR:
-    case RASQAL_EXPR_MONTH:
-    case RASQAL_EXPR_DAY:
-    case RASQAL_EXPR_HOURS:
-    case RASQAL_EXPR_MINUTES:
-    case RASQAL_EXPR_SECONDS:
-    case RASQAL_EXPR_TZ:
-      return part_of_time(op, first);
-    case RASQAL_EXPR_SAMETERM:
-    case RASQAL_EXPR_LANGMATCHES:
-    case RASQAL_EXPR_STRLANG:
-    case RASQAL_EXPR_STRDT:
-      return about_terms(op, first, second);
-    default:
-      return about_term(op, first);
-  }
+Scalar call(const rasqal_expression& formula, const Arguments& arguments) {
+  if (is_named(formula)) return cast(type_of_cast(formula), argument(arguments, 0));
+  return function_of(formula.op)(formula.op, arguments);
 }
 
 }  // namespace geminga::graph

@@ -179,7 +179,8 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
     return refuse("the query is no text in UTF-8");
   World& world = graph.store().world;
   Terms terms(world);
-  const auto read = ReadQuery::read(terms, with_prefixes(with_spaced_signs(query), prefixes) + '\n');
+  const auto read =
+      ReadQuery::read(terms, with_prefixes(with_opaque_constants(with_spaced_signs(query)), prefixes) + '\n');
   if (!read) return refuse(read.error());
   ClassExpressions expressions;
   if (auto refusal = expressions.find(world, **read, find_instances)) return refuse(std::move(*refusal));

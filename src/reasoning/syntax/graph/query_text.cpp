@@ -1,6 +1,7 @@
 #include "reasoning/syntax/graph/query_text.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "base/text.hpp"
@@ -179,6 +180,38 @@ class ValuesReader {
   std::size_t at_;
 };
 
+/// The end of the literal of SPARQL that begins here, maybe with a sign; `at` if none does. `mask` is in small letters.
+std::size_t end_of_literal(std::string_view query, std::string_view mask, std::size_t at) {
+  const auto is_digit = [&](std::size_t place) {
+    return place < mask.size() && mask[place] >= '0' && mask[place] <= '9';
+  };
+  const auto end_of_name = [&](std::size_t place) {
+    while (place < mask.size() && (is_name_character(mask[place]) || mask[place] == ':' || mask[place] == '.')) ++place;
+    return mask[place - 1] == '.' ? place - 1 : place;
+  };
+  if (query[at] == '"' || query[at] == '\'') {
+    const std::size_t end = end_of_piece(query, at);
+    if (end < query.size() && query[end] == '@') return end_of_name(end + 1);
+    if (query.substr(end, 2) != "^^" || end + 2 == query.size()) return end;
+    return query[end + 2] == '<' ? end_of_piece(query, end + 2) : end_of_name(end + 2);
+  }
+  for (const std::string_view truth : {"true", "false"}) {
+    if (is_keyword(mask, at, truth)) return at + truth.size();
+  }
+  const bool is_inside = at > 0 && (is_name_character(mask[at - 1]) ||
+                                    std::string_view("?$:.@\\%").find(mask[at - 1]) != std::string_view::npos);
+  const std::size_t first = mask[at] == '+' || mask[at] == '-' ? at + 1 : at;
+  const bool is_number = is_digit(first) || (first < mask.size() && mask[first] == '.' && is_digit(first + 1));
+  if (is_inside || !is_number) return at;
+  at = first;
+  while (is_digit(at) || (at < mask.size() && mask[at] == '.')) ++at;
+  if (at == mask.size() || mask[at] != 'e') return at;
+  const std::size_t exponent = at + 1 < mask.size() && (mask[at + 1] == '+' || mask[at + 1] == '-') ? at + 2 : at + 1;
+  if (!is_digit(exponent)) return at;
+  for (at = exponent; is_digit(at);) ++at;
+  return at;
+}
+
 }  // namespace
 
 std::string masked(std::string_view query) {
@@ -230,7 +263,8 @@ std::string with_spaced_signs(const std::string& query) {
     const bool is_sign = mask[at] == '+' || mask[at] == '-';
     const bool is_number =
         at + 1 < mask.size() && std::string_view("0123456789.").find(mask[at + 1]) != std::string_view::npos;
-    const bool ends_operand = is_name_character(last) || last == ')' || last == '"' || last == '\'' || last == '>';
+    const bool ends_operand =
+        (is_name_character(last) && last != '-') || last == ')' || last == '"' || last == '\'' || last == '>';
     const bool is_behind_name = at > 0 && is_name_character(mask[at - 1]);
     const bool is_in_name = is_behind_name && mask[at] == '-' && !is_number_before(mask, at);
     const bool is_exponent = is_behind_name && mask[at - 1] == 'e' && is_digits_before(mask, at - 1);
@@ -238,6 +272,39 @@ std::string with_spaced_signs(const std::string& query) {
     if (space.find(query[at]) == std::string_view::npos) last = query[at];
   }
   return spaced;
+}
+
+std::string with_opaque_constants(const std::string& query) {
+  enum class Place : std::uint8_t { clauses, pattern, formula };
+  const std::string mask = base::in_lower_case(masked(query));
+  std::string text;
+  std::vector<Place> places{Place::clauses};  // outside, and within what braces and parentheses are open
+  bool begins_formula = false;  // behind FILTER or BIND: other parentheses in a pattern are those of lists
+  bool is_separator = false;    // of GROUP_CONCAT, which is no expression
+  for (std::size_t at = 0; at < query.size();) {
+    if (mask[at] == '{') {
+      places.push_back(Place::pattern);
+    } else if (mask[at] == '(') {
+      const bool is_list = places.back() == Place::pattern && !std::exchange(begins_formula, false);
+      places.push_back(is_list ? Place::pattern : Place::formula);
+    } else if ((mask[at] == ')' || mask[at] == '}') && places.size() > 1) {
+      places.pop_back();
+    } else if (is_keyword(mask, at, "filter") || is_keyword(mask, at, "bind")) {
+      begins_formula = true;
+    } else if (is_keyword(mask, at, "select")) {
+      places.back() = Place::clauses;  // an inner query fills its braces
+    } else if (is_keyword(mask, at, "separator")) {
+      is_separator = true;
+    }
+    const bool is_remark_or_iri = mask[at] == ' ' && (query[at] == '#' || query[at] == '<');
+    const std::size_t literal = is_remark_or_iri ? at : end_of_literal(query, mask, at);
+    const std::size_t end = literal > at ? literal : end_of_piece(query, at);
+    const std::string piece = query.substr(at, end - at);
+    const bool is_constant = literal > at && places.back() == Place::formula && !std::exchange(is_separator, false);
+    text += is_constant ? " COALESCE(" + piece + ", RAND())" : piece;
+    at = end;
+  }
+  return text;
 }
 
 std::size_t levels_of(std::string_view mask) {

@@ -23,6 +23,10 @@ namespace geminga::graph {
 /// as four.
 [[nodiscard]] std::string with_spaced_signs(const std::string& query);
 
+/// The query with `COALESCE(LITERAL, RAND())` for each literal of an expression: rasqal works out what is made of
+/// constants while it reads, in 32 bits, and takes 2147483647 + 1 for a negative number, but never what has RAND.
+[[nodiscard]] std::string with_opaque_constants(const std::string& query);
+
 /// How deep the braces of a masked query nest.
 [[nodiscard]] std::size_t levels_of(std::string_view mask);
 

@@ -196,6 +196,20 @@ TEST(Sparql, ReadsSignsBetweenOperandsAsOperators) {
       "2 1 3 1 -1 -2|");
 }
 
+TEST(Sparql, WorksOutConstantsItself) {
+  EXPECT_EQ(
+      answered("SELECT ?a ?b ?c ?d ?e { BIND(2147483647 + 1 AS ?a) BIND(isNumeric(false) AS ?b) "
+               "BIND(- -1 - .5 AS ?c) BIND(UCASE(\"\u00e4#(\"@en) AS ?d) BIND(COALESCE(STRLEN(-1), 'x') AS ?e) }"),
+      "2147483648 false 0.5 \u00c4#( x|")
+      << "rasqal says -2147483648, true, nothing, the small letter and 2";
+  EXPECT_EQ(answered("SELECT ?x { ?x e:n ?n . FILTER(1 = 1) FILTER(?n IN (1, -1, 10)) } # (1"), "a|c|");
+  EXPECT_EQ(answered("SELECT (GROUP_CONCAT(?a; SEPARATOR=\"5\") AS ?all) { VALUES (?x) { (e:a) (e:b) } ?x e:n ?a "
+                     "{ SELECT (true AS ?t) { e:a e:p ?y } ORDER BY (7) LIMIT 1 } }"),
+            "152|");
+  EXPECT_EQ(answered("SELECT ?l { ?l e:is (1 \"2\"^^xsd:string) }"), "") << "the members of a list are no expressions";
+  EXPECT_THAT(answered("SELECT (COALESCE(1, RAND()) AS ?r) {}"), HasSubstr("rand"));
+}
+
 TEST(Sparql, HasALimitOfLevelsOfAnExpression) {
   for (const std::size_t levels : {max_formula_levels - 1, max_formula_levels, max_formula_levels + 1}) {
     std::string sum = "?a";
