@@ -29,6 +29,9 @@ class Editor {
   /// Changes a part of a random axiom, or adds one. What the edits make may be outside of OWL 2 DL.
   void edit();
 
+  /// Adds a fact about random individuals, seldom none.
+  void add_about_individuals();
+
  private:
   using TermId = owl::TermId;
   using TermKind = owl::TermKind;
@@ -40,7 +43,6 @@ class Editor {
   void add_about_classes();
   void add_about_properties();
   void add_about_data();
-  void add_about_individuals();
   void add(AxiomKind kind, std::vector<TermId> arguments) { axioms_.push_back({kind, std::move(arguments)}); }
 
   [[nodiscard]] std::size_t count_of_parts(TermId id) const;

@@ -25,6 +25,12 @@ namespace geminga::compare {
                                                                           unsigned seconds = 60,
                                                                           Effort* effort = nullptr);
 
+/// The types of named individuals, one `INDIVIDUAL < CLASS` line each, sorted and without owl:Thing, or the one line
+/// `inconsistent`. Errors as konclude_closure().
+[[nodiscard]] std::expected<cases::Closure, std::string> konclude_types(const std::filesystem::path& file,
+                                                                        unsigned seconds = 60,
+                                                                        Effort* effort = nullptr);
+
 /// Reads the OWL/XML that Konclude writes for a taxonomy.
 [[nodiscard]] std::expected<cases::Closure, std::string> closure_of_owl_xml(const std::filesystem::path& file);
 

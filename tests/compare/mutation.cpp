@@ -117,7 +117,7 @@ void keep_to_dl(Draft& draft) {
 
 }  // namespace
 
-Mutation mutation(std::span<const owl::Ontology* const> originals, std::uint64_t seed) {
+Mutation mutation(std::span<const owl::Ontology* const> originals, std::uint64_t seed, std::size_t facts) {
   base::Random random(seed);
   Draft draft;
   std::string words;
@@ -130,6 +130,7 @@ Mutation mutation(std::span<const owl::Ontology* const> originals, std::uint64_t
   const std::size_t edits = std::min(draft.axioms.size() * per_thousand / 1000 + 2 + random.below(8), most_edits);
   Editor editor(draft.terms, draft.axioms, random);
   for (std::size_t left = edits; left > 0; --left) editor.edit();
+  for (std::size_t left = facts; left > 0; --left) editor.add_about_individuals();
   const bool is_dl = !random.chance(0.05);
   if (is_dl) keep_to_dl(draft);
   words += ", " + std::to_string(draft.axioms.size()) + " axioms, " + std::to_string(edits) + " edits";

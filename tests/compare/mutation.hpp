@@ -17,8 +17,9 @@ struct Mutation {
 
 /// Takes of each original all axioms, a random sample, or the module of random names, gives some names of the second
 /// and third original to things of the first, and edits a few axioms in a hundred. Mostly what OWL 2 DL forbids is
-/// taken out again. Requires an original. The same for the same arguments.
-[[nodiscard]] Mutation mutation(std::span<const owl::Ontology* const> originals, std::uint64_t seed);
+/// taken out again. With facts, up to so many are added at last. Requires an original. The same for the same arguments.
+[[nodiscard]] Mutation mutation(std::span<const owl::Ontology* const> originals, std::uint64_t seed,
+                                std::size_t facts = 0);
 
 }  // namespace geminga::compare
 

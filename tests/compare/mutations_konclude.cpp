@@ -2,6 +2,7 @@
 // time and memory of both. The program behind tools/dev/compare-mutations.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -22,6 +23,7 @@
 #include "compare/opinions.hpp"
 #include "compare/timed_run.hpp"
 #include "ontology/loading/readers.hpp"
+#include "reasoning/realization/realization.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "reasoning/syntax/owlxml/writer.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
@@ -38,18 +40,49 @@ struct Request {
   std::size_t axioms = 10'000;  ///< files with more are left out
   bool shows_all = false;
   bool asks_engines = false;  ///< our engines one by one, and not Konclude
+  bool asks_types = false;    ///< the types of individuals instead of the subsumers of classes
   std::vector<std::string> files;
 };
 
 /// Slower than this times Konclude, and by as many seconds of user time, is worth a line.
 constexpr double slower_times = 1.5;
 constexpr double slower_seconds = 0.3;
+/// Fewer facts than this are added where the types of individuals are compared.
+constexpr std::size_t most_facts = 40;
+
+/// The words about what an answer leaves open; empty where that is nothing.
+std::string open_words(const std::vector<std::string>& gaps, const taxonomy::Classification& classification) {
+  const auto& unused = classification.unused;
+  if (gaps.empty() && unused.empty()) return {};
+  const std::string first = gaps.empty() ? std::string(unused.front().construct) : gaps.front();
+  return first + " (" + std::to_string(gaps.size()) + " gaps, " + std::to_string(unused.size()) + " axioms not used)";
+}
+
+/// The types of named individuals as konclude_types() gives them.
+cases::Closure types_of(const owl::Ontology& source, const taxonomy::Classification& classification,
+                        const realization::Realization& found) {
+  if (!found.is_consistent) return {"inconsistent"};
+  const auto thing = classification.representative[static_cast<std::size_t>(classification.thing)];
+  cases::Closure lines;
+  for (std::size_t at = 0; at < found.individuals.size(); ++at) {
+    const std::string begin = std::string(source.name_of(found.individuals[at])) + " < ";
+    const auto& types = found.type_sets[found.types[at]];
+    for (std::size_t number = 0; number < classification.class_count(); ++number) {
+      const taxonomy::ClassNumber representative = classification.representative[number];
+      const bool is_of_all = representative == thing && number != static_cast<std::size_t>(classification.thing);
+      if (is_of_all || std::ranges::binary_search(types, representative))
+        lines.push_back(begin + std::string(source.name(classification.classes[number])));
+    }
+  }
+  std::ranges::sort(lines);
+  return lines;
+}
 
 /// Answers about one file, in a process of its own, so that a crash is one answer of many. The first word is
 /// `complete`, `undecided` or `refused`.
-int answer(const char* file) {
+int answer(const char* file, bool asks_types) {
   ontology::Readers readers;
-  const auto loaded = rdf::load(std::vector{std::string(file)}, {}, &readers);
+  auto loaded = rdf::load(std::vector{std::string(file)}, {}, &readers);
   if (!loaded) {
     std::printf("refused %s\n", syntax::to_string(loaded.error()).c_str());
     return 0;
@@ -59,16 +92,18 @@ int answer(const char* file) {
     std::printf("refused %s\n", classification.error().text.c_str());
     return 0;
   }
-  if (classification->gaps.empty() && classification->unused.empty()) {
-    std::puts("complete");
+  std::vector<std::string> gaps = classification->gaps;
+  cases::Closure lines;
+  if (!asks_types || !classification->is_consistent) {
+    lines = cases::closure_of(loaded->source, *classification, false);
   } else {
-    const bool is_question = !classification->gaps.empty();
-    std::printf("undecided %s (%zu gaps, %zu axioms not used)\n",
-                is_question ? classification->gaps.front().c_str()
-                            : std::string(classification->unused.front().construct).c_str(),
-                classification->gaps.size(), classification->unused.size());
+    const realization::Realization found = realization::realize(loaded->source, *classification);
+    gaps.insert(gaps.end(), found.gaps.begin(), found.gaps.end());
+    lines = types_of(loaded->source, *classification, found);
   }
-  for (const std::string& line : cases::closure_of(loaded->source, *classification, false)) std::puts(line.c_str());
+  const std::string open = open_words(gaps, *classification);
+  std::puts(open.empty() ? "complete" : ("undecided " + open).c_str());
+  for (const std::string& line : lines) std::puts(line.c_str());
   return 0;
 }
 
@@ -97,9 +132,10 @@ struct Answer {
 std::string own_path() { return fs::read_symlink("/proc/self/exe").string(); }
 
 /// The words of answer() about a file.
-Answer ours(const fs::path& file, unsigned seconds) {
+Answer ours(const Request& request, const fs::path& file) {
   const fs::path output = file.string() + ".answer";
-  const TimedRun ran = run_timed({own_path(), "--answer", file.string()}, seconds, output);
+  const char* const question = request.asks_types ? "--answer-types" : "--answer";
+  const TimedRun ran = run_timed({own_path(), question, file.string()}, request.seconds, output);
   Answer given{{{}, false, {}}, {}, ran.effort};
   std::ifstream stream(output);
   std::string line;
@@ -161,7 +197,8 @@ std::optional<Mutation> vary(const Request& request, Originals& originals, std::
     names += fs::path(request.files[place]).filename().string() + ' ';
   }
   if (chosen.empty()) return {};
-  Mutation made = mutation(chosen, seed);
+  const std::size_t facts = request.asks_types ? random.below(most_facts) : 0;
+  Mutation made = mutation(chosen, seed, facts);
   made.words = names + made.words;
   return made;
 }
@@ -176,9 +213,9 @@ std::string cost(const Effort& effort) {
 void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 /// Konclude's own test of the consistency of an instance of A that is no instance of B, for `... A < B`: its
-/// classification misses or invents pairs about which that test is right.
-std::string second_thought(const owl::Ontology& source, const std::string& line, const fs::path& folder,
-                           unsigned seconds) {
+/// classification misses or invents pairs about which that test is right. For a type, A is the individual.
+std::string second_thought(const Request& request, const owl::Ontology& source, const std::string& line,
+                           const fs::path& folder) {
   const std::size_t middle = line.find(" < ");
   const std::size_t begin = line.rfind(' ', middle - 1) + 1;
   if (middle == std::string::npos) return {};
@@ -187,15 +224,15 @@ std::string second_thought(const owl::Ontology& source, const std::string& line,
     return name == "Thing" ? owl::thing_term : name == "Nothing" ? owl::nothing_term : asked.named_class(name);
   };
   const owl::FileId file = asked.add_file("asked");
-  const owl::TermId instance = asked.individual("http://asked.example/#instance");
-  const owl::TermId sub = class_of(line.substr(begin, middle - begin));
+  const std::string first = line.substr(begin, middle - begin);
+  const owl::TermId instance = asked.individual(request.asks_types ? first : "http://asked.example/#instance");
   const owl::TermId super = class_of(line.substr(middle + 3));
-  asked.add(owl::AxiomKind::class_assertion, {sub, instance}, file, 0);
+  if (!request.asks_types) asked.add(owl::AxiomKind::class_assertion, {class_of(first), instance}, file, 0);
   const owl::TermId others = asked.term(owl::TermKind::object_complement_of, {super});
   asked.add(owl::AxiomKind::class_assertion, {others, instance}, file, 0);
   const fs::path document = folder / "asked.ofn";
   write(document, functional_syntax(asked));
-  const auto has_model = konclude_consistency(document, seconds);
+  const auto has_model = konclude_consistency(document, request.seconds);
   if (!has_model) return has_model.error();
   return *has_model ? "Konclude finds an instance that shows that it does not follow"
                     : "Konclude finds no instance of the first that is none of the second: it follows";
@@ -211,8 +248,8 @@ void compare(const Request& request, const Mutation& made, std::uint64_t seed, b
   write(xml, owlxml::owl_xml(made.source));
   const bool is_xml = seed % 2 == 0;
   const fs::path& file = is_xml ? xml : functional;
-  const Answer we = ours(file, request.seconds);
-  const Answer again = we.effort.user_seconds < 1 ? ours(is_xml ? functional : xml, request.seconds) : we;
+  const Answer we = ours(request, file);
+  const Answer again = we.effort.user_seconds < 1 ? ours(request, is_xml ? functional : xml) : we;
   std::vector<std::string> lines;
   if (!we.words.empty()) lines.push_back(we.words);
   if (we.words != again.words || we.opinion.closure != again.opinion.closure) {
@@ -222,14 +259,14 @@ void compare(const Request& request, const Mutation& made, std::uint64_t seed, b
   Effort effort;
   std::string verdict = "NOT COMPARED";
   if (has_konclude) {
-    const auto closure = konclude_closure(file, request.seconds, &effort);
+    const auto closure = (request.asks_types ? konclude_types : konclude_closure)(file, request.seconds, &effort);
     verdict = closure ? "answered" : closure.error();
     if (!closure) ++tally.without_konclude;
     const auto found = closure ? contradictions(we.opinion, {*closure, true, {}}) : std::vector<std::string>();
     if (!found.empty()) ++tally.different;
     for (std::size_t at = 0; at < found.size() && at < 5; ++at) lines.push_back("DIFFERENT: " + found[at]);
     if (!found.empty()) {
-      const std::string thought = second_thought(made.source, found.front(), folder, request.seconds);
+      const std::string thought = second_thought(request, made.source, found.front(), folder);
       if (!thought.empty()) lines.push_back("about the first pair " + thought);
     }
     if (found.size() > 5) lines.push_back("DIFFERENT: and " + std::to_string(found.size() - 5) + " more");
@@ -306,7 +343,8 @@ int run(const Request& request) {
 int main(int argc, char** argv) {
   geminga::compare::Request request;
   try {
-    if (argc == 3 && std::strcmp(argv[1], "--answer") == 0) return geminga::compare::answer(argv[2]);
+    if (argc == 3 && std::strcmp(argv[1], "--answer") == 0) return geminga::compare::answer(argv[2], false);
+    if (argc == 3 && std::strcmp(argv[1], "--answer-types") == 0) return geminga::compare::answer(argv[2], true);
     if (argc == 3 && std::strcmp(argv[1], "--engines") == 0) return geminga::compare::engines(argv[2]);
     for (int at = 1; at < argc; ++at) {
       const std::string word = argv[at];
@@ -321,6 +359,8 @@ int main(int argc, char** argv) {
         request.axioms = std::stoul(argv[++at]);
       } else if (word == "--engines") {
         request.asks_engines = true;
+      } else if (word == "--types") {
+        request.asks_types = true;
       } else if (word == "--all") {
         request.shows_all = true;
       } else {
@@ -328,7 +368,8 @@ int main(int argc, char** argv) {
       }
     }
     if (!request.files.empty()) return geminga::compare::run(request);
-    std::fprintf(stderr, "usage: %s [--seeds N] [--first N] [--seconds N] [--axioms N] [--engines] [--all] FILE...\n",
+    std::fprintf(stderr,
+                 "usage: %s [--seeds N] [--first N] [--seconds N] [--axioms N] [--types] [--engines] [--all] FILE...\n",
                  argv[0]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
