@@ -31,13 +31,13 @@ constexpr std::size_t kept_versions = 3;
 constexpr std::chrono::milliseconds between_looks_for_versions{5000};
 /// The time before a version is asked for again that could not be taken.
 constexpr std::chrono::minutes after_failure{1};
-constexpr std::chrono::minutes adoption_time{10};
 
 struct AdoptRequest {
   std::string connect;
   bool is_open = false;
   bool is_once = false;
-  std::string folder;  ///< of all publishers, as the daemon said at the start
+  unsigned time_limit = 600;  ///< seconds for one version
+  std::string folder;         ///< of all publishers, as the daemon said at the start
 };
 
 /// The publishers that the daemon adopts, and the folder for them.
@@ -115,7 +115,7 @@ class Adopting {
                     .connect = request_.connect,
                     .is_open = request_.is_open,
                     .patience = {},
-                    .time = adoption_time};
+                    .time = std::chrono::seconds(request_.time_limit)};
     const auto newer = candidates_for(wish, all);
     if (newer.empty()) return Exit::yes;
     auto& next_try = next_tries_[newer.front().digest];
@@ -161,6 +161,8 @@ void add_adopt(CLI::App& program, Choice& choice) {
   add_connect(*command, request->connect);
   command->add_flag("--open", request->is_open, "also where the team has no key");
   command->add_flag("--once", request->is_once, "look once and end");
+  add_number(*command, "--time-limit", request->time_limit, 1, 1'000'000, "seconds for one version; 600 unless told")
+      ->type_name("N");
   command->footer(
       "\nThe daemon says whom it adopts from (adopt-from), and where it looks: "
       "STATE-FOLDER/adopted/PARTICIPANT/VERSION.\n"

@@ -1,6 +1,8 @@
 #include "ontology/format.hpp"
 
 #include <CLI/CLI.hpp>
+#include <utility>
+#include <vector>
 
 #include "ontology/command/options.hpp"
 #include "ontology/command/output.hpp"
@@ -52,14 +54,22 @@ std::expected<DocumentFormat, std::string> chosen_document_format(const std::str
 
 Exit put_document(const std::string& out, const writing::Document& document, syntax::Syntax syntax) {
   std::size_t unsaid = 0;
+  std::vector<std::string> ambiguous;
   const Exit exit = put_pieces(out, [&](const PutPiece& piece) {
-    const writing::Written written = writing::write(document, syntax, piece);
+    writing::Written written = writing::write(document, syntax, piece);
     unsaid = written.unsaid_annotations;
+    ambiguous = std::move(written.ambiguous_properties);
     return written.problem;
   });
   if (exit == Exit::yes && unsaid > 0)
     say_error(counted(unsaid, "annotation of a declaration is", "annotations of declarations are") +
               " not written: Manchester syntax has no place for them");
+  if (exit == Exit::yes && !ambiguous.empty())
+    say_error(counted(ambiguous.size(), "property is", "properties are") +
+              " both of objects and of data, which Manchester syntax does not tell apart; restrictions may be read as "
+              "those of the "
+              "other kind: <" +
+              ambiguous.front() + (ambiguous.size() == 1 ? ">" : ">, ..."));
   return exit;
 }
 

@@ -37,6 +37,13 @@ bool is_name_byte(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
+/// `<a> ` and `<a/> `, which may be a relative IRI of Turtle: RDF/XML has a namespace in its first tag.
+bool is_bare_tag(std::string_view text) {
+  const std::size_t end = text.find_first_of(" \t\r\n>");
+  return text.starts_with('<') && !text.starts_with("<?") && !text.starts_with("<!") && end != std::string_view::npos &&
+         text[end] == '>';
+}
+
 std::string_view without_comments(std::string_view text) {
   for (;;) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -212,7 +219,8 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
   const bool says_turtle = path.ends_with(".ttl");
   const bool says_triples = path.ends_with(".nt");
   if (says_turtle || says_triples) {
-    if (found == Content::xml) return std::unexpected("is XML by its content: name it .rdf or .owl");
+    const bool is_xml = found == Content::xml && !is_bare_tag(without_comments(base::without_mark(content)));
+    if (is_xml) return std::unexpected("is XML by its content: name it .rdf or .owl");
     return says_turtle ? Syntax::turtle : Syntax::n_triples;
   }
   if (found == Content::xml) return Syntax::rdf_xml;

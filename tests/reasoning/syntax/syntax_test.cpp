@@ -74,6 +74,8 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
     return syntax ? std::string("accepted") : syntax.error();
   };
   EXPECT_EQ(words("a.ttl", "<?xml version=\"1.0\"?>"), "is XML by its content: name it .rdf or .owl");
+  EXPECT_EQ(words("a.ttl", "<RDF xmlns=\"http://e/\">"), "is XML by its content: name it .rdf or .owl");
+  EXPECT_EQ(words("a.ttl", "<s> <p> 123 ."), "accepted");
   EXPECT_EQ(
       words("a.txt", "hello"),
       "has no known extension, and begins as no known syntax: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");

@@ -142,6 +142,8 @@ constexpr std::array productions{
     term("DataPropertyAtom", TermKind::data_property_atom, atom, {data_property, rule_argument, rule_argument}),
     term("SameIndividualAtom", TermKind::same_individual_atom, atom, {rule_argument, rule_argument}),
     term("DifferentIndividualsAtom", TermKind::different_individuals_atom, atom, {rule_argument, rule_argument}),
+    term("SameAsAtom", TermKind::same_individual_atom, atom, {rule_argument, rule_argument}),  // as before 2009
+    term("DifferentFromAtom", TermKind::different_individuals_atom, atom, {rule_argument, rule_argument}),  // the same
     of_rules("BuiltInAtom", Form::built_in, TermKind::built_in_atom, atom),
     of_rules("Variable", Form::variable, TermKind::variable, rule_argument),
 

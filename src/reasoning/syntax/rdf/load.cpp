@@ -151,6 +151,23 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
   return ScannedFile{std::move(*bytes), content, *syntax, std::move(*layout), std::move(remarks)};
 }
 
+/// Octets of a file that are looked at for the namespaces of an ontology.
+constexpr std::size_t begin_bytes = std::size_t{1} << 16;
+
+/// An error of a parser, with what the file is instead where that shows.
+syntax::LoadError explained(syntax::LoadError error, syntax::Syntax syntax, std::string_view path, bool is_foreign) {
+  if (is_foreign)
+    error.text += " (it names neither RDF's nor OWL's namespace: is it an ontology?)";
+  if (syntax != syntax::Syntax::turtle) return error;
+  const std::string_view name = syntax::name_without_gz(path);
+  if (name.ends_with(".nq")) {
+    error.text += ": N-Quads are not read, convert them to N-Triples";
+  } else if (error.text.contains("{ ... }") || error.text.contains("Graph URI literal {")) {
+    error.text = "has { ... }, which Turtle has not: TriG and Notation 3 are not read, convert it to Turtle";
+  }
+  return error;
+}
+
 /// One load, file by file.
 class Loading {
  public:
@@ -169,7 +186,10 @@ class Loading {
     for (const auto& [remark, line] : scanned->remarks) loaded_.source.remark(remark, file, line);
     loaded_.syntaxes.push_back(syntax);
     if (syntax::has_triples(syntax)) {
-      if (auto error = redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_)) return error;
+      // Before it is read, because what was read is given back to the kernel.
+      const bool is_foreign = is_xml(syntax) && syntax::is_foreign_xml(scanned->bytes.view().substr(0, begin_bytes));
+      if (auto error = redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_))
+        return explained(std::move(*error), syntax, path, is_foreign);
       leave_out_passed(file);
       return take_prefixes(number, redland_.prefixes());
     }
@@ -236,8 +256,8 @@ class Loading {
     constexpr std::size_t max_named = 250;
     std::set<std::string_view> named;
     for (const Passed& passed : redland_.passed()) {
-      if (passed.is_annotation) {
-        loaded_.source.remark(passed.fault + ", passed over", file, passed.line);
+      if (passed.is_harmless) {
+        loaded_.source.remark(passed.fault, file, passed.line);
         continue;
       }
       const bool is_named = named.contains(passed.fault) || named.size() < max_named;

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "reasoning/owl/annotation.hpp"
 #include "reasoning/owl/datatypes.hpp"
@@ -92,8 +93,7 @@ class Frames {
         output_(output),
         short_name_([this](std::string_view iri) { return name_or_blank(iri); }) {}
 
-  /// Returns how many annotations the syntax has no place for.
-  std::size_t run() {
+  Unsaid run() {
     gather();
     write_head();
     std::ranges::stable_sort(items_, {}, &Item::frame);
@@ -103,7 +103,7 @@ class Frames {
       for (; at < items_.size() && items_[at].frame == frame; ++at) write(items_[at]);
     }
     for (; at < items_.size() && !output_.has_failed(); ++at) write(items_[at]);
-    return unsaid_;
+    return std::move(unsaid_);
   }
 
  private:
@@ -134,7 +134,8 @@ class Frames {
     const std::uint32_t frame = is_miscellaneous(axiom) ? no_frame : frame_of(subject);
     // A frame is a declaration, and has no place for annotations of it.
     if (is_declaration) {
-      unsaid_ += document_.has_annotations ? document_.annotations.about(Annotation::Of::axiom, number).size() : 0;
+      unsaid_.annotations +=
+          document_.has_annotations ? document_.annotations.about(Annotation::Of::axiom, number).size() : 0;
       return;
     }
     items_.push_back({kind, number, frame});
@@ -177,9 +178,14 @@ class Frames {
   /// Without a frame a property might be read as one of the other kind, and the OWL API refuses a document that uses
   /// any name without a frame.
   void frame_names() {
+    std::unordered_map<std::string_view, TermKind> properties;
     for (const TermId id : owl::terms_in(source_, roots_)) {
-      if (source_.kind(id) > TermKind::individual) continue;
+      const TermKind kind = source_.kind(id);
+      if (kind > TermKind::individual) continue;
       const std::string_view iri = source_.name_of(id);
+      if (kind == TermKind::object_property || kind == TermKind::data_property) {
+        if (properties.try_emplace(iri, kind).first->second != kind) unsaid_.ambiguous_properties.emplace_back(iri);
+      }
       const bool is_built_in =
           std::ranges::find(built_in_names, iri) != built_in_names.end() || owl::Datatype::find(iri);
       if (!is_built_in) frame_of(id);
@@ -345,12 +351,12 @@ class Frames {
   std::vector<const std::string*> heads_;                  ///< of each frame
   std::unordered_map<std::string_view, std::uint32_t> frame_of_name_;
   std::vector<Item> items_;
-  std::size_t unsaid_ = 0;
+  Unsaid unsaid_;
 };
 
 }  // namespace
 
-std::size_t write_frames(const Document& document, const Names& names, Output& output) {
+Unsaid write_frames(const Document& document, const Names& names, Output& output) {
   return Frames(document, names, output).run();
 }
 

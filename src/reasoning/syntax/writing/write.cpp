@@ -1,5 +1,7 @@
 #include "reasoning/syntax/writing/write.hpp"
 
+#include <utility>
+
 #include "base/assert.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/writing/frames.hpp"
@@ -35,7 +37,9 @@ Written write(const Document& document, syntax::Syntax syntax, const Sink& sink,
     XmlForm form(names, output);
     write_structure(document, form, output);
   } else {
-    written.unsaid_annotations = write_frames(document, names, output);
+    Unsaid unsaid = write_frames(document, names, output);
+    written.unsaid_annotations = unsaid.annotations;
+    written.ambiguous_properties = std::move(unsaid.ambiguous_properties);
   }
   written.problem = output.finish();
   return written;

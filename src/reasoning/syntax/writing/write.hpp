@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "reasoning/syntax/syntax.hpp"
 #include "reasoning/syntax/writing/document.hpp"
@@ -18,6 +19,9 @@ struct Written {
   std::optional<std::string> problem;
   /// Annotations of declarations, for which Manchester syntax has no place.
   std::size_t unsaid_annotations = 0;
+  /// Names that are an object property and a data property at once, which OWL 2 DL forbids and Manchester syntax does
+  /// not tell apart: their restrictions may be read as those of the other kind.
+  std::vector<std::string> ambiguous_properties = {};
 };
 
 /// Writes a document piece by piece. The syntax must be one without triples.

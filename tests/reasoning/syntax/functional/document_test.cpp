@@ -198,19 +198,23 @@ TEST(Document, TellsBlankNodesOfDifferentFilesApart) {
 }
 
 TEST(Document, LeavesOutByNameWhatNoTermCanExpress) {
-  const Reading reading(ontology(
-      "SubClassOf(:A DataSomeValuesFrom(:d :e xsd:int))\nSubClassOf(:A :B)\n"
-      "SubClassOf(:A ObjectUnionOf(:B DataAllValuesFrom(:d :e :f DataUnionOf(xsd:int xsd:byte))))\n"
-      "SubClassOf(:A ObjectMinCardinality(4294967296 :p))\n"
-      "DLSafeRule(Annotation(:n \")\") Body(ClassAtom(:A Variable(<urn:x>)))Head(ClassAtom(:B Variable(<urn:x>))))\n"
-      "DGRule(Body()Head())\nDescriptionGraph(:g Nodes() Edges() MainClasses())\nHasKey(:A () ())"));
+  const Reading reading(
+      ontology("SubClassOf(:A DataSomeValuesFrom(:d :e xsd:int))\nSubClassOf(:A :B)\n"
+               "SubClassOf(:A ObjectUnionOf(:B DataAllValuesFrom(:d :e :f DataUnionOf(xsd:int xsd:byte))))\n"
+               "SubClassOf(:A ObjectMinCardinality(4294967296 :p))\n"
+               "DLSafeRule(Annotation(:n \")\") Body(ClassAtom(:A Variable(<urn:x>)))Head(SameAsAtom(:i :i) "
+               "DifferentFromAtom(:i :j) ClassAtom(:B Variable(<urn:x>))))\n"
+               "DGRule(Body()Head())\nDescriptionGraph(:g Nodes() Edges() MainClasses())\nHasKey(:A () ())"));
   ASSERT_EQ(reading.error, "");
   EXPECT_THAT(
       reading.axioms(),
-      ElementsAre("SubClassOf(:A :B)", "DLSafeRule(Atoms(ClassAtom(:A ?<urn:x>)) Atoms(ClassAtom(:B ?<urn:x>)))",
-                  "left out: owl:onProperties, 2, line 2", "left out: a cardinality above 4294967295, 1, line 5",
-                  "left out: DGRule, 1, line 7", "left out: DescriptionGraph, 1, line 8",
-                  "left out: malformed HasKey, 1, line 9"));
+      ElementsAre(
+          "SubClassOf(:A :B)",
+          "DLSafeRule(Atoms(ClassAtom(:A ?<urn:x>)) Atoms(SameIndividualAtom(:i :i) DifferentIndividualsAtom(:i :j) "
+          "ClassAtom(:B ?<urn:x>)))",
+          "left out: owl:onProperties, 2, line 2", "left out: a cardinality above 4294967295, 1, line 5",
+          "left out: DGRule, 1, line 7", "left out: DescriptionGraph, 1, line 8",
+          "left out: malformed HasKey, 1, line 9"));
   EXPECT_EQ(reading.document.axioms, 2U);
 }
 

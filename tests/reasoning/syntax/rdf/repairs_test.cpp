@@ -4,6 +4,7 @@
 
 #include "reasoning/syntax/rdf/functional.hpp"
 #include "reasoning/syntax/rdf/reading.hpp"
+#include "reasoning/syntax/rdf/scratch.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -119,7 +120,37 @@ TEST(Repairs, TriplesMayHaveRelativeNames) {
 
 TEST(Repairs, AreFaultsOfLinesThatAreThere) {
   EXPECT_THAT(told("a.owl", "<?xml version='1.0'?><x:RDF/>"),
-              ElementsAre("a.owl:1: The namespace prefix in \"x:RDF\" was not declared."));
+              ElementsAre(testing::StartsWith("a.owl:1: The namespace prefix in \"x:RDF\" was not declared. (")));
+}
+
+TEST(Faults, SayWhatAFileIsInsteadOfTurtleOrRdfXml) {
+  const Scratch scratch;
+  const auto error = [&](const char* name, std::string_view text) {
+    const auto loaded = load(std::vector{scratch.write(name, std::string(text))});
+    return loaded ? "read" : to_string(loaded.error());
+  };
+  EXPECT_THAT(error("a.xml", "<project xmlns=\"http://e/\"><a><b/><c/></a></project>"),
+              testing::EndsWith(" (it names neither RDF's nor OWL's namespace: is it an ontology?)"));
+  EXPECT_THAT(error("a.trig", "@prefix : <http://e/> .\n:g { :a a :B . }\n"),
+              testing::EndsWith(
+                  ":2: has { ... }, which Turtle has not: TriG and Notation 3 are not read, convert it to Turtle"));
+  EXPECT_THAT(error("a.n3", "@prefix : <http://e/> .\n{ :a a :B } :c :d .\n"), testing::HasSubstr(":2: has { ... }"));
+  EXPECT_THAT(error("a.nq", "<http://e/a> <http://e/b> <http://e/c> <http://e/g> .\n"),
+              testing::EndsWith(": N-Quads are not read, convert them to N-Triples"));
+}
+
+TEST(Repairs, TakeFormerWordsForTodaysInEveryFileOfSeveral) {
+  const Scratch scratch;
+  constexpr std::string_view text = "@prefix n: <http://www.w3.org/2006/12/owl11#> .\n";
+  const auto property = [&](const char* name) {
+    return scratch.write(std::string(name) + ".ttl", std::string(text) + "<http://e/" + name +
+                                                         "> a n:IrreflexiveProperty , n:FunctionalObjectProperty .\n");
+  };
+  const auto loaded = load(std::vector{property("p"), property("q")});
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_THAT(functional(loaded->source),
+              testing::IsSupersetOf({"IrreflexiveObjectProperty(:q)", "FunctionalObjectProperty(:q)"}));
+  EXPECT_TRUE(loaded->source.omissions().empty());
 }
 
 TEST(Repairs, OfAPlainFileAreNone) {

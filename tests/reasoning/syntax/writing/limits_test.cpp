@@ -7,7 +7,9 @@
 namespace geminga::writing {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 
 Read small() {
@@ -42,6 +44,19 @@ TEST(Writing, RefusesANameThatNoIriCanBe) {
   original.source.add(owl::AxiomKind::declaration, {original.source.named_class("http://e/A B")}, owl::FileId{0}, 1);
   EXPECT_THAT(written(original, syntax::Syntax::functional), StartsWith("cannot: the name http://e/A B has"));
   EXPECT_THAT(written(original, syntax::Syntax::manchester), StartsWith("cannot: the name http://e/A B has"));
+}
+
+TEST(Writing, NamesPropertiesThatManchesterSyntaxDoesNotTellApart) {
+  Read original = small();
+  const owl::TermId of_objects = original.source.object_property("http://e/p");
+  const owl::TermId of_data = original.source.data_property("http://e/p");
+  original.source.add(owl::AxiomKind::functional_object_property, {of_objects}, owl::FileId{0}, 1);
+  original.source.add(owl::AxiomKind::functional_data_property, {of_data}, owl::FileId{0}, 1);
+  const owl::Annotations annotations(original.annotations);
+  const Document document{original.source, annotations, {}, {}, {}, {0, 1, 2}};
+  const Sink sink = [](std::string_view) { return true; };
+  EXPECT_THAT(write(document, syntax::Syntax::manchester, sink).ambiguous_properties, ElementsAre("http://e/p"));
+  EXPECT_THAT(write(document, syntax::Syntax::functional, sink).ambiguous_properties, IsEmpty());
 }
 
 TEST(Writing, StopsWhereTheSinkTakesNoMore) {

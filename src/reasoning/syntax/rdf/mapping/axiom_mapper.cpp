@@ -31,6 +31,8 @@ void AxiomMapper::map(std::uint32_t number) {
     case Word::owl_disjoint_union_of:
       return map_disjoint_union(number);
     case Word::rdfs_sub_property_of:
+      if (const NodeId links = types_.chain_of(graph_.triple(number).subject); links != NodeId{})
+        return map_chain(number, links, graph_.triple(number).object);
       return map_property_axiom(number, Kind::sub_object_property_of, Kind::sub_data_property_of);
     case Word::owl_equivalent_property:
       return map_property_axiom(number, Kind::equivalent_object_properties, Kind::equivalent_data_properties);
@@ -39,7 +41,7 @@ void AxiomMapper::map(std::uint32_t number) {
     case Word::owl_inverse_of:
       return map_inverse(number);
     case Word::owl_property_chain_axiom:
-      return map_chain(number);
+      return map_chain(number, graph_.triple(number).object, graph_.triple(number).subject);
     case Word::rdfs_domain:
       return map_domain(number);
     case Word::rdfs_range:
@@ -147,11 +149,13 @@ void AxiomMapper::map_range(std::uint32_t number) {
                 {expressions_.object_property(triple.subject), expressions_.class_expression(triple.object)});
 }
 
-void AxiomMapper::map_chain(std::uint32_t number) {
-  const Triple& triple = triples_.take(number);
-  const auto links = expressions_.object_properties(triple.object);
+void AxiomMapper::map_chain(std::uint32_t number, NodeId list, NodeId whole) {
+  triples_.use(number);
+  if (graph_.is_blank(graph_.triple(number).subject))
+    triples_.object_of(graph_.triple(number).subject, Word::owl_property_chain);  // uses it
+  const auto links = expressions_.object_properties(list);
   if (!links) return axioms_.leave_out(number, links.error());
-  const Mapped super = expressions_.object_property(triple.subject);
+  const Mapped super = expressions_.object_property(whole);
   if (links->empty()) return axioms_.leave_out(number, "an empty owl:propertyChainAxiom");
   if (links->size() == 1) return axioms_.add(number, Kind::sub_object_property_of, {links->front(), super});
   axioms_.add(number, Kind::sub_object_property_of, {expressions_.property_chain(*links), super});
@@ -185,7 +189,9 @@ void AxiomMapper::map_assertion(std::uint32_t number) {
   // The cells of lists stay cells where a file declares rdf:first as a property, in whatever order triples come.
   const Word word = word_of(triple.predicate);
   if (graph_.is_blank(triple.subject) && (word == Word::rdf_first || word == Word::rdf_rest)) return;
-  if (!types_.is_property(triple.predicate) &&
+  const bool is_of_statement =
+      word == Word::rdf_subject || word == Word::rdf_predicate || word == Word::rdf_object;  // of an rdf:Statement
+  if (!types_.is_property(triple.predicate) && !is_of_statement &&
       (word != Word::none || graph_.text(triple.predicate).starts_with(syntax::owl_namespace)))
     return;              // vocabulary
   triples_.use(number);  // where it becomes no axiom, as an annotation

@@ -34,7 +34,8 @@ class AxiomMapper {
   void map_inverse(std::uint32_t number);
   void map_domain(std::uint32_t number);
   void map_range(std::uint32_t number);
-  void map_chain(std::uint32_t number);
+  /// `list` holds the properties of the chain, and `whole` is the property above it.
+  void map_chain(std::uint32_t number, NodeId list, NodeId whole);
   void map_key(std::uint32_t number);
   void map_disjoint_union(std::uint32_t number);
   void map_identity(std::uint32_t number, owl::AxiomKind kind);

@@ -42,6 +42,7 @@ Mapped DataRangeMapper::described_range(NodeId node, std::uint32_t depth) {
       case Word::owl_datatype_complement_of:
       case Word::owl_one_of:
       case Word::owl_on_datatype:
+      case Word::owl_on_data_range:  // OWL 1.1, with the facets beside it
         if (constructor != Word::none) return std::unexpected("a blank data range with several descriptions");
         constructor = predicate;
         description = number;
@@ -60,6 +61,8 @@ Mapped DataRangeMapper::described_range(NodeId node, std::uint32_t depth) {
   switch (constructor) {
     case Word::owl_on_datatype:
       return restricted_datatype(object, facets);
+    case Word::owl_on_data_range:
+      return facets == NodeId{} ? with_facets(object, {&node, 1}) : restricted_datatype(object, facets);
     case Word::owl_complement_of:
     case Word::owl_datatype_complement_of: {
       const Mapped complement = data_range(object, depth);
@@ -84,13 +87,19 @@ Mapped DataRangeMapper::range_of_list(std::uint32_t triple, owl::TermKind kind, 
 }
 
 Mapped DataRangeMapper::restricted_datatype(NodeId datatype, NodeId facets) {
-  if (!graph_.is_iri(datatype)) return std::unexpected("owl:onDatatype of a blank node");
   const auto members = facets == NodeId{} ? std::nullopt : triples_.list(facets);
   if (!members) return std::unexpected("owl:onDatatype without a list of owl:withRestrictions");
+  return with_facets(datatype, *members);
+}
+
+Mapped DataRangeMapper::with_facets(NodeId datatype, std::span<const NodeId> nodes) {
+  if (!graph_.is_iri(datatype)) return std::unexpected("owl:onDatatype of a blank node");
   std::vector<owl::TermId> parts{ontology_.datatype(graph_.text(datatype))};
-  for (const NodeId member : *members) {
-    for (const std::uint32_t number : graph_.about(member)) {
+  for (const NodeId node : nodes) {
+    for (const std::uint32_t number : graph_.about(node)) {
       const Triple& triple = graph_.triple(number);
+      const bool is_facet = graph_.text(triple.predicate).starts_with(syntax::xsd_namespace);
+      if (!is_facet && !graph_.about(node, Word::owl_on_data_range).empty()) continue;
       const Mapped value = literal(triple.object);
       if (!value) return value;
       triples_.use(number);

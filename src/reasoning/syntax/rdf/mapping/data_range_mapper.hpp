@@ -3,6 +3,7 @@
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_DATA_RANGE_MAPPER_HPP
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 
 #include "reasoning/owl/source.hpp"
@@ -26,6 +27,9 @@ class DataRangeMapper {
 
  private:
   Mapped restricted_datatype(NodeId datatype, NodeId facets);
+  /// A datatype with the facets that some nodes have. Where the data range itself has them, as OWL 1.1 wrote it, words
+  /// of XML Schema alone are facets.
+  Mapped with_facets(NodeId datatype, std::span<const NodeId> nodes);
   /// A union, intersection or enumeration.
   Mapped range_of_list(std::uint32_t triple, owl::TermKind kind, const MappedList& members);
 

@@ -141,6 +141,10 @@ Mapped ExpressionMapper::restriction(NodeId node) {
     if (*place != NodeId{}) return std::unexpected("an owl:Restriction with several constraints");
     *place = triple.object;
   }
+  if (constraint == Word::none && graph_.has(node, node_of(Word::rdf_type), node_of(Word::owl_self_restriction))) {
+    const Mapped on = object_property(property);  // as OWL 1.1 wrote owl:hasSelf
+    return on ? ontology_.term(owl::TermKind::object_has_self, {*on}) : on;
+  }
   if (constraint == Word::none) return std::unexpected("an owl:Restriction without a constraint");
   if (is_cardinality(constraint)) return cardinality(property, constraint, value, on_class, on_range);
   return quantifier(property, constraint, value);

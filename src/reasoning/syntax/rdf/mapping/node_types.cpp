@@ -137,6 +137,14 @@ void NodeTypes::collect_uses(const Triple& triple, TripleReader& triples, std::v
           type_some_property | (is_data_range(triple.object) ? type_data_property : type_object_property));
       break;
     case Word::rdfs_sub_property_of:
+      if (const NodeId links = chain_of(triple.subject); links != NodeId{}) {
+        use(triple.object, type_object_property);
+        if (const auto chain = triples.list(links)) {
+          for (const NodeId property : *chain) use(property, type_object_property);
+        }
+        break;
+      }
+      [[fallthrough]];
     case Word::owl_equivalent_property:
     case Word::owl_property_disjoint_with:
       use(triple.subject, type_some_property);
@@ -145,15 +153,28 @@ void NodeTypes::collect_uses(const Triple& triple, TripleReader& triples, std::v
     case Word::owl_assertion_property:
       use(triple.object, use_of_asserted(triple.subject));
       break;
+    case Word::rdf_predicate:
+      if (graph_.has(triple.subject, node_of(Word::rdf_type), node_of(Word::owl_negative_property_assertion)))
+        use(triple.object, use_of_asserted(triple.subject));
+      break;
     default:
       break;
   }
 }
 
 NodeTypes::Types NodeTypes::use_of_asserted(NodeId assertion) const {
-  const bool has_target = !graph_.about(assertion, Word::owl_target_individual).empty();
-  const bool has_value = !graph_.about(assertion, Word::owl_target_value).empty();
+  bool has_target = !graph_.about(assertion, Word::owl_target_individual).empty();
+  bool has_value = !graph_.about(assertion, Word::owl_target_value).empty();
+  for (const std::uint32_t number : graph_.about(assertion, Word::rdf_object))
+    (graph_.is_literal(graph_.triple(number).object) ? has_value : has_target) = true;
   return static_cast<Types>((has_target ? type_object_property : 0) | (has_value ? type_data_property : 0));
+}
+
+NodeId NodeTypes::chain_of(NodeId node) const {
+  if (!graph_.is_blank(node)) return NodeId{};
+  if (!graph_.about(node, Word::rdf_first).empty()) return node;
+  const auto chains = graph_.about(node, Word::owl_property_chain);
+  return chains.size() == 1 ? graph_.triple(chains.front()).object : NodeId{};
 }
 
 NodeTypes::Types NodeTypes::use_of_restricted(NodeId restriction) {

@@ -36,6 +36,9 @@ class NodeTypes {
   [[nodiscard]] bool has_annotations_only(NodeId node) const { return has(node, type_ontology | type_reified); }
   /// A datatype that is no class, or a blank node that describes a data range.
   [[nodiscard]] bool is_data_range(NodeId node) const { return is_data_range(node, 0); }
+  /// The list of a blank node that drafts of OWL 2 put below a property by rdfs:subPropertyOf, as a chain: that of its
+  /// owl:propertyChain, or itself. None where it is no chain.
+  [[nodiscard]] NodeId chain_of(NodeId node) const;
 
  private:
   using Types = std::uint16_t;  ///< bits

@@ -34,6 +34,10 @@ class TripleReader {
 
   /// The one object of a subject and predicate; none where there is none or several. Uses the triples.
   NodeId object_of(NodeId subject, syntax::Word predicate);
+  /// The same of the first of two predicates that the subject has: the second is what a draft of OWL wrote.
+  NodeId object_of(NodeId subject, syntax::Word predicate, syntax::Word former) {
+    return object_of(subject, graph_.about(subject, predicate).empty() ? former : predicate);
+  }
   /// The members of an RDF list; nothing where it is not well-formed. Uses its triples.
   std::optional<std::vector<NodeId>> list(NodeId head);
   /// Maps every member of a list by `map`, up to the first that cannot be mapped.

@@ -84,6 +84,7 @@ void TypeMapper::map(std::uint32_t number) {
     case Word::owl_deprecated_property:
     case Word::owl_annotation:
     case Word::owl_ontology:
+    case Word::owl_self_restriction:
     case Word::owl_restriction:  // an expression, mapped where it is used or where its owl:onProperty stands
     case Word::rdf_list:
     case Word::rdfs_resource:
@@ -139,10 +140,12 @@ void TypeMapper::map_all_different(std::uint32_t number) {
 
 void TypeMapper::map_negative_assertion(std::uint32_t number) {
   const NodeId node = graph_.triple(number).subject;
-  const NodeId source = triples_.object_of(node, Word::owl_source_individual);
-  const NodeId property = triples_.object_of(node, Word::owl_assertion_property);
-  const NodeId target = triples_.object_of(node, Word::owl_target_individual);
-  const NodeId value = triples_.object_of(node, Word::owl_target_value);
+  const NodeId source = triples_.object_of(node, Word::owl_source_individual, Word::rdf_subject);
+  const NodeId property = triples_.object_of(node, Word::owl_assertion_property, Word::rdf_predicate);
+  NodeId target = triples_.object_of(node, Word::owl_target_individual);
+  NodeId value = triples_.object_of(node, Word::owl_target_value);
+  if (const NodeId object = triples_.object_of(node, Word::rdf_object); object != NodeId{})
+    (graph_.is_literal(object) ? value : target) = object;
   if (source == NodeId{} || property == NodeId{} || (target == NodeId{}) == (value == NodeId{}))
     return axioms_.leave_out(number, "a broken owl:NegativePropertyAssertion");
   if (value != NodeId{})
@@ -157,9 +160,9 @@ void TypeMapper::map_reified(std::uint32_t number) {
   // The annotated axiom's own triple must be there, too (mapping, section 3.2.5); then it has been mapped as such. An
   // annotation's triple may be missing: some are not kept (redland.cpp).
   const NodeId node = graph_.triple(number).subject;
-  const NodeId source = triples_.object_of(node, Word::owl_annotated_source);
-  const NodeId property = triples_.object_of(node, Word::owl_annotated_property);
-  const NodeId target = triples_.object_of(node, Word::owl_annotated_target);
+  const NodeId source = triples_.object_of(node, Word::owl_annotated_source, Word::rdf_subject);
+  const NodeId property = triples_.object_of(node, Word::owl_annotated_property, Word::rdf_predicate);
+  const NodeId target = triples_.object_of(node, Word::owl_annotated_target, Word::rdf_object);
   if (source == NodeId{} || property == NodeId{} || target == NodeId{})
     return axioms_.leave_out(number, "a broken owl:Axiom");
   if (types_.is_annotation_property(property) || (word_of(property) == Word::none && !types_.is_property(property)))

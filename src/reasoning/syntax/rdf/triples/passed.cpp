@@ -22,7 +22,7 @@ std::optional<Passed> passed_over(std::string_view message, bool has_collections
   const auto is_begin = [&](std::string_view begin) { return message.starts_with(begin); };
   const auto is_end = [&](std::string_view end) { return message.ends_with(end); };
   if (is_begin("Using an attribute '") || is_begin("Using property attribute '"))
-    return Passed{"an attribute without a namespace", line, true};
+    return Passed{"an attribute without a namespace, passed over", line, true};
   // Raptor names the element around it.
   if (is_begin("Using an element '")) {
     if (has_collections) return std::nullopt;

@@ -9,11 +9,11 @@
 
 namespace geminga::rdf {
 
-/// A fault that costs a file no more than an attribute, or one element of a property.
+/// A fault that costs a file no more than a word, an attribute, or one element of a property.
 struct Passed {
   std::string fault;
   std::uint32_t line = 0;
-  bool is_annotation = false;  ///< an attribute that is no word of OWL, and can say no more than an annotation
+  bool is_harmless = false;  ///< no axiom can be lost: an attribute without a namespace, a mistyped rdf:nil
 };
 
 /// The fault that a message of raptor is about, if raptor goes on behind it. Those for which it passes over a node are

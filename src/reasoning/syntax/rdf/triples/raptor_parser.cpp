@@ -12,6 +12,7 @@
 #include <unordered_set>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/former_words.hpp"
 #include "reasoning/syntax/rdf/triples/namespace_ends.hpp"
 #include "reasoning/syntax/rdf/triples/recent_iris.hpp"
 
@@ -37,8 +38,6 @@ namespace {
 constexpr std::size_t piece_bytes = std::size_t{1} << 16;
 /// Faults of one piece that are named.
 constexpr std::size_t max_passed = 250;
-/// Words of drafts of OWL 2 in one piece, which are looked for one by one; others stay names like any other.
-constexpr std::size_t max_drafts = 64;
 
 /// Declared external entities are empty: libxml2 opens nothing.
 xmlParserInputPtr no_external_entity(const char*, const char*, xmlParserCtxtPtr) { return nullptr; }
@@ -103,7 +102,6 @@ struct RaptorParser::World {
   std::unordered_set<std::string> known_prefixes;
   std::vector<Passed> passed;
   std::uint32_t generated = 0;
-  std::vector<std::pair<NodeId, NodeId>> drafts;  ///< words of drafts of OWL 2, and the words that they became
   std::vector<NodeId> made_up;  ///< the blank nodes that raptor made up, by their numbers from 1; none: not seen yet
   std::optional<syntax::LoadError> error;
   bool out_of_memory = false;
@@ -157,24 +155,20 @@ struct RaptorParser::World {
   NodeId iri(std::string_view text) {
     if (const NodeId known = recent.find(text); known != NodeId{}) return known;
     const NodeId node = searched_iri(text);
-    recent.keep(graph->text(node), node);  // of a draft's word OWL's
+    recent.keep(graph->text(node), node);  // of a former word that of OWL 2
     return node;
   }
 
   NodeId searched_iri(std::string_view text) {
     const std::size_t known = graph->node_count();
     const NodeId node = graph->iri(text);
-    if (graph->node_count() == known) {
-      const auto draft = std::ranges::find(drafts, node, &std::pair<NodeId, NodeId>::first);
-      return draft == drafts.end() ? node : draft->second;
+    if (static_cast<std::uint32_t>(node) < static_cast<std::uint32_t>(syntax::Word::count)) return node;
+    if (const auto word = syntax::word_of_owl2(text)) {
+      if (text == syntax::mistyped_nil && passed.size() < max_passed)
+        passed.push_back({"rdf:nill, read as rdf:nil", line(), true});
+      return graph->iri(*word);
     }
-    // Words of the drafts of OWL 1.1 and OWL 2. Ignoring owl11:onClass would turn a qualified cardinality into another.
-    for (const std::string_view space : {"http://www.w3.org/2006/12/owl11#", "http://www.w3.org/2006/12/owl2#"}) {
-      if (!text.starts_with(space) || drafts.size() == max_drafts) continue;
-      std::string word(syntax::owl_namespace);
-      drafts.emplace_back(node, graph->iri(word.append(text.substr(space.size()))));
-      return drafts.back().second;
-    }
+    if (graph->node_count() == known) return node;
     if (text.size() > limits.iri_bytes) fail("has an IRI of more than " + std::to_string(limits.iri_bytes) + " bytes");
     if (!is_writable(text)) fail("has an IRI with a control character or an angle bracket in it");
     return node;
@@ -363,7 +357,6 @@ std::optional<syntax::LoadError> RaptorParser::read(const FileText& text, std::s
   state.place = part.triples;
   state.triples = 0;
   state.generated = 0;
-  state.drafts.clear();
   state.made_up.clear();
   state.recent.forget();
   state.prefixes.clear();
