@@ -136,6 +136,8 @@ bool Assertions::holds(const Choice& choice) {
       return choice.predicate == 0 || graph_.find(FactKind::data_range, choice.predicate, choice.a) != none ||
              is_constant_in(choice.a, choice.predicate) == true;
     case ChoiceKind::introduce:
+    case ChoiceKind::share_neighbours:
+    case ChoiceKind::make_neighbours:
       return false;
   }
   return false;
@@ -190,6 +192,9 @@ void Assertions::apply(Choice choice, DependencySet dependency) {
     case ChoiceKind::introduce:
       merges_.push_back({choice.a, introduced(choice.b, choice.bound, choice.predicate), dependency});
       return;
+    case ChoiceKind::share_neighbours:
+    case ChoiceKind::make_neighbours:
+      return;  // Expansion applies them
   }
 }
 

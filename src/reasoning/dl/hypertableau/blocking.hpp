@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/blockers.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/graph/blockers.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 

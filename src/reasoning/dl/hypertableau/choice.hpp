@@ -22,7 +22,15 @@ enum class ChoiceKind : std::uint8_t {
   data_range,
   data_at_least,
   introduce,  ///< NI rule: a is the individual number `predicate` of those that bound `bound` allows b
+  // How the at-least `predicate` of a is satisfied, the existential number `bound`. One of the two always succeeds if
+  // there is a model: the second.
+  share_neighbours,  ///< neighbours that are there, and differ, are among those that it asks for
+  make_neighbours,   ///< all that are not known to be are made
 };
+/// Whether Expansion offers such choices.
+[[nodiscard]] constexpr bool is_of_expansion(ChoiceKind kind) {
+  return kind == ChoiceKind::share_neighbours || kind == ChoiceKind::make_neighbours;
+}
 struct Choice {
   ChoiceKind kind = ChoiceKind::concept_of;
   std::uint32_t predicate = 0;
@@ -30,6 +38,7 @@ struct Choice {
   NodeId b = 0;
   std::uint32_t bound = 0;
   bool meets_neighbour = false;  ///< Neighbours::meets() when it was offered
+  bool crowds = false;           ///< Neighbours::crowds() when it was offered
 };
 
 /// The choice that a clause's head atom stands for, with these nodes for its variables.

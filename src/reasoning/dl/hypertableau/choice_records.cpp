@@ -9,6 +9,7 @@ namespace {
 /// An estimate of the work that a choice causes: a bound causes none, new nodes cause much, and nodes that are made
 /// equal seldom lead to a model.
 std::uint64_t burden(const Choice& choice, const Burdens& burdens) {
+  if (choice.crowds) return std::uint64_t{2} + Burdens::most;
   switch (choice.kind) {
     case ChoiceKind::at_most:
       return 0;
@@ -26,6 +27,8 @@ std::uint64_t burden(const Choice& choice, const Burdens& burdens) {
       return 2;
     case ChoiceKind::equal:
     case ChoiceKind::introduce:
+    case ChoiceKind::share_neighbours:
+    case ChoiceKind::make_neighbours:
       break;
   }
   return std::uint64_t{2} + Burdens::most;
@@ -33,13 +36,18 @@ std::uint64_t burden(const Choice& choice, const Burdens& burdens) {
 
 }  // namespace
 
+bool ChoiceRecords::is_hopeless(const Choice& choice) const {
+  constexpr std::uint64_t few = 4;
+  const std::vector<Records>& records = records_[static_cast<std::size_t>(choice.kind)];
+  if (choice.predicate >= records.size()) return false;
+  const Record& record = records[choice.predicate].front();
+  return record.failures >= few && record.failures * 2 > record.tries;
+}
+
 std::uint64_t ChoiceRecords::failures_of(std::span<const Choice> alternatives) {
   std::uint64_t failures = 0;
-  for (Choice choice : alternatives) {
-    for (const bool meets : {false, true}) {
-      choice.meets_neighbour = meets;
-      failures += record_of(choice).failures;
-    }
+  for (const Choice& choice : alternatives) {
+    for (const Record& record : records_of(choice)) failures += record.failures;
   }
   return failures;
 }

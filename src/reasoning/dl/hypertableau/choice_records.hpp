@@ -21,6 +21,8 @@ class ChoiceRecords {
     ++record_of(choice).failures;
     has_failed_ = true;
   }
+  /// Whether the choice failed more often than not.
+  [[nodiscard]] bool is_hopeless(const Choice& choice) const;
   /// Of their kinds, whether they meet a neighbour or not.
   [[nodiscard]] std::uint64_t failures_of(std::span<const Choice> alternatives);
   /// Whether a choice of this question failed.
@@ -37,15 +39,19 @@ class ChoiceRecords {
     std::uint64_t tries = 0;
     std::uint64_t failures = 0;
   };
-  Record& record_of(const Choice& choice) {
-    std::vector<std::array<Record, 2>>& records = records_[static_cast<std::size_t>(choice.kind)];
+  using Records = std::array<Record, 4>;  ///< by whether a neighbour is met, and whether neighbours are too many
+  Records& records_of(const Choice& choice) {
+    std::vector<Records>& records = records_[static_cast<std::size_t>(choice.kind)];
     if (choice.predicate >= records.size()) records.resize(choice.predicate + std::size_t{1});
-    return records[choice.predicate][choice.meets_neighbour ? 1 : 0];
+    return records[choice.predicate];
+  }
+  Record& record_of(const Choice& choice) {
+    return records_of(choice)[(choice.meets_neighbour ? 1U : 0U) + (choice.crowds ? 2U : 0U)];
   }
 
-  static constexpr std::size_t kind_count = static_cast<std::size_t>(ChoiceKind::introduce) + 1;
-  /// By kind, predicate, and whether a neighbour is met.
-  std::array<std::vector<std::array<Record, 2>>, kind_count> records_;
+  static constexpr std::size_t kind_count = static_cast<std::size_t>(ChoiceKind::make_neighbours) + 1;
+  /// By kind and predicate.
+  std::array<std::vector<Records>, kind_count> records_;
   bool has_failed_ = false;
 };
 

@@ -194,12 +194,8 @@ bool Disjunctions::derive(const Choice& choice) {
 
 // Whether a bound that the concept implies is exceeded by neighbours, or by what at-leasts ask for.
 bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency) {
-  const auto is_brought = [id](const ConditionalBound& rule) {
-    return rule.alternatives.empty() && rule.guard.size() == 1 &&
-           rule.guard.front().kind == clauses::AtomKind::concept_of && rule.guard.front().predicate == id;
-  };
   return std::ranges::any_of(program_.bounds_of_guard(id), [&](std::uint32_t bound) {
-    return std::ranges::any_of(program_.conditional(bound), is_brought) &&
+    return program_.brings(id, bound) &&
            (numbers_.excludes({ChoiceKind::at_most, bound, node, node}, dependency) ||
             neighbours_.exceeds(program_.bound(bound), neighbours_.counted({node, bound}), dependency));
   });

@@ -19,6 +19,7 @@ void Expansion::restore(const Sizes& sizes) {
     open_.insert({existentials_[done_.back()].node, done_.back()});
     done_.pop_back();
   }
+  offer_.reset();
   while (existentials_.size() > sizes.existentials) {
     const Existential& last = existentials_.back();
     open_.erase({last.node, static_cast<std::uint32_t>(existentials_.size() - 1)});
@@ -66,7 +67,8 @@ bool Expansion::expand(NodeId first, Order order) {
   const auto count = static_cast<std::uint32_t>(existentials_.size());
   std::size_t expanded = 0;
   auto next = is_downward ? open_.end() : open_.lower_bound({first, 0});
-  while (expanded < most && !facts_.has_clash() && !effort_.is_over_limit()) {
+  offer_.reset();
+  while (expanded < most && !offer_ && !facts_.has_clash() && !effort_.is_over_limit()) {
     if (is_downward) {
       if (next == open_.begin() || std::prev(next)->node < first) break;
       --next;
@@ -74,7 +76,7 @@ bool Expansion::expand(NodeId first, Order order) {
       break;
     }
     const NodeId node = next->node;
-    expanded += expand_node(node, count);
+    expanded += expand_node(node, count, expanded == 0);
     next = open_.lower_bound({is_downward ? node : node + 1, 0});
   }
   return expanded > 0;
@@ -82,7 +84,7 @@ bool Expansion::expand(NodeId first, Order order) {
 
 // At-leasts of several neighbours come last, the most special filler first, and one at a time: neighbours that others
 // ask for are among them once their labels are derived.
-std::size_t Expansion::expand_node(NodeId node, std::uint32_t count) {
+std::size_t Expansion::expand_node(NodeId node, std::uint32_t count, bool may_offer) {
   std::size_t expanded = 0;
   std::vector<std::uint32_t> of_several;
   for (auto next = open_.lower_bound({node, 0}); next != open_.end() && next->node == node && next->number < count;) {
@@ -104,8 +106,39 @@ std::size_t Expansion::expand_node(NodeId node, std::uint32_t count) {
   std::ranges::stable_sort(of_several, std::ranges::greater(), [this](std::uint32_t at) {
     return program_.numbers().specificity({graph_.fact(existentials_[at].fact).predicate});
   });
-  const auto is_expanded = [this](std::uint32_t at) { return expand_one(at); };
-  return std::ranges::any_of(of_several, is_expanded) ? 1 : 0;
+  for (const std::uint32_t at : of_several) {
+    const Way way = expand_several(at, may_offer);
+    if (way != Way::satisfied) return way == Way::expanded ? 1 : 0;
+  }
+  return 0;
+}
+
+// An offer waits until nothing else is expanded, so that all that is certain is derived first.
+Expansion::Way Expansion::expand_several(std::uint32_t at, bool may_offer) {
+  const Fact fact = graph_.fact(existentials_[at].fact);
+  if (is_satisfied(fact)) {
+    note_done(at);
+    return Way::satisfied;
+  }
+  if (sharing_.is_promising(fact)) {
+    if (!may_offer) return Way::open;
+    const auto choice = [&](ChoiceKind kind) { return Choice{kind, fact.predicate, fact.a, fact.a, at}; };
+    offer_ = Decision{{choice(ChoiceKind::share_neighbours), choice(ChoiceKind::make_neighbours)}, fact.dependency, {}};
+    return Way::open;
+  }
+  note_done(at);
+  make_neighbours(fact);
+  return Way::expanded;
+}
+
+void Expansion::apply(const Choice& choice, DependencySet dependency) {
+  const Fact fact = graph_.fact(existentials_[choice.bound].fact);
+  note_done(choice.bound);
+  if (choice.kind == ChoiceKind::share_neighbours) {
+    add_neighbours(fact, sharing_.share(fact, dependency), dependency);
+  } else {
+    make_neighbours(fact);
+  }
 }
 
 bool Expansion::is_of_several(std::uint32_t at) const {
@@ -162,10 +195,8 @@ bool Expansion::needs_plain(const Fact& fact) const {
 
 void Expansion::make_plain(std::uint32_t at) {
   const Fact fact = graph_.fact(existentials_[at].fact);
-  const clauses::Role role = set_.at_leasts[fact.predicate].role;
   const NodeId node = facts_.add_node(NodeKind::tree, fact.a, fact.dependency);
-  const auto [from, to] = role.is_inverse ? std::pair(node, fact.a) : std::pair(fact.a, node);
-  facts_.add_fact(FactKind::role, number(role.property), from, to, fact.dependency);
+  add_edge(fact, node, fact.dependency);
   existentials_[at].plain = node;
 }
 
@@ -202,9 +233,9 @@ NodeId Expansion::find_witness(std::uint32_t at_least, NodeId node) {
     const Fact& edge = graph_.fact(id);
     const NodeId other = is_inverse ? edge.a : edge.b;
     if (edge.kind != FactKind::role || edge.predicate != number(one.role.property)) continue;
-    if (!may_be_witness(filler, other, node) || is_denied(filler, other)) continue;
+    if (!may_be_witness(filler, other, node) || neighbours_.is_denied(filler, other)) continue;
     const NodeId blocker = program_.denials().forbidden(filler).empty() ? none : blocking_.blocker_of(other);
-    if (blocker == none || !is_denied(filler, blocker)) return other;
+    if (blocker == none || !neighbours_.is_denied(filler, blocker)) return other;
   }
   return none;
 }
@@ -232,40 +263,6 @@ bool Expansion::has_witness(Existential& existential) {
   existential.blocker = blocking_.blocker_of(existential.witness);
   existential.version = version_of_witness(filler, existential.witness, fact.a);
   return true;
-}
-
-bool Expansion::has_concepts(std::span<const std::uint32_t> concepts, NodeId node) {
-  return std::ranges::all_of(concepts, [&](std::uint32_t id) {
-    effort_.count_look();
-    return graph_.find(FactKind::concept_of, id, node) != none;
-  });
-}
-
-bool Expansion::is_denied(std::uint32_t denial, NodeId node) {
-  const auto holds = [&](std::uint32_t id) { return has_concepts(std::span(&id, 1), node); };
-  const auto holds_with_neighbour = [&](const Forbidden& all) { return is_forbidden(all, node); };
-  return std::ranges::any_of(program_.denials().denied(denial), holds) ||
-         std::ranges::any_of(program_.denials().forbidden(denial), holds_with_neighbour);
-}
-
-bool Expansion::is_forbidden(const Forbidden& all, NodeId node) {
-  if (!has_concepts(all.concepts, node)) return false;
-  if (all.roles.empty()) return true;
-  const clauses::Atom& first = all.roles.front();
-  const bool is_out = first.first == clauses::centre;
-  for (FactId id = is_out ? graph_.node(node).out : graph_.node(node).in; id != none;
-       id = is_out ? graph_.fact(id).next_a : graph_.fact(id).next_b) {
-    effort_.count_look();
-    const Fact& edge = graph_.fact(id);
-    const NodeId other = is_out ? edge.b : edge.a;
-    if (edge.kind != FactKind::role || edge.predicate != first.predicate || !graph_.is_active(other)) continue;
-    const bool has_roles = std::ranges::all_of(all.roles, [&](const clauses::Atom& role) {
-      const bool leads_out = role.first == clauses::centre;
-      return graph_.find(FactKind::role, role.predicate, leads_out ? node : other, leads_out ? other : node) != none;
-    });
-    if (has_roles && has_concepts(all.neighbour_concepts, other)) return true;
-  }
-  return false;
 }
 
 bool Expansion::is_satisfied(const Fact& fact) {
@@ -297,28 +294,41 @@ bool Expansion::is_satisfied(const Fact& fact) {
 
 void Expansion::expand_object(const Fact& fact) {
   const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
-  const auto add_edge = [&](NodeId to, DependencySet dependency) {
-    const auto [from, other] = at_least.role.is_inverse ? std::pair(to, fact.a) : std::pair(fact.a, to);
-    facts_.add_fact(FactKind::role, number(at_least.role.property), from, other, dependency);
-  };
   const clauses::Concept& filler = set_.concepts[number(at_least.filler)];
   const std::uint32_t needed = program_.needed(fact.predicate);
   if (needed == 1) {
     if (filler.kind == clauses::ConceptKind::nominal) {
       DependencySet dependency = fact.dependency;
       const NodeId node = graph_.current(facts_.individuals()[number(filler.individual)], sets_, dependency);
-      add_edge(node, dependency);
+      add_edge(fact, node, dependency);
       return;
     }
     if (give_to_neighbour(fact)) return;
   }
+  make_neighbours(fact);
+}
+
+void Expansion::add_edge(const Fact& at_least, NodeId node, DependencySet dependency) {
+  const clauses::Role role = set_.at_leasts[at_least.predicate].role;
+  const auto [from, to] = role.is_inverse ? std::pair(node, at_least.a) : std::pair(at_least.a, node);
+  facts_.add_fact(FactKind::role, number(role.property), from, to, dependency);
+}
+
+void Expansion::make_neighbours(const Fact& fact) {
   DependencySet dependency = fact.dependency;
   std::vector<NodeId> known;
-  if (needed > 1 && program_.counts()) known = find_different(fact, dependency);
+  if (program_.needed(fact.predicate) > 1 && program_.counts()) known = sharing_.find_different(fact, dependency);
+  add_neighbours(fact, known, dependency);
+}
+
+// Makes the neighbours that are missing to the known ones, which differ.
+void Expansion::add_neighbours(const Fact& fact, std::span<const NodeId> known, DependencySet dependency) {
+  const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
+  const std::uint32_t needed = program_.needed(fact.predicate);
   const auto first = static_cast<NodeId>(graph_.node_count());
   for (std::size_t at = known.size(); at < needed; ++at) {
     const NodeId node = facts_.add_node(NodeKind::tree, fact.a, dependency);
-    add_edge(node, dependency);
+    add_edge(fact, node, dependency);
     if (at_least.filler != clauses::thing) {
       facts_.add_fact(FactKind::concept_of, number(at_least.filler), node, 0, dependency);
     }
@@ -326,37 +336,6 @@ void Expansion::expand_object(const Fact& fact) {
     if (effort_.is_over_limit()) return;
   }
   facts_.add_siblings(first, dependency);
-}
-
-// Neighbours in the filler that are known to differ are among those that an at-least asks for, so that only those that
-// are missing are made: in a model the k neighbours stand for k different things of at least n, and n - k others are
-// left for new ones. Unites the reasons into `dependency`.
-std::vector<NodeId> Expansion::find_different(const Fact& fact, DependencySet& dependency) {
-  constexpr std::size_t most_inequalities = 100'000;
-  const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
-  const std::size_t needed = program_.needed(fact.predicate);
-  const bool is_inverse = at_least.role.is_inverse;
-  std::vector<NodeId> found;
-  for (FactId id = is_inverse ? graph_.node(fact.a).in : graph_.node(fact.a).out;
-       id != none && found.size() + 1 < needed && found.size() * needed < most_inequalities;
-       id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
-    const Fact& edge = graph_.fact(id);
-    const NodeId node = is_inverse ? edge.a : edge.b;
-    if (edge.kind != FactKind::role || edge.predicate != number(at_least.role.property) || !graph_.is_active(node))
-      continue;
-    const auto membership = neighbours_.membership(number(at_least.filler), node);
-    if (!membership) continue;
-    DependencySet reasons = sets_.unite(sets_.unite(dependency, edge.dependency), *membership);
-    const bool is_different = std::ranges::all_of(found, [&](NodeId other) {
-      const auto difference = neighbours_.difference(node, other);
-      if (difference) reasons = sets_.unite(reasons, *difference);
-      return difference.has_value();
-    });
-    if (!is_different) continue;
-    dependency = reasons;
-    found.push_back(node);
-  }
-  return found;
 }
 
 // If the property has at most one value, the neighbour in the graph must have the filler.

@@ -6,8 +6,10 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "reasoning/dl/hypertableau/assertions.hpp"
@@ -17,6 +19,7 @@
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
+#include "reasoning/dl/hypertableau/sharing.hpp"
 #include "reasoning/dl/hypertableau/witnesses.hpp"
 
 namespace geminga::hypertableau {
@@ -26,7 +29,7 @@ class Expansion {
  public:
   Expansion(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, const Graph& graph,
             DependencySets& sets, Effort& effort, Assertions& facts, Neighbours& neighbours, Blocking& blocking,
-            Witnesses& witnesses)
+            Witnesses& witnesses, Sharing& sharing)
       : source_(source),
         set_(set),
         program_(program),
@@ -36,7 +39,8 @@ class Expansion {
         facts_(facts),
         neighbours_(neighbours),
         blocking_(blocking),
-        witnesses_(witnesses) {}
+        witnesses_(witnesses),
+        sharing_(sharing) {}
 
   /// Adds an at-least that was asserted. If no new node is needed, satisfies it at once, so that a clash is found
   /// before more is guessed.
@@ -49,6 +53,10 @@ class Expansion {
   enum class Order : std::uint8_t { everything, oldest_first, newest_first };
   /// Expands the at-leasts of nodes that are not blocked, from this node on. Whether a node or a fact was added.
   bool expand(NodeId first, Order order);
+  /// The choice of how an at-least is satisfied, where the last expand() found one and did nothing else.
+  [[nodiscard]] std::optional<Decision> take_offer() { return std::exchange(offer_, std::nullopt); }
+  /// Makes a choice of take_offer() true.
+  void apply(const Choice& choice, DependencySet dependency);
 
   /// Sizes of the stacks.
   struct Sizes {
@@ -82,13 +90,17 @@ class Expansion {
   /// nodes were looked at.
   std::size_t update_open();
   /// Expands the open at-leasts of a node that have smaller numbers than `count`. Returns how many were expanded.
-  std::size_t expand_node(NodeId node, std::uint32_t count);
+  std::size_t expand_node(NodeId node, std::uint32_t count, bool may_offer);
   /// Whether a node was added, or a fact.
   bool expand_one(std::uint32_t at);
   void note_done(std::uint32_t at);
   [[nodiscard]] bool is_of_several(std::uint32_t at) const;
+  enum class Way : std::uint8_t { expanded, satisfied, open };
+  Way expand_several(std::uint32_t at, bool may_offer);
+  void add_edge(const Fact& at_least, NodeId node, DependencySet dependency);
+  void make_neighbours(const Fact& fact);
+  void add_neighbours(const Fact& fact, std::span<const NodeId> known, DependencySet dependency);
   void expand_object(const Fact& fact);
-  [[nodiscard]] std::vector<NodeId> find_different(const Fact& fact, DependencySet& dependency);
   /// Whether the at-least asks for a denial, and no neighbour without a filler was made for one of its role and node.
   [[nodiscard]] bool needs_plain(const Fact& fact) const;
   void make_plain(std::uint32_t at);
@@ -100,9 +112,6 @@ class Expansion {
   [[nodiscard]] NodeId find_witness(std::uint32_t at_least, NodeId node);
   [[nodiscard]] bool may_be_witness(std::uint32_t denial, NodeId node, NodeId of) const;
   [[nodiscard]] std::uint64_t version_of_witness(std::uint32_t denial, NodeId node, NodeId of) const;
-  [[nodiscard]] bool has_concepts(std::span<const std::uint32_t> concepts, NodeId node);
-  [[nodiscard]] bool is_denied(std::uint32_t denial, NodeId node);
-  [[nodiscard]] bool is_forbidden(const Forbidden& all, NodeId node);
   bool give_to_neighbour(const Fact& fact);
 
   const owl::Ontology& source_;
@@ -115,6 +124,7 @@ class Expansion {
   Neighbours& neighbours_;
   Blocking& blocking_;
   Witnesses& witnesses_;
+  Sharing& sharing_;
   std::vector<Existential> existentials_;
   std::vector<std::uint32_t> newest_;  ///< by node: its newest existential
   /// Existentials that expand() must look at: all that are not done and whose nodes are active and not blocked, and
@@ -122,6 +132,7 @@ class Expansion {
   std::set<Open> open_;
   std::uint32_t next_functional_ = 0;  ///< each is looked at once by expand_functional()
   std::vector<std::uint32_t> done_;    ///< existentials, in the order in which they were
+  std::optional<Decision> offer_;
 };
 
 }  // namespace geminga::hypertableau

@@ -44,6 +44,17 @@ bool Neighbours::meets(const Choice& choice) const {
   return false;
 }
 
+bool Neighbours::crowds(const Choice& choice) {
+  const auto is_exceeded = [&](std::uint32_t bound) {
+    return counted({choice.a, bound}).size() > program_.bound(bound).count;
+  };
+  if (choice.kind == ChoiceKind::at_most) return is_exceeded(choice.predicate);
+  return choice.kind == ChoiceKind::concept_of &&
+         std::ranges::any_of(program_.bounds_of_guard(choice.predicate), [&](std::uint32_t bound) {
+           return program_.brings(choice.predicate, bound) && is_exceeded(bound);
+         });
+}
+
 // Whether the bound counts the neighbour. Unites the reasons into `dependency`.
 bool Neighbours::counts(const Bound& bound, NodeId node, DependencySet& dependency) {
   if (bound.filler != no_predicate) {
@@ -130,6 +141,40 @@ std::optional<DependencySet> Neighbours::difference(NodeId a, NodeId b) {
       return unite(graph_.fact(label).dependency, graph_.fact(other).dependency);
   }
   return std::nullopt;
+}
+
+bool Neighbours::has_concepts(std::span<const std::uint32_t> concepts, NodeId node) const {
+  return std::ranges::all_of(concepts, [&](std::uint32_t id) {
+    effort_.count_look();
+    return graph_.find(FactKind::concept_of, id, node) != none;
+  });
+}
+
+bool Neighbours::is_denied(std::uint32_t denial, NodeId node) const {
+  const auto holds = [&](std::uint32_t id) { return has_concepts(std::span(&id, 1), node); };
+  const auto holds_with_neighbour = [&](const Forbidden& all) { return is_forbidden(all, node); };
+  return std::ranges::any_of(program_.denials().denied(denial), holds) ||
+         std::ranges::any_of(program_.denials().forbidden(denial), holds_with_neighbour);
+}
+
+bool Neighbours::is_forbidden(const Forbidden& all, NodeId node) const {
+  if (!has_concepts(all.concepts, node)) return false;
+  if (all.roles.empty()) return true;
+  const clauses::Atom& first = all.roles.front();
+  const bool is_out = first.first == clauses::centre;
+  for (FactId id = is_out ? graph_.node(node).out : graph_.node(node).in; id != none;
+       id = is_out ? graph_.fact(id).next_a : graph_.fact(id).next_b) {
+    effort_.count_look();
+    const Fact& edge = graph_.fact(id);
+    const NodeId other = is_out ? edge.b : edge.a;
+    if (edge.kind != FactKind::role || edge.predicate != first.predicate || !graph_.is_active(other)) continue;
+    const bool has_roles = std::ranges::all_of(all.roles, [&](const clauses::Atom& role) {
+      const bool leads_out = role.first == clauses::centre;
+      return graph_.find(FactKind::role, role.predicate, leads_out ? node : other, leads_out ? other : node) != none;
+    });
+    if (has_roles && has_concepts(all.neighbour_concepts, other)) return true;
+  }
+  return false;
 }
 
 bool Neighbours::is_functional(clauses::Role role, NodeId node) const {

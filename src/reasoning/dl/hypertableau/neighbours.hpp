@@ -41,15 +41,22 @@ class Neighbours {
   /// Why the nodes differ, if they are known to, or are in concepts that exclude each other.
   [[nodiscard]] std::optional<DependencySet> difference(NodeId a, NodeId b);
 
+  /// Whether the denial (program/denials.hpp) cannot hold of the node, because something forbidden does.
+  [[nodiscard]] bool is_denied(std::uint32_t denial, NodeId node) const;
+
   /// Whether the node may have at most one neighbour by the role.
   [[nodiscard]] bool is_functional(clauses::Role role, NodeId node) const;
   /// The neighbour in the graph, if the node may have one by the role at most.
   [[nodiscard]] std::optional<Neighbour> only(clauses::Role role, NodeId node);
+  /// Whether the choice brings a bound that counts more neighbours than it allows, so that some must be equal.
+  [[nodiscard]] bool crowds(const Choice& choice);
   /// Whether the node of the choice has a neighbour, or asks for one, in a direction in which the choice speaks of
   /// neighbours (program/directions.hpp). It looks at a few facts of the node only.
   [[nodiscard]] bool meets(const Choice& choice) const;
 
  private:
+  [[nodiscard]] bool has_concepts(std::span<const std::uint32_t> concepts, NodeId node) const;
+  [[nodiscard]] bool is_forbidden(const Forbidden& all, NodeId node) const;
   [[nodiscard]] bool counts(const Bound& bound, NodeId node, DependencySet& dependency);
   /// Whether the bound says no more than that the role is functional.
   [[nodiscard]] static bool is_of_functional(const Bound& bound, clauses::Role role) {

@@ -26,8 +26,6 @@ NumberOrder::AtLeastId id_of(const Fact& fact) { return {fact.predicate, fact.ki
 
 }  // namespace
 
-// Whether the bound holds of the node: of everything, as a fact, or by a rule without alternatives whose guard holds.
-// If so, unites the reasons into `dependency`.
 bool Numbers::is_in_force(std::uint32_t bound, NodeId node, DependencySet& dependency) const {
   if (++bounds_looked_at_ % bounds_a_look == 0) effort_.count_look();
   if (program_.is_global(bound)) return true;

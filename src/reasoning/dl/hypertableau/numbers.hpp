@@ -20,6 +20,9 @@ class Numbers {
   [[nodiscard]] bool implies(const Choice& choice) const;
   /// Whether another restriction of the node excludes the choice. If so, unites the reasons into `dependency`.
   [[nodiscard]] bool excludes(const Choice& choice, DependencySet& dependency) const;
+  /// Whether the bound holds of the node: of everything, as a fact, or by a rule without alternatives whose guard
+  /// holds. If so, unites the reasons into `dependency`.
+  [[nodiscard]] bool is_in_force(std::uint32_t bound, NodeId node, DependencySet& dependency) const;
   /// Whether the bound holds of the node, and at-leasts of the node exclude it. If so, unites the reasons into
   /// `dependency`.
   [[nodiscard]] bool is_exceeded(std::uint32_t bound, NodeId node, DependencySet& dependency) const;
@@ -27,7 +30,6 @@ class Numbers {
  private:
   [[nodiscard]] bool are_too_many(const Choice& choice, DependencySet& dependency) const;
   [[nodiscard]] bool are_too_many(std::uint32_t bound, const Choice& choice, DependencySet& dependency) const;
-  [[nodiscard]] bool is_in_force(std::uint32_t bound, NodeId node, DependencySet& dependency) const;
 
   const Program& program_;
   const Graph& graph_;

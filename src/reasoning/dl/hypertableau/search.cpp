@@ -32,7 +32,8 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       bounds_(program_, graph_, sets_, facts_, neighbours_, disjunctions_),
       blocking_(program_, graph_, effort_),
       witnesses_(set, program_, graph_, effort_),
-      expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_, witnesses_),
+      sharing_(set, program_, graph_, sets_, facts_, neighbours_, numbers_, records_),
+      expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_, witnesses_, sharing_),
       derivation_(set, program_, graph_, sets_, effort_, facts_, numbers_, disjunctions_, bounds_, expansion_),
       keys_(source, set, graph_, sets_, facts_),
       rules_(source, set, graph_, sets_, effort_, facts_, disjunctions_) {}
@@ -227,7 +228,19 @@ bool Search::choose_for_bound() {
 bool Search::expand() {
   // Without nominals no fact reaches into the models of earlier questions. Their open at-leasts are blocked.
   const std::size_t first = base_ && !keeps_world() ? base_->mark.nodes : 0;
-  return expansion_.expand(static_cast<NodeId>(first), order_of_nodes());
+  if (expansion_.expand(static_cast<NodeId>(first), order_of_nodes())) return true;
+  std::optional<Decision> offer = expansion_.take_offer();
+  if (!offer) return false;
+  branch(std::move(*offer));
+  return true;
+}
+
+void Search::apply(const Choice& choice, DependencySet dependency) {
+  if (is_of_expansion(choice.kind)) {
+    expansion_.apply(choice, dependency);
+  } else {
+    facts_.apply(choice, dependency);
+  }
 }
 
 /// With guesses few nodes are expanded at a time, so that the consequences of each are derived before the next. The
@@ -247,14 +260,19 @@ void Search::note(const Suspect& suspect) {
 void Search::branch(Decision decision) {
   const auto number = static_cast<std::uint32_t>(branches_.size());
   if (is_about_facts_ && !before_choices_) before_choices_ = sizes();
-  for (Choice& choice : decision.alternatives) choice.meets_neighbour = neighbours_.meets(choice);
-  records_.order_by_promise(decision.alternatives, program_.burdens());
+  for (Choice& choice : decision.alternatives) {
+    choice.meets_neighbour = neighbours_.meets(choice);
+    choice.crowds = neighbours_.crowds(choice);
+  }
+  // The second way in which an at-least is satisfied cannot fail alone.
+  if (!is_of_expansion(decision.alternatives.front().kind))
+    records_.order_by_promise(decision.alternatives, program_.burdens());
   const Choice first = decision.alternatives.front();
   const DependencySet dependency = decision.dependency;
   const Suspect suspect = decision.suspect;
   records_.note_try(first);
   branches_.push_back({sizes(), std::move(decision)});
-  facts_.apply(first, unite(dependency, sets_.single(number)));
+  apply(first, unite(dependency, sets_.single(number)));
   note(suspect);
 }
 
@@ -282,12 +300,14 @@ bool Search::go_back() {
   records_.note_try(choice);
   const Suspect suspect = decision.suspect;
   if (branch.next + 1 < decision.alternatives.size()) {
-    facts_.apply(choice, unite(decision.dependency, sets_.single(number)));
+    apply(choice, unite(decision.dependency, sets_.single(number)));
   } else {
     // The last alternative does not depend on this choice. It depends on the reasons why the others failed.
-    const DependencySet dependency = unite(decision.dependency, branch.failed);
+    // That an at-least makes neighbours has no such reasons.
+    const DependencySet dependency =
+        is_of_expansion(choice.kind) ? decision.dependency : unite(decision.dependency, branch.failed);
     branches_.pop_back();
-    facts_.apply(choice, dependency);
+    apply(choice, dependency);
   }
   note(suspect);
   ask_again();

@@ -27,6 +27,7 @@
 #include "reasoning/dl/hypertableau/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/rules.hpp"
+#include "reasoning/dl/hypertableau/sharing.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "reasoning/dl/hypertableau/witnesses.hpp"
 
@@ -117,6 +118,7 @@ class Search {
   bool expand();
   [[nodiscard]] Expansion::Order order_of_nodes() const;
   void branch(Decision decision);
+  void apply(const Choice& choice, DependencySet dependency);
   bool go_back();
   void begin_again();
   void note(const Suspect& suspect);
@@ -144,6 +146,7 @@ class Search {
   Bounds bounds_;
   Blocking blocking_;
   Witnesses witnesses_;
+  Sharing sharing_;
   Expansion expansion_;
   Derivation derivation_;
   Keys keys_;

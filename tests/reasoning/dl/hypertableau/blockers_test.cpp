@@ -1,5 +1,5 @@
 // The stack of nodes that may block others.
-#include "reasoning/dl/hypertableau/blockers.hpp"
+#include "reasoning/dl/hypertableau/graph/blockers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -24,9 +24,9 @@ Verdict answer(const std::string& axioms) {
   return tableau.is_consistent().verdict;
 }
 
-/// Parents, each with so many children that are known to differ.
-std::string families(std::size_t children) {
-  std::string text;
+/// Parents, each with so many children, who are told to differ, or have each another of a few teachers.
+std::string families(std::size_t children, bool are_told_to_differ = true) {
+  std::string text = "FunctionalObjectProperty(teacher)\nDifferentIndividuals(i:t0 i:t1 i:t2 i:t3 i:t4)\n";
   for (std::size_t family = 0; family < count; ++family) {
     const std::string parent = "i:p" + std::to_string(family);
     std::string all;
@@ -34,9 +34,11 @@ std::string families(std::size_t children) {
       const std::string name = parent + "c" + std::to_string(child);
       text += "ClassAssertion(Person " + name + ")\nObjectPropertyAssertion(r " + parent + " " + name + ")\n";
       all += " " + name;
+      if (!are_told_to_differ)
+        text += "ObjectPropertyAssertion(teacher " + name + " i:t" + std::to_string(child) + ")\n";
     }
     text += "ClassAssertion(Person " + parent + ")\n";
-    if (children > 1) text += "DifferentIndividuals(" + all + ")\n";
+    if (children > 1 && are_told_to_differ) text += "DifferentIndividuals(" + all + ")\n";
   }
   return text;
 }
@@ -51,6 +53,12 @@ const char* const large_family =
 TEST(Guesses, AreNotMadeWhereABoundIsExceeded) {
   EXPECT_EQ(answer(small_family + families(4)), Verdict::yes);
   EXPECT_EQ(answer(large_family + families(4)), Verdict::yes);
+}
+
+// Nothing says that they differ, and they do: merging two merges their teachers. So that they differ is guessed.
+TEST(Guesses, OfChildrenWhoDifferComeBeforeThoseOfEqualOnes) {
+  for (const std::size_t children : {2U, 3U, 5U})
+    EXPECT_EQ(answer(small_family + families(children, false)), Verdict::yes) << children;
 }
 
 TEST(Guesses, OfWhatHoldsComeBeforeThoseOfNewNodes) {

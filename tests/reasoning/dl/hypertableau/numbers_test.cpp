@@ -171,6 +171,23 @@ TEST(Neighbours, StayDifferentWhenTheyAreMergedWithOthers) {
   }
 }
 
+// Each at-least alone would make neighbours of its own. Whether they can be the same is a guess, and may be wrong.
+TEST(Neighbours, OfOneAtLeastMayBeThoseOfAnother) {
+  const std::string numbers =
+      "SubClassOf(A ObjectMinCardinality(40 r B))\nSubClassOf(A ObjectMinCardinality(40 s C))\n"
+      "SubObjectPropertyOf(r t)\nSubObjectPropertyOf(s t)\n";
+  const std::string apart =
+      "SubClassOf(C ObjectSomeValuesFrom(q D))\nSubClassOf(B ObjectAllValuesFrom(q E))\n"
+      "DisjointClasses(D E)\n";
+  constexpr QuestionLimits few_steps{.nodes = 200, .steps = 60'000};
+  EXPECT_EQ(verdict_of(numbers + "SubClassOf(A ObjectMaxCardinality(40 t))\n", few_steps), Verdict::yes);
+  EXPECT_EQ(verdict_of(numbers + "SubClassOf(A ObjectMaxCardinality(80 t))\n" + apart, few_steps), Verdict::yes);
+  EXPECT_EQ(verdict_of("SubClassOf(A ObjectMinCardinality(2 r B))\nSubClassOf(A ObjectMinCardinality(2 r C))\n"
+                       "SubClassOf(A ObjectMaxCardinality(3 r))\n" +
+                       apart),
+            Verdict::no);
+}
+
 TEST(Neighbours, AreCountedIfTheyAreNamed) {
   const std::string names = "EquivalentClasses(B ObjectOneOf(i:a i:b))\n";
   EXPECT_EQ(verdict_of(names + "SubClassOf(A ObjectMinCardinality(2 r B))\n"), Verdict::yes);

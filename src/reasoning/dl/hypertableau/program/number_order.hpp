@@ -70,6 +70,11 @@ class NumberOrder {
     return any_bound(of(at_least), no_predicate,
                      [&](std::uint32_t bound) { return may_be_added(bound) && holds(bound); });
   }
+  /// Whether `holds` is true of a bound that counts the neighbours of the at-least.
+  template <typename Holds>
+  [[nodiscard]] bool any_counting(AtLeastId at_least, Holds&& holds) const {
+    return any_bound(of(at_least), no_predicate, holds);
+  }
   [[nodiscard]] bool may_be_added(std::uint32_t bound) const { return bounds_[bound].may_be_added; }
   /// Whether the bound counts the neighbours of the at-least.
   [[nodiscard]] bool counts(std::uint32_t bound, AtLeastId at_least) const {

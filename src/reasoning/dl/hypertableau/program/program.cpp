@@ -194,6 +194,13 @@ bool Program::take_bound(const Clause& clause) {
   return true;
 }
 
+bool Program::brings(std::uint32_t id, std::uint32_t bound) const {
+  return std::ranges::any_of(conditional_[bound], [id](const ConditionalBound& rule) {
+    return rule.alternatives.empty() && rule.guard.size() == 1 && rule.guard.front().kind == AtomKind::concept_of &&
+           rule.guard.front().predicate == id;
+  });
+}
+
 void Program::add_plans(const Clause& clause) {
   const auto head_begin = static_cast<std::uint32_t>(heads_.size());
   heads_.insert(heads_.end(), clause.head.begin(), clause.head.end());

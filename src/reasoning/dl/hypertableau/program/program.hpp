@@ -75,6 +75,8 @@ class Program {
   [[nodiscard]] const std::vector<ConditionalBound>& conditional(std::uint32_t bound) const {
     return conditional_[bound];
   }
+  /// Whether the bound holds of every node in the concept.
+  [[nodiscard]] bool brings(std::uint32_t id, std::uint32_t bound) const;
   [[nodiscard]] std::span<const std::uint32_t> bounds_of_role(std::uint32_t id) const { return bounds_of_role_[id]; }
   [[nodiscard]] std::span<const std::uint32_t> bounds_of_data_role(std::uint32_t id) const {
     return bounds_of_data_role_[id];

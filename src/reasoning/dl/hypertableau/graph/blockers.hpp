@@ -1,6 +1,6 @@
 // The nodes that may block others, found by a hash of their labels.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_BLOCKERS_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_BLOCKERS_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_BLOCKERS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_GRAPH_BLOCKERS_HPP
 
 #include <cstdint>
 #include <vector>

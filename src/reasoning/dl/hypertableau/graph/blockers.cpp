@@ -1,5 +1,5 @@
 // The stack of blockers with its table.
-#include "reasoning/dl/hypertableau/blockers.hpp"
+#include "reasoning/dl/hypertableau/graph/blockers.hpp"
 
 namespace geminga::hypertableau {
 
