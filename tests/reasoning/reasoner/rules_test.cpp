@@ -173,6 +173,20 @@ TEST(Rules, JoinValues) {
             "no");
 }
 
+TEST(Rules, CompareByValueWhatFactsBind) {
+  const std::string facts =
+      "DataPropertyAssertion(:d :a \"1\"^^xsd:integer)DataPropertyAssertion(:e :a \"1\"^^xsd:double)";
+  EXPECT_EQ(
+      last_follows("DLSafeRule(Body(DataPropertyAtom(:d ?x ?v) DataPropertyAtom(:e ?x ?w) BuiltInAtom(b:equal ?v ?w)) "
+                   "Head(ClassAtom(:A ?x)))" +
+                   facts + "ClassAssertion(:A :a)"),
+      "yes");
+  EXPECT_EQ(last_follows("DLSafeRule(Body(DataPropertyAtom(:d ?x ?v) DataPropertyAtom(:e ?y ?w) "
+                         "BuiltInAtom(b:multiply ?w ?v ?v)) Head(ObjectPropertyAtom(:r ?x ?y)))" +
+                         facts + "ObjectPropertyAssertion(:r :a :a)"),
+            "yes");
+}
+
 TEST(Rules, KnowAValueThatIsTheOnlyOne) {
   const std::string rule =
       "DLSafeRule(Body(DataPropertyAtom(:d ?x ?v) BuiltInAtom(b:greaterThan ?v \"5\"^^xsd:integer)) Head(ClassAtom(:B "

@@ -43,6 +43,17 @@ TEST(Realize, PrintsTheClosureOfFullIris) {
   EXPECT_EQ(program.run({"realize", "team.ttl", "--closure"}).out, expected);
 }
 
+TEST(Realize, AndQueryKnowClassesOfEverything) {
+  const Program program;
+  program.turtle("a.ttl",
+                 ":A a owl:Class . :All a owl:Class . :is a owl:ObjectProperty, owl:ReflexiveProperty ; rdfs:range "
+                 ":All . :x a :A .");
+  EXPECT_EQ(program.run({"realize", "a.ttl"}).out, "e:x: e:A\n");
+  EXPECT_EQ(program.run({"realize", "a.ttl", "--all"}).out, "e:x: e:A, e:All = owl:Thing\n");
+  EXPECT_EQ(program.run({"realize", "a.ttl", "--closure"}).out, "http://e/x\thttp://e/A\nhttp://e/x\thttp://e/All\n");
+  EXPECT_EQ(program.run({"query", "a.ttl", "SELECT ?x { ?x a e:All }", "--format", "csv"}).out, "x\r\nhttp://e/x\r\n");
+}
+
 TEST(Realize, PrintsFactsThatFollow) {
   const Program program;
   program.turtle("team.ttl", robots);

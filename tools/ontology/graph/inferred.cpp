@@ -57,6 +57,10 @@ class Writer {
           link(individual, graph::rdf_type, type);
         }
       }
+      if (!as_closure_) continue;
+      for (const std::string_view type : names(classes, classes.representative[classes.top])) {
+        if (type != owl::owl_thing) link(individual, graph::rdf_type, type);
+      }
     }
     for (const auto& names_of_one : things) write_equal(names_of_one, same);
   }

@@ -14,13 +14,14 @@ RealizedForms::RealizedForms(const ClassifiedFiles& classified, const realizatio
       classes_(class_hierarchy(classified.loaded.source, classified.classification)),
       all_(all) {}
 
-/// Representatives; that of owl:Thing stands alone.
+/// Representatives. That of owl:Thing stands alone, or last among all where other classes are equivalent to it.
 std::vector<std::uint32_t> RealizedForms::types_of(std::uint32_t individual, bool all) const {
   const auto& types = realization_.type_sets[realization_.types[individual]];
   const auto chosen = all ? types : realization::most_specific(classified_.classification, types);
   std::vector<std::uint32_t> found;
   for (const taxonomy::ClassNumber of : chosen) found.push_back(static_cast<std::uint32_t>(of));
-  if (found.empty()) found.push_back(classes_.representative[classes_.top]);
+  const std::uint32_t top = classes_.representative[classes_.top];
+  if (found.empty() || (all && classes_.members[top].size() > 1)) found.push_back(top);
   return found;
 }
 
@@ -51,9 +52,7 @@ bool RealizedForms::write_types(const Sink& sink) const {
 bool RealizedForms::write_closure(const Sink& sink) const {
   for (std::uint32_t at = 0; at < realization_.individuals.size(); ++at) {
     std::vector<std::string_view> types;
-    std::vector<std::uint32_t> nodes = types_of(at, true);
-    nodes.push_back(classes_.representative[classes_.top]);
-    for (const std::uint32_t of : nodes) {
+    for (const std::uint32_t of : types_of(at, true)) {
       for (const std::uint32_t member : classes_.members[of]) {
         if (member != classes_.top) types.push_back(classes_.iris[member]);
       }

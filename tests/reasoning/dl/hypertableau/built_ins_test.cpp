@@ -138,6 +138,12 @@ TEST(BuiltIns, WorkWithDoublesAsTheyAre) {
          {"add", {"?", "f0.5", "1"}, Holds::yes, "f1.5"},
          {"subtract", {"?", "INF", "INF"}, Holds::yes, "NaN"},
          {"integerDivide", {"?", "1e0", "0e0"}, Holds::no},
+         {"integerDivide", {"?", "-7e0", "2"}, Holds::yes, "-3"},
+         {"integerDivide", {"?", "1e300", "1e-300"}, Holds::no},
+         {"round", {"?", "0.49999999999999994e0"}, Holds::yes, "0e0"},
+         {"round", {"?", "4503599627370497e0"}, Holds::yes, "4503599627370497e0"},
+         {"round", {"?", "-2.5e0"}, Holds::yes, "-2e0"},
+         {"round", {"?", "-0.2e0"}, Holds::yes, "-0e0"},
          {"cos", {"?", "0"}, Holds::yes, "1e0"},
          {"sin", {"?", "0"}, Holds::yes, "0e0"},
          {"tan", {"?", "0e0"}, Holds::yes, "0e0"}});

@@ -178,8 +178,10 @@ std::optional<Float> compute_float(BuiltIn built_in, std::span<const Value> oper
       return std::floor(result);
     case BuiltIn::ceiling:
       return std::ceil(result);
-    case BuiltIn::round:
-      return std::floor(result + Float{0.5});
+    case BuiltIn::round: {  // half up; a sum with a half may itself be rounded, and what is above -0.5 becomes -0
+      const Float below = std::floor(result);
+      return std::copysign(result - below >= Float{0.5} ? below + 1 : below, result);
+    }
     case BuiltIn::round_half_to_even:
       if (numbers.size() > 1) return std::nullopt;
       return std::nearbyint(result);
@@ -192,6 +194,15 @@ std::optional<Float> compute_float(BuiltIn built_in, std::span<const Value> oper
     default:
       return std::nullopt;
   }
+}
+
+/// The quotient of integerDivide is an integer, whatever its operands are (op:numeric-integer-divide).
+template <typename Float>
+Computed compute_rounded(DataFamily family, BuiltIn built_in, std::span<const Value> operands) {
+  const auto result = compute_float<Float>(built_in, operands);
+  if (!result) return {};
+  if (built_in != BuiltIn::integer_divide) return {Holds::yes, value_of_float(family, *result)};
+  return std::isfinite(*result) ? exactly(Number(*result)) : Computed{};
 }
 
 }  // namespace
@@ -217,16 +228,9 @@ Computed compute(BuiltIn built_in, std::span<const Value> operands) {
     return std::ranges::any_of(operands, [&](const Value& one) { return one.family == family; });
   };
   const bool is_curve = built_in == BuiltIn::sin || built_in == BuiltIn::cos || built_in == BuiltIn::tan;
-  if (has(DataFamily::double_) || (is_curve && !has(DataFamily::float_))) {
-    const auto result = compute_float<double>(built_in, operands);
-    if (!result) return {};
-    return {Holds::yes, value_of_float(DataFamily::double_, *result)};
-  }
-  if (has(DataFamily::float_)) {
-    const auto result = compute_float<float>(built_in, operands);
-    if (!result) return {};
-    return {Holds::yes, value_of_float(DataFamily::float_, *result)};
-  }
+  if (has(DataFamily::double_) || (is_curve && !has(DataFamily::float_)))
+    return compute_rounded<double>(DataFamily::double_, built_in, operands);
+  if (has(DataFamily::float_)) return compute_rounded<float>(DataFamily::float_, built_in, operands);
   return compute_exactly(built_in, operands);
 }
 

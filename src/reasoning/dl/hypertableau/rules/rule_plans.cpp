@@ -62,9 +62,19 @@ class Ordering {
     if (atom.kind == RuleAtomKind::equal) return is_known(atom.terms[0]) || is_known(atom.terms[1]);
     if (atom.kind != RuleAtomKind::built_in) return false;
     const auto built_in = static_cast<clauses::BuiltIn>(atom.predicate);
-    if (built_in == clauses::BuiltIn::equal) return is_known(atom.terms[0]) || is_known(atom.terms[1]);
-    return clauses::form_of(built_in).binds_first &&
+    if (built_in == clauses::BuiltIn::equal)
+      return (is_known(atom.terms[0]) && is_left_to_bind(atom.terms[1])) ||
+             (is_known(atom.terms[1]) && is_left_to_bind(atom.terms[0]));
+    return clauses::form_of(built_in).binds_first && is_left_to_bind(atom.terms[0]) &&
            std::ranges::all_of(std::span(atom.terms).subspan(1), [&](auto& one) { return is_known(one); });
+  }
+  /// Whether no fact binds the value, so that a built-in may: 1 and "1"^^xsd:double are equal, and are two values.
+  [[nodiscard]] bool is_left_to_bind(const RuleTerm& term) const {
+    return is_known(term) || std::ranges::none_of(open_, [&](std::uint32_t at) {
+             const RuleAtom& atom = rule_.body[at];
+             return atom.kind == RuleAtomKind::data_role && atom.terms[1].kind == RuleTermKind::variable &&
+                    atom.terms[1].number == term.number;
+           });
   }
   [[nodiscard]] bool is_reachable(const RuleAtom& atom) const {
     if (atom.kind == RuleAtomKind::role) return is_known(atom.terms[0]) || is_known(atom.terms[1]);
