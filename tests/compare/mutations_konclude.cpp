@@ -41,6 +41,7 @@ struct Request {
   bool shows_all = false;
   bool asks_engines = false;  ///< our engines one by one, and not Konclude
   bool asks_types = false;    ///< the types of individuals instead of the subsumers of classes
+  bool only_writes = false;   ///< keeps each variation and asks nobody
   std::vector<std::string> files;
 };
 
@@ -316,13 +317,18 @@ void compare_engines(const Request& request, const Mutation& made, std::uint64_t
 }
 
 int run(const Request& request) {
-  const bool has_konclude = !request.asks_engines && is_konclude_installed();
-  if (!has_konclude && !request.asks_engines)
+  const bool wants_konclude = !request.asks_engines && !request.only_writes;
+  const bool has_konclude = wants_konclude && is_konclude_installed();
+  if (!has_konclude && wants_konclude)
     std::printf("NOT COMPARED with Konclude, which is not installed (Debian: apt-get install konclude)\n");
   Originals originals(request);
   Tally tally;
   for (std::uint64_t seed = request.first; seed < request.first + request.seeds; ++seed) {
     const std::optional<Mutation> made = vary(request, originals, seed);
+    if (made && request.only_writes) {
+      write("mutation-" + std::to_string(seed) + ".ofn", functional_syntax(made->source));
+      continue;
+    }
     if (made && request.asks_engines) compare_engines(request, *made, seed, tally);
     if (made && !request.asks_engines) compare(request, *made, seed, has_konclude, tally);
   }
@@ -361,6 +367,8 @@ int main(int argc, char** argv) {
         request.asks_engines = true;
       } else if (word == "--types") {
         request.asks_types = true;
+      } else if (word == "--write") {
+        request.only_writes = true;
       } else if (word == "--all") {
         request.shows_all = true;
       } else {
@@ -369,7 +377,8 @@ int main(int argc, char** argv) {
     }
     if (!request.files.empty()) return geminga::compare::run(request);
     std::fprintf(stderr,
-                 "usage: %s [--seeds N] [--first N] [--seconds N] [--axioms N] [--types] [--engines] [--all] FILE...\n",
+                 "usage: %s [--seeds N] [--first N] [--seconds N] [--axioms N] [--types] [--engines] [--write] [--all] "
+                 "FILE...\n",
                  argv[0]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
