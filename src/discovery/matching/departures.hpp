@@ -25,7 +25,7 @@ class Departures {
   void remove(const registry::StoredPublication& publication, Reason reason) { remove({&publication}, {}, reason); }
   void remove(const registry::StoredSubscription& subscription, Reason reason) { remove({}, {&subscription}, reason); }
 
-  /// Matcher::begin_departure(), begin_removal(), depart_next() and is_departing().
+  /// Matcher::begin_departure(), begin_removal() and take_step().
   void begin(ParticipantId participant, Reason reason);
   void begin(const registry::StoredPublication& publication, Reason reason) { begin({&publication}, {}, reason); }
   void begin(const registry::StoredSubscription& subscription, Reason reason) { begin({}, {&subscription}, reason); }

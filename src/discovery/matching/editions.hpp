@@ -35,6 +35,7 @@ class Editions {
   Editions& operator=(const Editions&) = delete;
 
   [[nodiscard]] const Edition& in_force() const { return in_force_; }
+  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return in_force_.vocabulary; }
   /// The next edition while filing, then the former one. Without vocabulary and converters outside of a change.
   [[nodiscard]] const Edition& other() const { return other_; }
   [[nodiscard]] const Edition& by_generation(registry::Generation generation) const {

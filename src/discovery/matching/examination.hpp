@@ -1,52 +1,59 @@
-// Findings about offers and requests, for queries: about one pair, and about an offer and many requests.
+// How one offer and one request meet, by the vocabulary in force.
 #ifndef GEMINGA_DISCOVERY_MATCHING_EXAMINATION_HPP
 #define GEMINGA_DISCOVERY_MATCHING_EXAMINATION_HPP
 
 #include <cstddef>
 #include <expected>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "discovery/matching/directory.hpp"
 #include "discovery/matching/editions.hpp"
 #include "discovery/matching/judge.hpp"
-#include "discovery/matching/obstacle.hpp"
 #include "discovery/matching/preparation.hpp"
 
 namespace geminga::matching {
 
-/// Classes below that of an offer that are looked at for those who ask for something narrower.
-inline constexpr std::size_t max_searched_classes = 256;
-
-/// Gives false to stop.
-using VisitFinding = std::function<bool(const registry::SubscriptionEntry&, const Finding&)>;
-
-/// Changes nothing. The promises are those of the functions of Matcher with the same name.
+/// Either side may be one that nobody has stated. Changes nothing.
 class Examination {
  public:
   Examination(const Editions& editions, const Preparation& preparation, const Directory& directory, const Judge& judge)
       : editions_(editions), preparation_(preparation), directory_(directory), judge_(judge) {}
 
+  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return editions_.vocabulary(); }
+  /// The request for the functions below, valid while the ontology stays. Without a consumer nothing is converted for
+  /// it.
+  [[nodiscard]] std::shared_ptr<const Request> prepare(const Subscription& asked) const;
+  [[nodiscard]] std::shared_ptr<const Request> prepare(const registry::SubscriptionEntry& asked) const;
+  /// The classes of an offer, with the place of an expression.
+  [[nodiscard]] Classes classes(const registry::PublicationEntry& offered) const {
+    return preparation_.classes(offered, vocabulary());
+  }
+  /// Whether what an offer is can have instances in common with what a request asks for, for a peer of our own; null:
+  /// that waits to be decided. Something must be known of both.
+  [[nodiscard]] OverlapAnswer overlap(const Meaning& offered, const Meaning& requested) const {
+    return preparation_.overlap(offered, requested);
+  }
+  /// How many converters take no part in chains because their hosts have as many as may.
+  [[nodiscard]] std::size_t waiting_converters() const { return editions_.in_force().converters->waiting_count(); }
+
+  /// How a publication of the registry meets `asked`, from which `request` was prepared; its mode and its identity may
+  /// have been set to the publication's own since.
+  [[nodiscard]] std::optional<Match> meets(const registry::SubscriptionEntry& asked, const Request& request,
+                                           const registry::PublicationEntry& publication) const;
+  /// The finding about an offer and `asked`, from which `request` was prepared.
   [[nodiscard]] Finding examine(const registry::SubscriptionEntry& asked, const Request& request,
                                 const registry::PublicationEntry& offered) const;
-  bool examine_requests(const std::optional<ServiceKey>& after, const registry::PublicationEntry& offered,
-                        const VisitFinding& visit) const;
-  std::size_t examine_near(const registry::PublicationEntry& offered, std::size_t most,
-                           const VisitFinding& visit) const;
+  /// The same of a subscription of the registry, whatever vocabulary it is judged by.
+  [[nodiscard]] Finding examine(const registry::StoredSubscription& stored, const Offer& offer) const;
+  /// How this offer meets this request; the error says in words what does not fit. `chains` says what is converted;
+  /// empty: what this very request is told.
   [[nodiscard]] std::expected<Match, std::string> why(const registry::SubscriptionEntry& asked,
                                                       const registry::PublicationEntry& offered,
-                                                      const AskChain& chains) const;
+                                                      const AskChain& chains = {}) const;
 
  private:
-  /// By the vocabulary in force, whatever the subscription is judged by.
-  [[nodiscard]] Finding examine(const registry::StoredSubscription& stored, const Offer& offer) const;
-  /// Adds, up to `most`, the subscriptions that ask for something below a class, the nearest first. Gives how many
-  /// classes were looked at.
-  std::size_t add_narrower(vocabulary::ClassNumber concept_class, std::size_t most,
-                           std::vector<const registry::StoredSubscription*>& found) const;
-
   const Editions& editions_;
   const Preparation& preparation_;
   const Directory& directory_;

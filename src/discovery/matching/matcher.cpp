@@ -1,11 +1,8 @@
 #include "discovery/matching/matcher.hpp"
 
 #include <algorithm>
-#include <ranges>
-#include <string_view>
-
-#include "discovery/matching/degrees/representation.hpp"
-#include "discovery/matching/interest.hpp"
+#include <memory>
+#include <utility>
 
 namespace geminga::matching {
 
@@ -26,7 +23,9 @@ Matcher::Matcher(const vocabulary::Vocabulary& vocabulary, Placing placing, Over
       agenda_(editions_, directory_, judge_, pairs_),
       departures_(directory_, clashes_, pairs_, agenda_),
       change_(editions_, preparation_, directory_, judge_, pairs_, agenda_),
-      examination_(editions_, preparation_, directory_, judge_) {}
+      choices_(directory_, pairs_),
+      examination_(editions_, preparation_, directory_, judge_),
+      search_(editions_, preparation_, directory_, judge_, examination_) {}
 
 template <typename Entry>
 const registry::Stored<Entry>* Matcher::known_before(const registry::Table<Entry>& table, const Entry& entry) {
@@ -167,171 +166,6 @@ void Matcher::remove_peer(ParticipantId participant, PeerId peer, Reason reason)
 
 void Matcher::catch_up(const ServiceKey& subscription) {
   if (const StoredSubscription* stored = directory_.subscriptions().find(subscription)) agenda_.catch_up(*stored);
-}
-
-std::vector<ServiceKey> Matcher::chosen(const ServiceKey& subscription) const {
-  std::vector<ServiceKey> keys;
-  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
-  if (stored == nullptr) return keys;
-  for (const auto& one : pairs_.choice(*stored).chosen()) keys.push_back(one.publication->entry.key);
-  return keys;
-}
-
-std::vector<ServiceKey> Matcher::consumers(const ServiceKey& publication) const {
-  std::vector<ServiceKey> keys;
-  const StoredPublication* stored = directory_.publications().find(publication);
-  if (stored == nullptr || !is_provider_told(stored->entry.publication.mode)) return keys;
-  for (const auto& [slot, rank] : pairs_.considered_by(*stored)) {
-    const StoredSubscription& one = directory_.subscription_at(slot);
-    if (pairs_.choice(one).is_chosen(rank)) keys.push_back(one.entry.key);
-  }
-  return keys;
-}
-
-std::optional<Match> Matcher::given(const ServiceKey& subscription, const ServiceKey& publication) const {
-  const StoredSubscription* asks = directory_.subscriptions().find(subscription);
-  const StoredPublication* offers = directory_.publications().find(publication);
-  return asks == nullptr || offers == nullptr ? std::nullopt : pairs_.chosen_match(*asks, *offers);
-}
-
-std::vector<ServiceKey> Matcher::announced_choice(const ServiceKey& subscription) const {
-  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
-  return stored == nullptr ? std::vector<ServiceKey>() : pairs_.announced().keys(*stored);
-}
-
-std::shared_ptr<const vocabulary::Chain> Matcher::chain(const ServiceKey& subscription,
-                                                        const ServiceKey& publication) const {
-  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
-  const StoredPublication* offered = directory_.publications().find(publication);
-  return asked == nullptr || offered == nullptr ? nullptr : directory_.chain(*asked, *offered);
-}
-
-std::string Matcher::chain_words(const ServiceKey& subscription, const vocabulary::Chain& chain) const {
-  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
-  return asked == nullptr ? "" : matching::chain_words(&chain, directory_.edition_of(*asked).vocabulary);
-}
-
-const PublicationEntry* Matcher::find_publication(const ServiceKey& key) const {
-  const StoredPublication* stored = directory_.publications().find(key);
-  return stored == nullptr ? nullptr : &stored->entry;
-}
-
-const SubscriptionEntry* Matcher::find_subscription(const ServiceKey& key) const {
-  const StoredSubscription* stored = directory_.subscriptions().find(key);
-  return stored == nullptr ? nullptr : &stored->entry;
-}
-
-base::Instant Matcher::updated(const PublicationEntry& entry) const {
-  const StoredPublication* stored = directory_.publications().find(entry.key);
-  return stored == nullptr ? base::Instant() : stored->updated;
-}
-
-base::Instant Matcher::updated(const SubscriptionEntry& entry) const {
-  const StoredSubscription* stored = directory_.subscriptions().find(entry.key);
-  return stored == nullptr ? base::Instant() : stored->updated;
-}
-
-bool Matcher::walk_publications(const std::optional<ServiceKey>& after,
-                                const std::function<bool(const PublicationEntry&)>& visit) const {
-  return directory_.publications().visit_after(after,
-                                               [&visit](const StoredPublication& one) { return visit(one.entry); });
-}
-
-bool Matcher::walk_subscriptions(const std::optional<ServiceKey>& after,
-                                 const std::function<bool(const SubscriptionEntry&)>& visit) const {
-  return directory_.subscriptions().visit_after(after,
-                                                [&visit](const StoredSubscription& one) { return visit(one.entry); });
-}
-
-bool Matcher::is_served(const SubscriptionEntry& subscription) const {
-  const Request request = preparation_.prepare(subscription, false);
-  bool is_served = false;
-  directory_.visit_publications_for(subscription.subscription, request, [&](const StoredPublication& publication) {
-    is_served = !directory_.is_going(publication) &&
-                judge_.judge(subscription, request, publication, editions_.in_force()).match.has_value();
-    return is_served;
-  });
-  return is_served;
-}
-
-bool Matcher::is_used(const PublicationEntry& publication) const {
-  const StoredPublication* stored = directory_.publications().find(publication.key);
-  return stored != nullptr &&
-         std::ranges::any_of(directory_.subscriptions_for(*stored), [&](const StoredSubscription* subscription) {
-           return judge_.judge(*subscription, *stored).match.has_value();
-         });
-}
-
-std::set<std::string> Matcher::converters_in_use() const {
-  std::set<std::string> places;
-  if (editions_.in_force().converters->is_empty()) return places;
-  directory_.subscriptions().visit_after(std::nullopt, [&](const StoredSubscription& subscription) {
-    if (subscription.entry.subscription.convert == 0) return true;
-    directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
-      const auto match = judge_.judge(subscription, publication).match;
-      const auto chain = match && match->cost != 0 ? directory_.chain(subscription, publication) : nullptr;
-      if (chain == nullptr || chain->via.empty()) return false;
-      for (const auto step : std::views::split(chain->via, ',')) places.emplace(std::string_view(step));
-      return false;
-    });
-    return true;
-  });
-  return places;
-}
-
-std::shared_ptr<const Request> Matcher::prepare(const SubscriptionEntry& asked) const {
-  return std::make_shared<const Request>(preparation_.prepare(asked, true));
-}
-
-std::shared_ptr<const Request> Matcher::prepare(const Subscription& asked) const {
-  return std::make_shared<const Request>(preparation_.prepare(asked));
-}
-
-std::optional<Match> Matcher::meets(const SubscriptionEntry& asked, const Request& request,
-                                    const PublicationEntry& publication) const {
-  const StoredPublication* stored = directory_.publications().find(publication.key);
-  if (stored == nullptr || directory_.is_going(*stored)) return std::nullopt;
-  return judge_.judge(asked, request, *stored, editions_.in_force()).match;
-}
-
-std::optional<std::vector<ServiceKey>> Matcher::candidates(const Subscription& asked, const Request& request,
-                                                           std::size_t most) const {
-  auto keys = some_candidates(asked, request, most + 1);
-  return keys.size() > most ? std::nullopt : std::optional(std::move(keys));
-}
-
-std::vector<ServiceKey> Matcher::some_candidates(const Subscription& asked, const Request& request,
-                                                 std::size_t most) const {
-  std::vector<ServiceKey> keys;
-  directory_.visit_publications_for(asked, request, [&](const StoredPublication& publication) {
-    if (keys.size() < most) keys.push_back(publication.entry.key);
-    return keys.size() >= most;
-  });
-  return keys;
-}
-
-std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication) {
-  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
-  const StoredPublication* offered = directory_.publications().find(publication);
-  if (asked == nullptr || offered == nullptr) return std::nullopt;
-  change_.catch_up(*asked);
-  const auto place = ranked_place(*asked, *offered, directory_, judge_, editions_.in_force());
-  return place ? std::optional(standing_of(*asked, *offered, *place, directory_, pairs_)) : std::nullopt;
-}
-
-std::optional<Standing> Matcher::standing(const ServiceKey& subscription, const ServiceKey& publication,
-                                          const Place& place) {
-  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
-  const StoredPublication* offered = directory_.publications().find(publication);
-  if (asked == nullptr || offered == nullptr) return std::nullopt;
-  change_.catch_up(*asked);
-  return standing_of(*asked, *offered, place, directory_, pairs_);
-}
-
-std::optional<std::vector<ServiceKey>> Matcher::known_choice(const SubscriptionEntry& subscription) const {
-  const auto& announced = subscription.subscription.chosen;
-  if (!subscription.is_local && !announced.empty()) return announced;
-  return is_chosen_here(subscription) ? std::optional(chosen(subscription.key)) : std::nullopt;
 }
 
 }  // namespace geminga::matching

@@ -4,16 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
-#include "discovery/registry/stored.hpp"
+#include "discovery/registry/entry.hpp"
 
 namespace geminga::matching {
-
-class Directory;
-class Judge;
-class Pairs;
-struct Edition;
 
 /// The place of a publication among all that match a subscription.
 struct Place {
@@ -42,16 +36,6 @@ struct Standing {
   /// matcher.
   const registry::PublicationEntry* rival = nullptr;
 };
-
-/// The place of a publication, for which all that match the subscription are ranked; nothing where it does not match.
-/// `edition` is the one in force, by which the subscription must be judged.
-[[nodiscard]] std::optional<Place> ranked_place(const registry::StoredSubscription& subscription,
-                                                const registry::StoredPublication& publication,
-                                                const Directory& directory, const Judge& judge, const Edition& edition);
-/// The standing of a publication in this place, by the choice: the ranking does not know the incumbents.
-[[nodiscard]] Standing standing_of(const registry::StoredSubscription& subscription,
-                                   const registry::StoredPublication& publication, const Place& place,
-                                   const Directory& directory, const Pairs& pairs);
 
 }  // namespace geminga::matching
 

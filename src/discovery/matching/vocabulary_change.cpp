@@ -29,6 +29,7 @@ auto next_after(const Table& table, std::optional<ServiceKey>& at) {
 }  // namespace
 
 void VocabularyChange::begin(const vocabulary::Vocabulary& next) {
+  agenda_.finish();
   editions_.begin_filing(next);
   directory_.open_indexes(editions_.other());
   at_.reset();
@@ -67,9 +68,10 @@ bool VocabularyChange::rematch_next() {
   return true;
 }
 
-void VocabularyChange::catch_up(const StoredSubscription& subscription) {
-  if (directory_.edition_of(subscription).generation == editions_.in_force().generation) return;
-  rematch(subscription, preparation_.prepare(subscription.entry, false));
+void VocabularyChange::catch_up(const ServiceKey& subscription) {
+  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
+  if (stored == nullptr || directory_.edition_of(*stored).generation == editions_.in_force().generation) return;
+  rematch(*stored, preparation_.prepare(stored->entry, false));
 }
 
 bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Request& request) const {

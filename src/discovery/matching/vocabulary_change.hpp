@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "discovery/matching/agenda.hpp"
 #include "discovery/matching/directory.hpp"
@@ -14,7 +15,16 @@
 
 namespace geminga::matching {
 
-/// The promises of each step are those of the functions of Matcher with the same name.
+/// Puts another vocabulary in the place of the one in force. That is work over the whole registry, done in steps
+/// between which everything else may go on:
+///
+///     change.begin(next);
+///     while (change.file_next()) {}     // publications are filed by it, too; nothing else changes
+///     change.put_in_force();            // at once: Editions::vocabulary() is the next one
+///     while (change.rematch_next()) {}  // one subscription after the other, by key, is judged by it
+///
+/// A subscription is judged by one vocabulary at any time, by the former one until its step. Its events come in that
+/// step; what stays matched gets none. A step costs as much as putting one publication or subscription.
 class VocabularyChange {
  public:
   VocabularyChange(Editions& editions, const Preparation& preparation, Directory& directory, const Judge& judge,
@@ -26,14 +36,24 @@ class VocabularyChange {
         pairs_(pairs),
         agenda_(agenda) {}
 
+  /// Requires that the last change is over: when rematch_next() has given false, the former vocabulary is released.
+  /// Takes all steps of judging that are left first.
   void begin(const vocabulary::Vocabulary& next);
-  bool file_next();
+  /// False: everything is filed, and put_in_force() is due.
+  [[nodiscard]] bool file_next();
   void put_in_force();
-  bool rematch_next();
+  /// False: nothing was left to do.
+  [[nodiscard]] bool rematch_next();
+  /// Takes the vocabulary in force prepared for expressions; place_again() makes use of that. False where this is of
+  /// another ontology or the one in force is prepared already: then it is dropped.
+  bool take_prepared(vocabulary::Vocabulary prepared) { return editions_.take_prepared(std::move(prepared)); }
+  /// Has rematch_next() ask again for the place of each subscription and publication whose expression has none, and
+  /// judge those again for which `overlapping` or `comparing` gave no answer. A local subscription is judged when it
+  /// has all of them.
   void place_again();
 
-  /// Judges a subscription by the vocabulary in force now, if the former one judges it.
-  void catch_up(const registry::StoredSubscription& subscription);
+  /// Judges a subscription by the vocabulary in force now, if it is known and the former one judges it.
+  void catch_up(const ServiceKey& subscription);
   /// How many entries of an index were passed since the start.
   [[nodiscard]] std::uint64_t passed() const { return passed_; }
 

@@ -158,7 +158,7 @@ bool Participant::uses_expressions() const {
 }
 
 void Participant::on_prepared(Vocabulary prepared) {
-  if (!owners_->knowledge.matcher.take_prepared(std::move(prepared))) return;
+  if (!owners_->knowledge.matcher.vocabulary_change().take_prepared(std::move(prepared))) return;
   owners_->knowledge.ontology_change.take_up_expressions();
   change_ontology();
 }
@@ -226,7 +226,7 @@ void Participant::proceed_feed() {
   Clients& clients = owners_->clients;
   while (is_feed_due() && knowledge.work.done() - owners_->before_event < work_in_turn) {
     knowledge.overlaps.begin_step();
-    if (!knowledge.continue_matching() && !clients.own().return_next()) knowledge.take_next_change();
+    if (!knowledge.matcher.take_step() && !clients.own().return_next()) knowledge.take_next_change();
     clients.telling().deliver_events();
     knowledge.work.add(cost_of_entry);
   }

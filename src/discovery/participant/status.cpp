@@ -125,8 +125,8 @@ Answer answer_status(const Settings& settings, Course course, const Knowledge& k
   append(line, "interval", seconds(settings.interval));
   append(line, "peers", sessions.peer_count());
   append(line, "participants", air.neighbours().size() + 1);
-  append(line, "publications", knowledge.matcher.publication_count());
-  append(line, "subscriptions", knowledge.matcher.subscription_count());
+  append(line, "publications", knowledge.matcher.publications().size());
+  append(line, "subscriptions", knowledge.matcher.subscriptions().size());
   append(line, "local_publications", sessions.publication_count());
   append(line, "local_subscriptions", sessions.subscription_count());
   append(line, "ontology", digest_word(vocabulary.digest()));

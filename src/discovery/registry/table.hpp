@@ -71,6 +71,11 @@ class Table {
 
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] const StoredEntry* find(const ServiceKey& key) const;
+  /// The entry alone; null where there is none.
+  [[nodiscard]] const Entry* find_entry(const ServiceKey& key) const {
+    const StoredEntry* stored = find(key);
+    return stored == nullptr ? nullptr : &stored->entry;
+  }
   /// The entries with exactly this identity. `id` must be id32(identity). O(1).
   [[nodiscard]] std::span<const Filed<Entry>> with_identity(const Identity& identity, Id32 id) const;
   /// The entries whose identity has this 32-bit form, in one group for each full identity. There is more than one group

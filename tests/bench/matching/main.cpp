@@ -52,10 +52,12 @@ void answer(benchmark::State& state, Identity wanted) {
   auto& providers = team<Providers>(state.range(0));
   const registry::SubscriptionEntry request = wish(0, std::move(wanted));
   for (auto _ : state) {
-    const auto prepared = providers.matcher.prepare(request.subscription);
-    const auto candidates = providers.matcher.candidates(request.subscription, *prepared, answers);
+    const auto prepared = providers.matcher.examination().prepare(request.subscription);
+    const auto candidates = providers.matcher.search().candidates(request.subscription, *prepared, answers);
     const auto meets = [&](const ServiceKey& one) {
-      return providers.matcher.meets(request, *prepared, *providers.matcher.find_publication(one)).has_value();
+      return providers.matcher.examination()
+          .meets(request, *prepared, *providers.matcher.publications().find_entry(one))
+          .has_value();
     };
     if (!candidates || !std::ranges::all_of(*candidates, meets) || candidates->size() != answers)
       state.SkipWithError("not all found");
@@ -69,11 +71,11 @@ void answer_semantic(benchmark::State& state) { answer(state, identity(class_abo
 void change_ontology(benchmark::State& state) {
   auto& providers = team<Providers>(state.range(0));
   for (auto _ : state) {
-    providers.matcher.begin_vocabulary(tree());
-    while (providers.matcher.file_next()) {
+    providers.matcher.vocabulary_change().begin(tree());
+    while (providers.matcher.vocabulary_change().file_next()) {
     }
-    providers.matcher.put_in_force();
-    while (providers.matcher.rematch_next()) {
+    providers.matcher.vocabulary_change().put_in_force();
+    while (providers.matcher.vocabulary_change().rematch_next()) {
     }
     if (!providers.matcher.take_events().empty()) state.SkipWithError("nothing changed, and yet something was told");
   }

@@ -51,7 +51,7 @@ Work work_of(Matcher& matcher, const Change& change) {
     return true;
   });
   const auto step = [&] {
-    const bool is_left = matcher.depart_next() || matcher.rejudge_next();
+    const bool is_left = matcher.take_step();
     (void)matcher.take_events();
     return is_left;
   };

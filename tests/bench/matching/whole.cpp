@@ -77,7 +77,7 @@ template <typename Change>
 double time_of(Matcher& matcher, const Change& change) {
   const auto began = bench::Clock::now();
   change();
-  while (matcher.rejudge_next()) {
+  while (matcher.take_step()) {
   }
   const auto events = matcher.take_events();
   const double took = bench::milliseconds_since(began) * 1e3;
@@ -95,7 +95,7 @@ void measure_best(Matcher& matcher, std::uint32_t size) {
   std::vector<double> went;
   std::vector<registry::PublicationEntry> gone;
   for (std::uint32_t i = 0; i < std::min(departures, size / 2); ++i) {
-    gone.push_back(*matcher.find_publication(matcher.chosen(consumer.key).front()));
+    gone.push_back(*matcher.publications().find_entry(matcher.choices().chosen(consumer.key).front()));
     went.push_back(time_of(matcher, [&] { matcher.remove_publication(gone.back().key, Reason::withdrawn); }));
   }
   bench::row(name("the best goes"), of_all, bench::quantile(went, 0.5), "us", goal);

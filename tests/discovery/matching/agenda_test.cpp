@@ -31,7 +31,7 @@ class AgendaTest : public testing::Test {
   void drain() {
     while (true) {
       const std::uint64_t judged = matcher.judged();
-      const bool is_over = !matcher.depart_next() && !matcher.rejudge_next();
+      const bool is_over = !matcher.take_step();
       EXPECT_LE(matcher.judged() - judged, max_judged_in_step);
       if (is_over) return;
     }
@@ -54,17 +54,17 @@ TEST_F(AgendaTest, TakesAPublicationToAFewRequestsAtOnceAndToManyInSteps) {
     for (std::uint32_t number = 1; number <= count; ++number) one.put(request(key(here, 1, number), ball));
     one.put(offer(key(2, 1, 1), ball));
     EXPECT_EQ(told(one).size(), count) << "a little more than a step is still done at once";
-    EXPECT_FALSE(one.has_stale());
+    EXPECT_FALSE(one.has_steps());
   }
   const auto many = static_cast<std::uint32_t>(6 * max_judged_in_step);
   ask(many);
   const std::uint64_t judged = matcher.judged();
   matcher.put(offer(key(2, 1, 1), ball));
   EXPECT_LT(matcher.judged() - judged, many);
-  EXPECT_TRUE(matcher.has_stale());
+  EXPECT_TRUE(matcher.has_steps());
   drain();
   EXPECT_EQ(counts(), (Counts{{"pub add p2.1.1 exact 0", many}}));
-  EXPECT_FALSE(matcher.has_stale());
+  EXPECT_FALSE(matcher.has_steps());
 }
 
 TEST_F(AgendaTest, TellsEachOfManyOnceThatAPublicationHasChanged) {
@@ -83,7 +83,7 @@ TEST_F(AgendaTest, TellsEachOfManyOnceThatAPublicationHasChanged) {
   drain();
   EXPECT_EQ(counts(), (Counts{{"pub add p2.1.1 exact 0", 1}, {"pub modify p2.1.1 exact 0", many - 2}}));
   matcher.put(changed);
-  EXPECT_FALSE(matcher.has_stale()) << "nothing has changed";
+  EXPECT_FALSE(matcher.has_steps()) << "nothing has changed";
 }
 
 TEST_F(AgendaTest, TakesTheStepsThatAreLeftBeforeAnotherWordOfOthers) {
@@ -102,14 +102,14 @@ TEST_F(AgendaTest, ForgetsAPublicationThatIsRemovedMeanwhile) {
   drain();
   const Counts all = counts();
   EXPECT_EQ(all.at("pub add p2.1.1 exact 0"), all.at("pub del p2.1.1 withdrawn"));
-  EXPECT_EQ(matcher.publication_count(), 0U);
+  EXPECT_EQ(matcher.publications().size(), 0U);
 }
 
 TEST_F(AgendaTest, TakesASubscriptionOfAnotherHostThroughManyOffersInSteps) {
   const auto many = static_cast<std::uint32_t>(6 * max_judged_in_step);
   for (std::uint32_t number = 1; number <= many; ++number) matcher.put(offer(key(here, 1, number), ball));
   matcher.put(request(key(2, 1, 1), ball));
-  EXPECT_TRUE(matcher.has_stale());
+  EXPECT_TRUE(matcher.has_steps());
   drain();
   EXPECT_EQ(counts(), (Counts{{"sub add p2.1.1 exact 0", many}}));
   auto changed = request(key(2, 1, 1), ball);
@@ -134,18 +134,18 @@ TEST_F(AgendaTest, OffersAUsedUpChoiceItsCandidatesInSteps) {
     for (std::uint32_t number = 1; number <= count; ++number) {
       one.put(offer(key(2 + number % 2, 1, number), ball, number % 2 == 0 ? 1 : 0));
     }
-    while (one.rejudge_next()) {
+    while (one.take_step()) {
     }
     (void)told(one);
     // Half of them go, and with them all that are remembered.
     one.begin_departure(ParticipantId{2}, Reason::left);
     std::vector<std::string> words;
-    while (one.depart_next() || one.rejudge_next()) {
+    while (one.take_step()) {
     }
     words = told(one);
     ASSERT_EQ(words.size(), 2U);
     EXPECT_EQ(words.back(), "p1.1.1 pub add p3.1.1 exact 0");
-    EXPECT_EQ(one.chosen(key(here, 1, 1)), std::vector{key(3, 1, 1)});
+    EXPECT_EQ(one.choices().chosen(key(here, 1, 1)), std::vector{key(3, 1, 1)});
   }
 }
 
@@ -154,8 +154,8 @@ TEST_F(AgendaTest, LooksAtNoMoreForAChangeOfAConverterHoweverManyWait) {
   offer_from(2, 5);
   matcher.begin_departure(ParticipantId{2}, Reason::left);
   drain();
-  EXPECT_THAT(matcher.chosen(key(here, 1, 1)), IsEmpty());
-  EXPECT_FALSE(matcher.has_stale());
+  EXPECT_THAT(matcher.choices().chosen(key(here, 1, 1)), IsEmpty());
+  EXPECT_FALSE(matcher.has_steps());
 }
 
 }  // namespace

@@ -57,14 +57,15 @@ TEST(Clash, IsWhyTheTwoDoNotMeet) {
   const auto asks = request(key(here, 1, 1), NumericIdentity{id32(one)});
   matcher.put(asks);
   matcher.put(offer(key(2, 1, 1), one));
-  const auto* offered = matcher.find_publication(key(2, 1, 1));
-  EXPECT_TRUE(matcher.why(asks, *offered));
-  EXPECT_TRUE(matcher.examine(asks, *matcher.prepare(asks), *offered).meets());
+  const auto* offered = matcher.publications().find_entry(key(2, 1, 1));
+  EXPECT_TRUE(matcher.examination().why(asks, *offered));
+  EXPECT_TRUE(matcher.examination().examine(asks, *matcher.examination().prepare(asks), *offered).meets());
   matcher.put(offer(key(3, 1, 1), other));
-  const auto why = matcher.why(asks, *offered);
+  const auto why = matcher.examination().why(asks, *offered);
   ASSERT_FALSE(why);
   EXPECT_THAT(why.error(), HasSubstr("that of two different services"));
-  EXPECT_EQ(matcher.examine(asks, *matcher.prepare(asks), *offered).first(), Obstacle::clash);
+  EXPECT_EQ(matcher.examination().examine(asks, *matcher.examination().prepare(asks), *offered).first(),
+            Obstacle::clash);
 }
 
 TEST(Clash, IsNotWhyANumberDoesNotMeetAnotherConcept) {
@@ -74,8 +75,8 @@ TEST(Clash, IsNotWhyANumberDoesNotMeetAnotherConcept) {
   for (std::uint32_t peer = 1; const Identity& offered : {one, other, concept_of(-1)})
     matcher.put(offer(key(2, peer++, 1), offered));
   const auto asks = request(key(here, 1, 1), NumericIdentity{id32(one)});
-  const auto* ball = matcher.find_publication(key(2, 3, 1));
-  EXPECT_EQ(matcher.examine(asks, *matcher.prepare(asks), *ball).first(), Obstacle::kind);
+  const auto* ball = matcher.publications().find_entry(key(2, 3, 1));
+  EXPECT_EQ(matcher.examination().examine(asks, *matcher.examination().prepare(asks), *ball).first(), Obstacle::kind);
 }
 
 TEST(Clash, IsToldOnceHoweverOftenItsPartsChangeOtherwise) {
@@ -118,7 +119,8 @@ TEST(Clash, AProviderThatAClashKeptApartIsNoIncumbentWhenItEnds) {
   matcher.put(asks);
   // The clash ends with the concept that the request asked for, and the limit makes the choice matter here.
   matcher.put(request(key(9, 1, 1), number, 1));
-  EXPECT_THAT(matcher.chosen(key(9, 1, 1)), ElementsAre(key(2, 1, 1))) << "the smaller key, since nobody was there";
+  EXPECT_THAT(matcher.choices().chosen(key(9, 1, 1)), ElementsAre(key(2, 1, 1)))
+      << "the smaller key, since nobody was there";
 }
 
 TEST(Clash, TwoConceptsThatShareANumberAreNotConnectedByItAndBothSidesAreTold) {

@@ -26,7 +26,7 @@ TEST(Matcher, NothingOfAParticipantThatIsLeavingIsGivenBetweenTheSteps) {
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.3 pub add p1.1.5 exact 0", "p1.1.5 sub add p1.1.3 exact 0"));
   std::vector<std::string> words;
   int steps = 0;
-  while (matcher.depart_next()) {
+  while (matcher.take_step()) {
     ++steps;
     for (const std::string& one : told(matcher)) words.push_back(one);
     EXPECT_THAT(matched(matcher, request(key(here, 1, 1), ball).subscription),
@@ -37,8 +37,8 @@ TEST(Matcher, NothingOfAParticipantThatIsLeavingIsGivenBetweenTheSteps) {
                                                    "p1.1.5 sub add p1.1.1 exact 0", "p1.1.2 pub del p2.1.1 left",
                                                    "p1.1.2 pub del p2.1.2 left", "p1.1.2 pub add p1.1.5 exact 0",
                                                    "p1.1.5 sub add p1.1.2 exact 0", "p1.1.2 pub add p3.1.1 exact 0"));
-  EXPECT_EQ(matcher.publication_count(), 2U);
-  EXPECT_EQ(matcher.subscription_count(), 3U);
+  EXPECT_EQ(matcher.publications().size(), 2U);
+  EXPECT_EQ(matcher.subscriptions().size(), 3U);
 }
 
 TEST(Matcher, WhoComesBackBeforeHisDepartureIsOverIsThere) {
@@ -50,7 +50,7 @@ TEST(Matcher, WhoComesBackBeforeHisDepartureIsOverIsThere) {
   matcher.begin_departure(ParticipantId{2}, Reason::left);
   EXPECT_FALSE(matcher.remove_publication(key(2, 1, 2), Reason::withdrawn)) << "it is going already";
   matcher.put(offer(key(2, 1, 1), ball));
-  EXPECT_FALSE(matcher.depart_next());
+  EXPECT_FALSE(matcher.take_step());
   EXPECT_THAT(told(matcher),
               ElementsAre("p1.1.1 pub del p2.1.1 left", "p1.1.1 pub del p2.1.2 left", "p1.1.1 pub add p2.1.1 exact 0"));
 }

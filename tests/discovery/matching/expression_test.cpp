@@ -85,7 +85,7 @@ TEST(ExpressionMatcher, MeetsNothingUntilItsPlaceIsKnown) {
   const auto asking = request(key(here, 1, 1), expression(tracked_or_so));
   matcher.put(asking);
   EXPECT_THAT(told(matcher), IsEmpty());
-  EXPECT_THAT(matcher.why(asking, *matcher.find_publication(key(2, 1, 1))).error(),
+  EXPECT_THAT(matcher.examination().why(asking, *matcher.publications().find_entry(key(2, 1, 1))).error(),
               HasSubstr("waits to be classified"));
   place_again(matcher);
   EXPECT_THAT(told(matcher), IsEmpty());
@@ -120,8 +120,8 @@ TEST(ExpressionMatcher, MeetsOneOfferOnceThoughItIsBelowTwoChildren) {
   matcher.put(asking);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 narrower 2"));
   EXPECT_THAT(matched(matcher, asking.subscription), ElementsAre(key(2, 1, 1)));
-  EXPECT_TRUE(matcher.is_served(asking));
-  EXPECT_TRUE(matcher.is_used(*matcher.find_publication(key(2, 1, 1))));
+  EXPECT_TRUE(matcher.search().is_served(asking));
+  EXPECT_TRUE(matcher.search().is_used(*matcher.publications().find_entry(key(2, 1, 1))));
 }
 
 }  // namespace

@@ -52,18 +52,18 @@ TEST(Bounds, AConsumerThatAsksForAllIsGivenTheBestOfSoMany) {
   matcher.put(request(asking, ball));
   for (std::uint32_t number = 1; number <= max_given + 1; ++number) {
     matcher.put(offer(key(2, 1, number), ball));
-    EXPECT_EQ(matcher.chosen(asking).size(), std::min(number, max_given));
+    EXPECT_EQ(matcher.choices().chosen(asking).size(), std::min(number, max_given));
   }
   auto best = offer(key(3, 1, 1), ball);
   best.publication.priority = 1;
   matcher.put(best);
-  EXPECT_EQ(matcher.chosen(asking).front(), best.key);
-  EXPECT_EQ(matcher.chosen(asking).size(), max_given);
+  EXPECT_EQ(matcher.choices().chosen(asking).front(), best.key);
+  EXPECT_EQ(matcher.choices().chosen(asking).size(), max_given);
   remove_participant(matcher, ParticipantId(3), Reason::left);
-  EXPECT_EQ(matcher.chosen(asking).size(), max_given);
+  EXPECT_EQ(matcher.choices().chosen(asking).size(), max_given);
   for (std::uint32_t number = 1; number <= 2; ++number) {
     matcher.remove_publication(key(2, 1, number), Reason::withdrawn);
-    EXPECT_EQ(matcher.chosen(asking).size(), max_given + 1 - number);
+    EXPECT_EQ(matcher.choices().chosen(asking).size(), max_given + 1 - number);
   }
 }
 
@@ -80,13 +80,13 @@ TEST(Bounds, AProviderIsToldOfSoManyConsumersAndOfTheOthersWhenHalfHaveGone) {
   };
   for (std::uint32_t number = 1; number <= max_consumers + 2; ++number) {
     matcher.put(asking(number));
-    EXPECT_EQ(matcher.consumers(offering).size(), std::min<std::size_t>(number, max_consumers));
+    EXPECT_EQ(matcher.choices().consumers(offering).size(), std::min<std::size_t>(number, max_consumers));
   }
   std::uint32_t number = 1;
   for (; number < max_consumers / 2; ++number) matcher.remove_subscription(key(2, 1, number), Reason::withdrawn);
-  EXPECT_EQ(matcher.consumers(offering).size(), max_consumers / 2 + 1);
+  EXPECT_EQ(matcher.choices().consumers(offering).size(), max_consumers / 2 + 1);
   matcher.remove_subscription(key(2, 1, number), Reason::withdrawn);
-  EXPECT_EQ(matcher.consumers(offering).size(), max_consumers / 2 + 2) << "those that waited are taken up";
+  EXPECT_EQ(matcher.choices().consumers(offering).size(), max_consumers / 2 + 2) << "those that waited are taken up";
 }
 
 }  // namespace

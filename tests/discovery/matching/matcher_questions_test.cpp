@@ -21,7 +21,7 @@ TEST(Matcher, SaysWhoHasThePlaceThatAPublicationDoesNotGet) {
   matcher.put(offer(key(4, 1, 1), ball, 0));
   matcher.put(offer(key(5, 1, 1), TextIdentity{"goal"}));
   const auto standing = [&](std::uint32_t participant) {
-    return matcher.standing(key(here, 1, 1), key(participant, 1, 1));
+    return standing_of(matcher, key(here, 1, 1), key(participant, 1, 1));
   };
   ASSERT_TRUE(standing(2) && standing(3) && standing(4));
   EXPECT_FALSE(standing(5)) << "it does not match";
@@ -43,7 +43,7 @@ TEST(Matcher, OfAConsumerElsewhereItSaysWhatTheRankingSays) {
   matcher.put(request(key(9, 1, 1), ball, 1, Degree::narrower, one_to_many_stream));
   matcher.put(offer(key(3, 1, 1), ball, 1, one_to_many_stream));
   matcher.put(offer(key(2, 1, 1), ball, 1, one_to_many_stream));
-  const auto standing = matcher.standing(key(9, 1, 1), key(3, 1, 1));
+  const auto standing = standing_of(matcher, key(9, 1, 1), key(3, 1, 1));
   ASSERT_TRUE(standing);
   EXPECT_EQ(standing->decided, Standing::Decided::elsewhere);
   EXPECT_FALSE(standing->is_chosen);
@@ -58,7 +58,7 @@ TEST(Matcher, FindsWhatMeetsARequest) {
   matcher.put(offer(key(3, 1, 3), TextIdentity{"goal"}, 9));
   const Subscription asked = request(key(here, 1, 1), ball, 1).subscription;
   EXPECT_THAT(matched(matcher, asked), ElementsAre(key(2, 1, 1), key(3, 1, 1), key(3, 1, 2)));
-  EXPECT_FALSE(matcher.candidates(asked, *matcher.prepare(asked), 2)) << "they are more";
+  EXPECT_FALSE(matcher.search().candidates(asked, *matcher.examination().prepare(asked), 2)) << "they are more";
 }
 
 TEST(Matcher, KnowsWhoIsServedAndUsedInTheWholeTeam) {
@@ -67,10 +67,10 @@ TEST(Matcher, KnowsWhoIsServedAndUsedInTheWholeTeam) {
   matcher.put(offer(key(2, 1, 2), TextIdentity{"goal"}));
   matcher.put(request(key(3, 1, 1), ball));
   matcher.put(request(key(3, 1, 2), TextIdentity{"line"}, 1));
-  EXPECT_TRUE(matcher.is_used(*matcher.find_publication(key(2, 1, 1))));
-  EXPECT_FALSE(matcher.is_used(*matcher.find_publication(key(2, 1, 2))));
-  EXPECT_TRUE(matcher.is_served(*matcher.find_subscription(key(3, 1, 1))));
-  EXPECT_FALSE(matcher.is_served(*matcher.find_subscription(key(3, 1, 2))));
+  EXPECT_TRUE(matcher.search().is_used(*matcher.publications().find_entry(key(2, 1, 1))));
+  EXPECT_FALSE(matcher.search().is_used(*matcher.publications().find_entry(key(2, 1, 2))));
+  EXPECT_TRUE(matcher.search().is_served(*matcher.subscriptions().find_entry(key(3, 1, 1))));
+  EXPECT_FALSE(matcher.search().is_served(*matcher.subscriptions().find_entry(key(3, 1, 2))));
 }
 
 TEST(Matcher, ListsEntriesByKey) {
@@ -81,12 +81,12 @@ TEST(Matcher, ListsEntriesByKey) {
   }
   std::vector<ServiceKey> publications;
   std::vector<ServiceKey> subscriptions;
-  EXPECT_TRUE(matcher.walk_publications(std::nullopt, [&](const auto& entry) {
-    publications.push_back(entry.key);
+  EXPECT_TRUE(matcher.publications().visit_after(std::nullopt, [&](const auto& stored) {
+    publications.push_back(stored.entry.key);
     return true;
   }));
-  EXPECT_TRUE(matcher.walk_subscriptions(std::nullopt, [&](const auto& entry) {
-    subscriptions.push_back(entry.key);
+  EXPECT_TRUE(matcher.subscriptions().visit_after(std::nullopt, [&](const auto& stored) {
+    subscriptions.push_back(stored.entry.key);
     return true;
   }));
   EXPECT_THAT(publications, ElementsAre(key(1, 2, 1), key(2, 1, 4), key(2, 1, 5), key(3, 1, 1)));

@@ -63,8 +63,8 @@ TEST(Matcher, APutOfWhatIsThereOnlyMovesItsAge) {
   matcher.put(service);
   matcher.put(wish);
   EXPECT_THAT(told(matcher), IsEmpty());
-  EXPECT_EQ(matcher.updated(*matcher.find_publication(key(2, 1, 7))), at(4));
-  EXPECT_EQ(matcher.updated(*matcher.find_subscription(key(3, 1, 8))), at(4));
+  EXPECT_EQ(matcher.publications().find(key(2, 1, 7))->updated, at(4));
+  EXPECT_EQ(matcher.subscriptions().find(key(3, 1, 8))->updated, at(4));
 }
 
 TEST(Matcher, ProvidersAreToldOfConsumersWhereTheModeNeedsIt) {
@@ -225,7 +225,7 @@ TEST(Matcher, ProvidersAreFilteredByIdAndByName) {
     EXPECT_EQ(matcher.take_events().size(), fits ? 1U : 0U) << filter.participant << '/' << filter.peer;
     wish.subscription.providers = {{"nobody", ""}, filter};
     matcher.put(wish);
-    EXPECT_EQ(matcher.is_served(wish), fits) << filter.participant << '/' << filter.peer;
+    EXPECT_EQ(matcher.search().is_served(wish), fits) << filter.participant << '/' << filter.peer;
   }
 }
 
@@ -244,7 +244,7 @@ TEST(Matcher, AFilterDecidesAndAnUnreadableOneNeverMatches) {
   wish.subscription.where = "rate >=";
   matcher.put(wish);
   EXPECT_THAT(told(matcher), IsEmpty());
-  EXPECT_FALSE(matcher.is_served(wish));
+  EXPECT_FALSE(matcher.search().is_served(wish));
 }
 
 TEST(Matcher, CollidingIdentitiesNeverMatchInWhateverOrderTheyCome) {
@@ -312,13 +312,13 @@ TEST(Matcher, AnnouncesAChoiceOnlyWhereItHadToChoose) {
   matcher.put(offer(key(2, 1, 1), ball));
   EXPECT_TRUE(matcher.take_choice_change());
   EXPECT_FALSE(matcher.take_choice_change());
-  EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), ElementsAre(key(3, 1, 1))) << "it was there first";
+  EXPECT_THAT(matcher.choices().announced(key(here, 1, 1)), ElementsAre(key(3, 1, 1))) << "it was there first";
   matcher.put(offer(key(2, 1, 1), ball, 1));
   EXPECT_TRUE(matcher.take_choice_change());
-  EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), ElementsAre(key(2, 1, 1)));
+  EXPECT_THAT(matcher.choices().announced(key(here, 1, 1)), ElementsAre(key(2, 1, 1)));
   matcher.remove_publication(key(3, 1, 1), Reason::left);
   EXPECT_TRUE(matcher.take_choice_change());
-  EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), IsEmpty());
+  EXPECT_THAT(matcher.choices().announced(key(here, 1, 1)), IsEmpty());
   // Requests whose providers are not told, that take all, and that take more than are announced.
   matcher.put(request(key(here, 1, 2), ball, 0));
   matcher.put(request(key(here, 1, 3), ball, 1, Degree::narrower, one_to_many_stream));
@@ -328,10 +328,10 @@ TEST(Matcher, AnnouncesAChoiceOnlyWhereItHadToChoose) {
     matcher.put(offer(key(host, 1, 1), ball));
     matcher.put(offer(key(host, 1, 2), ball, 0, one_to_many_stream));
   }
-  EXPECT_THAT(matcher.announced_choice(key(here, 1, 2)), IsEmpty());
-  EXPECT_THAT(matcher.announced_choice(key(here, 1, 3)), IsEmpty());
-  EXPECT_EQ(matcher.announced_choice(key(here, 1, 4)).size(), max_announced_choice);
-  EXPECT_THAT(matcher.announced_choice(key(here, 1, 5)), IsEmpty());
+  EXPECT_THAT(matcher.choices().announced(key(here, 1, 2)), IsEmpty());
+  EXPECT_THAT(matcher.choices().announced(key(here, 1, 3)), IsEmpty());
+  EXPECT_EQ(matcher.choices().announced(key(here, 1, 4)).size(), max_announced_choice);
+  EXPECT_THAT(matcher.choices().announced(key(here, 1, 5)), IsEmpty());
 }
 
 TEST(Matcher, OnlyTheProtocolsThatAreAskedForMatch) {
@@ -343,8 +343,8 @@ TEST(Matcher, OnlyTheProtocolsThatAreAskedForMatch) {
   matcher.put(service);
   matcher.put(wish);
   EXPECT_THAT(told(matcher), IsEmpty());
-  EXPECT_FALSE(matcher.is_served(wish));
-  EXPECT_EQ(matcher.why(wish, service).error(), "protocol: tcp is offered, and none of those asked for");
+  EXPECT_FALSE(matcher.search().is_served(wish));
+  EXPECT_EQ(matcher.examination().why(wish, service).error(), "protocol: tcp is offered, and none of those asked for");
   wish.subscription.protocols = {"udp", "tcp"};
   matcher.put(wish);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 exact 0"));

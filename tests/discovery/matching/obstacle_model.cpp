@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "discovery/matching/conditions/scope.hpp"
+#include "discovery/matching/team.hpp"
 
 namespace geminga::matching {
 namespace {
@@ -152,18 +153,18 @@ std::string complaint_about(const Model& model, const SubscriptionEntry& subscri
 
 std::string complaint(Matcher& matcher, const Model& model, const SubscriptionEntry& subscription,
                       const PublicationEntry& publication) {
-  const auto request = matcher.prepare(subscription);
-  const Finding finding = matcher.examine(subscription, *request, publication);
+  const auto request = matcher.examination().prepare(subscription);
+  const Finding finding = matcher.examination().examine(subscription, *request, publication);
   if (auto wrong = complaint_about(model, subscription, publication, finding); !wrong.empty()) return wrong;
-  const auto words = matcher.why(subscription, publication, request->asks.chains);
+  const auto words = matcher.examination().why(subscription, publication, request->asks.chains);
   if (words.has_value() != finding.meets()) return "in words it is not so";
   std::optional<Finding> of_offer;
-  matcher.examine_requests(std::nullopt, publication, [&](const SubscriptionEntry& one, const Finding& found) {
+  matcher.search().examine_requests(std::nullopt, publication, [&](const SubscriptionEntry& one, const Finding& found) {
     if (one.key == subscription.key) of_offer = found;
     return !of_offer;
   });
   if (!of_offer || of_offer->first() != finding.first()) return "it is not so for the offer";
-  const auto standing = matcher.standing(subscription.key, publication.key);
+  const auto standing = standing_of(matcher, subscription.key, publication.key);
   if (standing.has_value() != finding.meets()) return "it stands where it does not meet, or does not where it meets";
   if (!standing || !subscription.is_local) return "";
   if (standing->is_chosen != model.is_chosen(subscription.key, publication.key)) return "chosen, or not";

@@ -20,7 +20,7 @@ const ServiceKey offering = key(2, 1, 1);
 
 Finding found(const SubscriptionEntry& request, const PublicationEntry& offer, const vocabulary::Vocabulary& ontology) {
   const Matcher matcher(ontology);
-  return matcher.examine(request, *matcher.prepare(request), offer);
+  return matcher.examination().examine(request, *matcher.examination().prepare(request), offer);
 }
 
 Obstacle between(const Identity& offered, const Identity& requested, Degree weakest = Degree::narrower,
@@ -67,8 +67,9 @@ TEST(Obstacle, AnExpressionWhosePlaceHasGapsMayMissWhatIsBelowAllThatIsKnownToBe
                           [&](const vocabulary::Vocabulary&, const std::string&, ParticipantId) { return shared; });
     const SubscriptionEntry asked =
         request(asking, SemanticIdentity{"(<http://x/A> and <http://x/B>)", ""}, 0, weakest);
-    const auto found = matcher.examine(asked, *matcher.prepare(asked), offer(offering, offered)).first();
-    const auto why = matcher.why(asked, offer(offering, offered));
+    const auto found =
+        matcher.examination().examine(asked, *matcher.examination().prepare(asked), offer(offering, offered)).first();
+    const auto why = matcher.examination().why(asked, offer(offering, offered));
     EXPECT_EQ(!why && why.error().find("not all is found") != std::string::npos, found == Obstacle::incomplete);
     return found;
   };
@@ -151,10 +152,10 @@ TEST(Obstacle, IsThereExactlyWhereTheTwoDoNotMeet) {
           Matcher matcher(ontology);
           matcher.put(offer(offering, offered));
           const SubscriptionEntry entry = request(asking, asked, 0, weakest);
-          const auto prepared = matcher.prepare(entry);
-          const auto* stored = matcher.find_publication(offering);
-          EXPECT_EQ(matcher.examine(entry, *prepared, *stored).meets(),
-                    matcher.meets(entry, *prepared, *stored).has_value())
+          const auto prepared = matcher.examination().prepare(entry);
+          const auto* stored = matcher.publications().find_entry(offering);
+          EXPECT_EQ(matcher.examination().examine(entry, *prepared, *stored).meets(),
+                    matcher.examination().meets(entry, *prepared, *stored).has_value())
               << canonical_form(offered) << " for " << canonical_form(asked);
         }
       }

@@ -260,7 +260,7 @@ class RandomTeam {
   void set_ontology() {
     if (stage_ == Stage::none) {
       next_ontology_ = ontologies_[words_.random().below(ontologies_.size())];
-      matcher_.begin_vocabulary(next_ontology_);
+      matcher_.vocabulary_change().begin(next_ontology_);
       stage_ = Stage::filing;
     }
     if (words_.random().chance(0.5)) return;
@@ -273,8 +273,8 @@ class RandomTeam {
 
   void change_one_step() {
     if (stage_ == Stage::filing) {
-      if (matcher_.file_next()) return;
-      matcher_.put_in_force();
+      if (matcher_.vocabulary_change().file_next()) return;
+      matcher_.vocabulary_change().put_in_force();
       model_.former_ontology = std::exchange(model_.ontology, next_ontology_);
       for (const auto& [one, entry] : model_.subscriptions) model_.former.insert(one);
       stage_ = Stage::rematching;
@@ -282,7 +282,7 @@ class RandomTeam {
       compare();
       return;
     }
-    if (!matcher_.rematch_next()) {
+    if (!matcher_.vocabulary_change().rematch_next()) {
       expect(model_.former.empty(), "some are still judged by the former ontology");
       stage_ = Stage::none;
       return;
@@ -327,7 +327,7 @@ class RandomTeam {
     for (const auto& [one, entry] : model_.publications) {
       const bool is_used = std::ranges::any_of(
           model_.subscriptions, [&](const auto& row) { return model_.meets(row.second, entry).has_value(); });
-      expect(matcher_.is_used(entry) == is_used, name(one) + ": is it used?");
+      expect(matcher_.search().is_used(entry) == is_used, name(one) + ": is it used?");
     }
     for (const auto& [one, entry] : model_.subscriptions) {
       std::vector<ServiceKey> meeting;
@@ -335,7 +335,7 @@ class RandomTeam {
         if (model_.meets(entry, publication)) meeting.push_back(offer_key);
       }
       expect(matched(matcher_, entry) == meeting, name(one) + ": what meets it?");
-      expect(matcher_.is_served(entry) == !meeting.empty(), name(one) + ": is it served?");
+      expect(matcher_.search().is_served(entry) == !meeting.empty(), name(one) + ": is it served?");
     }
     const bool has_pairs = !model_.publications.empty() && !model_.subscriptions.empty();
     for (int i = 0; i < 8 && has_pairs; ++i) {

@@ -50,7 +50,8 @@ TEST(Reach, IsJudgedForConsumersOfThisHostAlone) {
   matcher.put(consumer);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 sub add p3.1.1 exact 0")) << "it may open the channel";
   matcher.put(far_offer(false));
-  EXPECT_TRUE(matcher.is_used(*matcher.find_publication(key(2, 1, 7)))) << "by a consumer of another host";
+  EXPECT_TRUE(matcher.search().is_used(*matcher.publications().find_entry(key(2, 1, 7))))
+      << "by a consumer of another host";
 }
 
 TEST(Reach, IsNothingToDescriptionsOfParticipants) {
@@ -70,7 +71,7 @@ TEST(Reach, LeavesThePlaceToTheNextAndAnnouncesTheChoice) {
   matcher.put(far_offer(true, 3, 0));
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p3.1.7 exact 0"));
   // The host of the other provider would choose that one, which has the greater priority.
-  EXPECT_THAT(matcher.announced_choice(key(here, 1, 1)), ElementsAre(key(3, 1, 7)));
+  EXPECT_THAT(matcher.choices().announced(key(here, 1, 1)), ElementsAre(key(3, 1, 7)));
   matcher.put(far_offer(true, 2, 9));
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.7 exact 0", "p1.1.1 pub del p3.1.7 outranked"));
 }
@@ -80,7 +81,8 @@ TEST(Reach, IsTheLastObstacleOfAPair) {
   matcher.put(far_offer(false));
   auto asked = wish(RequiredReach::routed);
   const auto finding = [&] {
-    return matcher.examine(asked, *matcher.prepare(asked), *matcher.find_publication(key(2, 1, 7)));
+    return matcher.examination().examine(asked, *matcher.examination().prepare(asked),
+                                         *matcher.publications().find_entry(key(2, 1, 7)));
   };
   EXPECT_EQ(finding().first(), Obstacle::unreachable);
   EXPECT_EQ(to_string(finding().first()), "unreachable");

@@ -104,7 +104,7 @@ TEST(SemanticMatcher, SaysWhyAPairDoesNotMatch) {
   const auto ontology = soccer();
   Matcher matcher(ontology);
   const auto why = [&](const Identity& requested, const Identity& offered) {
-    const auto match = matcher.why(request(key(here, 1, 1), requested), offer(key(2, 1, 1), offered));
+    const auto match = matcher.examination().why(request(key(here, 1, 1), requested), offer(key(2, 1, 1), offered));
     return match ? "matches " + std::string(to_string(match->degree)) : match.error();
   };
   EXPECT_EQ(why(semantic("Tracked"), semantic("Ball")), "matches narrower");
@@ -125,14 +125,14 @@ TEST(SemanticMatcher, NamesEverythingThatDoesNotFit) {
   wish.subscription.mode = ChannelMode::one_to_many_stream;
   wish.subscription.providers = {{"robot9", ""}};
   wish.subscription.where = "rate > 3";
-  const auto match = matcher.why(wish, offer(key(2, 1, 1), TextIdentity{"goal"}));
+  const auto match = matcher.examination().why(wish, offer(key(2, 1, 1), TextIdentity{"goal"}));
   ASSERT_FALSE(match);
   EXPECT_EQ(
       match.error(),
       "identity: goal is offered, ball is asked for; mode: oto is offered, otm/stream is asked for; provider: it is "
       "not among those that are asked for; filter: rate > 3 does not hold: rate is absent");
   wish.subscription.where = "rate >";
-  EXPECT_THAT(matcher.why(wish, offer(key(2, 1, 1), TextIdentity{"goal"})).error(),
+  EXPECT_THAT(matcher.examination().why(wish, offer(key(2, 1, 1), TextIdentity{"goal"})).error(),
               HasSubstr("filter: it cannot be read"));
 }
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "discovery/matching/interest.hpp"
 #include "discovery/matching/matcher.hpp"
 
 namespace geminga::matching {
@@ -76,35 +78,56 @@ inline std::string in_words(const Event& event) {
 /// Takes all steps of a participant's departure.
 inline void remove_participant(Matcher& matcher, ParticipantId participant, Reason reason) {
   matcher.begin_departure(participant, reason);
-  while (matcher.depart_next() || matcher.rejudge_next()) {
+  while (matcher.take_step()) {
   }
 }
 
 /// Takes all steps of the change to another vocabulary.
 inline void change_vocabulary(Matcher& matcher, const vocabulary::Vocabulary& next) {
-  matcher.begin_vocabulary(next);
-  while (matcher.file_next()) {
+  matcher.vocabulary_change().begin(next);
+  while (matcher.vocabulary_change().file_next()) {
   }
-  matcher.put_in_force();
-  while (matcher.rematch_next()) {
+  matcher.vocabulary_change().put_in_force();
+  while (matcher.vocabulary_change().rematch_next()) {
   }
+}
+
+/// The standing of a publication among all that meet a subscription, both known; nothing where it does not.
+inline std::optional<Standing> standing_of(Matcher& matcher, const ServiceKey& subscription,
+                                           const ServiceKey& publication) {
+  const registry::SubscriptionEntry& asked = *matcher.subscriptions().find_entry(subscription);
+  const auto request = matcher.examination().prepare(asked);
+  std::vector<std::pair<Rank, const registry::PublicationEntry*>> ranked;
+  matcher.publications().visit_after(std::nullopt, [&](const registry::StoredPublication& stored) {
+    const auto match = matcher.examination().meets(asked, *request, stored.entry);
+    if (match) ranked.emplace_back(request->rank(stored.entry, *match), &stored.entry);
+    return true;
+  });
+  std::ranges::sort(ranked, BestFirst{}, [](const auto& one) { return one.first; });
+  const auto at = std::ranges::find(ranked, publication, [](const auto& one) { return one.second->key; });
+  if (at == ranked.end()) return std::nullopt;
+  Place place{.rank = static_cast<std::size_t>(at - ranked.begin()) + 1, .candidates = ranked.size()};
+  const std::size_t limit = counted_limit(asked);
+  if (limit != 0 && place.rank > limit) place.last = ranked[limit - 1].second;
+  matcher.vocabulary_change().catch_up(subscription);
+  return matcher.choices().standing(subscription, publication, place);
 }
 
 /// Takes all steps that place_again() asks for.
 inline void place_again(Matcher& matcher) {
-  matcher.place_again();
-  while (matcher.rematch_next()) {
+  matcher.vocabulary_change().place_again();
+  while (matcher.vocabulary_change().rematch_next()) {
   }
 }
 
 /// The publications that meet a request, in ascending order of key, found as `query match` finds them.
 inline std::vector<ServiceKey> matched(const Matcher& matcher, const registry::SubscriptionEntry& entry) {
   const Subscription& asked = entry.subscription;
-  const auto request = matcher.prepare(entry);
-  const auto candidates = matcher.candidates(asked, *request, matcher.publication_count());
+  const auto request = matcher.examination().prepare(entry);
+  const auto candidates = matcher.search().candidates(asked, *request, matcher.publications().size());
   std::vector<ServiceKey> keys;
   for (const ServiceKey& one : candidates.value_or(keys)) {
-    if (matcher.meets(entry, *request, *matcher.find_publication(one))) keys.push_back(one);
+    if (matcher.examination().meets(entry, *request, *matcher.publications().find_entry(one))) keys.push_back(one);
   }
   std::ranges::sort(keys);
   return keys;

@@ -201,7 +201,7 @@ std::vector<announcement::PeerState> OwnServices::announced() const {
       if (!stated.is_in_force || !stated.is_announced()) continue;
       peer.subscriptions.push_back({.number = number, .subscription = stated.service});
       auto& subscription = peer.subscriptions.back().subscription;
-      subscription.chosen = matcher_.announced_choice(key_of(*session, number));
+      subscription.chosen = matcher_.choices().announced(key_of(*session, number));
       // Where there is no room for it, the others go on computing the choice themselves.
       if (announcement::check(subscription)) subscription.chosen.clear();
     }

@@ -106,7 +106,7 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
                                         {"participant", to_string(self_.id)},
                                         {"peer", std::to_string(static_cast<std::uint32_t>(session.peer()))},
                                         {"name", session.name},
-                                        {"ontology", digest_word(matcher_.vocabulary().digest())},
+                                        {"ontology", digest_word(editions_.vocabulary().digest())},
                                         {"participant_name", self_.name()}}};
   if (hello.keys && keys_.ask(session, *hello.keys) && *hello.keys) {
     answer.parameters.push_back({"keys", "yes"});
@@ -143,7 +143,7 @@ Refusal Statements::resolve_and_check(Stated& stated) {
   if (auto refusal = announcement::check(stated.service)) return refusal;
   if (auto refusal = matching::check_scope(stated.service.scope)) return refusal;
   if constexpr (is_offer) {
-    if (auto refusal = matching::check_conversion(stated.service.attributes, matcher_.vocabulary())) return refusal;
+    if (auto refusal = matching::check_conversion(stated.service.attributes, editions_.vocabulary())) return refusal;
   }
   auto refusal = resolver_.check_conditions(stated.service);
   stated.is_awaited |= is_awaited(refusal);

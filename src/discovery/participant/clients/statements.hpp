@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "discovery/gcnp/request.hpp"
-#include "discovery/matching/matcher.hpp"
+#include "discovery/matching/editions.hpp"
 #include "discovery/participant/clients/admission.hpp"
 #include "discovery/participant/clients/answering.hpp"
 #include "discovery/participant/clients/key_telling.hpp"
@@ -21,10 +21,10 @@ namespace geminga::participant {
 class Statements {
  public:
   /// Borrows all but `ask` for its life.
-  Statements(const Self& self, const matching::Matcher& matcher, Resolver& resolver, Admission& admission,
+  Statements(const Self& self, const matching::Editions& editions, Resolver& resolver, Admission& admission,
              OwnServices& own, KeyTelling& keys, WorkMeter& work, Ask ask)
       : self_(self),
-        matcher_(matcher),
+        editions_(editions),
         resolver_(resolver),
         admission_(admission),
         own_(own),
@@ -48,7 +48,7 @@ class Statements {
   [[nodiscard]] Refusal resolve_and_check(Stated& stated);
 
   const Self& self_;
-  const matching::Matcher& matcher_;
+  const matching::Editions& editions_;
   Resolver& resolver_;
   Admission& admission_;
   OwnServices& own_;

@@ -57,16 +57,16 @@ constexpr const char* lagged = "lagged";
 
 void fill(const matching::Matcher& matcher, const ServiceKey& own, const registry::PublicationEntry& entry,
           const vocabulary::Chain* chain, ServiceEvent& told) {
-  told.publication = named(matcher.vocabulary(), entry.publication);
+  told.publication = named(matcher.editions().vocabulary(), entry.publication);
   if (chain == nullptr) return;
-  told.convert = matcher.chain_words(own, *chain);
+  told.convert = matcher.choices().chain_words(own, *chain);
   told.cost = chain->cost;
   told.via = chain->via;
 }
 
 void fill(const matching::Matcher& matcher, const ServiceKey&, const registry::SubscriptionEntry& entry,
           const vocabulary::Chain*, ConsumerEvent& told) {
-  told.subscribed = named(matcher.vocabulary(), entry.subscription);
+  told.subscribed = named(matcher.editions().vocabulary(), entry.subscription);
 }
 
 ServiceEvent event_about(const registry::PublicationEntry*, const ServiceKey& key) {
@@ -230,10 +230,10 @@ void Telling::begin(Session& session, std::uint32_t number, Resync& resync) {
   std::vector<ServiceKey> current;
   if (const auto offer = session.publications.find(number); offer != session.publications.end()) {
     keys_.tell(session, number, offer->second.service.attributes);
-    current = matcher_.consumers(own);
+    current = matcher_.choices().consumers(own);
     std::ranges::sort(current);
   } else {
-    current = matcher_.chosen(own);
+    current = matcher_.choices().chosen(own);
   }
   const std::set<ServiceKey> there(current.begin(), current.end());
   std::vector<ServiceKey> former;
@@ -246,16 +246,16 @@ void Telling::tell_as_it_stands(Session& session, std::uint32_t number, const Se
   const ServiceKey own = key_of(session, number);
   const bool is_offer = session.publications.contains(number);
   if (!is_offer) matcher_.catch_up(own);
-  const auto match = is_offer ? matcher_.given(about, own) : matcher_.given(own, about);
+  const auto match = is_offer ? matcher_.choices().given(about, own) : matcher_.choices().given(own, about);
   News news{.change = match ? Change::add : Change::del, .about = about, .match = {}, .reason = lagged};
   if (match) news.match = *match;
   if (match) news.reason.clear();
-  if (!is_offer && match && match->cost != 0) news.chain = matcher_.chain(own, about);
+  if (!is_offer && match && match->cost != 0) news.chain = matcher_.choices().chain(own, about);
   Said said;
   if (is_offer) {
-    tell(session, number, std::move(news), borrowed(matcher_.find_subscription(about)), said);
+    tell(session, number, std::move(news), borrowed(matcher_.subscriptions().find_entry(about)), said);
   } else {
-    tell(session, number, std::move(news), borrowed(matcher_.find_publication(about)), said);
+    tell(session, number, std::move(news), borrowed(matcher_.publications().find_entry(about)), said);
   }
 }
 

@@ -68,8 +68,8 @@ Knowledge::Knowledge(env::Env& env, std::string stated_name, vocabulary::Vocabul
                  ParticipantId from) {
             return overlaps.compare(by, offered, requested, other_participant(from), env_.now());
           }),
-      ontology_change(matcher, reading, env.log()),
-      resolver(env, matcher, expressions, reading),
+      ontology_change(matcher.editions(), matcher.vocabulary_change(), reading, env.log()),
+      resolver(env, matcher.editions(), expressions, reading),
       work(matcher, expressions, overlaps),
       env_(env) {}
 

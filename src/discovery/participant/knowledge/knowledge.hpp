@@ -41,18 +41,14 @@ class Knowledge {
   Resolver resolver;
   WorkMeter work;
 
-  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return matcher.vocabulary(); }
+  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return matcher.editions().vocabulary(); }
 
   /// Takes in what the table of neighbours has found changed; take_next_change() brings it into the registry.
   void queue(std::vector<membership::Change> changes);
-  /// The next step of a departure, or of judging what a converter has changed. False: there is none.
-  [[nodiscard]] bool continue_matching() { return matcher.depart_next() || matcher.rejudge_next(); }
-  /// Brings the eldest change of a neighbour into the registry. Only when continue_matching() has nothing to do.
+  /// Brings the eldest change of a neighbour into the registry. Only when the matcher has no steps to take.
   void take_next_change();
   /// Whether one of the two has something to do.
-  [[nodiscard]] bool is_behind() const {
-    return matcher.is_departing() || matcher.has_stale() || neighbours_.has_due(env_.now());
-  }
+  [[nodiscard]] bool is_behind() const { return matcher.has_steps() || neighbours_.has_due(env_.now()); }
   /// When a change that waits for budget is due; base::never: none waits.
   [[nodiscard]] base::Instant next_due() const { return neighbours_.next_due(); }
   /// How many changes to converters of other hosts wait for budget.

@@ -14,13 +14,13 @@ void OntologyChange::begin(vocabulary::Vocabulary next, LeftOut left_out) {
 }
 
 void OntologyChange::give_up() {
-  if (!matcher_.vocabulary().is_loaded() && !is_under_way()) start({});
+  if (!editions_.vocabulary().is_loaded() && !is_under_way()) start({});
 }
 
 void OntologyChange::start(Next next) {
   from_reading_ = next.reading;
   left_out_ = std::move(next.left_out);
-  matcher_.begin_vocabulary(std::move(next.vocabulary));
+  filing_.begin(std::move(next.vocabulary));
   stage_ = Stage::filing;
 }
 
@@ -37,7 +37,7 @@ void OntologyChange::place_again() {
 OntologyChange::Due OntologyChange::step() {
   switch (stage_) {
     case Stage::filing:
-      if (matcher_.file_next()) return Due::nothing;
+      if (filing_.file_next()) return Due::nothing;
       put_in_force();
       return Due::came_into_force;
     case Stage::matching:
@@ -59,7 +59,7 @@ void OntologyChange::put_in_force() {
     reading_.succeed();
     if (!is_whole) reading_.fail(left_out_.lines, left_out_.at);
   }
-  matcher_.put_in_force();
+  filing_.put_in_force();
   must_take_up_ = false;  // all statements are resolved anew
   must_place_ = false;
   must_restate_ = true;
@@ -67,7 +67,7 @@ void OntologyChange::put_in_force() {
 }
 
 OntologyChange::Due OntologyChange::match_or_restate() {
-  if (matcher_.rematch_next()) return Due::nothing;
+  if (filing_.rematch_next()) return Due::nothing;
   if (must_restate_ || must_take_up_) {
     const Due due = must_restate_ ? Due::list_all : Due::list_awaited;
     must_place_ = must_place_ || !must_restate_;
@@ -76,7 +76,7 @@ OntologyChange::Due OntologyChange::match_or_restate() {
     return due;
   }
   if (std::exchange(must_place_, false)) {
-    matcher_.place_again();
+    filing_.place_again();
     return Due::nothing;
   }
   stage_ = Stage::none;

@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "base/log.hpp"
-#include "discovery/matching/matcher.hpp"
+#include "discovery/matching/editions.hpp"
+#include "discovery/matching/vocabulary_change.hpp"
 #include "discovery/participant/knowledge/ontology_reading.hpp"
 #include "reasoning/vocabulary/vocabulary.hpp"
 
@@ -21,12 +22,13 @@ struct LeftOut {
 /// Another ontology concerns all that is known of the team. First the matcher files what is offered by it. Then it
 /// comes into force, and the matcher judges one subscription after the other by it. At last the names in what our own
 /// peers have stated are resolved anew. Events, statements and datagrams may come between any two steps
-/// (matching/matcher.hpp says what holds meanwhile).
+/// (matching/vocabulary_change.hpp says what holds meanwhile).
 class OntologyChange {
  public:
-  /// Borrows all three for its life.
-  OntologyChange(matching::Matcher& matcher, OntologyReading& reading, base::LogSink& log)
-      : matcher_(matcher), reading_(reading), log_(log) {}
+  /// Borrows all four for its life. `filing` files and judges what is known of the team.
+  OntologyChange(const matching::Editions& editions, matching::VocabularyChange& filing, OntologyReading& reading,
+                 base::LogSink& log)
+      : editions_(editions), filing_(filing), reading_(reading), log_(log) {}
 
   /// Another ontology, or none, is to come into force. It waits for the change under way; of several that wait only the
   /// last one comes. Where it is not prepared for class expressions, requests for these wait until it is.
@@ -68,7 +70,8 @@ class OntologyChange {
   void put_in_force();
   [[nodiscard]] Due match_or_restate();
 
-  matching::Matcher& matcher_;
+  const matching::Editions& editions_;
+  matching::VocabularyChange& filing_;
   OntologyReading& reading_;
   base::LogSink& log_;
   Stage stage_ = Stage::none;

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "discovery/matching/matcher.hpp"
+#include "discovery/matching/editions.hpp"
 #include "discovery/participant/knowledge/expressions.hpp"
 #include "discovery/participant/knowledge/ontology_reading.hpp"
 #include "env/env.hpp"
@@ -29,9 +29,9 @@ using Refusal = std::optional<Error>;
 class Resolver {
  public:
   /// Borrows all four for its life.
-  Resolver(const env::Env& env, const matching::Matcher& matcher, Expressions& expressions,
+  Resolver(const env::Env& env, const matching::Editions& editions, Expressions& expressions,
            const OntologyReading& reading)
-      : env_(env), matcher_(matcher), expressions_(expressions), reading_(reading) {}
+      : env_(env), editions_(editions), expressions_(expressions), reading_(reading) {}
 
   /// The identity of what is offered or asked for, with full IRIs. Numbers and texts need no ontology. 422 where a name
   /// is unknown or ambiguous, or a class can have no instance. Where no ontology is in force, a concept gets 503 while
@@ -65,7 +65,7 @@ class Resolver {
     return !vocabulary().is_loaded() && error.code == ErrorCode::not_ready;
   }
   /// Whether a class expression has come and the ontology in force is yet to be prepared for it.
-  [[nodiscard]] bool is_waiting() const { return expressions_.is_waiting(matcher_.vocabulary()); }
+  [[nodiscard]] bool is_waiting() const { return expressions_.is_waiting(vocabulary()); }
   /// Why nothing can be said of classes where no ontology is in force.
   [[nodiscard]] Error no_ontology() const;
 
@@ -75,7 +75,7 @@ class Resolver {
   [[nodiscard]] Refusal check_conditions(const Subscription& subscription) const;
 
  private:
-  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return matcher_.vocabulary(); }
+  [[nodiscard]] const vocabulary::Vocabulary& vocabulary() const { return editions_.vocabulary(); }
   /// The IRI of a class or the canonical text of an expression, which stands behind the key.
   [[nodiscard]] std::expected<std::string, Error> resolve_concept(std::string_view key, const std::string& name);
   [[nodiscard]] std::unexpected<Error> without_ontology(std::string_view key, const std::string& name) const;
@@ -83,7 +83,7 @@ class Resolver {
   [[nodiscard]] Refusal check_condition(std::string_view condition, std::string_view key) const;
 
   const env::Env& env_;
-  const matching::Matcher& matcher_;
+  const matching::Editions& editions_;
   Expressions& expressions_;
   const OntologyReading& reading_;
 };

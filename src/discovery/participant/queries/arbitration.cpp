@@ -35,10 +35,11 @@ std::string mend_of(std::size_t place) {
 /// The number of chosen offers that rank behind this rank and keep their places against it.
 std::size_t kept_behind(const matching::Matcher& matcher, const Asked& asked, const matching::Rank& rank) {
   auto chosen = asked.entry.subscription.chosen;
-  if (chosen.empty()) chosen = matcher.chosen(asked.entry.key);
+  if (chosen.empty()) chosen = matcher.choices().chosen(asked.entry.key);
   return static_cast<std::size_t>(std::ranges::count_if(chosen, [&](const ServiceKey& key) {
-    const auto* incumbent = matcher.find_publication(key);
-    const auto match = incumbent == nullptr ? std::nullopt : matcher.meets(asked.entry, *asked.request, *incumbent);
+    const auto* incumbent = matcher.publications().find_entry(key);
+    const auto match =
+        incumbent == nullptr ? std::nullopt : matcher.examination().meets(asked.entry, *asked.request, *incumbent);
     return match && matching::BestFirst{}(rank, asked.request->rank(*incumbent, *match));
   }));
 }
@@ -46,7 +47,7 @@ std::size_t kept_behind(const matching::Matcher& matcher, const Asked& asked, co
 /// The match by identity; the rest of an offer that meets the request does not matter here.
 std::optional<matching::Match> match_of(const matching::Matcher& matcher, const Asked& asked,
                                         const PublicationEntry& offer) {
-  return matcher.examine(asked.entry, *asked.request, offer).match;
+  return matcher.examination().examine(asked.entry, *asked.request, offer).match;
 }
 
 /// The criterion by which the rival is ahead; empty where it is the key alone.
@@ -140,9 +141,9 @@ Check check_imagined(const matching::Matcher& matcher, const Survey& survey, con
   const std::size_t candidates = survey.matching() + (is_offer_living ? 0 : 1);
   const RankWords words_of_rank{.place = place, .candidates = candidates, .limit = limit};
   if (limit == 0) return {"arbitration", Obstacle::none, words_of_rank.text()};
-  const auto chosen = asked.is_living ? matcher.chosen(asked.entry.key) : std::vector<ServiceKey>();
+  const auto chosen = asked.is_living ? matcher.choices().chosen(asked.entry.key) : std::vector<ServiceKey>();
   if (!chosen.empty() && chosen.size() >= limit) {
-    const auto* incumbent = matcher.find_publication(chosen.back());
+    const auto* incumbent = matcher.publications().find_entry(chosen.back());
     if (incumbent != nullptr) {
       return against_incumbent(matcher, asked, offer, rank, *incumbent, words_of_rank);
     }
@@ -151,7 +152,7 @@ Check check_imagined(const matching::Matcher& matcher, const Survey& survey, con
   const auto at = std::next(survey.best().begin(),
                             static_cast<std::ptrdiff_t>(std::min<std::size_t>(limit, survey.best().size()) - 1));
   return outranked(matcher, asked, offer, {.place = place, .settled = place, .candidates = candidates},
-                   matcher.find_publication(at->key));
+                   matcher.publications().find_entry(at->key));
 }
 
 }  // namespace
@@ -164,9 +165,10 @@ Check check_arbitration(matching::Matcher& matcher, const Survey& survey, const 
   const std::size_t limit = matching::counted_limit(asked.entry);
   if (limit != 0 && place.rank > limit && limit <= survey.best().size()) {
     const auto last = std::next(survey.best().begin(), static_cast<std::ptrdiff_t>(limit) - 1);
-    place.last = matcher.find_publication(last->key);
+    place.last = matcher.publications().find_entry(last->key);
   }
-  const auto standing = matcher.standing(asked.entry.key, offer.entry.key, place);
+  matcher.vocabulary_change().catch_up(asked.entry.key);
+  const auto standing = matcher.choices().standing(asked.entry.key, offer.entry.key, place);
   if (!standing) return {"arbitration", Obstacle::none, "one of them has gone"};
   return check_known(matcher, asked, offer.entry, *standing, rank);
 }

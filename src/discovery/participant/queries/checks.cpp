@@ -73,11 +73,12 @@ Check check_mode(const Asked& asked, const PublicationEntry& offer) {
 }
 
 /// The axioms that are missing for two known concepts to match; empty where the concepts are not the obstacle.
-std::string nearest(const matching::Matcher& matcher, const SubscriptionEntry& request, const PublicationEntry& offer) {
+std::string nearest(const matching::Examination& examination, const SubscriptionEntry& request,
+                    const PublicationEntry& offer) {
   const auto* asked = semantic(request.subscription.identity);
   const auto* offered = semantic(offer.publication.identity);
   if (asked == nullptr || offered == nullptr) return "";
-  const auto& vocabulary = matcher.vocabulary();
+  const auto& vocabulary = examination.vocabulary();
   const auto sub = vocabulary.find_iri(offered->concept_iri);
   const auto super = vocabulary.find_iri(asked->concept_iri);
   if (!sub || !super || vocabulary.is_subsumed(*sub, *super)) return "";
@@ -86,10 +87,10 @@ std::string nearest(const matching::Matcher& matcher, const SubscriptionEntry& r
 }
 
 /// The axioms that prove that nothing can be both.
-std::string exclusion_of(const matching::Matcher& matcher, const PublicationEntry& offered, const Identity& requested,
-                         const matching::Request& request) {
-  const auto& vocabulary = matcher.vocabulary();
-  const matching::Classes offer = matcher.classes(offered);
+std::string exclusion_of(const matching::Examination& examination, const PublicationEntry& offered,
+                         const Identity& requested, const matching::Request& request) {
+  const auto& vocabulary = examination.vocabulary();
+  const matching::Classes offer = examination.classes(offered);
   const auto read = [&](const Identity& identity) {
     return vocabulary.read(semantic(identity)->concept_iri, vocabulary::max_expression_bytes);
   };
@@ -109,71 +110,73 @@ std::string exclusion_of(const matching::Matcher& matcher, const PublicationEntr
 }
 
 /// Whether a request that does not ask for overlapping concepts would be met if it did.
-bool may_overlap(const matching::Matcher& matcher, const PublicationEntry& offered, const Identity& requested,
+bool may_overlap(const matching::Examination& examination, const PublicationEntry& offered, const Identity& requested,
                  const matching::Request& request) {
-  const matching::Classes offer = matcher.classes(offered);
+  const matching::Classes offer = examination.classes(offered);
   if (!has_meaning(offer) || !has_meaning(request.classes)) return false;
   const auto answer =
-      matcher.overlap({*semantic(offered.publication.identity), offer}, {*semantic(requested), request.classes});
+      examination.overlap({*semantic(offered.publication.identity), offer}, {*semantic(requested), request.classes});
   return answer && answer->verdict == vocabulary::Overlap::Verdict::possible;
 }
 
 /// ", by A>B, cost 1", and the converters, where the representation is converted.
-std::string conversion_of(const matching::Matcher& matcher, const vocabulary::Chain* chain,
+std::string conversion_of(const matching::Examination& examination, const vocabulary::Chain* chain,
                           const matching::Match& match) {
   if (match.cost == 0) return "";
-  return ", by " + matching::chain_words(chain, matcher.vocabulary()) + ", cost " + std::to_string(match.cost) +
+  return ", by " + matching::chain_words(chain, examination.vocabulary()) + ", cost " + std::to_string(match.cost) +
          (chain == nullptr || chain->via.empty() ? "" : ", via " + chain->via);
 }
 
 /// The degree with inputs and outputs, where the request states any and they suit.
-std::string with_signature(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
+std::string with_signature(const matching::Examination& examination, const Asked& asked,
+                           const PublicationEntry& offer) {
   if (!asked.request->signature) return "";
-  const auto finding = matcher.examine(asked.entry, *asked.request, offer);
+  const auto finding = examination.examine(asked.entry, *asked.request, offer);
   if (!finding.match || !finding.is_signature_met) return "";
   return "; with inputs and outputs " + std::string(to_string(finding.match->degree)) + ", distance " +
          std::to_string(finding.match->distance);
 }
 
-Check check_identity(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer, Depth depth) {
+Check check_identity(const matching::Examination& examination, const Asked& asked, const PublicationEntry& offer,
+                     Depth depth) {
   const Identity& offered = offer.publication.identity;
   const Identity& requested = asked.entry.subscription.identity;
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.identity = requested;
   one.subscription.weakest = asked.entry.subscription.weakest;
-  const auto match = matcher.why(one, for_all(offer), asked.request->asks.chains);
-  const auto chain = chain_of(matcher, asked, offer);
-  const std::string pair = "offered is " + words(matcher.vocabulary(), offered) + ", asked for is " +
-                           words(matcher.vocabulary(), requested) + ": ";
+  const auto match = examination.why(one, for_all(offer), asked.request->asks.chains);
+  const auto chain = chain_of(examination, asked, offer);
+  const std::string pair = "offered is " + words(examination.vocabulary(), offered) + ", asked for is " +
+                           words(examination.vocabulary(), requested) + ": ";
   if (match) {
     return {"identity", Obstacle::none,
             pair + std::string(to_string(match->degree)) + ", distance " + std::to_string(match->distance) +
-                conversion_of(matcher, chain.get(), *match) + with_signature(matcher, asked, offer),
-            "", depth == Depth::search ? proof_of(matcher, offered, requested, *match) : ""};
+                conversion_of(examination, chain.get(), *match) + with_signature(examination, asked, offer),
+            "", depth == Depth::search ? proof_of(examination.vocabulary(), offered, requested, *match) : ""};
   }
-  const auto finding = matcher.examine(one, *asked.request, offer);
+  const auto finding = examination.examine(one, *asked.request, offer);
   // An expression may have found its place since.
   const Obstacle obstacle = finding.identity == Obstacle::none ? Obstacle::unclassified : finding.identity;
   Check check{"identity", obstacle, match.error(),
-              mend_of_identity(matcher, asked, offer, obstacle, finding.match, chain.get())};
+              mend_of_identity(examination, asked, offer, obstacle, finding.match, chain.get())};
   const bool is_weak = obstacle == Obstacle::broader || obstacle == Obstacle::degree;
   if (depth == Depth::words && !is_weak) return check;
   if (depth == Depth::words) {
     const std::string degree(to_string(finding.match ? finding.match->degree : Degree::broader));
-    check.text = words(matcher.vocabulary(), offered) + " is " + degree + ", but at least " +
+    check.text = words(examination.vocabulary(), offered) + " is " + degree + ", but at least " +
                  std::string(to_string(one.subscription.weakest)) + " is asked for";
     return check;
   }
   check.text.insert(0, pair);
   const bool is_disjoint = obstacle == Obstacle::disjoint;
-  if (!is_disjoint && obstacle != Obstacle::undecided) check.text += nearest(matcher, asked.entry, offer);
-  check.proof = is_disjoint ? exclusion_of(matcher, offer, requested, *asked.request)
-                            : proof_of(matcher, offered, requested, finding.match);
+  if (!is_disjoint && obstacle != Obstacle::undecided) check.text += nearest(examination, asked.entry, offer);
+  check.proof = is_disjoint ? exclusion_of(examination, offer, requested, *asked.request)
+                            : proof_of(examination.vocabulary(), offered, requested, finding.match);
   const bool is_apart = obstacle == Obstacle::unrelated || obstacle == Obstacle::incomplete;
-  if (is_apart && may_overlap(matcher, offer, requested, *asked.request)) {
+  if (is_apart && may_overlap(examination, offer, requested, *asked.request)) {
     check.mend += ", or ask with match=overlapping: something can be both";
   }
-  if (is_apart || is_disjoint || is_weak) check.missing = missing_between(matcher.vocabulary(), requested, offered);
+  if (is_apart || is_disjoint || is_weak) check.missing = missing_between(examination.vocabulary(), requested, offered);
   return check;
 }
 
@@ -200,12 +203,12 @@ Check check_protocol(const Subscription& asked, const PublicationEntry& offer) {
           is_ok ? "" : "ask with protocol=" + offered + " too, or without protocol"};
 }
 
-Check check_where(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
+Check check_where(const matching::Examination& examination, const Asked& asked, const PublicationEntry& offer) {
   const std::string& where = asked.entry.subscription.where;
   if (where.empty()) return {"where", Obstacle::none, "there is no filter"};
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.where = where;
-  const auto match = matcher.why(one, for_all(offer));
+  const auto match = examination.why(one, for_all(offer));
   if (match) return {"where", Obstacle::none, "the attributes meet " + where};
   const bool is_readable = asked.request->where.has_value();
   return {"where", is_readable ? Obstacle::where : Obstacle::unreadable, match.error(),
@@ -213,12 +216,12 @@ Check check_where(const matching::Matcher& matcher, const Asked& asked, const Pu
 }
 
 /// Checks the scopes of both.
-Check check_scope(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
+Check check_scope(const matching::Examination& examination, const Asked& asked, const PublicationEntry& offer) {
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.scope = asked.entry.subscription.scope;
   PublicationEntry other = offer;
   other.publication.for_whom.clear();
-  const auto match = matcher.why(one, other);
+  const auto match = examination.why(one, other);
   if (match) return {"scope", Obstacle::none, "each is in the scope of the other"};
   const bool is_readable = asked.request->scope && matching::Scope::parse(offer.publication.scope);
   return {"scope", is_readable ? Obstacle::scope : Obstacle::unreadable, match.error(),
@@ -228,25 +231,25 @@ Check check_scope(const matching::Matcher& matcher, const Asked& asked, const Pu
 /// Checks whether the provider's participant is known to be what is asked for.
 Check check_on(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
   const auto shown = [&](const std::string& text) {
-    const auto& vocabulary = matcher.vocabulary();
+    const auto& vocabulary = matcher.editions().vocabulary();
     return base::printable(text.contains('<') ? vocabulary.short_expression(text)
                                               : vocabulary.short_name(std::string_view(text)));
   };
   const std::string& on = asked.request->on->identity.concept_iri;
   const std::string name = offer.participant_name.empty() ? to_string(offer.key.participant) : offer.participant_name;
-  const PublicationEntry* description = matcher.find_publication(description_key(offer.key.participant));
+  const PublicationEntry* description = matcher.publications().find_entry(description_key(offer.key.participant));
   const auto* said =
       description == nullptr ? nullptr : std::get_if<SemanticIdentity>(&description->publication.identity);
   if (said == nullptr) {
     return {"on", Obstacle::on, name + " does not say what it is, asked for is " + shown(on),
             "describe " + name + " (gemingad --describe, or geminga-query describe there), or ask without on"};
   }
-  const bool is_met = matcher.examine(asked.entry, *asked.request, offer).is_on_met;
+  const bool is_met = matcher.examination().examine(asked.entry, *asked.request, offer).is_on_met;
   Check check{
       "on", is_met ? Obstacle::none : Obstacle::on,
       name + " is " + shown(said->concept_iri) + (is_met ? ", so it is " : ", which is not known to be ") + shown(on)};
   if (is_met) {
-    add_proof_of_concepts(matcher, said->concept_iri, on, check.proof);
+    add_proof_of_concepts(matcher.editions().vocabulary(), said->concept_iri, on, check.proof);
   } else {
     check.mend = "ask on what " + name + " is, or describe it by more";
   }
@@ -254,23 +257,24 @@ Check check_on(const matching::Matcher& matcher, const Asked& asked, const Publi
 }
 
 /// Checks the provider's condition.
-Check check_for(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
+Check check_for(const matching::Examination& examination, const Asked& asked, const PublicationEntry& offer) {
   PublicationEntry other = offer;
   other.publication.scope.clear();
-  const auto match = matcher.why(only(asked.entry, offer), other);
+  const auto match = examination.why(only(asked.entry, offer), other);
   if (match) return {"for", Obstacle::none, "the consumer meets " + offer.publication.for_whom};
-  const bool is_readable = matching::Where::parse(offer.publication.for_whom, matcher.vocabulary().units()).has_value();
+  const bool is_readable =
+      matching::Where::parse(offer.publication.for_whom, examination.vocabulary().units()).has_value();
   return {
       "for", is_readable ? Obstacle::for_whom : Obstacle::unreadable, match.error(),
       is_readable ? "state in the request what the provider asks for, or ask for less in its for" : newer_elsewhere};
 }
 
 /// Checks inputs and outputs; only for a request that states any.
-Check check_signature(const matching::Matcher& matcher, const Asked& asked, const PublicationEntry& offer) {
+Check check_signature(const matching::Examination& examination, const Asked& asked, const PublicationEntry& offer) {
   SubscriptionEntry one = only(asked.entry, offer);
   one.subscription.attributes = asked.entry.subscription.attributes;
   one.subscription.weakest = asked.entry.subscription.weakest;
-  const auto match = matcher.why(one, for_all(offer));
+  const auto match = examination.why(one, for_all(offer));
   if (!match) {
     return {"signature", Obstacle::signature, match.error(),
             "state in inputs all that the service needs, and in outputs no more than it produces"};
@@ -290,26 +294,26 @@ Check note_full_channel(const std::string& places) {
 
 }  // namespace
 
-std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& matcher, const Asked& asked,
+std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Examination& examination, const Asked& asked,
                                                   const PublicationEntry& offer) {
-  const auto offered = matching::classes_of(offer.publication.identity, matcher.vocabulary());
+  const auto offered = matching::classes_of(offer.publication.identity, examination.vocabulary());
   return matching::chain_between(offered.representation_class, asked.request->classes.representation_class,
-                                 matcher.vocabulary(), asked.request->asks.chains);
+                                 examination.vocabulary(), asked.request->asks.chains);
 }
 
 std::vector<Check> checks_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,
                              const Asked& asked, const PublicationEntry& offer, Depth depth) {
-  std::vector<Check> checks{check_mode(asked, offer), check_identity(matcher, asked, offer, depth),
+  std::vector<Check> checks{check_mode(asked, offer), check_identity(matcher.examination(), asked, offer, depth),
                             check_provider(asked, offer), check_protocol(asked.entry.subscription, offer),
-                            check_where(matcher, asked, offer)};
+                            check_where(matcher.examination(), asked, offer)};
   const Publication& offered = offer.publication;
   if (!asked.entry.subscription.scope.empty() || !offered.scope.empty()) {
-    checks.push_back(check_scope(matcher, asked, offer));
+    checks.push_back(check_scope(matcher.examination(), asked, offer));
   }
   if (!asked.entry.subscription.on.empty()) checks.push_back(check_on(matcher, asked, offer));
-  if (!offered.for_whom.empty()) checks.push_back(check_for(matcher, asked, offer));
+  if (!offered.for_whom.empty()) checks.push_back(check_for(matcher.examination(), asked, offer));
   if (matching::has_signature(asked.entry.subscription.attributes)) {
-    checks.push_back(check_signature(matcher, asked, offer));
+    checks.push_back(check_signature(matcher.examination(), asked, offer));
   }
   if (asked.entry.is_local && !offer.is_reachable) checks.push_back(check_reach(neighbours, asked, offer));
   const auto full = offered.attributes.find(channel_full_attribute);
@@ -336,26 +340,27 @@ Check misfit_of(const matching::Matcher& matcher, const membership::NeighbourTab
     case Obstacle::provider:
       return check_provider(asked, offer);
     case Obstacle::scope:
-      return check_scope(matcher, asked, offer);
+      return check_scope(matcher.examination(), asked, offer);
     case Obstacle::on:
       return check_on(matcher, asked, offer);
     case Obstacle::where:
-      return check_where(matcher, asked, offer);
+      return check_where(matcher.examination(), asked, offer);
     case Obstacle::for_whom:
-      return check_for(matcher, asked, offer);
+      return check_for(matcher.examination(), asked, offer);
     case Obstacle::signature:
-      return check_signature(matcher, asked, offer);
+      return check_signature(matcher.examination(), asked, offer);
     case Obstacle::unreachable:
       return check_reach(neighbours, asked, offer);
     case Obstacle::unreadable: {
       for (Check check :
-           {check_scope(matcher, asked, offer), check_where(matcher, asked, offer), check_for(matcher, asked, offer)}) {
+           {check_scope(matcher.examination(), asked, offer), check_where(matcher.examination(), asked, offer),
+            check_for(matcher.examination(), asked, offer)}) {
         if (check.obstacle == Obstacle::unreadable) return check;
       }
-      return check_where(matcher, asked, offer);
+      return check_where(matcher.examination(), asked, offer);
     }
     default:
-      return check_identity(matcher, asked, offer, Depth::words);
+      return check_identity(matcher.examination(), asked, offer, Depth::words);
   }
 }
 

@@ -48,7 +48,8 @@ inline constexpr std::size_t cost_of_proof = 2000;
 inline constexpr std::size_t max_proof_bytes = 4096;
 
 /// The chain that converts an offer into what is asked for, whether that is accepted or not; null where there is none.
-[[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Matcher& matcher, const Asked& asked,
+[[nodiscard]] std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Examination& examination,
+                                                                const Asked& asked,
                                                                 const registry::PublicationEntry& offer);
 
 /// Checks mode, identity, provider, protocol and condition, and, where there are any, the scopes, the provider's

@@ -34,24 +34,23 @@ PublicationEntry Demand::offer_for(const SubscriptionEntry& request) const {
 bool Demand::proceed(Piece& piece) {
   if (!is_walked_) {
     std::uint64_t postponed = overlaps_.counts().postponed;
-    is_walked_ = matcher_.examine_requests(last_, offer_.entry,
-                                           [&](const SubscriptionEntry& request, const matching::Finding& finding) {
-                                             piece.look_at_one();
-                                             if (std::exchange(postponed, overlaps_.counts().postponed) != postponed)
-                                               return false;
-                                             look(request, finding);
-                                             last_ = request.key;
-                                             return !piece.is_full();
-                                           });
+    is_walked_ = matcher_.search().examine_requests(
+        last_, offer_.entry, [&](const SubscriptionEntry& request, const matching::Finding& finding) {
+          piece.look_at_one();
+          if (std::exchange(postponed, overlaps_.counts().postponed) != postponed) return false;
+          look(request, finding);
+          last_ = request.key;
+          return !piece.is_full();
+        });
     if (!is_walked_) return false;
   }
   for (; !undecided_.empty(); undecided_.pop_back()) {
     if (piece.is_full()) return false;
-    const auto* request = matcher_.find_subscription(undecided_.back());
+    const auto* request = matcher_.subscriptions().find_entry(undecided_.back());
     if (request == nullptr) continue;
     if (!survey_) {
-      Asked asked{.entry = *request, .request = matcher_.prepare(*request)};
-      const auto finding = matcher_.examine(asked.entry, *asked.request, offer_for(*request));
+      Asked asked{.entry = *request, .request = matcher_.examination().prepare(*request)};
+      const auto finding = matcher_.examination().examine(asked.entry, *asked.request, offer_for(*request));
       if (!finding.match) continue;
       const matching::Rank rank = rank_of(asked, offer_, *finding.match);
       survey_.emplace(matcher_, overlaps_, std::move(asked), rank);
@@ -85,21 +84,21 @@ void Demand::look(const SubscriptionEntry& request, matching::Finding finding) {
 Demand::Taking Demand::taking(const SubscriptionEntry& request, const matching::Match& match) const {
   const std::size_t limit = matching::counted_limit(request);
   if (limit == 0) return Taking::yes;
-  const auto chosen = matcher_.known_choice(request);
+  const auto chosen = matcher_.choices().known(request);
   if (!chosen) return Taking::unknown;
   if (offer_.is_living) {
     return std::ranges::find(*chosen, offer_.entry.key) != chosen->end() ? Taking::yes : Taking::no;
   }
   if (chosen->size() < limit) return Taking::yes;
-  const Asked asked{.entry = request, .request = matcher_.prepare(request)};
+  const Asked asked{.entry = request, .request = matcher_.examination().prepare(request)};
   const matching::Rank rank = rank_of(asked, offer_, match);
   // Here the best is first; what another host has announced is in no such order.
   const bool is_ranked = request.is_local || request.subscription.chosen.empty();
   const std::span<const ServiceKey> last(is_ranked ? std::prev(chosen->end()) : chosen->begin(), chosen->end());
   const bool is_pushed_out = std::ranges::any_of(last, [&](const ServiceKey& key) {
-    const auto* incumbent = matcher_.find_publication(key);
+    const auto* incumbent = matcher_.publications().find_entry(key);
     if (incumbent == nullptr) return true;
-    const auto other = matcher_.meets(request, *asked.request, *incumbent);
+    const auto other = matcher_.examination().meets(request, *asked.request, *incumbent);
     return !other ||
            matching::is_better_by(asked.request->preferences.margins(), rank, asked.request->rank(*incumbent, *other));
   });

@@ -32,10 +32,11 @@ inline void append_flag(Line& line, std::string_view key, bool value) { append(l
 
 /// The time since an entry was last heard; 0 for one of our own.
 template <typename Entry>
-[[nodiscard]] std::string age(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,
+[[nodiscard]] std::string age(const registry::Table<Entry>& known, const membership::NeighbourTable& neighbours,
                               base::Instant now, const Entry& entry) {
   if (entry.is_local) return "0.000";
-  const base::Instant updated = matcher.updated(entry);
+  const auto* stored = known.find(entry.key);
+  const base::Instant updated = stored == nullptr ? base::Instant() : stored->updated;
   return seconds(now - std::max(updated, neighbours.affirmed(entry.key.participant).value_or(updated)));
 }
 

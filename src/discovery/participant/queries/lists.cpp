@@ -22,7 +22,7 @@ constexpr std::size_t max_parents = 8;
 
 /// The names in which a line tells an identity: a vocabulary without an ontology gives full IRIs.
 vocabulary::Vocabulary names_of(const Listed& by, Names names) {
-  return names == Names::full ? vocabulary::Vocabulary() : by.matcher.vocabulary();
+  return names == Names::full ? vocabulary::Vocabulary() : by.matcher.editions().vocabulary();
 }
 
 /// The class that an expression is equivalent to, else the classes right above it, or why it has no place. Below
@@ -33,7 +33,7 @@ void append_place(Line& line, const Listed& by, const std::string& canonical) {
     append_stated(line, "unplaced", base::printable(by.resolver.problem(canonical), max_problem_bytes));
     return;
   }
-  const vocabulary::Vocabulary& vocabulary = by.matcher.vocabulary();
+  const vocabulary::Vocabulary& vocabulary = by.matcher.editions().vocabulary();
   std::vector<std::string> above;
   for (const vocabulary::ClassNumber parent : place->equivalent ? std::vector{*place->equivalent} : place->parents) {
     if (parent != vocabulary.thing() && above.size() < max_parents) above.push_back(vocabulary.short_name(parent));
@@ -51,7 +51,7 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, Names na
   append_party(line, entry);
   gcnp::append_identity(line, named(names_of(by, names), entry.publication.identity));
   append_channel(line, entry.publication);
-  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
+  append(line, "age", age(by.matcher.publications(), by.neighbours, by.env.now(), entry));
   append_flag(line, "local", entry.is_local);
   append_flag(line, "used", is_used);
   append_stated(line, "scope", entry.publication.scope);
@@ -79,7 +79,7 @@ Line line_of(const Listed& by, const registry::SubscriptionEntry& entry, Names n
   append_stated(line, "address", subscription.address);
   if (subscription.port != 0) append(line, "port", subscription.port);
   append(line, "priority", subscription.priority);
-  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
+  append(line, "age", age(by.matcher.subscriptions(), by.neighbours, by.env.now(), entry));
   append_flag(line, "local", entry.is_local);
   append_flag(line, "served", is_served);
   append_stated(line, "protocol", gcnp::protocol_list(subscription.protocols));
@@ -106,7 +106,7 @@ auto listing(const Listed& by, Sieve sieve, bool is_unanswered_only, IsAnswered 
     last = entry.key;
     piece.look_at_one();
     if (const std::size_t cost = sieve.cost_of(service_of(entry).identity); cost > 0) piece.look_at(cost);
-    if (sieve.passes(by.matcher.vocabulary(), entry.key, entry.participant_name, entry.peer_name,
+    if (sieve.passes(by.matcher.editions().vocabulary(), entry.key, entry.participant_name, entry.peer_name,
                      service_of(entry).identity, service_of(entry).mode)) {
       const bool is_answered_here = is_answered(entry);
       Line line;
@@ -129,12 +129,13 @@ std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QuerySe
   auto sieve = Sieve::make(by.resolver, query.filter);
   if (!sieve) return std::unexpected(sieve.error());
   using Entry = registry::PublicationEntry;
-  auto tell = listing<Entry>(by, std::move(*sieve), query.unused,
-                             [by, use = Use()](const Entry& entry) mutable { return use.is_of(by.matcher, entry); });
+  auto tell = listing<Entry>(by, std::move(*sieve), query.unused, [by, use = Use()](const Entry& entry) mutable {
+    return use.is_of(by.matcher.search(), entry);
+  });
   return Answering{.kind = "services",
                    .proceed = [by, tell = std::move(tell), last = std::optional<ServiceKey>()](Piece& piece) mutable {
-                     return by.matcher.walk_publications(last,
-                                                         [&](const Entry& entry) { return tell(last, piece, entry); });
+                     return by.matcher.publications().visit_after(
+                         last, [&](const registry::StoredPublication& one) { return tell(last, piece, one.entry); });
                    }};
 }
 
@@ -144,11 +145,11 @@ std::expected<Answering, Error> begin_list(const Listed& by, const gcnp::QueryRe
   if (!sieve) return std::unexpected(sieve.error());
   using Entry = registry::SubscriptionEntry;
   auto tell = listing<Entry>(by, std::move(*sieve), query.unmatched,
-                             [by](const Entry& entry) { return by.matcher.is_served(entry); });
+                             [by](const Entry& entry) { return by.matcher.search().is_served(entry); });
   return Answering{.kind = "requests",
                    .proceed = [by, tell = std::move(tell), last = std::optional<ServiceKey>()](Piece& piece) mutable {
-                     return by.matcher.walk_subscriptions(last,
-                                                          [&](const Entry& entry) { return tell(last, piece, entry); });
+                     return by.matcher.subscriptions().visit_after(
+                         last, [&](const registry::StoredSubscription& one) { return tell(last, piece, one.entry); });
                    }};
 }
 

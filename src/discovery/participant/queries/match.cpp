@@ -30,13 +30,13 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const ma
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
   append_stated(line, "name", entry.peer_name);
-  gcnp::append_identity(line, named(by.matcher.vocabulary(), entry.publication.identity));
+  gcnp::append_identity(line, named(by.matcher.editions().vocabulary(), entry.publication.identity));
   append(line, "degree", std::string(to_string(match.degree)));
   append(line, "distance", match.distance);
   append_channel(line, entry.publication);
-  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
+  append(line, "age", age(by.matcher.publications(), by.neighbours, by.env.now(), entry));
   append_stated(line, "participant_name", entry.participant_name);
-  const auto& vocabulary = by.matcher.vocabulary();
+  const auto& vocabulary = by.matcher.editions().vocabulary();
   const auto classes = matching::classes_of(entry.publication.identity, vocabulary);
   const auto chain = match.cost == 0
                          ? nullptr
@@ -59,9 +59,9 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const Ne
   append(line, "service", to_string(entry.key));
   append(line, "provider", peer_word(entry.key));
   append_stated(line, "name", entry.peer_name);
-  gcnp::append_identity(line, named(by.matcher.vocabulary(), entry.publication.identity));
+  gcnp::append_identity(line, named(by.matcher.editions().vocabulary(), entry.publication.identity));
   append_channel(line, entry.publication);
-  append(line, "age", age(by.matcher, by.neighbours, by.env.now(), entry));
+  append(line, "age", age(by.matcher.publications(), by.neighbours, by.env.now(), entry));
   append_stated(line, "participant_name", entry.participant_name);
   append_missing(line, near.near_misses);
   return line;
@@ -89,16 +89,16 @@ class Ranking {
                .participant_name = self.name(),
                .is_local = true,
                .updated = {}},
-        request_(by.matcher.prepare(asked_)),
+        request_(by.matcher.examination().prepare(asked_)),
         is_any_identity_(!query.identity),
         mode_(query.mode),
         limit_(query.limit),
         is_missing_wanted_(query.missing) {
     // Each may be a question to the reasoner: then all are walked, a few at a time.
     if (!is_any_identity_ && asked_.subscription.weakest != Degree::overlapping && !is_missing_wanted_)
-      candidates_ = by.matcher.candidates(asked_.subscription, *request_, max_candidates);
+      candidates_ = by.matcher.search().candidates(asked_.subscription, *request_, max_candidates);
     const auto is_question = [&](const ServiceKey& key) {
-      const auto* entry = by.matcher.find_publication(key);
+      const auto* entry = by.matcher.publications().find_entry(key);
       return entry != nullptr && has_expression(entry->publication.identity);
     };
     const bool may_ask = (request_->on && request_->on->compares) ||
@@ -110,7 +110,7 @@ class Ranking {
     if (!is_ranked_ && !look(piece)) return false;
     while (next_ < found_.size() && !piece.is_full()) {
       const matching::Rank& one = found_[next_++];
-      if (const auto* entry = by_.matcher.find_publication(one.key)) {
+      if (const auto* entry = by_.matcher.publications().find_entry(one.key)) {
         if (auto line = line_of_(*entry, one.match, *request_)) piece.tell(std::move(*line));
       }
     }
@@ -136,10 +136,11 @@ class Ranking {
     };
     if (candidates_) {
       for (const ServiceKey& key : *candidates_) {
-        if (const auto* entry = by_.matcher.find_publication(key)) judge_one(*entry);
+        if (const auto* entry = by_.matcher.publications().find_entry(key)) judge_one(*entry);
       }
-    } else if (!by_.matcher.walk_publications(last_, judge_one)) {
-      return false;
+    } else {
+      const auto judge_stored = [&](const registry::StoredPublication& stored) { return judge_one(stored.entry); };
+      if (!by_.matcher.publications().visit_after(last_, judge_stored)) return false;
     }
     std::ranges::sort(found_, matching::BestFirst{});
     if (limit_ != 0 && found_.size() > limit_) found_.resize(limit_);
@@ -153,7 +154,7 @@ class Ranking {
     asked_.subscription.mode = entry.publication.mode;
     // Without an identity each is asked for by its own, so that the rest of the request decides.
     if (is_any_identity_) asked_.subscription.identity = entry.publication.identity;
-    if (const auto match = by_.matcher.meets(asked_, *request_, entry)) {
+    if (const auto match = by_.matcher.examination().meets(asked_, *request_, entry)) {
       found_.push_back({entry.publication.priority, *match, entry.key});
     } else if (is_missing_wanted_) {
       const auto* offered = std::get_if<SemanticIdentity>(&entry.publication.identity);
@@ -167,8 +168,8 @@ class Ranking {
       if (piece.is_full()) return false;
       piece.look_at(cost_of_proof);
       const auto at = std::next(near_.begin(), static_cast<std::ptrdiff_t>(compared_));
-      auto found =
-          missing_between(by_.matcher.vocabulary(), asked_.subscription.identity, SemanticIdentity{at->first, ""});
+      auto found = missing_between(by_.matcher.editions().vocabulary(), asked_.subscription.identity,
+                                   SemanticIdentity{at->first, ""});
       if (!found || found->ranked.empty() || is_met(found->ranked.front())) continue;
       for (const ServiceKey& key : at->second) ranked_near_.push_back({.key = key, .near_misses = *found});
     }
@@ -184,7 +185,7 @@ class Ranking {
     for (; told_near_ < ranked_near_.size(); ++told_near_) {
       if (piece.is_full()) return false;
       const Near& one = ranked_near_[told_near_];
-      if (const auto* entry = by_.matcher.find_publication(one.key)) {
+      if (const auto* entry = by_.matcher.publications().find_entry(one.key)) {
         if (auto line = line_of_near_(*entry, one)) piece.tell(std::move(*line));
       }
     }
@@ -220,7 +221,7 @@ std::expected<Answering, Error> begin(std::string kind, const Listed& by, const 
                                       const gcnp::QueryMatch& query, Ranking::LineOf line_of,
                                       Ranking::LineOfNear line_of_near) {
   if (!query.where.empty()) {
-    if (auto error = matching::check_where(query.where, "where", by.matcher.vocabulary().units()))
+    if (auto error = matching::check_where(query.where, "where", by.matcher.editions().vocabulary().units()))
       return std::unexpected(std::move(*error));
   }
   Subscription asked;

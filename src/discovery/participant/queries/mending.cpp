@@ -15,17 +15,17 @@ using matching::Obstacle;
 constexpr std::size_t max_name_bytes = 400;
 
 /// A name or an expression as a client writes it.
-std::string asked_name(const matching::Matcher& matcher, const std::string& name) {
-  const auto& vocabulary = matcher.vocabulary();
+std::string asked_name(const matching::Examination& examination, const std::string& name) {
+  const auto& vocabulary = examination.vocabulary();
   return base::printable(name.find('<') == std::string::npos ? vocabulary.short_name(std::string_view(name))
                                                              : vocabulary.short_expression(name),
                          max_name_bytes);
 }
 
 /// The rest of the advice once the representation fits: " and match=broader" where the concept needs it, or nothing.
-std::string match_beside(const matching::Matcher& matcher, const Asked& asked, const matching::Meaning& offer,
+std::string match_beside(const matching::Examination& examination, const Asked& asked, const matching::Meaning& offer,
                          const SemanticIdentity& request) {
-  const auto degree = matching::degree_of_concept(offer, {request, asked.request->classes}, matcher.vocabulary(),
+  const auto degree = matching::degree_of_concept(offer, {request, asked.request->classes}, examination.vocabulary(),
                                                   asked.request->asks.compares);
   const bool is_met = !degree || !is_weaker(degree->degree, asked.entry.subscription.weakest);
   return is_met ? "" : " and match=" + std::string(to_string(degree->degree));
@@ -40,14 +40,15 @@ std::string narrowed_by(const Subscription& asked) {
   return words.empty() ? "the scope or the condition of that service" : base::joined(words, " or ");
 }
 
-std::string mend_of_representation(const matching::Matcher& matcher, const Asked& asked, const matching::Meaning& offer,
-                                   const SemanticIdentity& request, const vocabulary::Chain* chain) {
-  const std::string beside = match_beside(matcher, asked, offer, request);
+std::string mend_of_representation(const matching::Examination& examination, const Asked& asked,
+                                   const matching::Meaning& offer, const SemanticIdentity& request,
+                                   const vocabulary::Chain* chain) {
+  const std::string beside = match_beside(examination, asked, offer, request);
   if (chain != nullptr) {
     return "ask with convert=" + std::to_string(chain->cost) + ", the cost of turning it into what is asked for" +
            (beside.empty() ? "" : "," + beside);
   }
-  const std::string other = asked_name(matcher, offer.identity.representation_iri);
+  const std::string other = asked_name(examination, offer.identity.representation_iri);
   const std::string as_it_is = "ask with representation=" + other + beside + ", or without";
   const auto offered = offer.classes.representation_class;
   const auto requested = asked.request->classes.representation_class;
@@ -55,8 +56,8 @@ std::string mend_of_representation(const matching::Matcher& matcher, const Asked
                              ? asked.request->chains_of_all(*offered, *requested)
                              : nullptr;
   if (of_others == nullptr) {
-    const std::size_t waiting = matcher.waiting_converters();
-    return as_it_is + ": nothing converts " + other + " to " + asked_name(matcher, request.representation_iri) +
+    const std::size_t waiting = examination.waiting_converters();
+    return as_it_is + ": nothing converts " + other + " to " + asked_name(examination, request.representation_iri) +
            " in at most " + std::to_string(vocabulary::max_chain_conversions) + " steps" +
            (waiting == 0 ? ""
                          : "; or withdraw what converts and is not needed: of one participant at most " +
@@ -71,7 +72,7 @@ std::string mend_of_representation(const matching::Matcher& matcher, const Asked
 
 }  // namespace
 
-std::string mend_by_provider(const matching::Matcher& matcher, const Asked& asked,
+std::string mend_by_provider(const matching::Examination& examination, const Asked& asked,
                              const registry::PublicationEntry& offer, const Check& check) {
   const auto* requested = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
   const auto* offered = std::get_if<SemanticIdentity>(&offer.publication.identity);
@@ -93,8 +94,8 @@ std::string mend_by_provider(const matching::Matcher& matcher, const Asked& aske
       break;
   }
   if (requested == nullptr || offered == nullptr) return check.mend;
-  const std::string concept_name = asked_name(matcher, requested->concept_iri);
-  const std::string representation = asked_name(matcher, requested->representation_iri);
+  const std::string concept_name = asked_name(examination, requested->concept_iri);
+  const std::string representation = asked_name(examination, requested->representation_iri);
   switch (check.obstacle) {
     case Obstacle::broader:
       return either("offer " + concept_name + " or what is below it");
@@ -102,17 +103,17 @@ std::string mend_by_provider(const matching::Matcher& matcher, const Asked& aske
       return either("offer " + concept_name + " itself");
     case Obstacle::unrelated:
       return "offer " + concept_name + " or what is below it, or say in the ontology that " +
-             asked_name(matcher, offered->concept_iri) + " is";
+             asked_name(examination, offered->concept_iri) + " is";
     case Obstacle::representation:
     case Obstacle::unknown_representation:
       return either("offer it with representation=" + representation + ", too, or offer what converts=" +
-                    asked_name(matcher, offered->representation_iri) + ">" + representation);
+                    asked_name(examination, offered->representation_iri) + ">" + representation);
     default:
       return check.mend;
   }
 }
 
-std::string mend_of_identity(const matching::Matcher& matcher, const Asked& asked,
+std::string mend_of_identity(const matching::Examination& examination, const Asked& asked,
                              const registry::PublicationEntry& offered, Obstacle obstacle,
                              const std::optional<matching::Match>& match, const vocabulary::Chain* chain) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered.publication.identity);
@@ -148,15 +149,16 @@ std::string mend_of_identity(const matching::Matcher& matcher, const Asked& aske
     case Obstacle::incomplete:
       return std::string(mend_of_gaps);
     case Obstacle::unrelated:
-      return "ask for " + (offer == nullptr ? "" : asked_name(matcher, offer->concept_iri)) +
+      return "ask for " + (offer == nullptr ? "" : asked_name(examination, offer->concept_iri)) +
              " or for something above it, or say in the ontology that it is subsumed";
     case Obstacle::representation_unstated:
-      return "state representation=" + (request == nullptr ? "" : asked_name(matcher, request->representation_iri)) +
+      return "state representation=" +
+             (request == nullptr ? "" : asked_name(examination, request->representation_iri)) +
              " in the offer, or ask without a representation";
     case Obstacle::representation:
       return offer == nullptr || request == nullptr
                  ? ""
-                 : mend_of_representation(matcher, asked, {*offer, matcher.classes(offered)}, *request, chain);
+                 : mend_of_representation(examination, asked, {*offer, examination.classes(offered)}, *request, chain);
     case Obstacle::broader:
     case Obstacle::degree:
       // Of what is converted the concept is too weak, and `match` is about that: it is narrower at the most.

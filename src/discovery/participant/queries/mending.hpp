@@ -16,12 +16,12 @@ inline constexpr std::string_view mend_of_gaps =
 
 /// Advice for an identity that does not fit. `match` is the match of the pair where it is too weak; `chain` converts
 /// its representation into the one that is asked for, or is null.
-[[nodiscard]] std::string mend_of_identity(const matching::Matcher& matcher, const Asked& asked,
+[[nodiscard]] std::string mend_of_identity(const matching::Examination& examination, const Asked& asked,
                                            const registry::PublicationEntry& offered, matching::Obstacle obstacle,
                                            const std::optional<matching::Match>& match, const vocabulary::Chain* chain);
 
 /// The advice of a failed check, said to the provider first: its `mend` is said to the consumer first.
-[[nodiscard]] std::string mend_by_provider(const matching::Matcher& matcher, const Asked& asked,
+[[nodiscard]] std::string mend_by_provider(const matching::Examination& examination, const Asked& asked,
                                            const registry::PublicationEntry& offer, const Check& check);
 
 }  // namespace geminga::participant

@@ -23,11 +23,11 @@ std::string addresses_of(const membership::Neighbour& neighbour) {
 
 /// Appends what a participant says that it is, in short names.
 void append_description(Line& line, const Listed& by, ParticipantId id) {
-  const registry::PublicationEntry* entry = by.matcher.find_publication(description_key(id));
+  const registry::PublicationEntry* entry = by.matcher.publications().find_entry(description_key(id));
   if (entry == nullptr) return;
   const auto& identity = std::get<SemanticIdentity>(entry->publication.identity);
   append(line, "description",
-         std::get<ConceptNames>(named(by.matcher.vocabulary(), entry->publication.identity)).concept_name);
+         std::get<ConceptNames>(named(by.matcher.editions().vocabulary(), entry->publication.identity)).concept_name);
   if (!has_expression(identity)) return;
   append_stated(line, "unplaced", base::printable(by.resolver.problem(identity.concept_iri), max_problem_bytes));
 }
@@ -47,7 +47,7 @@ Line ourselves(const Listed& by, const Self& self, base::Duration interval, cons
   append(line, "interval", seconds(interval));
   append(line, "loss", "0.000");
   append(line, "loss_least", "0.000");
-  append(line, "ontology", digest_word(by.matcher.vocabulary().digest()));
+  append(line, "ontology", digest_word(by.matcher.editions().vocabulary().digest()));
   append(line, "publications", sessions.publication_count());
   append(line, "subscriptions", sessions.subscription_count());
   append_flag(line, "self", true);

@@ -9,10 +9,9 @@ namespace geminga::participant {
 namespace {
 
 /// Adds the axioms by which the first name is below the second; none where the names are equal or it is not below.
-void add_proof(const matching::Matcher& matcher, const std::string& sub_iri, const std::string& super_iri,
+void add_proof(const vocabulary::Vocabulary& vocabulary, const std::string& sub_iri, const std::string& super_iri,
                std::string& proof) {
   if (sub_iri == super_iri) return;
-  const auto& vocabulary = matcher.vocabulary();
   const auto sub = vocabulary.find_iri(sub_iri);
   const auto super = vocabulary.find_iri(super_iri);
   if (!sub || !super || !vocabulary.is_subsumed(*sub, *super)) return;
@@ -28,11 +27,10 @@ void append_axiom(const std::string& axiom, std::string& proof) {
   if (proof.size() + line.size() + 1 <= max_proof_bytes) proof += (proof.empty() ? "" : "\n") + line;
 }
 
-void add_proof_of_concepts(const matching::Matcher& matcher, const std::string& sub, const std::string& super,
+void add_proof_of_concepts(const vocabulary::Vocabulary& vocabulary, const std::string& sub, const std::string& super,
                            std::string& proof) {
-  const auto& vocabulary = matcher.vocabulary();
   if (!has_expression(SemanticIdentity{sub, ""}) && !has_expression(SemanticIdentity{super, ""})) {
-    return add_proof(matcher, sub, super, proof);
+    return add_proof(vocabulary, sub, super, proof);
   }
   if (sub == super || !vocabulary.check_expressions()) return;
   const auto text = [](const std::string& name) {
@@ -44,22 +42,22 @@ void add_proof_of_concepts(const matching::Matcher& matcher, const std::string& 
   for (const auto& axiom : vocabulary.proof(*below, *above)) append_axiom(axiom.text, proof);
 }
 
-std::string proof_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
+std::string proof_of(const vocabulary::Vocabulary& vocabulary, const Identity& offered, const Identity& requested,
                      const std::optional<matching::Match>& match) {
   const auto* offer = std::get_if<SemanticIdentity>(&offered);
   const auto* request = std::get_if<SemanticIdentity>(&requested);
   std::string proof;
-  if (offer == nullptr || request == nullptr || !matcher.vocabulary().is_loaded()) return proof;
+  if (offer == nullptr || request == nullptr || !vocabulary.is_loaded()) return proof;
   const bool has_expressions = has_expression(*offer) || has_expression(*request);
   const auto add = [&](const std::string& one, const std::string& other) {
     const std::size_t before = proof.size();
     if (has_expressions && &one == &offer->concept_iri) {
       const bool is_broader = match && match->degree == Degree::broader;
-      if (match) add_proof_of_concepts(matcher, is_broader ? other : one, is_broader ? one : other, proof);
+      if (match) add_proof_of_concepts(vocabulary, is_broader ? other : one, is_broader ? one : other, proof);
       return;
     }
-    add_proof(matcher, one, other, proof);
-    if (proof.size() == before) add_proof(matcher, other, one, proof);
+    add_proof(vocabulary, one, other, proof);
+    if (proof.size() == before) add_proof(vocabulary, other, one, proof);
   };
   add(offer->concept_iri, request->concept_iri);
   if (!offer->representation_iri.empty() && !request->representation_iri.empty()) {

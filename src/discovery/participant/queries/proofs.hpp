@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "discovery/matching/matcher.hpp"
+#include "discovery/matching/degrees/degree.hpp"
+#include "reasoning/vocabulary/vocabulary.hpp"
 
 namespace geminga::participant {
 
@@ -14,12 +15,12 @@ void append_axiom(const std::string& axiom, std::string& proof);
 
 /// Adds the axioms by which the first of two is below the second, each the IRI of a class or a canonical expression.
 /// None where the texts are equal, it is not below, or one is an expression and the ontology is not prepared for these.
-void add_proof_of_concepts(const matching::Matcher& matcher, const std::string& sub, const std::string& super,
+void add_proof_of_concepts(const vocabulary::Vocabulary& vocabulary, const std::string& sub, const std::string& super,
                            std::string& proof);
 
 /// The axioms that prove the degree: that the offer is below the request, or above it where the degree is broader.
-[[nodiscard]] std::string proof_of(const matching::Matcher& matcher, const Identity& offered, const Identity& requested,
-                                   const std::optional<matching::Match>& match);
+[[nodiscard]] std::string proof_of(const vocabulary::Vocabulary& vocabulary, const Identity& offered,
+                                   const Identity& requested, const std::optional<matching::Match>& match);
 
 }  // namespace geminga::participant
 

@@ -82,7 +82,7 @@ void append_because(Line& line, const Reason& reason) {
 /// Names the participant's ontology where that is another one than ours, to stand behind a sentence; else empty.
 std::string Reasons::beside_other_ontology(ParticipantId user) const {
   const auto other = neighbours_.find(user);
-  const std::uint64_t own = matcher_.vocabulary().digest();
+  const std::uint64_t own = matcher_.editions().vocabulary().digest();
   if (!other || other->ontology_digest == own) return "";
   return "; " + base::printable(other->name) + " has the ontology " + digest_word(other->ontology_digest) +
          ", this host has " + digest_word(own);
@@ -92,7 +92,7 @@ Reason Reasons::of_nobody(const Asked& asked) const {
   const Identity& identity = asked.entry.subscription.identity;
   const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
   Reason reason{Obstacle::nobody,
-                "nobody offers " + words(matcher_.vocabulary(), identity) +
+                "nobody offers " + words(matcher_.editions().vocabulary(), identity) +
                     (!is_concept ? ""
                      : asked.entry.subscription.weakest == Degree::overlapping
                          ? ", nor anything that can have instances in common with it"
@@ -106,7 +106,7 @@ Reason Reasons::of_nobody(const PublicationEntry& offer) const {
   const Identity& identity = offer.publication.identity;
   const bool is_concept = std::holds_alternative<SemanticIdentity>(identity);
   Reason reason{Obstacle::nobody,
-                "nobody asks for " + words(matcher_.vocabulary(), identity) +
+                "nobody asks for " + words(matcher_.editions().vocabulary(), identity) +
                     (is_concept ? ", nor for anything below or above it" : ""),
                 "start who asks for it; geminga-query requests shows what is there"};
   if (is_concept) reason.text += beside_other_ontology(offer.key.participant);
@@ -115,30 +115,31 @@ Reason Reasons::of_nobody(const PublicationEntry& offer) const {
 
 /// The reason where an offered concept is unknown here: it may be what is asked for.
 std::optional<Reason> Reasons::of_unknown_offers(const Asked& asked, const Nearest& nearest) const {
-  const auto* offer = nearest.unknown ? matcher_.find_publication(*nearest.unknown) : nullptr;
+  const auto* offer = nearest.unknown ? matcher_.publications().find_entry(*nearest.unknown) : nullptr;
   if (offer == nullptr) return std::nullopt;
   const auto& offered = std::get<SemanticIdentity>(offer->publication.identity);
   const std::string count = nearest.unknown_count == 1
                                 ? "one service has a concept that is"
                                 : std::to_string(nearest.unknown_count) + " services have concepts that are";
   Reason reason{Obstacle::unknown_offer,
-                "nobody offers " + words(matcher_.vocabulary(), asked.entry.subscription.identity) +
+                "nobody offers " + words(matcher_.editions().vocabulary(), asked.entry.subscription.identity) +
                     ", nor anything that is known to be below or above it, but " + count +
                     " unknown to the ontology here: " + to_string(offer->key) + " offers " +
-                    shown(matcher_.vocabulary(), offered.concept_iri),
+                    shown(matcher_.editions().vocabulary(), offered.concept_iri),
                 load_the_same};
   reason.text += beside_other_ontology(offer->key.participant);
   return reason;
 }
 
 Reason Reasons::of_unknown_name(Piece& piece, ParticipantId user, const std::string& iri, Obstacle obstacle) {
-  Reason reason{obstacle, shown(matcher_.vocabulary(), iri) + " is unknown to the ontology",
+  Reason reason{obstacle, shown(matcher_.editions().vocabulary(), iri) + " is unknown to the ontology",
                 "correct the name, or load an ontology that has it"};
   if (searches_left_ > 0) {
     --searches_left_;
     piece.add_work(cost_of_unknown_name);
     piece.look_at(cost_of_searched_name);
-    const auto found = matcher_.vocabulary().find(matcher_.vocabulary().short_name(std::string_view(iri)));
+    const auto found =
+        matcher_.editions().vocabulary().find(matcher_.editions().vocabulary().short_name(std::string_view(iri)));
     if (!found) reason.text = base::printable(found.error(), max_shown_bytes);
   }
   if (const std::string other = beside_other_ontology(user); !other.empty()) {
@@ -152,7 +153,8 @@ Reason Reasons::of_unknown_name(Piece& piece, ParticipantId user, const std::str
 /// A fault of the request itself, whatever is offered.
 std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
   if (!asked.request->where || !asked.request->scope) {
-    const std::string problem = matching::unit_problem(asked.entry.subscription.where, matcher_.vocabulary().units());
+    const std::string problem =
+        matching::unit_problem(asked.entry.subscription.where, matcher_.editions().vocabulary().units());
     if (!problem.empty()) {
       return Reason{Obstacle::unreadable, "its condition cannot be read here: " + problem, load_the_same};
     }
@@ -161,11 +163,11 @@ std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
   }
   const auto* semantic = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
   if (semantic == nullptr) return std::nullopt;
-  if (!matcher_.vocabulary().is_loaded()) {
+  if (!matcher_.editions().vocabulary().is_loaded()) {
     return Reason{Obstacle::no_ontology, "no ontology is loaded here, and nobody offers the very same names",
                   "start gemingad with --ontology"};
   }
-  if (const std::string* unknown = unknown_name(matcher_.vocabulary(), *semantic)) {
+  if (const std::string* unknown = unknown_name(matcher_.editions().vocabulary(), *semantic)) {
     const bool is_concept = unknown == &semantic->concept_iri;
     return of_unknown_name(piece, asked.entry.key.participant, *unknown,
                            is_concept ? Obstacle::unknown_concept : Obstacle::unknown_representation);
@@ -178,14 +180,15 @@ std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
     return reason;
   }
   if (!has_expression(*semantic) && !asked.request->classes.concept_class) {
-    return Reason{Obstacle::unsatisfiable,
-                  shown(matcher_.vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
-                  "mend the ontology: geminga-ontology check says why"};
+    return Reason{
+        Obstacle::unsatisfiable,
+        shown(matcher_.editions().vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
+        "mend the ontology: geminga-ontology check says why"};
   }
   if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
     return Reason{Obstacle::incomplete,
                   "nothing that is offered is known to be below or above " +
-                      words(matcher_.vocabulary(), asked.entry.subscription.identity) +
+                      words(matcher_.editions().vocabulary(), asked.entry.subscription.identity) +
                       ", but not all is found of an expression that no class is defined by: " + gaps,
                   std::string(mend_of_gaps)};
   }
@@ -196,7 +199,7 @@ Reason Reasons::of(Piece& piece, const Asked& asked, const Nearest& nearest) {
   // That something may have been missed is a reason of the request, not of one offer.
   const bool is_near =
       nearest.misfit && nearest.misfit->finding.is_near() && nearest.misfit->finding.identity != Obstacle::incomplete;
-  const auto* offer = is_near ? matcher_.find_publication(nearest.misfit->key) : nullptr;
+  const auto* offer = is_near ? matcher_.publications().find_entry(nearest.misfit->key) : nullptr;
   if (offer == nullptr) {
     auto reason = of_request(piece, asked);
     const bool is_general = !reason || reason->obstacle == Obstacle::incomplete;
@@ -206,7 +209,7 @@ Reason Reasons::of(Piece& piece, const Asked& asked, const Nearest& nearest) {
   const Check check = misfit_of(matcher_, neighbours_, asked, *offer, nearest.misfit->finding.first());
   Reason reason{check.obstacle, to_string(offer->key) + ": " + check.text, check.mend};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
-    reason.text += "; offered are " + told_representations(matcher_.vocabulary(), nearest);
+    reason.text += "; offered are " + told_representations(matcher_.editions().vocabulary(), nearest);
   }
   if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
     reason.text += "; not all is found of an expression that no class is defined by: " + gaps;
@@ -216,25 +219,26 @@ Reason Reasons::of(Piece& piece, const Asked& asked, const Nearest& nearest) {
 }
 
 Reason Reasons::likely(Piece& piece, const registry::SubscriptionEntry& request) {
-  Asked asked{.entry = request, .request = matcher_.prepare(request)};
+  Asked asked{.entry = request, .request = matcher_.examination().prepare(request)};
   Subscription wider = request.subscription;
   if (wider.weakest != Degree::overlapping) wider.weakest = Degree::broader;
   Nearest nearest;
   const auto consider = [&](const PublicationEntry& offer) {
-    nearest.consider(offer.key, offer.publication.identity, matcher_.examine(asked.entry, *asked.request, offer));
+    nearest.consider(offer.key, offer.publication.identity,
+                     matcher_.examination().examine(asked.entry, *asked.request, offer));
   };
-  for (const ServiceKey& key : matcher_.some_candidates(wider, *asked.request, max_examined_offers)) {
-    if (const auto* offer = matcher_.find_publication(key)) consider(*offer);
+  for (const ServiceKey& key : matcher_.search().some_candidates(wider, *asked.request, max_examined_offers)) {
+    if (const auto* offer = matcher_.publications().find_entry(key)) consider(*offer);
   }
   const bool is_text = std::holds_alternative<TextIdentity>(request.subscription.identity);
   const bool may_be_unknown = std::holds_alternative<SemanticIdentity>(request.subscription.identity) &&
-                              matcher_.vocabulary().is_loaded() &&
-                              has_other_ontologies(neighbours_, matcher_.vocabulary().digest());
+                              matcher_.editions().vocabulary().is_loaded() &&
+                              has_other_ontologies(neighbours_, matcher_.editions().vocabulary().digest());
   if (!nearest.misfit && (is_text || may_be_unknown)) {
     std::size_t left = max_compared_offers;
-    matcher_.walk_publications(std::nullopt, [&](const PublicationEntry& offer) {
+    matcher_.publications().visit_after(std::nullopt, [&](const registry::StoredPublication& offer) {
       piece.add_work(cost_of_entry);
-      consider(offer);
+      consider(offer.entry);
       return --left > 0;
     });
   }
@@ -249,13 +253,13 @@ std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& of
   }
   const auto* semantic = std::get_if<SemanticIdentity>(&offer.publication.identity);
   if (semantic == nullptr) return std::nullopt;
-  const auto& vocabulary = matcher_.vocabulary();
+  const auto& vocabulary = matcher_.editions().vocabulary();
   if (!vocabulary.is_loaded()) {
     return Reason{Obstacle::no_ontology, "no ontology is loaded here, and nobody asks for the very same names",
                   "start gemingad with --ontology"};
   }
   if (has_expression(*semantic)) {
-    if (matcher_.classes(offer).place) return std::nullopt;
+    if (matcher_.examination().classes(offer).place) return std::nullopt;
     Reason reason{Obstacle::unclassified_offer,
                   "the expression is unknown to the ontology, unsatisfiable, or waits to be classified",
                   "look again in a second, or offer a named concept"};
@@ -267,9 +271,10 @@ std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& of
     return of_unknown_name(piece, offer.key.participant, semantic->concept_iri, Obstacle::unknown_offer);
   }
   if (!vocabulary.is_satisfiable(*concept_class)) {
-    return Reason{Obstacle::unsatisfiable,
-                  shown(matcher_.vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
-                  "mend the ontology: geminga-ontology check says why"};
+    return Reason{
+        Obstacle::unsatisfiable,
+        shown(matcher_.editions().vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
+        "mend the ontology: geminga-ontology check says why"};
   }
   if (!semantic->representation_iri.empty() && !vocabulary.find_iri(semantic->representation_iri)) {
     return of_unknown_name(piece, offer.key.participant, semantic->representation_iri,
@@ -280,17 +285,17 @@ std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& of
 
 Reason Reasons::of(Piece& piece, const PublicationEntry& offer, const Nearest& nearest) {
   const bool is_near = nearest.misfit && nearest.misfit->finding.is_near();
-  const auto* request = is_near ? matcher_.find_subscription(nearest.misfit->key) : nullptr;
+  const auto* request = is_near ? matcher_.subscriptions().find_entry(nearest.misfit->key) : nullptr;
   if (request == nullptr) {
     auto reason = of_offer(piece, offer);
     return reason ? std::move(*reason) : of_nobody(offer);
   }
-  const Asked asked{.entry = *request, .request = matcher_.prepare(*request)};
+  const Asked asked{.entry = *request, .request = matcher_.examination().prepare(*request)};
   const Check check = misfit_of(matcher_, neighbours_, asked, offer, nearest.misfit->finding.first());
   Reason reason{check.obstacle, to_string(request->key) + ": " + check.text,
-                mend_by_provider(matcher_, asked, offer, check)};
+                mend_by_provider(matcher_.examination(), asked, offer, check)};
   if (check.obstacle == Obstacle::representation && nearest.representations.size() > 1) {
-    reason.text += "; asked for are " + told_representations(matcher_.vocabulary(), nearest);
+    reason.text += "; asked for are " + told_representations(matcher_.editions().vocabulary(), nearest);
   }
   return reason;
 }
@@ -301,15 +306,15 @@ Reason Reasons::likely(Piece& piece, const PublicationEntry& offer) {
     nearest.consider(request.key, request.subscription.identity, finding);
     return true;
   };
-  piece.add_work(cost_of_entry * matcher_.examine_near(offer, max_examined_requests, consider));
+  piece.add_work(cost_of_entry * matcher_.search().examine_near(offer, max_examined_requests, consider));
   if (!nearest.misfit && std::holds_alternative<TextIdentity>(offer.publication.identity)) {
     std::size_t left = max_compared_requests;
-    matcher_.examine_requests(std::nullopt, offer,
-                              [&](const registry::SubscriptionEntry& request, const matching::Finding& finding) {
-                                piece.add_work(cost_of_entry);
-                                consider(request, finding);
-                                return --left > 0;
-                              });
+    matcher_.search().examine_requests(
+        std::nullopt, offer, [&](const registry::SubscriptionEntry& request, const matching::Finding& finding) {
+          piece.add_work(cost_of_entry);
+          consider(request, finding);
+          return --left > 0;
+        });
   }
   return of(piece, offer, nearest);
 }

@@ -15,9 +15,9 @@ Error unknown(const std::string& what, const ServiceKey& key, const std::string&
 }
 
 std::expected<Asked, Error> stated(const matching::Matcher& matcher, const ServiceKey& key) {
-  const auto* entry = matcher.find_subscription(key);
+  const auto* entry = matcher.subscriptions().find_entry(key);
   if (entry == nullptr) return std::unexpected(unknown("subscription", key, "requests"));
-  return Asked{.entry = *entry, .request = matcher.prepare(*entry)};
+  return Asked{.entry = *entry, .request = matcher.examination().prepare(*entry)};
 }
 
 /// As if a peer of this participant asked for it.
@@ -37,12 +37,12 @@ std::expected<Asked, Error> imagined(const Stating& by, const gcnp::Hypothetical
     if (!on) return std::unexpected(on.error());
     asked.entry.subscription.on = std::move(*on);
   }
-  if (auto error = matching::check_where(named.where, "where", by.matcher.vocabulary().units()))
+  if (auto error = matching::check_where(named.where, "where", by.matcher.editions().vocabulary().units()))
     return std::unexpected(std::move(*error));
-  if (auto error = matching::check_preferences(asked.entry.subscription, by.matcher.vocabulary().units()))
+  if (auto error = matching::check_preferences(asked.entry.subscription, by.matcher.editions().vocabulary().units()))
     return std::unexpected(std::move(*error));
   if (auto error = matching::check_scope(named.scope)) return std::unexpected(std::move(*error));
-  asked.request = by.matcher.prepare(asked.entry);
+  asked.request = by.matcher.examination().prepare(asked.entry);
   return asked;
 }
 
@@ -52,7 +52,7 @@ std::expected<Offered, Error> imagined(const Stating& by, const gcnp::Hypothetic
   auto identity = by.resolver.resolve(offer.publication.identity);
   if (!identity) return std::unexpected(Error{identity.error().code, "offer: " + identity.error().text});
   if (auto error = matching::check_scope(offer.publication.scope)) return std::unexpected(std::move(*error));
-  if (auto error = matching::check_where(offer.publication.for_whom, "for", by.matcher.vocabulary().units()))
+  if (auto error = matching::check_where(offer.publication.for_whom, "for", by.matcher.editions().vocabulary().units()))
     return std::unexpected(std::move(*error));
   Offered offered{.entry = {}, .is_living = false};
   auto& entry = offered.entry;
@@ -81,7 +81,7 @@ std::expected<std::optional<Asked>, Error> asked_of(const Stating& by, const gcn
 std::expected<std::optional<Offered>, Error> offered_of(const Stating& by, const gcnp::QueryWhy& query,
                                                         const std::optional<Asked>& asked) {
   if (const auto* key = std::get_if<ServiceKey>(&query.offer)) {
-    const auto* entry = by.matcher.find_publication(*key);
+    const auto* entry = by.matcher.publications().find_entry(*key);
     if (entry == nullptr) return std::unexpected(unknown("service", *key, "services"));
     return Offered{.entry = *entry};
   }

@@ -14,17 +14,18 @@ Survey::Survey(const matching::Matcher& matcher, const Overlaps& overlaps, Asked
       offer_(std::move(offer)),
       candidates_(asked_.entry.subscription.weakest == Degree::overlapping  // each may be a question to the reasoner
                       ? std::nullopt
-                      : matcher_.candidates(asked_.entry.subscription, *asked_.request, max_ranked_at_once)) {}
+                      : matcher_.search().candidates(asked_.entry.subscription, *asked_.request, max_ranked_at_once)) {}
 
 bool Survey::proceed(Piece& piece) {
   if (candidates_) {
     for (const ServiceKey& key : *candidates_) {
       piece.look_at_one();
-      if (const auto* offer = matcher_.find_publication(key)) look(*offer);
+      if (const auto* offer = matcher_.publications().find_entry(key)) look(*offer);
     }
     return true;
   }
-  return matcher_.walk_publications(last_, [&](const PublicationEntry& offer) {
+  return matcher_.publications().visit_after(last_, [&](const registry::StoredPublication& stored) {
+    const PublicationEntry& offer = stored.entry;
     piece.look_at_one();
     const bool is_of_its_kind = is_comparable(offer);
     if (is_of_its_kind && !look(offer)) return false;
@@ -44,11 +45,11 @@ bool Survey::look(const PublicationEntry& offer) {
   registry::SubscriptionEntry& asked = asked_.entry;
   if (asked_.is_any_mode) asked.subscription.mode = offer.publication.mode;
   const std::uint64_t postponed = overlaps_.counts().postponed;
-  const auto finding = matcher_.examine(asked, *asked_.request, offer);
+  const auto finding = matcher_.examination().examine(asked, *asked_.request, offer);
   if (overlaps_.counts().postponed != postponed) return false;
   if (finding.meets()) {
     // One that is about to be gone meets nothing any more.
-    const auto match = matcher_.meets(asked, *asked_.request, offer);
+    const auto match = matcher_.examination().meets(asked, *asked_.request, offer);
     if (match) take(asked_.request->rank(offer, *match));
     return true;
   }

@@ -80,16 +80,16 @@ class Telling {
       look_at_name(piece);
     }
     const bool is_walked =
-        by_.matcher.walk_publications(last_publication_,
-                                      [&](const registry::PublicationEntry& entry) {
-                                        last_publication_ = entry.key;
-                                        count(entry.publication.identity, &Node::offered);
-                                        piece.look_at_one();
-                                        return !piece.is_full();
-                                      }) &&
-        by_.matcher.walk_subscriptions(last_subscription_, [&](const registry::SubscriptionEntry& entry) {
-          last_subscription_ = entry.key;
-          count(entry.subscription.identity, &Node::asked);
+        by_.matcher.publications().visit_after(last_publication_,
+                                               [&](const registry::StoredPublication& stored) {
+                                                 last_publication_ = stored.entry.key;
+                                                 count(stored.entry.publication.identity, &Node::offered);
+                                                 piece.look_at_one();
+                                                 return !piece.is_full();
+                                               }) &&
+        by_.matcher.subscriptions().visit_after(last_subscription_, [&](const registry::StoredSubscription& stored) {
+          last_subscription_ = stored.entry.key;
+          count(stored.entry.subscription.identity, &Node::asked);
           piece.look_at_one();
           return !piece.is_full();
         });
@@ -103,7 +103,7 @@ class Telling {
   }
 
  private:
-  [[nodiscard]] const Vocabulary& vocabulary() const { return by_.matcher.vocabulary(); }
+  [[nodiscard]] const Vocabulary& vocabulary() const { return by_.matcher.editions().vocabulary(); }
 
   void take(ClassNumber number) {
     if (total_++ < query_.skip || order_.size() == query_.limit) return;
@@ -177,7 +177,7 @@ class Telling {
 }  // namespace
 
 std::expected<Answering, Error> begin_taxonomy(const Listed& by, const gcnp::QueryTaxonomy& query) {
-  const Vocabulary& vocabulary = by.matcher.vocabulary();
+  const Vocabulary& vocabulary = by.matcher.editions().vocabulary();
   if (!vocabulary.is_loaded()) return std::unexpected(by.resolver.no_ontology());
   Answering answering{.kind = "taxonomy", .proceed = {}};
   if (!query.contains.empty()) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "discovery/matching/conversions/converter.hpp"
-#include "discovery/matching/matcher.hpp"
+#include "discovery/matching/search.hpp"
 
 namespace geminga::participant {
 
@@ -15,13 +15,13 @@ namespace geminga::participant {
 class Use {
  public:
   /// Whether somebody asks for it, or a chain for somebody goes through it.
-  [[nodiscard]] bool is_of(const matching::Matcher& matcher, const registry::PublicationEntry& entry) {
-    return matcher.is_used(entry) || is_in_chain(matcher, entry);
+  [[nodiscard]] bool is_of(const matching::Search& search, const registry::PublicationEntry& entry) {
+    return search.is_used(entry) || is_in_chain(search, entry);
   }
 
-  [[nodiscard]] bool is_in_chain(const matching::Matcher& matcher, const registry::PublicationEntry& entry) {
+  [[nodiscard]] bool is_in_chain(const matching::Search& search, const registry::PublicationEntry& entry) {
     if (!matching::is_converter(entry.publication.attributes)) return false;
-    if (!converters_) converters_ = matcher.converters_in_use();
+    if (!converters_) converters_ = search.converters_in_use();
     return converters_->contains(matching::place_of(entry));
   }
 

@@ -57,7 +57,7 @@ class PairAnswer {
     checks_ = checks_of(matcher_, neighbours_, asked_, offer_.entry, Depth::search);
     if (std::ranges::any_of(checks_, [](const Check& one) { return one.missing || !one.proof.empty(); }))
       piece.look_at(cost_of_proof);
-    const auto finding = matcher_.examine(asked_.entry, *asked_.request, offer_.entry);
+    const auto finding = matcher_.examination().examine(asked_.entry, *asked_.request, offer_.entry);
     match_ = finding.match;
     if (first_obstacle(checks_) != nullptr) return;
     if (!match_) return;  // cannot happen where all checks are ok
@@ -74,8 +74,8 @@ class PairAnswer {
       append(line, "degree", std::string(to_string(match_->degree)));
       append(line, "distance", match_->distance);
       if (match_->cost != 0) {
-        const auto chain = chain_of(matcher_, asked_, offer_.entry);
-        append(line, "convert", matching::chain_words(chain.get(), matcher_.vocabulary()));
+        const auto chain = chain_of(matcher_.examination(), asked_, offer_.entry);
+        append(line, "convert", matching::chain_words(chain.get(), matcher_.editions().vocabulary()));
         append(line, "cost", match_->cost);
         if (chain != nullptr) append_stated(line, "via", chain->via);
       }
@@ -113,7 +113,7 @@ class RequestAnswer {
     }
     for (; told_ < list_.size(); ++told_) {
       if (piece.is_full()) return false;
-      if (const auto* offer = matcher_.find_publication(list_[told_].key)) tell(piece, *offer, list_[told_]);
+      if (const auto* offer = matcher_.publications().find_entry(list_[told_].key)) tell(piece, *offer, list_[told_]);
     }
     if (piece.is_full()) return false;
     piece.conclude(end(piece));
@@ -139,7 +139,7 @@ class RequestAnswer {
       return at == ranked.end() ? 0 : static_cast<std::size_t>(at - ranked.begin()) + 1;
     };
     chosen_ = asked.entry.subscription.chosen;  // as the consumer's host has announced
-    if (chosen_.empty() && asked.is_living) chosen_ = matcher_.chosen(asked.entry.key);
+    if (chosen_.empty() && asked.is_living) chosen_ = matcher_.choices().chosen(asked.entry.key);
     if (chosen_.empty()) {  // asked by nobody, or at a host that is not asked whom it has chosen
       const std::size_t limit = asked.entry.subscription.limit;
       chosen_.assign(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(
@@ -168,13 +168,13 @@ class RequestAnswer {
       check = checks_of(matcher_, neighbours_, asked, offer, Depth::search)[1];
       if (!check.proof.empty()) piece.look_at(cost_of_proof);
     } else {
-      const auto* rival = chosen_.empty() ? nullptr : matcher_.find_publication(chosen_.back());
+      const auto* rival = chosen_.empty() ? nullptr : matcher_.publications().find_entry(chosen_.back());
       check = outranked(matcher_, asked, offer,
                         {.place = entry.place, .settled = entry.settled, .candidates = survey_.matching()}, rival);
     }
     Line line;
     append_party(line, offer);
-    append(line, "offered", words(matcher_.vocabulary(), offer.publication.identity));
+    append(line, "offered", words(matcher_.editions().vocabulary(), offer.publication.identity));
     append(line, "mode", std::string(to_string(offer.publication.mode)));
     append_check(line, check);
     append_way(line, offer, neighbours_);
@@ -221,7 +221,7 @@ class OfferAnswer {
     }
     for (; told_ < list_.size(); ++told_) {
       if (piece.is_full()) return false;
-      const auto* request = matcher_.find_subscription(list_[told_].key);
+      const auto* request = matcher_.subscriptions().find_entry(list_[told_].key);
       if (request == nullptr) continue;
       auto check = checked(piece, *request, list_[told_]);
       if (!check) return false;
@@ -252,10 +252,10 @@ class OfferAnswer {
   std::optional<Check> checked(Piece& piece, const SubscriptionEntry& request, const Entry& entry) {
     Offered offer = demand_.offer();
     offer.entry = demand_.offer_for(request);
-    const Asked asked{.entry = request, .request = matcher_.prepare(request)};
+    const Asked asked{.entry = request, .request = matcher_.examination().prepare(request)};
     if (!entry.is_meeting) {
       Check check = misfit_of(matcher_, neighbours_, asked, offer.entry, entry.misfit);
-      check.mend = mend_by_provider(matcher_, asked, offer.entry, check);
+      check.mend = mend_by_provider(matcher_.examination(), asked, offer.entry, check);
       return check;
     }
     if (entry.is_taken) {
@@ -264,7 +264,7 @@ class OfferAnswer {
       return check;
     }
     if (!survey_) {
-      const auto finding = matcher_.examine(asked.entry, *asked.request, offer.entry);
+      const auto finding = matcher_.examination().examine(asked.entry, *asked.request, offer.entry);
       if (!finding.match) return Check{.what = "arbitration", .obstacle = Obstacle::outranked, .text = "it has gone"};
       rank_ = rank_of(asked, offer, *finding.match);
       survey_.emplace(matcher_, overlaps_, asked, *rank_);
@@ -272,14 +272,14 @@ class OfferAnswer {
     if (!survey_->proceed(piece)) return std::nullopt;
     Check check = check_arbitration(matcher_, *survey_, offer, *rank_);
     survey_.reset();
-    if (!check.is_ok()) check.mend = mend_by_provider(matcher_, asked, offer.entry, check);
+    if (!check.is_ok()) check.mend = mend_by_provider(matcher_.examination(), asked, offer.entry, check);
     return check;
   }
 
   void tell(Piece& piece, const SubscriptionEntry& request, const Check& check) const {
     Line line;
     append_party(line, request);
-    append(line, "asked", words(matcher_.vocabulary(), request.subscription.identity));
+    append(line, "asked", words(matcher_.editions().vocabulary(), request.subscription.identity));
     append(line, "mode", std::string(to_string(request.subscription.mode)));
     append_check(line, check);
     append_way(line, request, neighbours_);
@@ -288,7 +288,7 @@ class OfferAnswer {
 
   [[nodiscard]] Line end(Piece& piece) const {
     Line line;
-    const bool is_in_chain = Use().is_in_chain(matcher_, demand_.offer().entry);
+    const bool is_in_chain = Use().is_in_chain(matcher_.search(), demand_.offer().entry);
     append_flag(line, "used", demand_.matching() > 0 || is_in_chain);
     append(line, "requests", demand_.seen());
     append(line, "matching", demand_.matching());

@@ -79,10 +79,10 @@ TEST(Scope, OfEitherSideKeepsAPairApart) {
     matcher.put(service);
     matcher.put(wish);
     EXPECT_THAT(told(matcher), IsEmpty());
-    EXPECT_FALSE(matcher.is_served(wish));
-    EXPECT_THAT(matcher.why(wish, service).error(), is_of_provider
-                                                        ? "scope: the provider's, host, does not admit the consumer"
-                                                        : "scope: the consumer's, host, does not admit the provider");
+    EXPECT_FALSE(matcher.search().is_served(wish));
+    EXPECT_THAT(matcher.examination().why(wish, service).error(),
+                is_of_provider ? "scope: the provider's, host, does not admit the consumer"
+                               : "scope: the consumer's, host, does not admit the provider");
     scope = "!host";
     matcher.put(service);
     matcher.put(wish);
@@ -91,7 +91,7 @@ TEST(Scope, OfEitherSideKeepsAPairApart) {
     matcher.put(service);
     matcher.put(wish);
     EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub del p2.1.1 changed")) << "from the air; it admits nobody";
-    EXPECT_EQ(matcher.why(wish, service).error(), "scope: it cannot be read");
+    EXPECT_EQ(matcher.examination().why(wish, service).error(), "scope: it cannot be read");
   }
 }
 
@@ -103,7 +103,7 @@ TEST(Scope, AProviderMayHaveAConditionOnItsConsumers) {
   matcher.put(service);
   matcher.put(wish);
   EXPECT_THAT(told(matcher), IsEmpty());
-  EXPECT_EQ(matcher.why(wish, service).error(),
+  EXPECT_EQ(matcher.examination().why(wish, service).error(),
             "for: participant_name = robot* and rate <= 30 and not has protocol does not hold: rate is absent");
   wish.subscription.attributes["rate"] = "10";
   matcher.put(wish);
@@ -117,7 +117,7 @@ TEST(Scope, AProviderMayHaveAConditionOnItsConsumers) {
   service.publication.for_whom = "rate in";
   matcher.put(service);
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 sub del p2.1.1 changed"));
-  EXPECT_EQ(matcher.why(wish, service).error(), "for: it cannot be read");
+  EXPECT_EQ(matcher.examination().why(wish, service).error(), "for: it cannot be read");
 }
 
 }  // namespace

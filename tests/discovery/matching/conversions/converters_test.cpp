@@ -93,7 +93,7 @@ TEST_F(ConvertersTest, TakeTheirMatchesWithThem) {
   matcher.put(converter(key(3, 1, 2), "E", "F"));
   EXPECT_THAT(told(), ElementsAre(HasSubstr("pub add p2.1.2")));
   matcher.begin_departure(ParticipantId{3}, Reason::expired);
-  while (matcher.depart_next() || matcher.rejudge_next()) {
+  while (matcher.take_step()) {
   }
   EXPECT_THAT(told(), ElementsAre("p1.1.1 pub del p2.1.2 changed"));
 }
@@ -164,16 +164,16 @@ TEST_F(ConvertersTest, AreThoseThatTheConsumerTakesPartWith) {
   const auto is_converted = [&](const SubscriptionEntry& asked, const PublicationEntry& by) {
     matcher.put(by);
     matcher.put(asked);
-    const bool is_met = !matcher.chosen(asked.key).empty();
+    const bool is_met = !matcher.choices().chosen(asked.key).empty();
     matcher.remove_subscription(asked.key, Reason::withdrawn);
     matcher.remove_publication(by.key, Reason::withdrawn);
     // The same, in the other order.
     matcher.put(asked);
-    EXPECT_TRUE(matcher.chosen(asked.key).empty());
+    EXPECT_TRUE(matcher.choices().chosen(asked.key).empty());
     matcher.put(by);
-    EXPECT_EQ(!matcher.chosen(asked.key).empty(), is_met);
+    EXPECT_EQ(!matcher.choices().chosen(asked.key).empty(), is_met);
     matcher.remove_publication(by.key, Reason::withdrawn);
-    EXPECT_TRUE(matcher.chosen(asked.key).empty());
+    EXPECT_TRUE(matcher.choices().chosen(asked.key).empty());
     matcher.remove_subscription(asked.key, Reason::withdrawn);
     return is_met;
   };

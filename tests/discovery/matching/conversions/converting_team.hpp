@@ -52,7 +52,7 @@ inline std::vector<std::string> told_chains(Matcher& matcher) {
   for (const Event& event : matcher.take_events()) {
     std::string line = in_words(event);
     if (event.chain != nullptr) {
-      std::string names = matcher.chain_words(event.to, *event.chain);
+      std::string names = matcher.choices().chain_words(event.to, *event.chain);
       const auto replace = [&names](std::string_view what, std::string_view by) {
         for (auto at = names.find(what); at != std::string::npos; at = names.find(what)) {
           names.replace(at, what.size(), by);

@@ -74,7 +74,8 @@ TEST(Overlap, MeetsWhatCanBeBothAndNothingElse) {
         wanted.push_back("p1.1.2 pub add p2.1.7 " + one.wanted);
       EXPECT_EQ(told(matcher), wanted) << what;
       const SubscriptionEntry asked = request(key(here, 1, 1), one.asked, 0, overlapping);
-      const auto finding = matcher.examine(asked, *matcher.prepare(asked), *matcher.find_publication(key(2, 1, 7)));
+      const auto finding = matcher.examination().examine(asked, *matcher.examination().prepare(asked),
+                                                         *matcher.publications().find_entry(key(2, 1, 7)));
       EXPECT_EQ(to_string(finding.first()), one.code.empty() ? "none" : one.code) << what;
     }
   }
@@ -95,9 +96,11 @@ TEST(Overlap, IsRefusedWhereTheReasonerCannotTell) {
   const SubscriptionEntry asked = request(key(here, 1, 1), semantic("Ball"), 0, overlapping);
   matcher.put(asked);
   EXPECT_THAT(told(matcher), IsEmpty());
-  const auto* offered = matcher.find_publication(key(2, 1, 1));
-  EXPECT_EQ(matcher.examine(asked, *matcher.prepare(asked), *offered).first(), Obstacle::undecided);
-  EXPECT_THAT(matcher.why(asked, *offered).error(), HasSubstr("undecided whether something can be both: axioms were"));
+  const auto* offered = matcher.publications().find_entry(key(2, 1, 1));
+  EXPECT_EQ(matcher.examination().examine(asked, *matcher.examination().prepare(asked), *offered).first(),
+            Obstacle::undecided);
+  EXPECT_THAT(matcher.examination().why(asked, *offered).error(),
+              HasSubstr("undecided whether something can be both: axioms were"));
 }
 
 TEST(Overlap, FollowsTheOntology) {
@@ -106,11 +109,11 @@ TEST(Overlap, FollowsTheOntology) {
   matcher.put(request(key(here, 1, 1), semantic("Ball"), 0, overlapping));
   EXPECT_THAT(told(matcher), ElementsAre("p1.1.1 pub add p2.1.1 overlapping 2"));
   const auto change_to = [&](vocabulary::Vocabulary next) {
-    matcher.begin_vocabulary(std::move(next));
-    while (matcher.file_next()) {
+    matcher.vocabulary_change().begin(std::move(next));
+    while (matcher.vocabulary_change().file_next()) {
     }
-    matcher.put_in_force();
-    while (matcher.rematch_next()) {
+    matcher.vocabulary_change().put_in_force();
+    while (matcher.vocabulary_change().rematch_next()) {
     }
     return told(matcher);
   };
@@ -135,9 +138,9 @@ TEST(Overlap, WaitsForTheReasonerAndLosesNothingMeanwhile) {
                     return decided_at_once(by, offered, requested);
                   });
   const auto finish = [&] {
-    matcher.place_again();
-    for (int step = 0; step < 50 && matcher.rematch_next(); ++step) may_ask = true;
-    EXPECT_FALSE(matcher.rematch_next());
+    matcher.vocabulary_change().place_again();
+    for (int step = 0; step < 50 && matcher.vocabulary_change().rematch_next(); ++step) may_ask = true;
+    EXPECT_FALSE(matcher.vocabulary_change().rematch_next());
     return told(matcher);
   };
   for (const char* name : {"Moving", "Robot", "Sphere", "Frame"}) {
@@ -152,13 +155,13 @@ TEST(Overlap, WaitsForTheReasonerAndLosesNothingMeanwhile) {
 
   // Another ontology, without answers at first: nothing is lost and regained.
   may_ask = true;
-  matcher.begin_vocabulary(soccer(
+  matcher.vocabulary_change().begin(soccer(
       [](Taxonomy& other) { other.sub("Moving", "Tracked").disjoint("Ball", "Robot").sub("Unheard", "Tracked"); }));
-  while (matcher.file_next()) {
+  while (matcher.vocabulary_change().file_next()) {
   }
-  matcher.put_in_force();
+  matcher.vocabulary_change().put_in_force();
   EXPECT_THAT(finish(), IsEmpty());
-  EXPECT_EQ(matcher.chosen(key(here, 1, 1)).size(), 3U);
+  EXPECT_EQ(matcher.choices().chosen(key(here, 1, 1)).size(), 3U);
 }
 
 }  // namespace

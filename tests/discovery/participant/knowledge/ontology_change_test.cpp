@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "discovery/matching/matcher.hpp"
+
 namespace geminga::participant {
 namespace {
 
@@ -32,7 +34,7 @@ class OntologyChangeTest : public testing::Test {
   matching::Matcher matcher;
   OntologyReading reading;
   Log log;
-  OntologyChange change{matcher, reading, log};
+  OntologyChange change{matcher.editions(), matcher.vocabulary_change(), reading, log};
 };
 
 TEST_F(OntologyChangeTest, ComesIntoForceAndThenHasAllStatementsRestated) {
