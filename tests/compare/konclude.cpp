@@ -123,6 +123,7 @@ std::expected<cases::Closure, std::string> types_of_owl_xml(const fs::path& file
   });
   if (error) return std::unexpected(*error);
   std::ranges::sort(types);
+  types.erase(std::ranges::unique(types).begin(), types.end());  // it writes some twice
   return types;
 }
 

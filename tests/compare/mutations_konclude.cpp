@@ -49,7 +49,7 @@ struct Request {
 constexpr double slower_times = 1.5;
 constexpr double slower_seconds = 0.3;
 /// Fewer facts than this are added where the types of individuals are compared.
-constexpr std::size_t most_facts = 40;
+constexpr std::size_t most_facts = 12;
 
 /// The words about what an answer leaves open; empty where that is nothing.
 std::string open_words(const std::vector<std::string>& gaps, const taxonomy::Classification& classification) {

@@ -130,10 +130,6 @@ Computed compute_exactly(BuiltIn built_in, std::span<const Value> operands) {
   }
 }
 
-double double_of(const Value& value) {
-  return value.family == DataFamily::number ? value.position.convert_to<double>() : float_of(value);
-}
-
 template <typename Float>
 Value value_of_float(DataFamily family, Float number) {
   Value value{family, 0, 0, {}};
@@ -183,7 +179,6 @@ std::optional<Float> compute_float(BuiltIn built_in, std::span<const Value> oper
       return std::copysign(result - below >= Float{0.5} ? below + 1 : below, result);
     }
     case BuiltIn::round_half_to_even:
-      if (numbers.size() > 1) return std::nullopt;
       return std::nearbyint(result);
     case BuiltIn::sin:
       return std::sin(result);
@@ -194,6 +189,20 @@ std::optional<Float> compute_float(BuiltIn built_in, std::span<const Value> oper
     default:
       return std::nullopt;
   }
+}
+
+/// A double or float to so many digits: by way of a decimal (fn:round-half-to-even).
+Computed rounded_to_digits(std::span<const Value> operands) {
+  const double number = double_of(operands[0]);
+  if (operands[1].family != DataFamily::number) return {};
+  if (number == 0 || !std::isfinite(number)) return {Holds::yes, operands[0]};
+  const Value exact[] = {value_of_number(Number(number)), operands[1]};
+  const Computed result = compute_exactly(BuiltIn::round_half_to_even, exact);
+  if (result.holds != Holds::yes) return result;
+  const DataFamily family = operands[0].family;
+  const Number& rounded = result.value->position;
+  return {Holds::yes, family == DataFamily::float_ ? value_of_float(family, rounded.convert_to<float>())
+                                                   : value_of_float(family, rounded.convert_to<double>())};
 }
 
 /// The quotient of integerDivide is an integer, whatever its operands are (op:numeric-integer-divide).
@@ -212,6 +221,10 @@ bool is_number(const Value& value) {
          value.family == DataFamily::float_;
 }
 
+double double_of(const Value& value) {
+  return value.family == DataFamily::number ? value.position.convert_to<double>() : float_of(value);
+}
+
 std::partial_ordering compare_numbers(const Value& a, const Value& b) {
   if (a.family == DataFamily::number && b.family == DataFamily::number) {
     if (a.position == b.position) return std::partial_ordering::equivalent;
@@ -227,6 +240,8 @@ Computed compute(BuiltIn built_in, std::span<const Value> operands) {
   const auto has = [&](DataFamily family) {
     return std::ranges::any_of(operands, [&](const Value& one) { return one.family == family; });
   };
+  if (built_in == BuiltIn::round_half_to_even && operands.size() > 1 && operands[0].family != DataFamily::number)
+    return rounded_to_digits(operands);
   const bool is_curve = built_in == BuiltIn::sin || built_in == BuiltIn::cos || built_in == BuiltIn::tan;
   if (has(DataFamily::double_) || (is_curve && !has(DataFamily::float_)))
     return compute_rounded<double>(DataFamily::double_, built_in, operands);

@@ -12,6 +12,8 @@
 namespace geminga::hypertableau {
 
 [[nodiscard]] bool is_number(const Value& value);
+/// The nearest double of a number.
+[[nodiscard]] double double_of(const Value& value);
 /// Numbers of different types are compared in the wider one. Nothing with a NaN.
 [[nodiscard]] std::partial_ordering compare_numbers(const Value& a, const Value& b);
 

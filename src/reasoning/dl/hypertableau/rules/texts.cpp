@@ -2,6 +2,7 @@
 #include "reasoning/dl/hypertableau/rules/texts.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -42,12 +43,11 @@ std::string in_upper_case(std::string_view text) {
   return result;
 }
 
-/// A finite number rounded as fn:round() does.
-std::optional<Number> rounded(const Value& value) {
+/// A number rounded as fn:round() does, as the double that fn:substring() takes.
+std::optional<double> rounded(const Value& value) {
   const std::array<Value, 1> operand{value};
   const Computed result = compute(BuiltIn::round, operand);
-  if (result.holds != Holds::yes || result.value->family != DataFamily::number) return std::nullopt;
-  return result.value->position;
+  return result.holds == Holds::yes ? std::optional(double_of(*result.value)) : std::nullopt;
 }
 
 /// The octets of the character that begins here.
@@ -57,23 +57,23 @@ std::string_view character_at(std::string_view text, std::size_t at) {
   return text.substr(at, next - at);
 }
 
-/// The characters whose position p, from 1, has  start <= p < start + length.
+/// The characters whose position p, from 1, has  start <= p < start + length: none where one of them is NaN.
 Computed substring(std::span<const Value> operands) {
   const std::string_view text = text_of(operands[0]);
   const auto start = rounded(operands[1]);
   if (!start) return {};
-  std::optional<Number> end;
+  double end = std::numeric_limits<double>::infinity();
   if (operands.size() > 2) {
     const auto length = rounded(operands[2]);
     if (!length) return {};
     end = *start + *length;
   }
   std::string result;
-  std::size_t position = 0;
+  double position = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::string_view character = character_at(text, at);
     ++position;
-    if (*start <= position && (!end || position < *end)) result += character;
+    if (*start <= position && position < end) result += character;
     at += character.size();
   }
   return text_value(result);
