@@ -30,6 +30,7 @@ std::size_t Blocking::update() {
   if (changed == none) return 0;
   blockers_.cut(changed);
   blocked_by_.resize(graph_.node_count());
+  looks_back_.resize(graph_.node_count());
   // Looks at nodes count as steps. Otherwise questions with many nodes would cost nothing and never end.
   const std::size_t looked = graph_.node_count() - std::min<std::size_t>(changed, graph_.node_count());
   effort_.count_steps(looked / nodes_a_step);
@@ -44,7 +45,8 @@ std::size_t Blocking::update() {
       mark(node, false);
       continue;
     }
-    const std::uint64_t key = key_of(one);
+    looks_back_[node] = is_tree && looks_back(node);
+    const std::uint64_t key = key_of(node);
     const NodeId blocker =
         is_tree ? blockers_.find(key, [&](NodeId candidate) { return blocks(candidate, node); }) : none;
     mark(node, blocker != none);
@@ -66,25 +68,59 @@ Blocking::BlockedBy Blocking::compared(NodeId node, NodeId blocker) const {
   if (blocker == none) return {};
   const Node& first = graph_.node(node);
   const Node& second = graph_.node(blocker);
-  if (!program_.has_inverses()) return {blocker, {first.version, second.version, 0, 0}};
+  if (!looks_back_[node]) return {blocker, {first.version, second.version, 0, 0}};
   return {blocker,
           {first.version, second.version, graph_.node(first.parent).version, graph_.node(second.parent).version}};
 }
 
 // Without nominals and inverses, the nodes below a root depend on its label only.
 bool Blocking::may_block_as_root(const Node& node) const {
-  return node.kind == NodeKind::root && !program_.has_inverses() && !program_.has_nominals();
+  return node.kind == NodeKind::root && !program_.backward_looks().has_inverses() && !program_.has_nominals();
 }
 
-std::uint64_t Blocking::key_of(const Node& node) const {
-  if (!program_.has_inverses()) return node.label_hash;
+// Along an edge between it and its parent.
+bool Blocking::looks_back(NodeId node) const {
+  const Node& one = graph_.node(node);
+  std::uint32_t left = one.backward_edge_count;
+  const auto looks = [&](const Fact& edge, bool is_inverse) {
+    const Direction direction = direction_of(edge.predicate, is_inverse);
+    if (edge.kind != FactKind::role || !program_.backward_looks().directions()[direction]) return false;
+    --left;
+    return looks_along(node, direction);
+  };
+  for (FactId id = one.in; id != none && left > 0; id = graph_.fact(id).next_b) {
+    if (graph_.fact(id).a == one.parent && looks(graph_.fact(id), true)) return true;
+  }
+  for (FactId id = one.out; id != none && left > 0; id = graph_.fact(id).next_a) {
+    if (graph_.fact(id).b == one.parent && looks(graph_.fact(id), false)) return true;
+  }
+  return false;
+}
+
+bool Blocking::looks_along(NodeId node, Direction direction) const {
+  const BackwardLooks& looks = program_.backward_looks();
+  if (looks.is_of_all(direction)) return true;
+  const auto is_in = [&](std::uint32_t id) { return graph_.find(FactKind::concept_of, id, node) != none; };
+  if (std::ranges::any_of(looks.guards(direction), is_in)) return true;
+  if (!looks.are_of_at_leasts()) return false;
+  for (FactId id = graph_.node(node).others; id != none; id = graph_.next_other(id, node)) {
+    const Fact& fact = graph_.fact(id);
+    if (fact.kind == FactKind::at_least && program_.directions().of_at_least(fact.predicate).front() == direction)
+      return true;
+  }
+  return false;
+}
+
+std::uint64_t Blocking::key_of(NodeId node) const {
+  const Node& one = graph_.node(node);
+  if (!looks_back_[node]) return one.label_hash;
   constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
-  return (node.label_hash * factor + node.edge_hash) * factor + graph_.node(node.parent).label_hash;
+  return (one.label_hash * factor + one.edge_hash) * factor + graph_.node(one.parent).label_hash;
 }
 
 bool Blocking::blocks(NodeId blocker, NodeId node) const {
-  if (!graph_.has_label_of(node, blocker)) return false;
-  if (!program_.has_inverses()) return true;
+  if (!graph_.has_label_of(node, blocker) || looks_back_[node] != looks_back_[blocker]) return false;
+  if (!looks_back_[node]) return true;
   const NodeId parent = graph_.node(node).parent;
   const NodeId other = graph_.node(blocker).parent;
   return graph_.has_label_of(parent, other) && has_same_edges(node, blocker);

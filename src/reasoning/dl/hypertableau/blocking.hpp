@@ -1,7 +1,8 @@
 // Blocking: a node need not be expanded if a node like it has been.
 //
-//   x is blocked by an older y that is not, if both are in the same concepts and so are their parents, with the same
-//   edges between (pairwise anywhere blocking); where no clause looks back along an edge, the node alone is compared.
+//   x is blocked by an older y that is not, if both are in the same concepts, and neither looks back at its parent
+//   (program/backward_looks.hpp). If they do, their parents must be in the same concepts, too, with the same edges
+//   between (pairwise anywhere blocking).
 //   A node below a blocked node is blocked.
 //
 // The nodes of the models of earlier questions block, too: see Search::keep().
@@ -44,8 +45,11 @@ class Blocking {
 
   void mark(NodeId node, bool is_blocked);
   [[nodiscard]] bool may_block_as_root(const Node& node) const;
-  [[nodiscard]] std::uint64_t key_of(const Node& node) const;
+  [[nodiscard]] std::uint64_t key_of(NodeId node) const;
   [[nodiscard]] bool is_still_blocked(NodeId node) const;
+  /// Whether the node looks back along an edge to its parent.
+  [[nodiscard]] bool looks_back(NodeId node) const;
+  [[nodiscard]] bool looks_along(NodeId node, Direction direction) const;
   [[nodiscard]] BlockedBy compared(NodeId node, NodeId blocker) const;
   [[nodiscard]] bool blocks(NodeId blocker, NodeId node) const;
   [[nodiscard]] bool has_same_edges(NodeId node, NodeId other) const;
@@ -55,6 +59,7 @@ class Blocking {
   Effort& effort_;
   Blockers blockers_;
   std::vector<BlockedBy> blocked_by_;  ///< by node, as of the last look
+  std::vector<bool> looks_back_;       ///< the same
   std::vector<NodeId> unblocked_;
 };
 

@@ -24,6 +24,7 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
     : set_(set),
       is_about_facts_(is_about_facts),
       program_(set, limits.counts),
+      graph_(program_.backward_looks().directions()),
       effort_(limits, graph_),
       facts_(source, set, program_, graph_, sets_, effort_),
       neighbours_(program_, graph_, sets_, effort_, facts_),

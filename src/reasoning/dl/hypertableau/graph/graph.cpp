@@ -188,6 +188,8 @@ void Graph::count_edge(const Fact& fact, bool is_added) {
   const std::uint64_t hash = mixed((std::uint64_t{fact.predicate} << 1) + (is_down ? 1 : 0) + 0x2545f491U);
   child.edge_hash += is_added ? hash : std::uint64_t{0} - hash;
   child.edge_count += is_added ? 1U : ~0U;
+  if (looks_back_[2 * std::size_t{fact.predicate} + (is_down ? 1 : 0)])
+    child.backward_edge_count += is_added ? 1U : ~0U;
   child.version = ++versions_;
   note_change(is_down ? fact.b : fact.a);
 }

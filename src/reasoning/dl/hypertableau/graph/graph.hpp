@@ -66,7 +66,8 @@ struct Node {
   FactId in = none;
   FactId others = none;
   std::uint32_t label_count = 0;
-  std::uint32_t edge_count = 0;  ///< between it and its parent
+  std::uint32_t edge_count = 0;           ///< between it and its parent
+  std::uint32_t backward_edge_count = 0;  ///< those of them along which some node looks back
   /// Changes whenever the label, the edge to the parent or the state changes.
   std::uint64_t version = 0;
   /// Changes whenever an edge or an inequality of it changes, or the label of a child.
@@ -92,6 +93,10 @@ struct Mark {
 
 class Graph {
  public:
+  /// By twice the number of a property, and one more from the parent to the child: whether some node looks back along
+  /// such an edge to its parent.
+  explicit Graph(std::vector<bool> looks_back) : looks_back_(std::move(looks_back)) {}
+
   [[nodiscard]] const std::vector<Fact>& facts() const { return facts_; }
   [[nodiscard]] const Fact& fact(FactId id) const { return facts_[id]; }
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
@@ -165,6 +170,7 @@ class Graph {
   void note_value(NodeId node);
   void note_surroundings(const Fact& fact);
 
+  std::vector<bool> looks_back_;
   std::vector<Node> nodes_;
   std::vector<Fact> facts_;
   /// Open addressing. Facts are removed in the reverse order, so an emptied slot breaks no chain of slots.

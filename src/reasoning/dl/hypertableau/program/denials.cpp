@@ -36,6 +36,11 @@ Denials::Denials(const clauses::ClauseSet& set) : denied_(set.concepts.size()), 
   }
 }
 
+bool Denials::look_around() const {
+  const auto has_roles = [](const Forbidden& all) { return !all.roles.empty(); };
+  return std::ranges::any_of(forbidden_, [&](const auto& of_one) { return std::ranges::any_of(of_one, has_roles); });
+}
+
 void Denials::look(const clauses::ClauseSet& set, const clauses::Clause& clause) {
   const auto is_name = [&](const Atom& atom) {
     return atom.kind == AtomKind::concept_of && set.concepts[atom.predicate].kind == ConceptKind::auxiliary;

@@ -31,6 +31,8 @@ class Denials {
   [[nodiscard]] std::span<const std::uint32_t> denied(std::uint32_t id) const { return denied_[id]; }
   /// The combinations that it excludes besides.
   [[nodiscard]] std::span<const Forbidden> forbidden(std::uint32_t id) const { return forbidden_[id]; }
+  /// Whether a denial looks at neighbours.
+  [[nodiscard]] bool look_around() const;
 
  private:
   void look(const clauses::ClauseSet& set, const clauses::Clause& clause);

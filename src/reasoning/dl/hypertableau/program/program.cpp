@@ -23,6 +23,7 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
       domains_(set),
       directions_(set, domains_.concept_count()),
       denials_(set),
+      backward_looks_(set, denials_),
       unions_(set),
       parts_(set),
       burdens_(set, domains_, denials_),
@@ -50,7 +51,6 @@ Program::Program(const clauses::ClauseSet& set, bool counts)
   for (const clauses::Concept& one : set.concepts) {
     has_nominals_ = has_nominals_ || one.kind == clauses::ConceptKind::nominal;
   }
-  note_inverses();
   for (const Clause& clause : set.clauses) add_clause(clause);
   for (const Clause& clause : domains_.clauses()) add_plans(clause);
   find_disjoint_concepts();
@@ -79,7 +79,6 @@ std::uint32_t Program::index_of(const Bound& bound) {
   const auto [found, is_new] = index_.try_emplace(bound, id);
   if (!is_new) return found->second;
   bounds_.push_back(bound);
-  has_inverses_ = has_inverses_ || bound.is_inverse;
   is_global_.push_back(false);
   conditional_.emplace_back();
   (bound.is_data ? bounds_of_data_role_ : bounds_of_role_)[bound.property].push_back(id);
@@ -88,7 +87,6 @@ std::uint32_t Program::index_of(const Bound& bound) {
 }
 
 void Program::add_clause(const Clause& clause) {
-  note_inverses(clause);
   if (!take_bound(clause) && !take_disjointness(clause)) add_plans(clause);
 }
 
@@ -304,26 +302,6 @@ void Program::find_excluded(std::uint32_t id, const std::vector<std::vector<std:
     }
   }
   base::sort_unique(result);
-}
-
-void Program::note_inverses(const Clause& clause) {
-  // Edges lead from parents to children, unless a head turns one round; a clause that goes along an edge in one
-  // direction and along another in the other sees the parent and a child at once.
-  bool forwards = false;
-  bool backwards = false;
-  const auto look = [&](const Atom& atom) {
-    if (atom.kind != AtomKind::role || atom.first == atom.second) return;
-    (atom.first == centre ? forwards : backwards) = true;
-  };
-  std::ranges::for_each(clause.body, look);
-  std::ranges::for_each(clause.head, look);
-  has_inverses_ = has_inverses_ || (forwards && backwards);
-}
-
-void Program::note_inverses() {
-  const auto is_inverse = [](const auto& one) { return one.role.is_inverse; };
-  has_inverses_ = has_inverses_ || std::ranges::any_of(set_.at_leasts, is_inverse) ||
-                  std::ranges::any_of(set_.at_mosts, is_inverse);
 }
 
 }  // namespace geminga::hypertableau

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
+#include "reasoning/dl/hypertableau/program/backward_looks.hpp"
 #include "reasoning/dl/hypertableau/program/bound.hpp"
 #include "reasoning/dl/hypertableau/program/burdens.hpp"
 #include "reasoning/dl/hypertableau/program/denials.hpp"
@@ -120,8 +121,8 @@ class Program {
   [[nodiscard]] std::uint32_t mark_of_question() const { return domains_.concept_count(); }
   /// Whether every node needs the fact that it is in owl:Thing.
   [[nodiscard]] bool needs_thing() const { return needs_thing_; }
-  /// Whether anything looks at a node from its successor's side, so that blocking must compare pairs.
-  [[nodiscard]] bool has_inverses() const { return has_inverses_; }
+  /// Along which edges a node sees its parent, so that blocking must compare pairs; see backward_looks.hpp.
+  [[nodiscard]] const BackwardLooks& backward_looks() const { return backward_looks_; }
   [[nodiscard]] bool has_nominals() const { return has_nominals_; }
 
  private:
@@ -135,13 +136,12 @@ class Program {
   void find_disjoint_concepts();
   void find_excluded(std::uint32_t id, const std::vector<std::vector<std::uint32_t>>& above,
                      const std::vector<std::vector<std::uint32_t>>& excluded);
-  void note_inverses(const clauses::Clause& clause);
-  void note_inverses();
 
   const clauses::ClauseSet& set_;
   Domains domains_;
   Directions directions_;
   Denials denials_;
+  BackwardLooks backward_looks_;
   UnionNames unions_;
   Parts parts_;
   Burdens burdens_;
@@ -168,7 +168,6 @@ class Program {
   NumberOrder numbers_;
   std::vector<std::uint32_t> needed_;  ///< by at-least
   bool needs_thing_ = false;
-  bool has_inverses_ = false;
   bool has_nominals_ = false;
 };
 
