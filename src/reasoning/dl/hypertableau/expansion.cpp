@@ -26,7 +26,7 @@ void Expansion::restore(const Sizes& sizes) {
     newest_[last.node] = last.older;
     existentials_.pop_back();
   }
-  next_functional_ = sizes.next_functional;
+  next_certain_ = sizes.next_certain;
 }
 
 void Expansion::note_done(std::uint32_t at) {
@@ -147,15 +147,18 @@ bool Expansion::is_of_several(std::uint32_t at) const {
 }
 
 // Each at-least is looked at once. Those of blocked nodes are left to expand().
-bool Expansion::expand_functional() {
-  if (next_functional_ == existentials_.size()) return false;
+bool Expansion::expand_certain() {
+  if (next_certain_ == existentials_.size()) return false;
   bool has_expanded = false;
   bool has_looked = false;
-  while (next_functional_ < existentials_.size() && !has_expanded) {
-    const std::uint32_t at = next_functional_++;
+  while (next_certain_ < existentials_.size() && !has_expanded) {
+    const std::uint32_t at = next_certain_++;
     const Fact fact = graph_.fact(existentials_[at].fact);
     if (existentials_[at].is_done || fact.kind != FactKind::at_least || !graph_.is_active(fact.a)) continue;
-    if (!neighbours_.is_functional(set_.at_leasts[fact.predicate].role, fact.a)) continue;
+    const clauses::AtLeast& at_least = set_.at_leasts[fact.predicate];
+    const bool is_of_nominal = program_.needed(fact.predicate) == 1 &&
+                               set_.concepts[number(at_least.filler)].kind == clauses::ConceptKind::nominal;
+    if (!is_of_nominal && !neighbours_.is_functional(at_least.role, fact.a)) continue;
     if (!has_looked) blocking_.update();
     has_looked = true;
     has_expanded = !graph_.node(fact.a).is_blocked && expand_one(at);

@@ -46,9 +46,9 @@ class Expansion {
   /// before more is guessed.
   void add(const Fact& fact, FactId id);
 
-  /// Makes the neighbour of a node that may have one at most, before anything is chosen, because its facts decide
-  /// alternatives. Whether a node or a fact was added.
-  bool expand_functional();
+  /// Makes the neighbour of a node that may have one at most, and the edge to an individual that it asks for, before
+  /// anything is chosen, because their facts decide alternatives. Whether a node or a fact was added.
+  bool expand_certain();
   /// Which nodes are expanded at a time: all, or a few of the oldest or of the newest ones.
   enum class Order : std::uint8_t { everything, oldest_first, newest_first };
   /// Expands the at-leasts of nodes that are not blocked, from this node on. Whether a node or a fact was added.
@@ -61,10 +61,10 @@ class Expansion {
   /// Sizes of the stacks.
   struct Sizes {
     std::size_t existentials = 0;
-    std::uint32_t next_functional = 0;
+    std::uint32_t next_certain = 0;
     std::size_t done = 0;
   };
-  [[nodiscard]] Sizes sizes() const { return {existentials_.size(), next_functional_, done_.size()}; }
+  [[nodiscard]] Sizes sizes() const { return {existentials_.size(), next_certain_, done_.size()}; }
   void restore(const Sizes& sizes);
 
  private:
@@ -130,8 +130,8 @@ class Expansion {
   /// Existentials that expand() must look at: all that are not done and whose nodes are active and not blocked, and
   /// some others. Most of a large model are not among them.
   std::set<Open> open_;
-  std::uint32_t next_functional_ = 0;  ///< each is looked at once by expand_functional()
-  std::vector<std::uint32_t> done_;    ///< existentials, in the order in which they were
+  std::uint32_t next_certain_ = 0;   ///< each is looked at once by expand_certain()
+  std::vector<std::uint32_t> done_;  ///< existentials, in the order in which they were
   std::optional<Decision> offer_;
 };
 

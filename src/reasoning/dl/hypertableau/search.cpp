@@ -176,7 +176,7 @@ Outcome Search::run() {
       continue;
     }
     if (effort_.is_over_limit()) return Outcome::unknown;
-    if (!saturate() || expansion_.expand_functional() || choose() || expand()) continue;
+    if (!saturate() || expansion_.expand_certain() || choose() || expand()) continue;
     keys_.check();
     if (facts_.has_clash() || facts_.has_merges()) continue;
     // If the values cannot be decided, this is no model.

@@ -55,6 +55,19 @@ TEST(Guesses, AreNotMadeWhereABoundIsExceeded) {
   EXPECT_EQ(answer(large_family + families(4)), Verdict::yes);
 }
 
+// Each person asks for an edge to an individual, by which it is in one of two classes. The other one asks for no
+// neighbour, so that it would be guessed first, and means much.
+TEST(Guesses, AreNotMadeWhereAnIndividualThatIsAskedForDecides) {
+  constexpr std::size_t classes = 60;
+  std::string text =
+      "SubClassOf(Person ObjectHasValue(r i:o))\nSubClassOf(ObjectHasValue(r i:o) E)\n"
+      "SubClassOf(Person ObjectUnionOf(E F0))\nSubClassOf(E ObjectSomeValuesFrom(q G))\n";
+  for (std::size_t at = 0; at < classes; ++at)
+    text += "SubClassOf(F" + std::to_string(at) + " F" + std::to_string(at + 1) + ")\n";
+  for (std::size_t at = 0; at < count; ++at) text += "ClassAssertion(Person i:p" + std::to_string(at) + ")\n";
+  EXPECT_EQ(answer(text), Verdict::yes);
+}
+
 // Nothing says that they differ, and they do: merging two merges their teachers. So that they differ is guessed.
 TEST(Guesses, OfChildrenWhoDifferComeBeforeThoseOfEqualOnes) {
   for (const std::size_t children : {2U, 3U, 5U})
