@@ -1,4 +1,4 @@
-// An optional value that is seldom there, and takes the room of a pointer where it is not.
+// An optional value that is mostly absent, and then takes the room of a pointer.
 #ifndef GEMINGA_BASE_RARE_HPP
 #define GEMINGA_BASE_RARE_HPP
 
@@ -7,8 +7,8 @@
 
 namespace geminga::base {
 
-/// As std::optional, but the value stands on the heap. For the members of records of which there are many, where
-/// nearly none has the value. A copy has a value of its own.
+/// As std::optional, but the value is on the heap: for a member of many records, of which nearly none has the
+/// value. A copy has a value of its own.
 template <typename Value>
 class Rare {
  public:

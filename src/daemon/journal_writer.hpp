@@ -19,7 +19,7 @@ class JournalWriter {
  public:
   static constexpr const char* default_path = "/run/systemd/journal/socket";
 
-  /// Connects. Nothing where nobody listens there.
+  /// Connects to the journal's socket. Nothing where no process listens there.
   [[nodiscard]] static std::optional<JournalWriter> open(const std::string& path);
   ~JournalWriter();
   JournalWriter(JournalWriter&& other) noexcept;

@@ -64,16 +64,16 @@ class Env {
 
   /// The interfaces in use, ordered by index. A change is told by on_interfaces_changed().
   [[nodiscard]] virtual const std::vector<Interface>& interfaces() const = 0;
-  /// The names of further interfaces that could be used, and for which there is no room.
+  /// The names of usable interfaces beyond the limit.
   [[nodiscard]] virtual std::vector<std::string> ignored_interfaces() const { return {}; }
-  /// The instant at which a datagram last came in on this interface, our own among them, which the link gives back at
-  /// once; at which the interface was opened where none has. Nothing where the world does not tell.
+  /// The instant at which the last datagram came in on this interface, our own looped-back ones included; before the
+  /// first one, the instant at which the interface was opened. Nothing where the system does not tell.
   [[nodiscard]] virtual std::optional<base::Instant> last_heard(InterfaceIndex interface) const {
     (void)interface;
     return std::nullopt;
   }
-  /// The way by which datagrams and streams to this numeric address would go at this moment. That another answer may
-  /// hold for addresses that were asked about is told by on_routes_changed().
+  /// The route that datagrams and streams to this numeric address would take at this moment. on_routes_changed() tells
+  /// when the answer for an address may have changed.
   [[nodiscard]] virtual RouteKind route(std::string_view address) {
     (void)address;
     return RouteKind::unknown;

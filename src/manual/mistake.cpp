@@ -46,12 +46,45 @@ std::vector<std::string> commands_of(const CLI::App& app) {
   return names;
 }
 
-/// The words of CLI11 in one line.
+/// Replaces the first `what` in a text by `by`; changes nothing where it is not there.
+void replace_first(std::string& text, std::string_view what, std::string_view by) {
+  if (const std::size_t begin = text.find(what); begin != std::string::npos) text.replace(begin, what.size(), by);
+}
+
+/// The sentence of CLI11 in one line, in plain words: "--format: png not in {dot,svg}" becomes "--format: png is none
+/// of dot, svg".
 std::string words_of(const CLI::ParseError& error) {
   std::string words = error.what();
   while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
   std::ranges::replace(words, '\n', ' ');
-  return words;
+  switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
+    case CLI::ExitCodes::ArgumentMismatch:  // "--interval: 1 required SECONDS missing"
+      if (const std::size_t count = words.find(": "), end = words.find(" required ");
+          end != std::string::npos && count < end && words.ends_with(" missing")) {
+        words.replace(words.size() - std::string_view("missing").size(), std::string::npos, "is missing");
+        words.erase(count + 2, end + std::string_view(" required ").size() - count - 2);
+      }
+      return words;
+    case CLI::ExitCodes::ValidationError: {
+      replace_first(words, ": File does not exist: ", ": there is no file ");
+      if (const std::size_t list = words.find(" not in {"); list != std::string::npos && words.ends_with('}')) {
+        words.pop_back();
+        words.replace(list, std::string_view(" not in {").size(), " is none of ");
+        for (std::size_t comma = words.find(',', list); comma != std::string::npos; comma = words.find(',', comma + 2))
+          words.insert(comma + 1, " ");
+      }
+      if (words.find(" not in range ") != std::string::npos) {
+        replace_first(words, ": Value ", ": ");
+        replace_first(words, " not in range ", " is not from ");
+      }
+      // "IDENTITY: is missing" is one sentence.
+      if (const std::size_t colon = words.find(": "); words.find(": is ") == colon)
+        replace_first(words, ": is ", " is ");
+      return words;
+    }
+    default:
+      return words;
+  }
 }
 
 /// The name of the first option of this command that was given an empty text; empty where there is none.
@@ -68,7 +101,7 @@ std::optional<std::string> empty_text(const CLI::App& app) {
   std::string name = empty_option(app);
   for (const CLI::App* command : app.get_subcommands()) name = name.empty() ? empty_option(*command) : name;
   if (name.empty()) return std::nullopt;
-  return name + ": is empty: leave it out, or see whether the variable that it comes from is set: see " +
+  return name + " is empty: leave it out, or see whether the variable that it comes from is set: see " +
          app.get_name() + " --help";
 }
 
@@ -86,8 +119,15 @@ std::string mistake(const CLI::App& app, const CLI::ParseError& error) {
                           : "did you mean " + meant + "? ") +
            see;
   }
-  const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && flag != left.end();
-  if (!is_unknown) return words_of(error) + ": " + see;
+  if (!commands.empty() && app.get_subcommands().empty() && left.empty() &&
+      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError)) {
+    return "a command is missing: the commands are " + base::joined(commands, ", ") + ": " + see;
+  }
+  const bool has_extras = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  if (has_extras && flag == left.end() && word != left.end()) {
+    return '\'' + base::printable(*word) + "' is one word too many: " + see;
+  }
+  if (!has_extras || flag == left.end()) return words_of(error) + ": " + see;
   const std::string name = flag->substr(0, flag->find('='));
   const std::size_t dashes = name.find_first_not_of('-');
   const std::string meant = dashes == 2 ? nearest(name.substr(dashes), flags_of(app)) : std::string();

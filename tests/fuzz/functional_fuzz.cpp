@@ -1,11 +1,9 @@
 // Any bytes as a file in functional-style syntax: read, or refused in one line with a line number that exists.
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
-#include "base/assert.hpp"
-#include "base/text.hpp"
+#include "fuzz/document_target.hpp"
 #include "reasoning/syntax/functional/read.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t size) {
@@ -18,18 +16,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   limits.literal_bytes = 300;
   owl::Ontology source;
   const auto document = functional::read(bytes, source.add_file("fuzz.ofn"), source, limits);
-  const auto last_line = static_cast<std::uint64_t>(std::ranges::count(bytes, '\n')) + 1;
-  if (document) {
-    GEMINGA_ASSERT(document->axioms == source.axiom_count());
-    for (std::size_t number = 0; number < source.axiom_count(); ++number) {
-      const std::uint32_t line = source.axiom(number).line;
-      GEMINGA_ASSERT(line >= 1 && line <= last_line);
-    }
-  } else {
-    const functional::ReadError& error = document.error();
-    GEMINGA_ASSERT(error.line >= 1 && error.line <= last_line);
-    GEMINGA_ASSERT(!error.text.empty() && error.text.size() < 400);
-    GEMINGA_ASSERT(base::is_valid_utf8(error.text) && !base::has_control_character(error.text));
-  }
+  fuzz::check_document(bytes, document, source);
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +24,11 @@ class Mistake : public testing::Test {
     CLI::App* cook = app_.add_subcommand("cook", "");
     cook->add_option("DISH", dishes_);
     cook->add_option("--salt", spoon_);
-    app_.add_subcommand("wash", "");
+    cook->add_option("--recipe", spoon_)->check(CLI::ExistingFile);
+    cook->add_option("--pan", spoon_)->check([](const std::string&) { return std::string("is lost"); });
+    CLI::App* wash = app_.add_subcommand("wash", "");
+    wash->add_option("--water", spoon_)->check(CLI::IsMember({"cold", "hot"}));
+    wash->add_option("--times", times_)->check(CLI::Range(1, 9));
   }
 
   /// The words about a command line, or nothing where it is right.
@@ -41,6 +46,7 @@ class Mistake : public testing::Test {
  private:
   CLI::App app_{"", "kitchen"};
   std::string spoon_;
+  int times_ = 0;
   std::vector<std::string> dishes_;
 };
 
@@ -54,7 +60,13 @@ TEST_F(Mistake, NamesWhatMayBeMeantOrWhatThereIs) {
       {{"cook", "--spon=x"}, "'--spon' is no flag: did you mean --spoon? " + see},
       {{"cook", "--hiden", "x"}, "'--hiden' is no flag: " + see},
       {{"cook", "-x"}, "'-x' is no flag: " + see},
-      {{"wash", "cook\x1b[2J"}, "The following argument was not expected: cook\x1b[2J: " + see},
+      {{"wash", "cook\x1b[2J"}, "'cook?[2J' is one word too many: " + see},
+      {{}, "a command is missing: the commands are cook, wash: " + see},
+      {{"cook", "--salt"}, "--salt: TEXT is missing: " + see},
+      {{"wash", "--water", "icy"}, "--water: icy is none of cold, hot: " + see},
+      {{"wash", "--times", "10"}, "--times: 10 is not from 1 to 9: " + see},
+      {{"cook", "--recipe", "/nowhere"}, "--recipe: there is no file /nowhere: " + see},
+      {{"cook", "--pan", "x"}, "--pan is lost: " + see},
       {{"cook", "soup", "--salt", "1"}, ""},
   };
   for (const auto& [words, text] : cases) EXPECT_EQ(said(words), text) << testing::PrintToString(words);
@@ -62,7 +74,7 @@ TEST_F(Mistake, NamesWhatMayBeMeantOrWhatThereIs) {
 
 TEST_F(Mistake, IsAnEmptyText) {
   const std::string rest =
-      ": is empty: leave it out, or see whether the variable that it comes from is set: see kitchen --help";
+      " is empty: leave it out, or see whether the variable that it comes from is set: see kitchen --help";
   EXPECT_EQ(said({"cook", ""}), "DISH" + rest);
   EXPECT_EQ(said({"cook", "soup", ""}), "DISH" + rest);
   EXPECT_EQ(said({"cook", "--salt", ""}), "--salt" + rest);

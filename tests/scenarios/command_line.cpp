@@ -1,6 +1,7 @@
 #include "scenarios/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -15,13 +16,33 @@ namespace {
 constexpr std::size_t most_participants = announcement::max_participants + 1;  // each may know all others
 constexpr double most_minutes = 7 * 24 * 60;
 
+/// A number in the fewest digits that are read as the same number.
+std::string decimal(double number) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  return {digits.data(), end};
+}
+
+/// A check of a flag: a number from `least` to `most`.
+CLI::Validator between(double least, double most) {
+  return CLI::Validator(
+      [least, most](std::string& text) {
+        double read = 0;
+        const bool is_read = CLI::detail::lexical_cast(text, read);
+        return is_read && read >= least && read <= most
+                   ? std::string()
+                   : "'" + text + "' is no number from " + decimal(least) + " to " + decimal(most);
+      },
+      decimal(least) + ".." + decimal(most));
+}
+
 double number(const std::string& flag, std::string_view text, double least, double most) {
   double read = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
   const bool is_read = !text.empty() && error == std::errc() && end == text.data() + text.size();
   if (is_read && read >= least && read <= most) return read;
   throw CLI::ValidationError(
-      flag, "'" + std::string(text) + "' is no number from " + std::to_string(least) + " to " + std::to_string(most));
+      flag, "'" + std::string(text) + "' is no number from " + decimal(least) + " to " + decimal(most));
 }
 
 /// "30%" or "0.3".
@@ -40,37 +61,37 @@ base::Duration milliseconds(double count) {
 void Flags::add_to(CLI::App& app) {
   app.add_option("--scenario", scenario, "A named scenario; see --list")->type_name("NAME");
   app.add_flag("--list", is_list, "List the scenarios and exit");
-  app.add_option("--participants", participants, "How many there are")
+  app.add_option("--participants", participants, "The number of participants")
       ->type_name("N")
       ->check(CLI::Range(1UL, most_participants));
-  app.add_option("--sites", sites, "A world of so many sites that know of each other by summaries, instead of one team")
+  app.add_option("--sites", sites, "Simulate so many sites that know each other by summaries, instead of one team")
       ->type_name("N")
       ->check(CLI::Range(1UL, 10'000UL));
-  app.add_option("--minutes", minutes, "Simulated time")->type_name("M")->check(CLI::Range(0.1, most_minutes));
-  app.add_option("--seed", seed, "Everything that chance decides (1)")->type_name("N");
+  app.add_option("--minutes", minutes, "Simulated time")->type_name("M")->check(between(0.1, most_minutes));
+  app.add_option("--seed", seed, "The seed of all random decisions (default: 1)")->type_name("N");
   app.add_option("--seeds", seeds, "Run all of these seeds until one finds something")->type_name("A..B");
-  app.add_option("--threads", threads, "With --seeds: how many at once (as many as there are processors)")
+  app.add_option("--threads", threads, "With --seeds: how many at once (default: the number of processors)")
       ->type_name("N");
-  app.add_option("--services", services, "Publications of a participant (those of a robot of the paper)")
+  app.add_option("--services", services, "Publications of a participant (default: those of a robot of the paper)")
       ->type_name("N")
       ->check(CLI::Range(0UL, 200UL));
-  app.add_option("--changes", changes, "New services in the team in a minute (6)")
+  app.add_option("--changes", changes, "New services in the team in a minute (default: 6)")
       ->type_name("N")
       ->check(CLI::Range(0U, 6000U));
-  app.add_option("--interval", interval, "Time between two announcements (2)")
+  app.add_option("--interval", interval, "Time between two announcements (default: 2)")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.05, 60.0));
+      ->check(between(0.05, 60.0));
   app.add_option("--loss", loss, "Share of datagrams that each receiver misses, e.g. 30%")->type_name("SHARE");
   app.add_option("--burst", burst,
                  "Share of the time in which a receiver hears nothing, and how long a burst takes, e.g. 10%x300")
       ->type_name("SHARE[xMS]");
-  app.add_option("--duplicate", duplicate, "Share that comes twice")->type_name("SHARE");
-  app.add_option("--late", late, "Share that others overtake, by up to 150 ms")->type_name("SHARE");
-  app.add_option("--flip", flip, "Share of which one to eight bits are turned over")->type_name("SHARE");
-  app.add_option("--delay", delay, "Least and longest time on the air (0.2..2)")->type_name("MS..MS");
-  app.add_option("--drift", drift, "Clocks gain or lose up to so many millionths")
+  app.add_option("--duplicate", duplicate, "Share of datagrams that come twice")->type_name("SHARE");
+  app.add_option("--late", late, "Share of datagrams that later ones overtake, by up to 150 ms")->type_name("SHARE");
+  app.add_option("--flip", flip, "Share of datagrams in which one to eight bits are flipped")->type_name("SHARE");
+  app.add_option("--delay", delay, "Least and longest time on the air (default: 0.2..2)")->type_name("MS..MS");
+  app.add_option("--drift", drift, "Clocks run fast or slow by up to so many millionths")
       ->type_name("PPM")
-      ->check(CLI::Range(0.0, 50'000.0));
+      ->check(between(0.0, 50'000.0));
   app.add_option("--restarts", counts.restarts, "Daemons that are killed and started again")->type_name("N");
   app.add_option("--crashes", counts.crashes, "Daemons that are killed for good")->type_name("N");
   app.add_option("--sleeps", counts.sleeps, "Hosts that sleep or get no processor for a while")->type_name("N");
@@ -84,7 +105,7 @@ void Flags::add_to(CLI::App& app) {
       "Switch the team on at one instant, and measure until all know all; with --seeds: print how that is spread");
   app.add_option("--spread", spread, "With --start: the milliseconds within which the daemons begin")
       ->type_name("MS")
-      ->check(CLI::Range(0.0, 60'000.0));
+      ->check(between(0.0, 60'000.0));
   app.add_flag("--json", is_json, "Print one JSON document");
   app.add_flag("--quiet", is_quiet, "Print the table only");
 }

@@ -28,7 +28,7 @@ constexpr Key filter_key{"filter", "A text that occurs in a word, name, identity
 
 constexpr auto participant_keys = std::to_array<Key>(
     {{"concept", "Only those that are known to be this: a class or a class expression, as in: canSee some Ball"},
-     {"degree", "The weakest degree that counts: exact, equivalent, narrower (unless told), broader or overlapping"},
+     {"degree", "The weakest degree that counts: exact, equivalent, narrower (the default), broader or overlapping"},
      {"where", "A condition over the attributes of their descriptions, as in: battery >= 30 %"},
      {"provider", "One of these: PARTICIPANT,..."}});
 constexpr auto service_keys = std::to_array<Key>({concept_key,
@@ -52,7 +52,7 @@ constexpr auto match_keys = std::to_array<Key>(
      representation_key,
      id_key,
      text_key,
-     {"degree", "The weakest degree that counts: exact, equivalent, narrower (unless told), broader or overlapping"},
+     {"degree", "The weakest degree that counts: exact, equivalent, narrower (the default), broader or overlapping"},
      mode_key,
      where_key,
      on_key,
@@ -80,7 +80,7 @@ constexpr auto why_keys = std::to_array<Key>(
      {"scope", "From these hosts: host, group, any or names, and ! before what is excluded"},
      {"limit", "From so many at most", number},
      convert_key,
-     {"reach", "any: also what cannot be reached from this host; routed unless told"},
+     {"reach", "any: also what cannot be reached from this host; default: routed"},
      {"offer.concept", "A concept that might be offered, instead of service"},
      {"offer.representation", "The representation that might be offered"},
      {"offer.id", "The number that might be offered", number},
@@ -96,10 +96,11 @@ constexpr auto why_keys = std::to_array<Key>(
 
 constexpr auto concepts_keys = std::to_array<Key>(
     {{"begin", "The beginning of the name, as in soccer:Ba"}, {"limit", "At most so many; never over 1000", number}});
-constexpr auto taxonomy_keys = std::to_array<Key>({{"class", "The classes right below this one; owl:Thing unless told"},
-                                                   {"contains", "Instead, the classes in whose name this text occurs"},
-                                                   {"skip", "Without the first so many", number},
-                                                   {"limit", "At most so many; never over 500", number}});
+constexpr auto taxonomy_keys =
+    std::to_array<Key>({{"class", "The classes right below this one; default: owl:Thing"},
+                        {"contains", "Instead, the classes in whose name this text occurs"},
+                        {"skip", "The number of classes to leave out at the beginning", number},
+                        {"limit", "At most so many; never over 500", number}});
 
 constexpr auto all_kinds = std::to_array<Kind>(
     {{"participants",

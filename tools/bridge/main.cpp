@@ -31,11 +31,11 @@ constexpr const char* examples = R"(Examples:
 Kinds:
   dns-sd   DNS-SD over multicast DNS, through avahi-daemon
   dds      the readers and writers of a DDS domain, of ROS 2 among them, by Cyclone DDS
-  mqtt     a server of MQTT as a link between daemons that have no other
-  nats     the same with a server of NATS
+  mqtt     announcements of daemons that no network connects, over an MQTT server
+  nats     the same over a NATS server
 
-Each kind is the program geminga-bridge-KIND of the package of that name, which needs libraries that no other part of Geminga
-does. None runs unless it is started. What a bridge states for others ends with it.
+Each kind is the program geminga-bridge-KIND of the package of that name. No bridge runs unless it is started, and the services
+that it states for others end with it.
 
 Exit status: that of the kind; 2 wrong usage, also a kind that is not installed.)";
 
@@ -55,7 +55,7 @@ int become(const std::string& kind, char** words) {
   if (std::ranges::find(kinds, kind) == kinds.end()) {
     std::string known;
     for (const std::string_view one : kinds) known += (known.empty() ? "" : ", ") + std::string(one);
-    return fail("no kind is '" + base::printable(kind) + "': there are " + known);
+    return fail("'" + base::printable(kind) + "' is no kind of bridge: the kinds are " + known);
   }
   const std::string name = std::string(program) + '-' + kind;
   const std::string path = own_folder() / name;

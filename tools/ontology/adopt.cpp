@@ -161,16 +161,16 @@ void add_adopt(CLI::App& program, Choice& choice) {
   add_connect(*command, request->connect);
   command->add_flag("--open", request->is_open, "also where the team has no key");
   command->add_flag("--once", request->is_once, "look once and end");
-  add_number(*command, "--time-limit", request->time_limit, 1, 1'000'000, "seconds for one version; 600 unless told")
+  add_number(*command, "--time-limit", request->time_limit, 1, 1'000'000, "seconds for one version; default: 600")
       ->type_name("N");
   command->footer(
-      "\nThe daemon says whom it adopts from (adopt-from), and where it looks: "
-      "STATE-FOLDER/adopted/PARTICIPANT/VERSION.\n"
-      "A version that is greater than those that are there is fetched as fetch does, and three versions are kept. The\n"
-      "daemon puts the newest one in force that can be read whole and contradicts neither itself nor the daemon's own\n"
-      "files. The package has geminga-adopt.service, which is off until it is enabled.\n"
-      "Exit status: 0 looked once, 1 something could not be fetched, or the daemon adopts from nobody, 2 wrong usage,\n"
-      "3 no daemon.\n"
+      "\nThe daemon's setting adopt-from says from whom ontologies are adopted. The daemon reads them in\n"
+      "STATE-FOLDER/adopted/PARTICIPANT/VERSION. A greater version than those there is fetched, by the rules of\n"
+      "the command fetch; three versions are kept. The daemon puts in force the newest one that it can read whole\n"
+      "and that contradicts neither itself nor the daemon's own files. The service geminga-adopt of the package\n"
+      "is off until it is enabled.\n"
+      "Exit status: 0 looked once, 1 something could not be fetched, or the daemon adopts from nobody, 2 wrong\n"
+      "usage, 3 no daemon.\n"
       "\nExample:\n  geminga-ontology adopt --once");
   command->callback([request, &choice] {
     choice.may_talk = true;

@@ -193,10 +193,11 @@ void add_align(CLI::App& program, Choice& choice) {
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nPrinted is A<TAB>=<TAB>B<TAB>CONFIDENCE, best first. Names, labels and synonyms are compared word by word,\n"
-      "rare words counting more, and then the classes around them. WordNet (the package wordnet-base) adds synonyms.\n"
-      "Links with which a class can have no instance are taken out, the least confident of each reason, and standard\n"
-      "error names them. Read the links before a robot relies on them: a wrong one sends it the wrong data.\n"
+      "\nEach line is A<TAB>=<TAB>B<TAB>CONFIDENCE, best first. Names, labels and synonyms are compared word by\n"
+      "word, where rare words count more, and then the classes around them. WordNet (the package wordnet-base)\n"
+      "adds synonyms. Where links make a class unsatisfiable, the least confident of them are taken out, and\n"
+      "standard error names them. Read the links before a robot relies on them: a wrong one sends it the wrong\n"
+      "data.\n"
       "Exit status: 0 some links were found, 1 none, 2 a file cannot be loaded, 4 a limit was reached.\n"
       "\nExamples:\n"
       "  geminga-ontology align my-team.ttl team/ --reasons\n"

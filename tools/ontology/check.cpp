@@ -243,18 +243,14 @@ void add_check(CLI::App& program, Choice& choice) {
   add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status 2: a file that cannot be read (it is not there, its packing is damaged, it is in no known "
-      "syntax).\n"
-      "Exit status 1: an error in what a file says (in a folder it costs that file), a contradiction, a class that can "
-      "have no instance, a hash "
-      "collision, a name "
-      "that\n"
-      "RDF, RDFS, OWL or XSD do not have, or one that nothing declares although the files declare others of its\n"
-      "namespace. Names of a namespace of which nothing is declared are summed up, and are no problem.\n"
-      "A single file that compile wrote is verified and says what its sources said; status 1, too, if it is damaged "
-      "or\n"
-      "older than they are. Exit status 4: a limit was reached; what is printed is right, and what is not decided is\n"
-      "named.\n"
+      "\nExit status 1: a file is wrong (in a folder the others are still used); the ontology contradicts itself; a\n"
+      "class can have no instance; two names have the same hash; a name is not one that RDF, RDFS, OWL or XSD\n"
+      "define in their namespaces; or nothing declares a name although the files declare others of its namespace.\n"
+      "Namespaces of which the files declare nothing are listed, and are no problem.\n"
+      "Exit status 2: a file cannot be read: it is not there, its compression is damaged, or it is in no known\n"
+      "syntax. Exit status 4: a limit was reached; what is printed is right, and what is not decided is named.\n"
+      "A single file that compile wrote is verified, and the findings in its sources are printed; exit status 1\n"
+      "also if it is damaged or older than they are.\n"
       "\nExamples:\n  geminga-ontology check my-team.ttl team/\n  geminga-ontology check team.geminga");
   run_when_named(*command, choice, request, check);
 }

@@ -125,9 +125,8 @@ void add_compile(CLI::App& program, Choice& choice) {
              "most address space to use, in MiB; more memory is a longer start, less refuses large ontologies");
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status 4: a limit was reached. Where a search reached it, OUT is written all the same, with what was "
-      "settled,\n"
-      "and says what is not decided.\n"
+      "\nExit status: 0 done, 2 a file cannot be loaded or written, 4 a limit was reached. Where a limit of the\n"
+      "search was reached, OUT is still written, with what is decided, and states what is not.\n"
       "\nExample:\n  geminga-ontology compile team/ -o team.geminga --memory-limit 512 --time-limit 30");
   run_when_named(*command, choice, request, compile);
 }

@@ -257,11 +257,10 @@ void add_diff(CLI::App& program, Choice& choice) {
   command->add_flag("--json", request->as_json, "print one JSON document, with everything");
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nAn axiom is the same wherever it stands, in whatever syntax, and with the operands of a set in any order; "
-      "the\n"
-      "labels of anonymous individuals do not count. Of the subsumptions of named classes that both have, those are\n"
-      "printed that follow from no other different one. An axiom of a reason that the other ontology lacks has (+) or\n"
-      "(-) behind it.\n"
+      "\nTwo axioms are the same wherever they stand, in whatever syntax, and with the operands of a set in any\n"
+      "order; the labels of anonymous individuals do not count. Of the changed subsumptions between named classes\n"
+      "that both have, those are printed that follow from no other changed one. In a reason, (+) or (-) follows\n"
+      "an axiom that the other ontology does not have.\n"
       "Exit status: 0 both say the same, 1 they differ, 2 a file cannot be loaded, 4 a limit was reached.\n"
       "\nExamples:\n"
       "  geminga-ontology diff old/ team/\n"

@@ -121,13 +121,11 @@ void add_entails(CLI::App& program, Choice& choice) {
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status: 0 all of it follows, 1 an axiom does not, 2 it cannot be decided (the reason is printed), or a "
-      "file\n"
-      "cannot be loaded, 4 a limit was reached before it was decided. Imports are answered by files in the folders "
-      "that are named; what is not there is left "
-      "aside.\n"
-      "An axiom with a literal that is not of its datatype is left out. What may hang on it, whichever value of the\n"
-      "datatype was meant, cannot be decided; all else can.\n"
+      "\nImports are answered by files in the named folders; other imports are left out. An axiom with a literal\n"
+      "that is not of its datatype is left out; a conclusion that depends on the value of such a literal cannot\n"
+      "be decided, and all others can.\n"
+      "Exit status: 0 all of it follows, 1 an axiom does not follow, 2 it cannot be decided (the reason is\n"
+      "printed), or a file cannot be loaded, 4 a limit was reached before it was decided.\n"
       "\nExample:\n  geminga-ontology entails team/ expected.ttl");
   run_when_named(*command, choice, request, entails);
 }

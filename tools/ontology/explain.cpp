@@ -278,7 +278,7 @@ void add_explain(CLI::App& program, Choice& choice) {
       ->excludes(super);
   command->add_flag("--all", request->is_all, "print all minimal sets, up to --limit");
   add_number(*command, "--limit", request->limit, 1, max_sets,
-             "at most this many sets with --all (" + std::to_string(default_sets) + " unless told)");
+             "at most this many sets with --all (default: " + std::to_string(default_sets) + ")");
   CLI::Option* proof =
       command->add_flag("--proof", request->wants_proof, "print the steps from the axioms to the conclusion");
   command

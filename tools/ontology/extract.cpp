@@ -128,7 +128,7 @@ void add_extract(CLI::App& program, Choice& choice) {
   command->add_option("--names", request->names_file, "a file of more names, one a line")->type_name("FILE");
   command
       ->add_option("--kind", request->kind,
-                   "star: what follows between the names (unless told); bottom: and all that is above them; top: and "
+                   "star (default): what follows between the names; bottom: and all that is above them; top: and "
                    "all that is below them")
       ->check(CLI::IsMember({"star", "bottom", "top"}))
       ->type_name("star|bottom|top");

@@ -90,19 +90,19 @@ void add_fetch(CLI::App& program, Choice& choice) {
       ->type_name("FOLDER");
   command->add_flag("--open", request->is_open, "also where the team has no key, so that strangers may listen");
   add_connect(*command, request->connect);
-  add_number(*command, "--timeout", request->timeout, 0, 1'000'000, "seconds to wait for a provider; 10 unless told")
+  add_number(*command, "--timeout", request->timeout, 0, 1'000'000, "seconds to wait for a provider; default: 10")
       ->type_name("SECONDS");
-  add_number(*command, "--time-limit", request->time_limit, 1, 1'000'000, "seconds for all of it; 600 unless told")
+  add_number(*command, "--time-limit", request->time_limit, 1, 1'000'000, "seconds for all of it; default: 600")
       ->type_name("SECONDS");
   command->add_flag("--json", request->as_json, "print one JSON document");
   command->footer(
-      "\nNothing that comes is read as an ontology here: it is verified by the digest that was announced, written "
-      "beside\n"
-      "FOLDER, and renamed when all of it is on the disk. A provider that is lost, slow or lies is named, and another\n"
-      "one of the same ontology brings the rest. Nothing comes into force by this: look at it with geminga-ontology\n"
-      "check and diff first. Printed are the files.\n"
-      "Exit status: 0 FOLDER holds it, 1 nobody offers it, or nobody brought it whole, 2 wrong usage, several are\n"
-      "offered, or FOLDER holds something else, 3 no daemon, 4 not in time.\n"
+      "\nThe files are not read as ontologies. They are verified by the announced digest, written beside FOLDER,\n"
+      "and renamed when all of them are on the disk. A provider that is lost, slow or sends something else is\n"
+      "named, and another provider of the same ontology sends the rest. The daemon goes on with its own\n"
+      "ontologies: look at the new one with geminga-ontology check and diff first. The output is the list of\n"
+      "files.\n"
+      "Exit status: 0 FOLDER holds the ontology, 1 nobody offers it, or nobody sent all of it, 2 wrong usage,\n"
+      "several are offered, or FOLDER holds something else, 3 no daemon, 4 the time is over.\n"
       "\nExamples:\n"
       "  geminga-ontology fetch --from base -o theirs/\n"
       "  geminga-ontology fetch --newest -o /tmp/team --json");

@@ -123,13 +123,12 @@ void add_infer(CLI::App& program, Choice& choice) {
   add_graph_limit(*command, choice.limits);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nWritten are rdfs:subClassOf and owl:equivalentClass, rdfs:subPropertyOf and owl:equivalentProperty, rdf:type\n"
-      "and owl:sameAs, between names, and with --facts what holds between individuals, and their values. Exit status 1 "
-      "if the ontology contradicts itself; 4 if a limit was reached: "
-      "what\n"
-      "is written follows, and standard error says what is not decided. Nothing is written where the triples take "
-      "more\n"
-      "than --graph-limit: the closure grows with the square of a chain of classes.\n"
+      "\nThe output has rdfs:subClassOf and owl:equivalentClass, rdfs:subPropertyOf and owl:equivalentProperty,\n"
+      "rdf:type and owl:sameAs between names. With --facts it also has the property values of individuals.\n"
+      "Nothing is written where the triples take more than --graph-limit: the closure grows with the square of a\n"
+      "chain of classes.\n"
+      "Exit status: 0 done, 1 the ontology contradicts itself, 2 a file cannot be loaded, 4 a limit was reached:\n"
+      "what is written follows, and standard error says what is not decided.\n"
       "\nExamples:\n  geminga-ontology infer team/ -o inferred.owl\n"
       "  geminga-ontology infer team/ --only-inferred --closure -o - --to ntriples");
   run_when_named(*command, choice, request, infer);

@@ -112,11 +112,11 @@ void add_instances(CLI::App& program, Choice& choice) {
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nPrinted are the named individuals that are in the expression in every model, as Protege's DL query does.\n"
-      "Exit status: 0 there are some, 1 there are none or the ontology contradicts itself (standard error says so),\n"
-      "2 it cannot be decided whether there are (the reason is printed) or a file cannot be loaded, 4 a limit was\n"
-      "reached. Where more may be found, standard error names the\n"
-      "individuals that are not decided.\n"
+      "\nThe output is the named individuals that are in the expression in every model, as in Protege's DL query.\n"
+      "Where there may be more, standard error names the individuals that are not decided.\n"
+      "Exit status: 0 there are some, 1 there are none, or the ontology contradicts itself (standard error says\n"
+      "so), 2 it cannot be decided whether there are any (the reason is printed), or a file cannot be loaded, 4 a\n"
+      "limit was reached.\n"
       "\nExamples:\n"
       "  geminga-ontology instances team/ soccer:BallInfo\n"
       "  geminga-ontology instances team/ 'soccer:Message and (geminga:carries some soccer:TrackedObject)' --json");

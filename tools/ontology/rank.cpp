@@ -75,16 +75,17 @@ void add_rank(CLI::App& program, Choice& choice) {
               "OWL-S files (.owls, or ontology files with a profile), or folders of them; may be given many times");
   add_folders(*command, "--requests", request->paths.requests, "requests in the same form; may be given many times");
   command
-      ->add_option("--ontologies", request->paths.ontologies,
-                   "ontologies that the types of parameters are in; unless told, folders called ontology or ontologies "
-                   "beside or above the others")
+      ->add_option(
+          "--ontologies", request->paths.ontologies,
+          "ontologies with the types of parameters (default: folders called ontology or ontologies beside or above "
+          "the others)")
       ->type_name("FOLDER...");
   command->add_option("--format", request->format, "text, json, or trec (a run for trec_eval)")
       ->type_name("text|json|trec");
   command->add_flag("--json", request->as_json, "the same as --format json, with reasons");
   command->add_flag("--reasons", request->has_reasons,
                     "in text: a fifth column, which says what suits and what does not");
-  add_number(*command, "--limit", request->most, 1, 10'000'000, "the best N services of each request; all unless told");
+  add_number(*command, "--limit", request->most, 1, 10'000'000, "the best N services of each request; default: all");
   add_memory_limit(*command, choice);
   add_work_limits(*command, choice.limits);
   command->footer(

@@ -326,20 +326,19 @@ void add_repair(CLI::App& program, Choice& choice) {
   sub->needs(super);
   super->needs(sub);
   add_number(*command, "--limit", request->limit, 1, max_choices,
-             "at most this many choices a group (" + std::to_string(default_choices) + " unless told)");
+             "at most this many choices a group (default: " + std::to_string(default_choices) + ")");
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nWithout --sub and --super: what makes the ontology contradict itself; where it does not, what leaves classes\n"
-      "without instances. A choice is a least set of axioms that has one of each reason (explain --all prints those).\n"
-      "Choices with fewer axioms come first, and then those that lose fewer subsumptions of named classes. The "
-      "engines\n"
-      "were asked about each choice beside the first ones of the other groups. Take out what you know to be wrong: "
-      "the\n"
-      "least loss is not always the mistake. What several RDF files say alike is named at its first place only.\n"
-      "Exit status 0: there are choices; 1: there is nothing to take out; 2: it cannot be decided what is, or a file\n"
-      "cannot be loaded; 4: a limit was reached, and what is printed may not be enough.\n"
+      "\nWithout --sub and --super it takes out what makes the ontology contradict itself; where nothing does, what\n"
+      "leaves classes without instances. A choice is a minimal set of axioms that has one of each reason (explain\n"
+      "--all prints the reasons). Choices with fewer axioms come first, then those that lose fewer subsumptions\n"
+      "between named classes. Each choice was verified together with the first choices of the other groups. Take\n"
+      "out what you know to be wrong: the smallest loss is not always the mistake. An axiom that several RDF\n"
+      "files state is named at its first place only.\n"
+      "Exit status: 0 there are choices, 1 there is nothing to take out, 2 that cannot be decided, or a file\n"
+      "cannot be loaded, 4 a limit was reached, and what is printed may not be enough.\n"
       "\nExamples:\n"
       "  geminga-ontology repair team/\n"
       "  geminga-ontology repair team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --limit 10");

@@ -104,10 +104,10 @@ void add_report(CLI::App& program, Choice& choice) {
   CLI::App* command =
       program.add_subcommand("report", "List what the authors of an ontology may want to mend, by level");
   add_files(*command, request->files)->required(false);
-  command->add_option("--level", request->level, "the least level to print; info unless told")
+  command->add_option("--level", request->level, "the least level to print; default: info")
       ->check(CLI::IsMember({"error", "warning", "info"}))
       ->type_name("error|warning|info");
-  command->add_option("--fail-on", request->fail_on, "the least level that makes the exit status 1; error unless told")
+  command->add_option("--fail-on", request->fail_on, "the least level that makes the exit status 1; default: error")
       ->check(CLI::IsMember({"error", "warning", "info", "none"}))
       ->type_name("error|warning|info|none");
   command->add_option("--ignore", request->ignored, "a rule to leave out; may be given many times")->type_name("CODE");
@@ -116,7 +116,7 @@ void add_report(CLI::App& program, Choice& choice) {
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nLooked at are the classes, properties and datatypes that the files declare or describe. Names of ontologies "
+      "\nIt looks at the classes, properties and datatypes that the files declare or describe. Names of ontologies "
       "that\n"
       "were not given are left alone. `check` says more about errors: why a class can have no instance, what was left "
       "out.\n"

@@ -121,9 +121,10 @@ void add_serve(CLI::App& program, Choice& choice) {
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nThe files are read once, and offered as they are then until SIGTERM or Ctrl-C: start it anew for a new\n"
-      "version. They must load and not contradict themselves. The service is geminga:Ontology, over TCP, with the\n"
-      "attributes digest (BLAKE2b-256), version, files and octets. At most 256 files and 64 MiB.\n"
+      "\nThe files are read once at the start, and offered until SIGTERM or Ctrl-C: start the command again for a\n"
+      "new version. They must load and not contradict themselves; at most 256 files and 64 MiB. The service has\n"
+      "the concept geminga:Ontology, the protocol tcp, and the attributes digest (BLAKE2b-256), version, files\n"
+      "and octets.\n"
       "Exit status: 0 ended by a signal, 2 wrong usage, or files that cannot be offered, 3 no daemon.\n"
       "\nExamples:\n"
       "  geminga-ontology serve team/ --version 7\n"

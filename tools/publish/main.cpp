@@ -31,10 +31,11 @@ constexpr const char* examples = R"(Examples:
   tail -f positions | geminga-publish soccer:BallInfo --mode otm/pubsub --send
   geminga-publish --text lamp --mode oto --port 5003 --exec 'echo "$GEMINGA_EVENT by $GEMINGA_NAME"'
 
-Offers the service until Ctrl-C or a SIGTERM (exit status 0), and prints its consumers when they come (+), change (~, with
-the former values) and go (-, and why). Ends with status 3 when the daemon goes; with --keep offers again when it is back:
-consumers that are still there are printed again, the others as gone (unconfirmed). Exit status 2: wrong usage, also a name
-that the daemon's ontology does not know.
+Offers the service until Ctrl-C or a SIGTERM, and prints its consumers when they come (+), change (~, with the former values)
+and go (-, with the reason). With --keep it waits for a lost daemon and offers the service again: consumers that are still there
+are printed again, the others as gone (unconfirmed).
+
+Exit status: 0 ended by a signal, 2 wrong usage (also a name that the daemon's ontology does not know), 3 the daemon is gone.
 
 )";
 
@@ -59,32 +60,34 @@ void add_to(CLI::App& app, Options& options) {
       "WORDS", options.words,
       "The CONCEPT (prefix:Name, <IRI>, a label or a class expression; left out with --id or --text), then attributes "
       "KEY=VALUE");
-  options.shared.add_to(app, "How long to wait for the daemon (5 unless told)",
+  options.shared.add_to(app, "How long to wait for the daemon (default: 5)",
                         "When the daemon goes, wait for it and offer again");
   app.add_option("--port", options.publication.port, "Where the service can be reached")
       ->type_name("1..65535")
       ->check(shell::whole_number(1, 65535), "", "");
   app.add_flag(
          "--send", options.sends,
-         "Send each line of standard input as a message to who consumes the service; any port unless told. A line has "
-         "at most 65000 octets, with --protocol tcp 16 MiB")
+         "Send each line of standard input as a message to the consumers; default port: any. A line has at most 65000 "
+         "octets, with --protocol tcp 16 MiB")
       ->excludes("--json", "--timestamps", "--exec");
-  app.add_option("--address", options.publication.address, "Its IP address; else each interface's own is announced");
-  app.add_option("--protocol", options.publication.protocol, "udp unless told");
+  app.add_option("--address", options.publication.address,
+                 "The IP address of the service (default: each interface's own)");
+  app.add_option("--protocol", options.publication.protocol, "How messages are carried (default: udp)");
   app.add_option(
          "--attribute", options.attributes,
          "An attribute, also one whose name is near a key: as the word attr.KEY=VALUE; may be given several times")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--converts", options.converts,
-                 "The service turns one representation into another, at the cost that the attribute cost says")
+                 "The service converts one representation into another; the attribute cost states the cost")
       ->type_name("FROM>TO")
       ->check(conversion_fault, "", "");
   app.add_option("--scope", options.publication.scope, "Only consumers on these hosts: host, any, HOST[/PEER], !HOST")
       ->type_name("SCOPE");
   app.add_option("--for", options.publication.for_whom, "Only consumers that fit, e.g. \"name = robot*\"")
       ->type_name("EXPRESSION");
-  app.add_option("--priority", options.publication.priority, "Greater wins where several providers match")
+  app.add_option("--priority", options.publication.priority,
+                 "Where several providers match, the greatest wins (default: 0)")
       ->type_name("K")
       ->check(shell::whole_number(INT32_MIN, INT32_MAX), "", "");
 }

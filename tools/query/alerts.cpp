@@ -131,17 +131,18 @@ constexpr const char* alert_words =
   name = "ball"                     # of the alert
   concept = "soccer:BallInfo"       # or text, id: services are counted, as geminga-query match finds them, also with
   at-least = 1                      # representation, mode, degree, where, provider; at-most instead or beside
-  for = 3                           # seconds for which the count must be wrong; 0 unless told
+  for = 3                           # seconds for which the count must be wrong; default: 0
   [[rule]]
   name = "eyes"
   participants = "canSee some WarmThing" # participants are counted, as geminga-query participants finds them
   where = "battery >= 30 %"
   at-least = 2
   for = 5
-The world is closed here on purpose: what this daemon does not know of counts as not there, and a robot of which it is not known
-that it can see people counts as one that cannot. A name that the ontology forgets is told as a problem and raises nothing.
-Events: raised, cleared and problem; each begins with the time, and with --json is an object. --exec runs COMMAND by /bin/sh -c for each
-instead, with GEMINGA_EVENT, GEMINGA_ALERT, GEMINGA_COUNT, ... in its environment, and the object on its standard input.
+Alerts use a closed world: a service that this daemon does not know counts as absent, and a robot that is not known to see people
+counts as one that cannot. A name that the ontology no longer has is a problem, and raises no alert.
+Events are raised, cleared and problem. Each is a line that begins with the time, or an object with --json. With --exec each event
+runs COMMAND by /bin/sh -c instead, with GEMINGA_EVENT, GEMINGA_ALERT, GEMINGA_COUNT, ... in its environment and the object on its
+standard input.
 
 Examples:
   geminga-query alerts --rules alerts.toml
@@ -154,14 +155,15 @@ Exit status: 0 ended by Ctrl-C, 2 a rule cannot be read (file, line, what to do)
 
 void add_alerts(CLI::App& app, RunAlone& selected) {
   CLI::App* command =
-      app.add_subcommand("alerts", "Events when a rule about the team stops to hold, and when it holds again");
+      app.add_subcommand("alerts", "Tell when a rule about the team stops holding, and when it holds again");
   const auto flags = std::make_shared<AlertFlags>();
   command->add_option("--rules", flags->rules, "The rules, in TOML")->type_name("FILE")->required();
   auto* exec = command->add_option("--exec", flags->command, "Run this for each event instead of printing it");
   exec->type_name("COMMAND");
-  shell::add_seconds(*command, "--exec-timeout", flags->command_seconds, "The most time of a command (60 unless told)")
+  shell::add_seconds(*command, "--exec-timeout", flags->command_seconds,
+                     "How long a command may run before it is ended (default: 60)")
       ->needs(exec);
-  command->add_flag("--check", flags->is_check_only, "Only read the rules");
+  command->add_flag("--check", flags->is_check_only, "Check the rules, and end");
   command->footer(alert_words);
   command->callback(
       [flags, &selected] { selected = [flags](const Context& context) { return run_alerts(context, *flags); }; });

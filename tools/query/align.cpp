@@ -194,7 +194,8 @@ class Alignment {
           {one.service["concept"], one.service["service"], one.request["concept"], one.request["subscription"]});
     meetings.print(out, context_.terminal,
                    "\nServices and requests that would meet, and do not today (where, scope and protocol aside):\n");
-    if (understood.meetings.empty()) out << "\nOf the present services and requests no further ones would meet.\n";
+    if (understood.meetings.empty())
+      out << "\nWith the links, no further services and requests would match at present.\n";
     if (understood.expressions > 0)
       out << understood.expressions << " services and requests of class expressions are not compared.\n";
     out << "\nNothing is in force yet. A wrong link sends a robot the wrong data: read "

@@ -58,15 +58,16 @@ void add_describe(CLI::App& app, Run& selected) {
   CLI::App* command =
       app.add_subcommand("describe", "Describe this host's participant, so that others find it by what it is");
   const auto said = std::make_shared<Described>();
-  command->add_option("EXPRESSION", said->words,
-                      "A class or a class expression, in place of the present one; a name that ends as ontology files "
-                      "do (.ttl, .owl, .omn ...): a file of facts about geminga:self; KEY=VALUE: an attribute beside "
-                      "it, such as battery='80 %'");
-  command->add_flag("--none", said->is_end, "Take the description back");
+  command->add_option(
+      "EXPRESSION", said->words,
+      "A class or a class expression, which replaces the present one; or a file of facts about geminga:self, whose "
+      "name ends as ontology files do (.ttl, .owl, .omn ...); then KEY=VALUE for each attribute, such as "
+      "battery='80 %'");
+  command->add_flag("--none", said->is_end, "Withdraw the description");
   command->footer(
-      "It holds until it is changed or the daemon ends; gemingad --describe has one from the start. What changes often "
-      "is\n"
-      "an attribute. At most four changes a second.\n\n"
+      "The description holds until it is changed or the daemon ends; gemingad --describe sets it from the start. State "
+      "what\n"
+      "changes often as an attribute. The daemon takes at most four changes a second.\n\n"
       "Examples:\n  geminga-query describe 'Robot and hasPart some Gripper' battery='80 %'\n"
       "  geminga-query describe robot.ttl\n"
       "  geminga-query describe battery='79 %'\n  geminga-query describe --none");

@@ -101,7 +101,7 @@ shell::ExitStatus diagnose(const Context& context, Result<Client, ClientError>& 
 }  // namespace
 
 void add_doctor(CLI::App& app, RunEvenAlone& selected) {
-  CLI::App* command = app.add_subcommand("doctor", "Looks for the usual causes of silence, and says what to do");
+  CLI::App* command = app.add_subcommand("doctor", "Look for the usual causes of silence, and say what to do");
   const auto wishes = std::make_shared<Wishes>();  // lives as long as the command's function
   command
       ->add_option(
@@ -111,11 +111,11 @@ void add_doctor(CLI::App& app, RunEvenAlone& selected) {
       ->type_name("HOST");
   CLI::Option* report = command->add_option(
       "--report", wishes->report,
-      "Also write all that was seen into this file, as JSON, to send it to somebody: it has no keys");
+      "Also write all that was seen into this file, as JSON, to be sent to others; it contains no keys");
   report->type_name("FILE");
   command
       ->add_flag("--without-names", wishes->is_nameless,
-                 "In the report, number the names of hosts, users, programs and services instead")
+                 "In the report, replace the names of hosts, users, programs and services by numbers")
       ->needs(report);
   command->footer(
       "Examples:\n  geminga-query doctor\n  geminga-query doctor --with robot2\n  geminga-query doctor --report "

@@ -43,7 +43,8 @@ void print_words(const Context& context, const Names& names, const Answer& answe
 }  // namespace
 
 void add_explain(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("explain", "Whether SUB is subsumed by SUPER, and the axioms that say so");
+  CLI::App* command =
+      app.add_subcommand("explain", "Tell whether SUB is subsumed by SUPER, and the axioms that say so");
   const auto names = std::make_shared<Names>();
   command->add_option("SUB", names->sub, "prefix:Name, <IRI>, a label or a class expression")->required();
   command->add_option("SUPER", names->super, "prefix:Name, <IRI>, a label or a class expression")->required();

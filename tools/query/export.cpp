@@ -38,13 +38,13 @@ shell::ExitStatus print_team(const Context& context, Client& client, TripleSynta
 }  // namespace
 
 void add_export(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("export", "The living team as RDF, for SPARQL with inference");
+  CLI::App* command = app.add_subcommand("export", "Print the living team as RDF, for SPARQL with inference");
   auto format = std::make_shared<std::string>("turtle");
   command->add_option("--format", *format, "turtle or ntriples")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"turtle", "ntriples"}), "", "");
   command->footer(
-      "Participants, what they offer and what they ask for, in the words of the shipped ontology team.ttl.\n\n"
+      "Prints participants, what they offer and what they ask for, in the words of the shipped ontology team.ttl.\n\n"
       "Example:\n"
       "  geminga-query export | geminga-ontology query - /usr/local/share/geminga/ontology \\\n"
       "    'SELECT ?robot ?service WHERE { ?robot geminga:offers ?service . ?service geminga:provides ?it .\n"

@@ -23,9 +23,9 @@ constexpr const char* examples = R"(Examples:
   geminga-query --watch --json services
   geminga-query --connect 127.0.0.1:4718 status
 
-On a terminal tables fit its width, and a reason may stand over the rows that have it; elsewhere, and with --json, a record is
-one line with every text whole. With --watch: + a record is there, ~ it changed, with the former values, - it is gone, and why:
-withdrawn, gone (with its participant), changed (it fits no longer).
+On a terminal tables fit its width, and a reason that several rows share stands above them. Elsewhere, and with --json, a record is
+one line with every text whole. With --watch a line begins with + for a new record, ~ for a change (with the former values), or -
+for a record that is gone, with the reason: withdrawn, gone (with its participant), changed (it no longer fits).
 
 Exit status: 0 found, 1 nothing found or the answer is no, 2 wrong usage (also a name that the ontology does not know),
 3 the daemon cannot be reached, 4 timed out.)";
@@ -52,7 +52,7 @@ int run(int argc, char** argv) {
   Run selected;
   RunEvenAlone selected_even_alone;
   RunAlone selected_alone;
-  context.common.add_to(app, "How long to wait for the daemon (5 unless told)");
+  context.common.add_to(app, "How long to wait for the daemon (default: 5)");
   app.add_flag("--timestamps", context.has_timestamps,
                "With --watch: begin each line with the time (RFC 3339, UTC); JSON always has it");
   app.add_flag("--watch", context.is_watching,

@@ -122,7 +122,7 @@ Listing listing_of(const Flags& flags) {
 }  // namespace
 
 void add_match(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("match", "The publications that match an identity, best first");
+  CLI::App* command = app.add_subcommand("match", "List the publications that match an identity, best first");
   const auto flags = std::make_shared<Flags>();
   command->add_option("IDENTITY", flags->words,
                       "A concept (prefix:Name, <IRI>, a label or a class expression), or id=N, text=NAME, concept=C, "
@@ -131,7 +131,8 @@ void add_match(CLI::App& app, Run& selected) {
   flags->identity.add_to(*command);
   shell::add_degree(*command, flags->degree);
   shell::add_mode(*command, flags->mode, "Only this channel mode");
-  command->add_option("--where", flags->where, "Only services whose attributes fit")->type_name("EXPRESSION");
+  command->add_option("--where", flags->where, "Only services whose attributes fulfil this condition")
+      ->type_name("EXPRESSION");
   command
       ->add_option("--on", flags->on,
                    "Only on robots that are known to be this by their descriptions: a class or a class expression")
@@ -146,9 +147,10 @@ void add_match(CLI::App& app, Run& selected) {
   command->add_option("--limit", flags->limit, "At most this many, the best")
       ->type_name("N")
       ->check(shell::whole_number(0, UINT32_MAX), "", "");
-  command->add_flag("--missing", flags->is_missing_wanted,
-                    "Also services that come near, with what is not known of them and what contradicts; with --limit N "
-                    "of these");
+  command->add_flag(
+      "--missing", flags->is_missing_wanted,
+      "Also services that come near, at most as many as --limit says, with what they are not known to be and what "
+      "contradicts");
   command->footer(
       "Examples:\n  geminga-query match soccer:TrackedObject\n  geminga-query match text=camera\n"
       "  geminga-query match 'soccer:BallInfo or soccer:GoalInfo'\n"

@@ -77,14 +77,14 @@ void print_words(const Context& context, const Ontology& parts) {
 
 void add_ontology(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand(
-      "ontology", "The loaded ontology, what of it is not used, and the participants that have another one");
+      "ontology", "Show the loaded ontology, what of it is not used, and the participants that have another one");
   const auto flags = std::make_shared<AlignFlags>();
   CLI::Option* participant =
       command
           ->add_option(
               "--align", flags->participant,
-              "Fetch what this participant offers by geminga-ontology serve, link it with what is loaded here, "
-              "and show what would be understood")
+              "Fetch the ontology that this participant offers by geminga-ontology serve, link it with the one loaded "
+              "here, and show what would be understood")
           ->type_name("PARTICIPANT");
   command->add_option("-o,--output", flags->folder, "The folder to make, with their ontology and the links")
       ->type_name("FOLDER")
@@ -101,7 +101,7 @@ void add_ontology(CLI::App& app, Run& selected) {
       "folder\n"
       "to the daemon; the output says how. Conversions are never guessed.\n"
       "Examples:\n  geminga-query ontology\n  geminga-query ontology --align rescue1 -o rescue/\n"
-      "Exit status 0: one is loaded, or there are links; 1: none is, or there are none.");
+      "Exit status 0: an ontology is loaded, or there are links; 1: none is loaded, or there are no links.");
   command->callback([&selected, flags] {
     if (!flags->participant.empty() && flags->folder.empty())
       throw CLI::ValidationError("-o", "names the folder for their ontology and the links: give it");

@@ -147,16 +147,19 @@ Listing participants_listing(const DescribedFlags& flags) {
 
 void add_participants(CLI::App& app, Run& selected) {
   CLI::App* command =
-      app.add_subcommand("participants", "Every known participant, or those that an expression describes");
+      app.add_subcommand("participants", "List all known participants, or those that an expression describes");
   const auto flags = std::make_shared<DescribedFlags>();
-  command->add_option("EXPRESSION", flags->expression,
-                      "A class or a class expression: only participants that are known to be one by what they say of "
-                      "themselves (gemingad --describe); one of which it is not known is left out");
-  command->add_option("--where", flags->where, "Only those whose attributes fit")->type_name("CONDITION");
+  command->add_option(
+      "EXPRESSION", flags->expression,
+      "A class or a class expression: only participants whose own description (gemingad --describe) is known to "
+      "be below it");
+  command->add_option("--where", flags->where, "Only those whose attributes fulfil this condition")
+      ->type_name("CONDITION");
   shell::add_degree(*command, flags->degree);
-  command->add_flag("--why", flags->has_reasons, "With the axioms that say so, with file and line")
-      ->excludes(command->add_flag("--missing", flags->is_missing_wanted,
-                                   "Also those that come near, with what is not known of them and what contradicts"));
+  command->add_flag("--why", flags->has_reasons, "Also the axioms that say so, with file and line")
+      ->excludes(
+          command->add_flag("--missing", flags->is_missing_wanted,
+                            "Also those that come near, with what they are not known to be and what contradicts"));
   command->footer(
       "Examples:\n  geminga-query participants\n  geminga-query participants 'canSee some WarmThing'\n"
       "  geminga-query participants 'hasPart some Gripper' --where 'battery >= 30 %'\n"

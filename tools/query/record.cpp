@@ -217,18 +217,18 @@ void add_record(CLI::App& app, RunAlone& selected) {
       app.add_subcommand("record", "Record what happens in the team in a file, until Ctrl-C; replay plays it");
   const auto flags = std::make_shared<RecordFlags>();
   command->add_option("FILE", flags->file, "The recording; - is standard output")->required();
-  command->add_flag("--append", flags->appends, "Go on behind a recording that is there");
+  command->add_flag("--append", flags->appends, "Continue an existing recording");
   command
       ->add_option("--limit", flags->limit_mib,
-                   "The most MiB in an hour (64 unless told); beyond it the recording gets coarser, and says so")
+                   "The most MiB in an hour (default: 64); above it the recording leaves moments out, and says so")
       ->type_name("MIB")
       ->check(shell::whole_number(recording::least_limit_mib, recording::most_limit_mib), "", "");
   command->footer(
       "Examples:\n  geminga-query record field-test.jsonl\n  geminga-query record --append --limit 16 "
       "/var/lib/robot/team.jsonl\n"
       "  geminga-query record - | zstd > field-test.jsonl.zst\n"
-      "A recording has one JSON object a line. It survives a loss of power but for the last two seconds, and goes on "
-      "when\na daemon that went is there again.");
+      "A recording has one JSON object a line. A loss of power costs its last two seconds at most. It goes on when a "
+      "lost\ndaemon is back.");
   command->callback(
       [flags, &selected] { selected = [flags](const Context& context) { return record(context, *flags); }; });
 }

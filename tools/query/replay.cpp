@@ -143,12 +143,12 @@ void read_moment(ReplayFlags& flags, const std::string& flag, const std::string&
 }  // namespace
 
 void add_replay(CLI::App& app, RunAlone& selected) {
-  CLI::App* command = app.add_subcommand("replay", "Plays a recording to every program that asks a daemon");
+  CLI::App* command = app.add_subcommand("replay", "Answer programs from a recording, as the daemon did then");
   const auto flags = std::make_shared<ReplayFlags>();
   command->add_option("FILE", flags->file, "What geminga-query record wrote; - is standard input")->required();
-  command->add_option("--gcnp", flags->where, "Where programs reach the recording (127.0.0.1:4718 unless told)")
+  command->add_option("--gcnp", flags->where, "Where to listen for programs (default: 127.0.0.1:4718)")
       ->type_name("ADDRESS:PORT|PATH");
-  command->add_option("--speed", flags->speed, "So many seconds of the recording in one second (1 unless told)")
+  command->add_option("--speed", flags->speed, "How many seconds of the recording pass in one second (default: 1)")
       ->type_name("X")
       ->check(complaint_about_speed, "", "");
   CLI::Option* from = command->add_option_function<std::string>(
@@ -165,7 +165,7 @@ void add_replay(CLI::App& app, RunAlone& selected) {
           "Stand still at this moment")
       ->type_name("TIME")
       ->excludes(from);
-  command->add_flag("--end", flags->ends, "End with the recording; unless told its last moment stays");
+  command->add_flag("--end", flags->ends, "End when the recording ends (default: its last moment stays)");
   command->add_option("--mcap", flags->mcap, "Play nothing, and write the whole recording as MCAP into this file")
       ->type_name("FILE");
   command->footer(

@@ -60,7 +60,7 @@ Listing listing_of_requests(const RequestsFlags& flags) {
 }  // namespace
 
 void add_requests(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("requests", "Every known subscription");
+  CLI::App* command = app.add_subcommand("requests", "List all known subscriptions");
   const auto flags = std::make_shared<RequestsFlags>();
   command->add_option("FILTER", flags->words, filter_meaning);
   CLI::Option* unmatched = command->add_flag("--unmatched", flags->unmatched, "Only those that nobody serves, and why");

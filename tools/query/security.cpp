@@ -18,9 +18,10 @@ using answers::Security;
 
 void print_own_sealing(const Context& context, const Security& security) {
   if (security.head["keys"].empty()) {
-    shell::print_wrapped(std::cout, context.terminal,
-                         "Nothing is sealed: there is no key. Whoever is on the link can be heard: see gemingad "
-                         "--generate-key.");
+    shell::print_wrapped(
+        std::cout, context.terminal,
+        "Nothing is sealed: there is no key. Datagrams of any host on the link are accepted: see gemingad "
+        "--generate-key.");
     return;
   }
   const std::string keys(security.head["keys"]);
@@ -57,12 +58,13 @@ void print_security(const Context& context, const Security& security) {
 
 void add_security(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand(
-      "security", "Datagrams heard, by mode of sealing and key; what was rejected; which participants lack a key");
+      "security",
+      "Show which datagrams were heard, by mode of sealing and key, what was rejected, and who lacks a key");
   command->footer(
       "Examples:\n  geminga-query security\n  geminga-query --json security | jq '.participants[] | select(.lacks != "
-      "[])'\nIn a rotation: LACKS is empty everywhere when everybody has the new key, and SEALS WITH shows it "
-      "everywhere "
-      "when the old one can go.");
+      "[])'\nWhile keys are rotated: when LACKS is empty in every row, everybody has the new key; when SEALS WITH is "
+      "the "
+      "new key in every row, the old one can go.");
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {
       return show_once(context, client, "security", {}, [&](const Answer& answer) {

@@ -88,7 +88,7 @@ Listing services_listing(const std::vector<std::string>& words, bool unused) {
 }
 
 void add_services(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("services", "Every known publication");
+  CLI::App* command = app.add_subcommand("services", "List all known publications");
   struct Flags {
     std::vector<std::string> words;
     bool unused = false;

@@ -37,7 +37,7 @@ void print_words(const Context& context, const Answer& answer) {
 }  // namespace
 
 void add_status(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("status", "The daemon itself: uptime, counts, traffic, memory, timings");
+  CLI::App* command = app.add_subcommand("status", "Show the daemon itself: uptime, counts, traffic, memory, timings");
   command->footer("Examples:\n  geminga-query status\n  geminga-query --json status | jq .uptime");
   command->callback([&selected] {
     selected = [](const Context& context, Client& client) {

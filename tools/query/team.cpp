@@ -233,7 +233,8 @@ Plan plan_of(const TeamFlags& flags) {
 }  // namespace
 
 void add_team(CLI::App& app, Run& selected) {
-  CLI::App* command = app.add_subcommand("team", "The smallest set of robots that together fill the roles of a task");
+  CLI::App* command =
+      app.add_subcommand("team", "Find the smallest set of robots that together fill the roles of a task");
   const auto flags = std::make_shared<TeamFlags>();
   CLI::Option* file =
       command->add_option("FILE", flags->file, "A task in any syntax of OWL, in the words of ontology/capability.ttl");
@@ -244,13 +245,14 @@ void add_team(CLI::App& app, Run& selected) {
   command
       ->add_option(
           "--need", flags->needs,
-          "A role: how many robots (1 unless told) and perhaps shared, a colon, what each is known to be by its "
-          "description, and where with a condition over its attributes. A robot holds one role, and any number "
-          "of shared ones")
+          "A role, as EXPRESSION, 'COUNT: EXPRESSION' or 'COUNT shared: EXPRESSION', then perhaps 'where CONDITION': "
+          "so "
+          "many robots (default: 1) that the expression describes and whose attributes fulfil the condition. A robot "
+          "holds one role, and any number of shared ones")
       ->type_name("ROLE")
       ->excludes(file)
       ->allow_extra_args(false);
-  command->add_option("--prefer", flags->prefer, "Of choices with as few robots the one whose attributes are best")
+  command->add_option("--prefer", flags->prefer, "Of several smallest sets, take the one whose attributes are best")
       ->type_name("'KEY asc|desc'");
   command->footer(
       "Examples:\n  geminga-query team task.ttl\n  geminga-query team --need '2: canSee some WarmThing where battery "
@@ -258,8 +260,8 @@ void add_team(CLI::App& app, Run& selected) {
       "Gripper'\n"
       "  geminga-query team --need 'hasPart some Arm' --need '1 shared: hasPart some Radio' --prefer 'battery desc'\n"
       "  geminga-query --watch team --need 'hasPart some Gripper'\n"
-      "With --watch holders keep their roles while they suit; where somebody fails, as few as can be change.\n"
-      "Exit status 0: here they are; 1: nobody can; each role says what it lacks and who comes near.");
+      "With --watch robots keep their roles while they fit; when one fails, as few roles as possible change hands.\n"
+      "Exit status 0: the roles are filled; 1: they cannot be; each role says what it lacks and who comes near.");
   command->callback([flags, &selected] {
     if (flags->file.empty() && flags->needs.empty()) throw CLI::RequiredError("FILE or --need");
     selected = [said = *flags, plan = plan_of(*flags)](const Context& context, Client& client) {

@@ -155,7 +155,7 @@ shell::ExitStatus run_top(const Context& context, const TopFlags& flags) {
 
 void add_top(CLI::App& app, RunAlone& selected) {
   CLI::App* command =
-      app.add_subcommand("top", "A live table of the team for a terminal: robots, loss, unmatched requests");
+      app.add_subcommand("top", "Show a live table of the team on a terminal: robots, loss, unmatched requests");
   const auto flags = std::make_shared<TopFlags>();
   command
       ->add_option_function<std::string>(
@@ -165,16 +165,15 @@ void add_top(CLI::App& app, RunAlone& selected) {
             if (!order) throw CLI::ValidationError("--sort", "must be name, heard, loss or services");
             flags->order = *order;
           },
-          "The order of the robots at first (name unless told)")
+          "The order of the robots at first (default: name)")
       ->type_name("name|heard|loss|services");
-  shell::add_seconds(*command, "--interval", flags->interval,
-                     "The time between two rounds of questions (1 unless told)");
+  shell::add_seconds(*command, "--interval", flags->interval, "The time between two rounds of questions (default: 1)");
   command->footer(
       "Examples:\n  geminga-query top\n  geminga-query top --sort loss --interval 5\n  geminga-query top | head\n"
       "Keys: q quits; n, h, l and s sort by name, time since heard, loss and services, r reverses; up and down (or k "
       "and "
-      "j)\nselect a request, enter (or w) asks why nobody serves it. It goes on when a daemon that went is there "
-      "again. "
+      "j)\nselect a request, enter (or w) asks why nobody serves it. It goes on when a lost daemon is "
+      "back. "
       "Without a\nterminal it prints one table and ends.");
   command->callback(
       [flags, &selected] { selected = [flags](const Context& context) { return run_top(context, *flags); }; });

@@ -35,19 +35,19 @@ constexpr auto request_flags = std::to_array<Flag>({
     {"--representation", "representation", "R", "In this representation"},
     {"--id", "id", "N", "This number instead of a concept"},
     {"--text", "text", "NAME", "This text instead of a concept"},
-    {"--mode", "mode", "oto|otm/stream|otm/pubsub", "In this mode; any unless told"},
+    {"--mode", "mode", "oto|otm/stream|otm/pubsub", "In this mode; default: any"},
     {"--match,--degree", "match", "exact|equivalent|narrower|broader|overlapping", "The weakest degree that counts"},
-    {"--where", "where", "EXPRESSION", "Whose attributes fit"},
+    {"--where", "where", "EXPRESSION", "Whose attributes fulfil this condition"},
     {"--protocol", "protocol", "P,...", "In one of these protocols"},
     {"--provider", "provider", "PARTICIPANT[/PEER],...", "From one of these"},
-    {"--favour", "favour", "PARTICIPANT[/PEER],...", "First from these, then from all others"},
+    {"--favour", "favour", "PARTICIPANT[/PEER],...", "From these first, then from all others"},
     {"--prefer", "prefer", "WISHES", "Those whose attributes are best, e.g. 'rate desc'"},
-    {"--rank", "rank", "CRITERIA", "By what providers are ranked first"},
+    {"--rank", "rank", "CRITERIA", "The criteria that rank providers, the first one first"},
     {"--on", "on", "EXPRESSION", "On participants that are known to be this, by their descriptions"},
     {"--scope", "scope", "HOSTS", "From these hosts: host, group, any, names, and ! before what is excluded"},
     {"--convert", "convert", "yes|no|COST", "Also what can be converted at this cost"},
     {"--reach", "reach", "routed|any", "any: also what cannot be reached from this host"},
-    {"--limit", "limit", "N", "From so many at most; unless told from one where the mode is oto, else from all"},
+    {"--limit", "limit", "N", "From so many providers at most (default: 1 where the mode is oto, else all)"},
 });
 
 constexpr auto offer_flags = std::to_array<Flag>({
@@ -55,13 +55,12 @@ constexpr auto offer_flags = std::to_array<Flag>({
     {"--offer-representation", "offer.representation", "R", "In this representation"},
     {"--offer-id", "offer.id", "N", "This number instead of a concept"},
     {"--offer-text", "offer.text", "NAME", "This text instead of a concept"},
-    {"--offer-mode", "offer.mode", "oto|otm/stream|otm/pubsub",
-     "In this mode; that of the request, or of each, unless told"},
+    {"--offer-mode", "offer.mode", "oto|otm/stream|otm/pubsub", "In this mode (default: that of each request)"},
     {"--offer-protocol", "offer.protocol", "P", "In this protocol"},
-    {"--offer-provider", "offer.provider", "PARTICIPANT[/PEER]", "By this one; by somebody here unless told"},
+    {"--offer-provider", "offer.provider", "PARTICIPANT[/PEER]", "By this provider (default: a peer of this host)"},
     {"--offer-priority", "offer.priority", "K", "With this priority"},
     {"--offer-scope", "offer.scope", "HOSTS", "For these hosts"},
-    {"--offer-for", "offer.for", "EXPRESSION", "For consumers whose attributes fit"},
+    {"--offer-for", "offer.for", "EXPRESSION", "For consumers whose attributes fulfil this condition"},
     {"--offer-address", "offer.address", "A", "At this address"},
     {"--offer-port", "offer.port", "P", "At this port"},
 });
@@ -290,14 +289,15 @@ shell::ExitStatus answer_to(const Context& context, Client& client, Question que
 
 void add_why(CLI::App& app, Run& selected) {
   CLI::App* command = app.add_subcommand(
-      "why", "Why a request and a service match or do not; or why nobody answers a request, or takes a service");
+      "why", "Tell why a request and a service match or do not, or why nobody answers a request or takes a service");
   const auto question = std::make_shared<Question>();
-  command->add_option("SUBSCRIPTION", question->subscription,
-                      "The word in the column REQUEST of geminga-query requests, or a SERVICE alone: who takes it, or "
-                      "why nobody does");
+  command->add_option(
+      "SUBSCRIPTION", question->subscription,
+      "The word in the column REQUEST of geminga-query requests; or a SERVICE alone, to ask who takes it, or "
+      "why nobody does");
   CLI::Option* service = command->add_option(
       "SERVICE", question->service,
-      "The word in the column SERVICE of geminga-query services; without it: why nobody answers, or who");
+      "The word in the column SERVICE of geminga-query services; without it: who answers, or why nobody does");
   command->add_option("--service", question->service, "The same as SERVICE")->type_name("WORD")->excludes(service);
   add_flags(*command, question, request_flags, request_group);
   add_flags(*command, question, offer_flags, offer_group);
@@ -312,8 +312,8 @@ void add_why(CLI::App& app, Run& selected) {
       "  geminga-query why --concept soccer:BallInfo --representation soccer:PolarFieldFrame --where 'rate >= 50'\n"
       "  geminga-query why --concept soccer:BallInfo --mode oto --service 1a2b3c4d/1/42\n"
       "  geminga-query why 5e6f7a8b/2/1 --offer-concept soccer:BallInfo --offer-attribute rate=30\n"
-      "Exit status 0: they match, or somebody answers, or takes it; 1: they do not, better ones take the places that "
-      "the limit leaves, nobody answers or takes it, or one is not known.");
+      "Exit status 0: they match, or somebody answers or takes it; 1: they do not match, better ones fill the limit, "
+      "nobody answers or takes it, or one of them is not known.");
   command->callback([question, &selected] {
     check(*question);
     selected = [question](const Context& context, Client& client) { return answer_to(context, client, *question); };

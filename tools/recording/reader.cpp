@@ -50,7 +50,7 @@ std::expected<std::optional<Entry>, Finding> Reader::next() {
     const Cut cut_line = cut();
     if (cut_line == Cut::none) {
       if (has_begun_) return std::nullopt;
-      return std::unexpected(here(left_out_ == 0 ? "is no recording, or an empty one: it has no line of one"
+      return std::unexpected(here(left_out_ == 0 ? "is no recording: it has no line that geminga-query record writes"
                                                  : "has no snapshot, which a recording begins with"));
     }
     if (cut_line == Cut::too_long) {

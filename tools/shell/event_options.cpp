@@ -5,8 +5,8 @@ namespace geminga::shell {
 void EventOptions::add_to(CLI::App& app, const std::string& timeout_meaning, const std::string& keep_meaning) {
   common.add_to(app, timeout_meaning);
   identity.add_to(app);
-  add_mode(app, mode, "How the channel is set up (otm/stream unless told)");
-  app.add_option("--name", name, "The name of this peer (" + name + " unless told)")
+  add_mode(app, mode, "How the channel is set up (default: otm/stream)");
+  app.add_option("--name", name, "The name of this peer (default: " + name + ")")
       ->type_name("PEER")
       ->check([](const std::string& text) { return text.empty() ? "must not be empty" : ""; }, "", "");
   app.add_flag("--keep", is_kept, keep_meaning);
@@ -17,7 +17,7 @@ void EventOptions::add_to(CLI::App& app, const std::string& timeout_meaning, con
           ->excludes("--json", "--timestamps")
           ->check([](const std::string& text) { return text.empty() ? "must not be empty" : ""; }, "", "");
   add_seconds(app, "--exec-timeout", command_seconds,
-              "How long the command may run before it is ended (60 unless told; 0: for ever)")
+              "How long the command may run before it is ended (default: 60; 0: for ever)")
       ->needs(exec);
 }
 

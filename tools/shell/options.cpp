@@ -86,7 +86,7 @@ std::optional<std::pair<std::string, std::string>> key_and_value(const std::stri
 
 std::optional<NamedIdentity> IdentityOptions::identity(const std::string& concept_name) const {
   if ((id ? 1 : 0) + (text ? 1 : 0) + (concept_name.empty() ? 0 : 1) > 1) {
-    throw CLI::ValidationError("IDENTITY", "two identities: give one of --id, --text and a concept");
+    throw CLI::ValidationError("IDENTITY", "is stated twice: give one of --id, --text and a concept");
   }
   if (concept_name.empty() && !representation.empty()) {
     throw CLI::ValidationError("--representation", "belongs to a concept: name the concept, too");
@@ -138,7 +138,7 @@ void add_degree(CLI::App& app, Degree& degree) {
              throw CLI::ValidationError("--degree", "must be exact, equivalent, narrower, broader or overlapping");
            degree = *value;
          },
-         "The weakest degree of match that counts (narrower unless told)")
+         "The weakest degree of match that counts (default: narrower)")
       ->type_name("exact|equivalent|narrower|broader|overlapping");
 }
 

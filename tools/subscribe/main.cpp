@@ -29,11 +29,11 @@ constexpr const char* examples = R"(Examples:
   geminga-subscribe soccer:BallInfo --mode otm/pubsub --listen
   geminga-subscribe --text map --mode oto --exec 'echo "$GEMINGA_EVENT $GEMINGA_NAME $GEMINGA_ADDRESS:$GEMINGA_PORT"'
 
-Prints each event as a line: + a service is there, ~ it changed, with the former values, - it is gone, and why. With --keep, when
-the daemon was gone and is back, services that are still there are printed again, the others as gone (unconfirmed).
-Ends with status 0 on Ctrl-C, a SIGTERM or after --count events, 4 when --timeout was over before that (with nothing
-printed, where no count is given), 3 when the daemon goes (unless --keep), 2 on wrong usage, also for a name that the
-daemon's ontology does not know.
+Prints each event as a line: + a service is there, ~ it changed (with the former values), - it is gone (with the reason). With
+--keep it waits for a lost daemon and asks again: services that are still there are printed again, the others as gone (unconfirmed).
+
+Exit status: 0 ended by a signal, after --count events, or by --timeout when something was printed and no --count is given; 2 wrong
+usage (also a name that the daemon's ontology does not know); 3 the daemon is gone; 4 ended by --timeout otherwise.
 
 )";
 
@@ -64,10 +64,10 @@ std::uint32_t accepted_cost(const std::string& word) {
 void add_to(CLI::App& app, Options& options) {
   app.add_option("CONCEPT", options.concepts,
                  "prefix:Name, <IRI>, a label or a class expression; several are asked for together");
-  options.shared.add_to(app, "End after this time (never unless told)",
-                        "When the daemon goes, wait for it and ask again");
+  options.shared.add_to(app, "End after this time (default: never)", "When the daemon goes, wait for it and ask again");
   shell::add_degree(app, options.subscription.weakest);
-  app.add_option("--where", options.subscription.where, "Only services whose attributes fit")->type_name("EXPRESSION");
+  app.add_option("--where", options.subscription.where, "Only services whose attributes fulfil this condition")
+      ->type_name("EXPRESSION");
   app.add_option("--limit", options.limit, "At most this many providers, the best; 0: all (1 for oto, else all)")
       ->type_name("K")
       ->check(shell::whole_number(0, UINT32_MAX), "", "");

@@ -33,16 +33,15 @@ constexpr const char* examples = R"(Examples:
   geminga-web --rules alerts.toml
   geminga-web --listen 192.0.2.7:4780 --token-file /etc/geminga/web.token --host robot2.local
 
-/ is a page that shows the team in a browser, live, and what is wrong first. /metrics is in OpenMetrics. /livez says 200 while
-the program lives, /readyz while the daemon answers and is up to date, else 503 and why. /api/participants, services, requests,
-match, explain, why, ontology, status and security print what geminga-query --json prints, with the keys of query:
-/api/requests?unmatched=1; /api/concepts, taxonomy and hearing answer the queries of these names, and /api/doctor prints what
-geminga-query --json doctor prints. /api/events?of=services and its like are server-sent events with the objects of geminga-query
---watch --json. /api/history is what has changed in the last hour,
-and /api/alerts the state of each rule of --rules.
+/ is a live page of the team for a browser, which shows problems first. /metrics is in OpenMetrics. /livez answers 200 while the
+program runs; /readyz answers 200 while the daemon answers and is up to date, else 503 and the reason. /api/participants, services,
+requests, match, explain, why, ontology, status and security print what geminga-query --json prints, with the keys of query, as in
+/api/requests?unmatched=1. /api/concepts, taxonomy and hearing answer the queries of these names. /api/doctor prints what
+geminga-query --json doctor prints. /api/events?of=services (or participants, requests) sends the objects of geminga-query --watch
+--json as server-sent events. /api/history is what has changed in the last hour, and /api/alerts the state of each rule of --rules.
 
-It runs without a daemon, too, and connects again by itself. Nothing can be changed over HTTP, and nothing is encrypted: where
-others share the network, put a tunnel or a TLS proxy before it.
+It also runs without a daemon, and connects when there is one. HTTP changes nothing and encrypts nothing: on a shared network, put a
+tunnel or a TLS proxy before it.
 
 Exit status: 0 ended by a signal, 2 wrong usage, or the address is taken.)";
 

@@ -8,15 +8,15 @@
 namespace geminga::web {
 
 void Flags::add_to(CLI::App& app) {
-  common.add_without_json_to(app, "How long a reader waits for the daemon (5 unless told)");
+  common.add_without_json_to(app, "How long a request waits for the daemon's answer (default: 5)");
   app.add_option("--listen", listen,
-                 "Where to listen: 127.0.0.1:4780 unless told, and nowhere where --socket is given alone. An address "
-                 "that other hosts reach needs --token-file")
+                 "Where to listen (default: 127.0.0.1:4780, or with --socket no address). An address that other hosts "
+                 "reach needs --token-file")
       ->type_name("ADDRESS:PORT");
   app.add_option(
          "--socket", socket,
-         "Listen at a Unix socket, which this user and group may use; a token is asked for there, too, if there "
-         "is one")
+         "Listen at a Unix socket, which this user and group may use; requests need the token there, too, if there is "
+         "one")
       ->type_name("PATH");
   app.add_option("--token-file", token_file,
                  "A file with the secret that each request has to bring as Authorization: Bearer TOKEN, except for "
@@ -24,23 +24,21 @@ void Flags::add_to(CLI::App& app) {
       ->type_name("FILE");
   app.add_option(
          "--host", names,
-         "A name of this host by which it is asked, beside localhost and its addresses in numbers; may be given "
-         "several times")
+         "A name of this host that requests may use, beside localhost and its numeric addresses; may be given several "
+         "times")
       ->type_name("NAME")
       ->allow_extra_args(false);
   app.add_option("--rules", alert_rules,
-                 "Rules of alerts in TOML (geminga-query alerts --help): what does not hold is on the page, in "
+                 "Alert rules in TOML (geminga-query alerts --help): those that do not hold are on the page, in "
                  "/api/alerts and in /metrics")
       ->type_name("FILE");
-  CLI::Option* shown =
-      app.add_option(
-             "--recording", this->recording,
-             "Ask no daemon, and show this recording on the page (geminga-query record), to go back and forth in")
-          ->type_name("FILE");
-  app.add_option(
-         "--history", history_minutes,
-         "How long the page can look back (60 unless told, 1440 at most). 0: nothing is kept, and the daemon is "
-         "asked only when somebody asks")
+  CLI::Option* shown = app.add_option("--recording", this->recording,
+                                      "Show this recording (geminga-query record) on the page instead of a daemon; the "
+                                      "page can go back and forth in it")
+                           ->type_name("FILE");
+  app.add_option("--history", history_minutes,
+                 "How long the page can look back (default: 60, 1440 at most). 0: nothing is kept, and the daemon is "
+                 "asked only when a request comes")
       ->type_name("MINUTES")
       ->check(shell::whole_number(0, std::chrono::duration_cast<std::chrono::minutes>(longest_history).count()), "", "")
       ->excludes(shown);
@@ -58,7 +56,7 @@ std::expected<Settings, std::string> settings_of(const Flags& flags) {
   if (!flags.listen.empty() || flags.socket.empty()) {
     const std::string text = flags.listen.empty() ? std::string(usual_listen) : flags.listen;
     const auto endpoint = env::parse_endpoint(text);
-    if (!endpoint) return std::unexpected("--listen: " + text + ' ' + endpoint.error());
+    if (!endpoint) return std::unexpected("--listen: " + endpoint.error());
     settings.listen = *endpoint;
   }
   for (const std::string& name : flags.names) {

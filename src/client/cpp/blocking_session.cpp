@@ -32,8 +32,8 @@ std::expected<void, ClientError> BlockingSession::connect(const std::vector<Endp
     reason = system_text(error);
     tried += (tried.empty() ? "" : " and ") + where_;
   }
-  return std::unexpected(broken(
-      Kind::unreachable, "no daemon at " + tried + " (" + reason + "): start gemingad, or say where it listens"));
+  return std::unexpected(broken(Kind::unreachable, "no daemon at " + tried + " (" + reason +
+                                                       "): start gemingad, or say where it is with GEMINGA_CONNECT"));
 }
 
 std::expected<gcnp::Statement, ClientError> BlockingSession::hello(const ClientOptions& options) {

@@ -24,13 +24,13 @@ struct Adopted {
 /// level on.
 [[nodiscard]] std::vector<std::string> adopted_versions(const Adopted& adopted, std::size_t level);
 
-/// Looks every two seconds whether there are other newest versions: what changes a folder cannot be told to the daemon
-/// in its cage.
+/// Looks every two seconds whether there are other newest versions: in its cage the daemon cannot be notified of
+/// changes in a folder.
 class AdoptionWatch {
  public:
   /// `changed` is called on the event loop.
   AdoptionWatch(boost::asio::io_context& context, std::function<void()> changed);
-  /// Knows what is there, and watches for other versions from now on; not at all where nobody is adopted.
+  /// Takes the present versions as known, and watches for others. Does nothing where no participant is adopted.
   void watch(const Adopted& adopted);
 
  private:

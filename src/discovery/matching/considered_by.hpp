@@ -11,8 +11,8 @@
 
 namespace geminga::matching {
 
-/// Ranks by the slot of the subscription. Most publications of a large team are considered by nobody here, so an empty
-/// one costs a pointer.
+/// Ranks by the slot of the subscription. No subscription of this host considers most publications of a large
+/// team, so an empty one costs a pointer.
 class ConsideredBy {
  public:
   using Ranks = std::map<std::uint32_t, Rank>;

@@ -24,7 +24,7 @@ class Preparation {
   /// The request of a consumer that takes part with converters. `must_convert`: also where the subscription accepts no
   /// conversion, to say what one would cost.
   [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry, bool must_convert) const;
-  /// The request of nobody in particular: nobody converts for it.
+  /// The request of no known consumer; no converter takes part.
   [[nodiscard]] Request prepare(const Subscription& asked) const;
 
   /// The classes of an offer in a vocabulary, with the place of an expression.

@@ -1,5 +1,5 @@
-// The whole daemon without an operating system: GCNP lines, datagrams and the time in; GCNP lines, datagrams and the
-// next deadline out.
+// The whole daemon without an operating system. Its inputs are GCNP lines, datagrams and the time; its outputs are
+// GCNP lines, datagrams and the next deadline.
 #ifndef GEMINGA_DISCOVERY_PARTICIPANT_PARTICIPANT_HPP
 #define GEMINGA_DISCOVERY_PARTICIPANT_PARTICIPANT_HPP
 
@@ -50,9 +50,9 @@ class Participant {
   void on_timer();
   /// A datagram came in on an interface. `source` is the sender's numeric address, for the log and for diagnosis only.
   void on_datagram(env::InterfaceIndex interface, std::string_view source, std::span<const std::byte> datagram);
-  /// Env::interfaces() gives something new.
+  /// The result of Env::interfaces() has changed.
   void on_interfaces_changed();
-  /// Env::route() may answer otherwise than before.
+  /// The result of Env::route() may have changed.
   void on_routes_changed();
 
   /// `user` is the user who connected, where the system tells; else empty.
@@ -62,7 +62,7 @@ class Participant {
   void on_stream_bytes(env::StreamId stream, std::string_view bytes);
   /// The client is gone: all that it offered and asked for is withdrawn. Not called after Env::close().
   void on_stream_closed(env::StreamId stream);
-  /// The client has read what had to wait for it.
+  /// The client has read everything that was queued for it.
   void on_stream_drained(env::StreamId stream);
 
   /// Memory is short: gives up the participants that were heard last, a quarter of those that were heard for less than
@@ -86,8 +86,8 @@ class Participant {
   /// force until on_prepared(), and their peers are told so. `left_out` are lines
   /// about files that are not in it: queries show them as those of ontology_failed().
   void set_vocabulary(Vocabulary vocabulary, const std::vector<std::string>& left_out = {});
-  /// The vocabulary that is to be prepared for class expressions, because one has come; null: none. To be asked after
-  /// each event. Preparing is long work: the owner of the participant does it elsewhere, and brings the result by
+  /// The vocabulary that is to be prepared for class expressions, because one has come; null: none. Call after each
+  /// event. Preparing is long work: the owner of the participant does it elsewhere, and brings the result by
   /// on_prepared(). Meanwhile statements that need it wait, and so do the statements of their clients behind them.
   [[nodiscard]] const Vocabulary* wants_prepared() const;
   /// Whether class expressions are in use with the ontology in force. Then the next one should come prepared.

@@ -71,7 +71,7 @@ std::expected<std::string, std::string> parse_address(std::string_view text) {
 std::expected<Endpoint, std::string> parse_endpoint(std::string_view text) {
   const auto halves = split(text);
   if (!halves || !halves->port) {
-    return std::unexpected(shown(text) + " is no ADDRESS:PORT: write 127.0.0.1:4717 or [::1]:4717");
+    return std::unexpected(shown(text) + " is no ADDRESS:PORT: write it like 127.0.0.1:4717 or [::1]:4717");
   }
   const auto address = read_address(halves->host);
   if (!address) return std::unexpected(shown(halves->host) + " is no IP address");

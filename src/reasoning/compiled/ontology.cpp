@@ -310,7 +310,7 @@ std::expected<taxonomy::ClassNumber, NameError> Ontology::find(std::string_view 
   if (const auto whole = check_labels(); !whole) {
     return name_error(Kind::unknown, "no class is '" + shown + "', and labels cannot be read: " + whole.error().text);
   }
-  return name_error(Kind::unknown, "no class and no label is '" + shown + "'");
+  return name_error(Kind::unknown, "'" + shown + "' is neither a class nor a label");
 }
 
 std::string_view Ontology::iri(taxonomy::ClassNumber number) const {

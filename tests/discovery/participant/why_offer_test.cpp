@@ -146,10 +146,11 @@ TEST_F(WhyOfferTest, SaysThatTheProvidersOntologyDiffers) {
   misspelling.say("1 pub create mode=oto concept=soccer:Bal port=1");
   request(1, "mode=oto concept=soccer:Ball");
   world.run_for(std::chrono::seconds(3));
-  EXPECT_THAT(ask("services unused=1").front(),
-              AllOf(HasSubstr("why=ontology_differs because=\"no class and no label is 'soccer:Bal': did you mean "
-                              "soccer:Ball?; robot2 has the ontology "),
-                    EndsWith("geminga-query ontology says who has others\"")));
+  EXPECT_THAT(
+      ask("services unused=1").front(),
+      AllOf(HasSubstr("why=ontology_differs because=\"'soccer:Bal' is neither a class nor a label: did you mean "
+                      "soccer:Ball?; robot2 has the ontology "),
+            EndsWith("geminga-query ontology lists the hosts that have others\"")));
 }
 
 }  // namespace

@@ -155,8 +155,9 @@ TEST_F(WhyTest, LooksForTheNamesThatWereMeantForSoManyUnknownOnes) {
   world.run_for(std::chrono::seconds(3));
   const auto answer = ask("requests unmatched=1");
   ASSERT_THAT(answer, SizeIs(all + 1));
-  EXPECT_THAT(answer[all - 2], HasSubstr("why=ontology_differs because=\"no class and no label is 'soccer:Bal': did "
-                                         "you mean soccer:Ball?"));
+  EXPECT_THAT(answer[all - 2],
+              HasSubstr("why=ontology_differs because=\"'soccer:Bal' is neither a class nor a label: did "
+                        "you mean soccer:Ball?"));
   EXPECT_THAT(answer[all - 1], HasSubstr("why=ontology_differs because=\"soccer:Bal is unknown to the ontology;"));
 }
 

@@ -17,7 +17,7 @@
 #include "reasoning/modules/module.hpp"
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/owl/loaded_file.hpp"
-#include "reasoning/owl/unit.hpp"
+#include "small_units.hpp"
 #include "support/written.hpp"
 
 namespace geminga::compiled {
@@ -34,15 +34,7 @@ std::vector<std::byte> small() {
   source.add_conversion("https://t.example/#X", "https://t.example/#Y", "7", owl::FileId{0}, 1);
   source.add_conversion("https://t.example/#A", "https://t.example/#B", "", owl::FileId{0}, 2);
   source.add_conversion("https://t.example/#A", "https://t.example/#Unknown", "", owl::FileId{0}, 3);
-  const auto say = [&](const char* unit, owl::UnitWord word, const char* value, std::uint32_t line) {
-    source.add_unit_statement(std::string("https://t.example/#") + unit, word, value, owl::FileId{0}, line);
-  };
-  for (const auto& [unit, factor] : {std::pair{"Pitch", "105"}, {"Goal", "7.32"}, {"Bad", "0"}}) {
-    say(unit, owl::UnitWord::qudt_multiplier, factor, 4);
-    say(unit, owl::UnitWord::qudt_dimension, "/A0E0L1I0M0H0T0D0", 4);
-  }
-  say("Pitch", owl::UnitWord::qudt_symbol, "pitch", 4);
-  say("Cup", owl::UnitWord::type, "http://www.ontology-of-units-of-measure.org/resource/om-2/Unit", 5);
+  add_small_units(source);
   return compile(source, owl::classified(source));
 }
 

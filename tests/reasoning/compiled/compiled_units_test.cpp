@@ -14,7 +14,7 @@
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/compiled/container.hpp"
 #include "reasoning/owl/left_out.hpp"
-#include "reasoning/owl/unit.hpp"
+#include "small_units.hpp"
 #include "support/written.hpp"
 
 namespace geminga::compiled {
@@ -25,15 +25,7 @@ using testing::HasSubstr;
 /// `Cup`, `Goal` and `Pitch`, in this order, and one that is left out.
 std::vector<std::byte> small() {
   owl::Ontology source = owl::written("SubClassOf(A B)\n");
-  const auto say = [&](const char* unit, owl::UnitWord word, const char* value, std::uint32_t line) {
-    source.add_unit_statement(std::string("https://t.example/#") + unit, word, value, owl::FileId{0}, line);
-  };
-  for (const auto& [unit, factor] : {std::pair{"Pitch", "105"}, {"Goal", "7.32"}, {"Bad", "0"}}) {
-    say(unit, owl::UnitWord::qudt_multiplier, factor, 4);
-    say(unit, owl::UnitWord::qudt_dimension, "/A0E0L1I0M0H0T0D0", 4);
-  }
-  say("Pitch", owl::UnitWord::qudt_symbol, "pitch", 4);
-  say("Cup", owl::UnitWord::type, "http://www.ontology-of-units-of-measure.org/resource/om-2/Unit", 5);
+  add_small_units(source);
   return compile(source, owl::classified(source));
 }
 

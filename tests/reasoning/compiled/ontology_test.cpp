@@ -57,10 +57,10 @@ TEST(Ontology, SaysWhatIsWrongWithAName) {
       {"<https://t.example/#BallInfo", Kind::malformed, "does not end in >"},
       {"<>", Kind::malformed, "does not end in >"},
       {"<https://t.example/#Nobody>", Kind::unknown, "no class has the IRI"},
-      {"t:Nobody", Kind::unknown, "no class"},
+      {"t:Nobody", Kind::unknown, "neither a class nor a label"},
       {"u:BallInfo", Kind::unknown, "unknown prefix: known are owl: rdf: rdfs: t: xsd:"},
-      {"https://t.example/#Nobody", Kind::unknown, "no class"},
-      {"goal", Kind::unknown, "no class"},
+      {"https://t.example/#Nobody", Kind::unknown, "neither a class nor a label"},
+      {"goal", Kind::unknown, "neither a class nor a label"},
       {"ball", Kind::ambiguous, "t:BallInfo or t:Shared"},
   };
   for (const auto& one : cases) {

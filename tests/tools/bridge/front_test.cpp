@@ -21,7 +21,8 @@ Ran bridge(std::vector<std::string> words) {
 TEST(Bridge, SaysWhichKindsThereAre) {
   const Ran unknown = bridge({"dns"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_THAT(unknown.said, HasSubstr("geminga-bridge: no kind is 'dns': there are dns-sd, dds, mqtt, nats"));
+  EXPECT_THAT(unknown.said,
+              HasSubstr("geminga-bridge: 'dns' is no kind of bridge: the kinds are dns-sd, dds, mqtt, nats"));
   EXPECT_EQ(bridge({}).status, 2);
   EXPECT_EQ(bridge({"--help"}).status, 0);
   EXPECT_EQ(bridge({"../gemingad"}).status, 2) << "nothing else is started";

@@ -177,7 +177,7 @@ TEST(Programs, TakeNoEmptyTextOfAnEmptyVariable) {
     EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
   }
   EXPECT_THAT(run("geminga-query", {"match", ""}).errors,
-              HasSubstr("IDENTITY: is empty: leave it out, or see whether the variable that it comes from is set"));
+              HasSubstr("IDENTITY is empty: leave it out, or see whether the variable that it comes from is set"));
 }
 
 TEST(Programs, NameTheVariableThatMayBeMeant) {

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "program.hpp"
+#include "team.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -13,21 +14,6 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-/// Robots that are defined by their tasks, and an individual that is one by its task.
-constexpr std::string_view team =
-    "<http://e/> a owl:Ontology ; rdfs:comment \"the team\" . "
-    ":Thing a owl:Class . :Robot a owl:Class ; rdfs:subClassOf :Thing . :sees a owl:ObjectProperty ; rdfs:domain "
-    ":Robot . "
-    ":observes a owl:ObjectProperty ; rdfs:subPropertyOf :sees . :Goalie a owl:Class ; owl:equivalentClass "
-    "[ owl:intersectionOf ( :Robot [ a owl:Restriction ; owl:onProperty :observes ; owl:someValuesFrom :Thing ] ) ] . "
-    ":Keeper a owl:Class ; owl:equivalentClass :Goalie . :Ball a owl:Class ; rdfs:subClassOf :Thing . "
-    ":ball a :Ball . :bob :observes :ball . :observes rdfs:comment \"a comment\" .";
-
-std::string closure_of(const Program& program, const std::string& file) {
-  const Outcome outcome = program.run({"classify", "--closure", file});
-  return outcome.status == 0 ? outcome.out : outcome.err;
-}
 
 TEST(Convert, GivesTheSameClosureInEverySyntax) {
   const Program program;

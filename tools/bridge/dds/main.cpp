@@ -30,8 +30,8 @@ constexpr const char* examples = R"(Examples:
 Writers of a domain become publications and readers become subscriptions, with mode otm/stream and protocol dds. Servers and
 clients of services of ROS 2 become publications and subscriptions with mode oto. Each is of the concept whose class has
 geminga:messageType of its type in the team's ontology (ontology/ros.ttl), else of the text, e.g. my_msgs/msg/Thing. Topic, type,
-domain and policies are attributes, and a reader's own are its condition: geminga-query why says which does not fit. Nothing that
-is sent goes through the bridge, and nothing of the team is told to DDS. One bridge in a domain is enough.
+domain and policies are attributes. The policies of a reader are its condition: geminga-query why says which one does not fit. No
+message passes through the bridge, and the bridge tells DDS nothing about the team. One bridge in a domain is enough.
 
 Exit status: 0 ended by a signal, 2 wrong usage, or the domain cannot be joined.)";
 
@@ -41,11 +41,10 @@ struct Flags {
   bool has_plumbing = false;
 
   void add_to(CLI::App& app) {
-    common.add_without_json_to(app, "How long to wait for the daemon's hello (5 unless told)");
-    app.add_option("--domain", domain, "The domain: $ROS_DOMAIN_ID unless told, else 0")
+    common.add_without_json_to(app, "How long to wait for the daemon's hello (default: 5)");
+    app.add_option("--domain", domain, "The domain (default: $ROS_DOMAIN_ID, else 0)")
         ->type_name("0.." + std::to_string(max_domain));
-    app.add_flag("--plumbing", has_plumbing,
-                 "Take in what every node of ROS 2 has, too: parameters, logs, its discovery");
+    app.add_flag("--plumbing", has_plumbing, "Also show what every ROS 2 node has: parameters, logs, its discovery");
   }
   /// The number of the domain. The error says what is wrong.
   [[nodiscard]] std::expected<std::uint32_t, std::string> number() const {

@@ -34,12 +34,13 @@ constexpr const char* examples = R"(Examples:
   geminga-query match --text _ipp._tcp
 
 The services of this host's modules are announced through avahi-daemon as _geminga._udp or _geminga._tcp, with concept,
-representation and attributes in the TXT record. What others announce becomes publications with mode oto and protocol dns-sd:
-of the concept whose class has geminga:dnsServiceType of that type in the team's ontology, else of the text, e.g. _ipp._tcp. They
-are withdrawn when they leave there. One bridge on a link is enough for what comes in; each host needs its own for what goes out, or one has
---team.
+representation and attributes in the TXT record. A service that others announce becomes a publication with mode oto and protocol
+dns-sd. Its concept is the class whose geminga:dnsServiceType is that type in the team's ontology; where there is none, its identity
+is the text, e.g. _ipp._tcp. It is withdrawn when DNS-SD no longer has it. One bridge on a link is enough for incoming services. For
+outgoing ones each host runs its own bridge, or one bridge has --team.
 
-It waits for the daemon and for Avahi, and begins again when they are back. What it cannot take is counted on standard error.
+The bridge waits for the daemon and for Avahi, and begins again when they are back. Services that it cannot take are counted on
+standard error.
 
 Exit status: 0 ended by a signal, 2 wrong usage.)";
 
@@ -50,7 +51,7 @@ struct Flags {
   bool is_for_team = false;
 
   void add_to(CLI::App& app) {
-    common.add_without_json_to(app, "How long to wait for the daemon's hello (5 unless told)");
+    common.add_without_json_to(app, "How long to wait for the daemon's hello (default: 5)");
     app.add_option("--type", types, "Take only services of this type; may be given several times")
         ->type_name("TYPE")
         ->allow_extra_args(false);

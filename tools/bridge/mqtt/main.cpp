@@ -22,11 +22,11 @@ constexpr const char* examples = R"(Examples:
   geminga-bridge mqtt mqtts://broker.example --ca team.pem --user robot1
   gemingad --interface wlan0 --interface lo --peer 127.0.0.1:4720 --key-file team.key
 
-The daemon names the bridge as its peer, and the server is a link for it: what it says there is heard by the daemons of all other
-sites, and the other way round. Words are the daemon's datagrams, sealed with the team's key where there is one. The server sees
-their sizes and times; without a key it could say what it likes. The last state of those behind a relay is retained, sealed, below
-geminga/TEAM/kept, so that a site that joins later is told at once; that counts when the relay has spoken for it, and who is gone
-is gone at its deadline. Which sites are there is retained below geminga/TEAM/site, and taken away by last wills.
+The daemon names the bridge as its peer. The server then acts as a link: the daemons of all sites hear each other through it. The
+bridge sends the daemon's datagrams as they are, sealed with the team's key where there is one. The server sees their sizes and
+times; without a key it could also forge them. The broker retains the last state of hosts behind a relay, sealed, below geminga/TEAM/kept, so that a
+site that joins later learns it at once. Daemons believe it when the relay has vouched for it, and drop a host at its deadline. The
+names of the sites are retained below geminga/TEAM/site, and removed by last wills.
 
 Exit status: 0 ended by a signal, 2 wrong usage, or the address of --listen is taken.)";
 
@@ -36,12 +36,12 @@ int fail(const std::string& text) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Carries the announcements of daemons over a server of MQTT.", std::string(program));
+  CLI::App app("Carries the announcements of daemons over an MQTT server.", std::string(program));
   app.footer(examples);
   WordOptions options;
   options.add_to(app, std::string(program), "mqtt|mqtts");
   std::string version = "3.1.1";
-  app.add_option("--mqtt", version, "The version of MQTT that the server speaks (3.1.1 unless told)")
+  app.add_option("--mqtt", version, "The version of MQTT that the server speaks (default: 3.1.1)")
       ->type_name("3.1.1|5")
       ->check(CLI::IsMember({"3.1.1", "5"}), "", "");
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);

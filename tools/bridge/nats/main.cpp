@@ -23,11 +23,11 @@ constexpr const char* examples = R"(Examples:
   geminga-bridge nats tls://hub.example --ca team.pem --credentials robot1.creds
   gemingad --interface wlan0 --interface lo --peer 127.0.0.1:4720 --key-file team.key
 
-The daemon names the bridge as its peer, and the server is a link for it: what it says there is heard by the daemons of all other
-sites, and the other way round. Words are the daemon's datagrams, sealed with the team's key where there is one. The server sees
-their sizes and times; without a key it could say what it likes. Where it has JetStream it keeps the last state of those behind a
-relay, sealed, in the bucket geminga_TEAM, so that a site that joins later is told at once; that counts when the relay has spoken
-for it, and who is gone is gone at its deadline. Accounts, clusters and leaf nodes are the server's.
+The daemon names the bridge as its peer. The server then acts as a link: the daemons of all sites hear each other through it. The
+bridge sends the daemon's datagrams as they are, sealed with the team's key where there is one. The server sees their sizes and
+times; without a key it could also forge them. A server with JetStream keeps the last state of hosts behind a relay, sealed, in the bucket geminga_TEAM, so
+that a site that joins later learns it at once. Daemons believe it when the relay has vouched for it, and drop a host at its
+deadline. Accounts, clusters and leaf nodes are configured at the server.
 
 Exit status: 0 ended by a signal, 2 wrong usage, or the address of --listen is taken.)";
 
@@ -37,7 +37,7 @@ int fail(const std::string& text) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Carries the announcements of daemons over a server of NATS.", std::string(program));
+  CLI::App app("Carries the announcements of daemons over a NATS server.", std::string(program));
   app.footer(examples);
   WordOptions options;
   options.add_to(app, std::string(program), "nats|tls");
@@ -45,14 +45,14 @@ int run(int argc, char** argv) {
   app.add_option("--credentials", credentials.file, "A file with NATS' user credentials (a JWT and an NKey)")
       ->type_name("FILE")
       ->check(CLI::ExistingFile, "", "");
-  app.add_option("--nkey", credentials.nkey, "The public NKey of the user that it is; --nkey-seed proves it")
+  app.add_option("--nkey", credentials.nkey, "The public NKey by which the bridge logs in; needs --nkey-seed")
       ->type_name("KEY");
   app.add_option("--nkey-seed", credentials.nkey_seed, "A file with the seed of --nkey")
       ->type_name("FILE")
       ->check(CLI::ExistingFile, "", "");
-  app.add_option("--jetstream-domain", credentials.domain,
-                 "The domain of JetStream in which words are kept, as of a hub behind a leaf node (the server's own "
-                 "unless told)")
+  app.add_option(
+         "--jetstream-domain", credentials.domain,
+         "The JetStream domain that keeps the states, such as a hub's behind a leaf node (default: the server's own)")
       ->type_name("NAME");
   if (const auto status = shell::parse(app, argc, argv)) return static_cast<int>(*status);
   const auto settings = options.settings("nats", "tls", 4222, 4222);

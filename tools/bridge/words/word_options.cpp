@@ -21,7 +21,7 @@ bool is_name(const std::string& text) {
 
 std::expected<client::Endpoint, std::string> endpoint_of(const std::string& flag, const std::string& text) {
   const auto read = env::parse_endpoint(text);
-  if (!read) return std::unexpected(flag + ": " + base::printable(text) + ' ' + read.error());
+  if (!read) return std::unexpected(flag + ": " + read.error());
   return client::Endpoint{.address = read->address, .port = read->port};
 }
 
@@ -29,19 +29,20 @@ std::expected<client::Endpoint, std::string> endpoint_of(const std::string& flag
 
 void WordOptions::add_to(CLI::App& app, const std::string& program, const std::string& schemes) {
   app.add_option("URL", url, "The server: " + schemes + "://HOST[:PORT]")->required();
-  app.add_option("--team", team, "The name of the team on the server (geminga unless told): letters, digits, - and _")
+  app.add_option("--team", team, "The name of the team on the server (default: geminga): letters, digits, - and _")
       ->type_name("NAME");
   app.add_option("--site", site, "The name of this site, for people who look at the server")->type_name("NAME");
   app.add_option("--listen", listen,
-                 "Where the daemon finds this bridge, which it names as its peer (127.0.0.1:4720 unless told)")
+                 "Where the bridge listens; the daemon names it with --peer (default: 127.0.0.1:4720)")
       ->type_name("ADDRESS:PORT");
-  app.add_option("--daemon", daemon, "The UDP port of the daemon (127.0.0.1:4717 unless told)")
-      ->type_name("ADDRESS:PORT");
+  app.add_option("--daemon", daemon, "The UDP port of the daemon (default: 127.0.0.1:4717)")->type_name("ADDRESS:PORT");
   app.add_option("--ca", ca_file, "Trust servers whose certificates these authorities have signed")->type_name("FILE");
-  app.add_option("--certificate", certificate, "Show the server this certificate, in PEM")->type_name("FILE");
+  app.add_option("--certificate", certificate, "The certificate that the bridge shows the server, in PEM")
+      ->type_name("FILE");
   app.add_option("--certificate-key", certificate_key, "The private key of --certificate, in PEM")->type_name("FILE");
-  app.add_option("--user", user,
-                 "The name by which it logs in; the password is in --password-file, or $GEMINGA_BRIDGE_PASSWORD")
+  app.add_option(
+         "--user", user,
+         "The name by which the bridge logs in; the password is in --password-file, or $GEMINGA_BRIDGE_PASSWORD")
       ->type_name("NAME");
   app.add_option("--password-file", password_file, "The password of --user, in a file that nobody else can read")
       ->type_name("FILE");

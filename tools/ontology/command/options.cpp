@@ -60,14 +60,14 @@ void add_memory_limit(CLI::App& command, Choice& choice) {
 
 void add_graph_limit(CLI::App& command, WorkLimits& limits) {
   add_number(command, "--graph-limit", limits.graph_mib, 1, 1'000'000,
-             "most memory for the triples, in MiB (" + std::to_string(WorkLimits::default_graph_mib) +
-                 " unless told, or half of --memory-limit); beyond it exit 4")
+             "most memory for the triples, in MiB (default: " + std::to_string(WorkLimits::default_graph_mib) +
+                 ", or half of --memory-limit); beyond it exit 4")
       ->type_name("MIB");
 }
 
 void add_work_limits(CLI::App& command, WorkLimits& limits) {
   add_number(command, "--time-limit", limits.seconds, 1, max_seconds,
-             "search for so many seconds at most; then what is settled counts, and exit 4")
+             "search for so many seconds at most; then answer from what is decided, and exit 4")
       ->type_name("SECONDS");
   const auto read = [&limits](const std::string& text) {
     const auto value = base::parse_number<std::uint64_t>(text);
@@ -77,10 +77,10 @@ void add_work_limits(CLI::App& command, WorkLimits& limits) {
     limits.steps = *value;
   };
   command
-      .add_option_function<std::string>("--steps", read,
-                                        "search for so many counted steps at most (" +
-                                            std::to_string(WorkLimits::default_steps) +
-                                            " unless told): as --time-limit, but the same on every machine")
+      .add_option_function<std::string>(
+          "--steps", read,
+          "search for so many counted steps at most (default: " + std::to_string(WorkLimits::default_steps) +
+              "): as --time-limit, but the same on every machine")
       ->type_name("N");
 }
 

@@ -51,8 +51,8 @@ DaemonAsker::DaemonAsker(client::Reactor& reactor, std::vector<client::Endpoint>
              .refused = [](const std::string&) {},
              .missing =
                  [this](const std::string& where, const std::string& reason) {
-                   absence_ = {Kind::unreachable,
-                               "no daemon at " + where + " (" + reason + "): start gemingad, or say where it listens"};
+                   absence_ = {Kind::unreachable, "no daemon at " + where + " (" + reason +
+                                                      "): start gemingad, or say where it is with GEMINGA_CONNECT"};
                  }}),
       timer_(reactor, [this] { check_deadlines(); }) {}
 

@@ -44,7 +44,7 @@ class Converters {
 
   /// From here on a request becomes stale when a converter concerns it. It asks for the class `requested`.
   void watch(const std::shared_ptr<const Consumer>& consumer, vocabulary::ClassNumber requested);
-  /// Ends that. The request is not stale any longer.
+  /// Ends watch(). The request is no longer stale.
   void unwatch(const ServiceKey& subscription);
   /// Whether a request may be stale: its chains may have changed since it was watched or judged.
   [[nodiscard]] bool has_stale() const { return !stale_groups_.empty(); }

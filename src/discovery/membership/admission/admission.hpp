@@ -19,9 +19,9 @@
 namespace geminga::membership {
 
 /// Shares the places out among source addresses, and those of one address among its participants by their standing.
-/// While there are places enough nobody asks for an order, and there is none: a member costs its entry alone. The first
-/// question orders all members; from then on each call costs logarithmic time, and a participant that was heard is put
-/// into its new order when somebody asks again. Deterministic for its secret and its calls.
+/// While there are places enough, members are not ordered, and a member costs its entry alone. The first query of the
+/// order sorts all members; from then on each call costs logarithmic time, and a participant that was heard gets its
+/// new position at the next query. Deterministic for its secret and its calls.
 class Admission {
  public:
   /// A participant that has a place.

@@ -9,16 +9,16 @@
 
 namespace geminga::membership {
 
-/// Something that is to be said at one instant, at the cost of a budget of its own.
+/// A reason to send an announcement at one instant, with a budget of its own.
 struct Occasion {
   TokenBucket budget;
   base::Instant due = base::never;
 
-  /// When it is due and its budget has something; base::never: it is not due.
+  /// The instant at which it is due and its budget has a token; base::never: it is not due.
   [[nodiscard]] base::Instant affordable() const {
     return due == base::never ? base::never : std::max(due, budget.due());
   }
-  /// Pays for one announcement if the budget has something.
+  /// Pays for one announcement if the budget has a token.
   void pay(base::Instant now) {
     if (budget.has(now)) budget.take(now);
   }

@@ -87,7 +87,7 @@ class Presences {
   void clear();
 
  private:
-  /// Something that our presence says until it is answered.
+  /// A question that our presence repeats until it is answered.
   struct Question : Occasion {
     std::optional<base::Instant> asked{};  ///< when it was said last
   };

@@ -9,8 +9,8 @@
 
 namespace geminga::membership {
 
-/// Holds at most `capacity` tokens, all of them at first, and gets one back each `refill_time`. A cost above the level
-/// is given on credit, so that something too large for the bucket can be had once in a while. The debt is at most
+/// Holds at most `capacity` tokens, all of them at first, and gets one back every `refill_time`. A cost above the
+/// level is lent, so that now and then a cost that is too large for the bucket can be paid. The debt is at most
 /// `capacity`, so that the wait for the next token is no longer than an empty bucket takes to fill.
 class TokenBucket {
  public:
@@ -18,13 +18,13 @@ class TokenBucket {
   TokenBucket(std::int64_t capacity, base::Duration refill_time)
       : capacity_(capacity), refill_time_(refill_time), level_(capacity) {}
 
-  /// Whether anything can be had.
+  /// Whether the bucket holds a token at `now`.
   [[nodiscard]] bool has(base::Instant now) const { return due() <= now; }
   /// When has() will hold; a past instant if it does.
   [[nodiscard]] base::Instant due() const {
     return level_ > 0 ? base::Instant::min() : filled_ + (1 - level_) * refill_time_;
   }
-  /// Pays. Requires has().
+  /// Takes `cost` tokens. Requires has().
   void take(base::Instant now, std::int64_t cost = 1) {
     refill(now);
     level_ = std::max(level_ - cost, -capacity_);

@@ -71,14 +71,14 @@ class Announcer {
   enum class Step : std::uint8_t { nothing, claimed, failed };
   /// Sends the claims that are due. Gives `claimed` once for each identifier; id() is that identifier then.
   [[nodiscard]] Step step_claim();
-  /// Something that is announced is not what was announced last.
+  /// Notes that the state differs from the one that was announced last.
   void changed() { is_changed_ = true; }
-  /// Announces what has changed or is due; after stop() says goodbye.
+  /// Sends the announcements that are due; after stop() the goodbyes.
   void announce();
-  /// Says an inquiry or a diagnosis at once, if we have an identifier. Its number is that of the next datagram, so that
-  /// nobody counts it as lost.
+  /// Sends an inquiry or a diagnosis at once, if we have an identifier. Its number is that of the next datagram, so
+  /// that receivers do not count it as lost.
   void exchange(announcement::Kind kind, ParticipantId partner, std::uint64_t token, std::vector<std::string> lines);
-  /// The way out of what is said, for words of others that are passed on.
+  /// The sender of datagrams, which also passes on the words of others.
   [[nodiscard]] Outlet& outlet() { return outlet_; }
   /// Whether an identifier is held, under which words of others can be passed on.
   [[nodiscard]] bool is_held() const { return claim_.is_held() && !is_stopping_; }

@@ -51,8 +51,8 @@ class Beyond {
   void hear_presence(const announcement::Announcement& presence, const env::Interface& on, membership::Hearing hearing,
                      bool is_believed);
 
-  /// The links on which a word is to be passed on that came in on `on`. To be asked before the table takes it in, and
-  /// told to pass_on() then.
+  /// The links on which a word that came in on `on` is to be passed on. Call before the neighbour table takes it in;
+  /// the result is an argument of pass_on().
   using Links = std::vector<env::InterfaceIndex>;
   /// Of a word that was heard directly: `opened` is what the seal made of it.
   [[nodiscard]] Links links_for(const sealing::Opened& opened, const announcement::Announcement& said,

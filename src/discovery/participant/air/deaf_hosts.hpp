@@ -26,7 +26,7 @@ inline constexpr int longest_pause_intervals = 256;
 /// for as long as it is.
 inline constexpr std::size_t max_tries_of_unheard = 8;
 
-/// Only where announcements are sealed: what comes alone is believed by its seal alone.
+/// Works only where announcements are sealed: only a seal proves who sent a datagram to us alone.
 class DeafHosts {
  public:
   /// A participant's way: our interface, and its address there.

@@ -24,8 +24,8 @@ class Admission {
   [[nodiscard]] Refusal check_publications(const Session& session) const;
   /// The same for a subscription; a quiet one takes a place of the room that the peer asked for.
   [[nodiscard]] Refusal check_subscriptions(const Session& session, bool is_quiet) const;
-  /// 429 where the host has the most services that it may have, and no peer has more than its share. From one that has,
-  /// a service is taken back. To be asked last, when nothing else is wrong.
+  /// 429 where the host has the most services that it may have, and no peer has more than its share. From a peer
+  /// over its share a service is withdrawn. Call last, when no other check has failed.
   [[nodiscard]] Refusal make_room(const Session& session);
   /// Whether there is room without taking anything back; 429 where there is none.
   [[nodiscard]] Refusal check_room() const;

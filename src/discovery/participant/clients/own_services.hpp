@@ -89,9 +89,9 @@ class OwnServices {
   }
   [[nodiscard]] const OwnDescription& description() const { return description_; }
 
-  /// Something that is announced has changed.
+  /// Notes that the announced state has changed.
   void change() { is_changed_ = true; }
-  /// Whether it has since the last call.
+  /// Whether the announced state has changed since the last call.
   [[nodiscard]] bool take_change() { return std::exchange(is_changed_, false); }
   /// All that is announced of our peers.
   [[nodiscard]] std::vector<announcement::PeerState> announced() const;

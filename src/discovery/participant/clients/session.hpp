@@ -43,7 +43,7 @@ struct StatedSubscription {
   bool is_in_force = true;
   bool is_awaited = false;
 
-  /// Whether others are told of it: nobody who is described is told of those that ask for descriptions.
+  /// Whether the request is announced: requests for participants (descriptions) are not.
   [[nodiscard]] bool is_announced() const { return !is_quiet && service.mode != ChannelMode::participant; }
 };
 

@@ -17,7 +17,7 @@
 
 namespace geminga::participant {
 
-/// A request that is asked about, stated by somebody or by nobody.
+/// A request that a query is about: one that a peer has stated, or a hypothetical one.
 struct Asked {
   registry::SubscriptionEntry entry;
   std::shared_ptr<const matching::Request> request;  ///< prepared from it

@@ -133,7 +133,7 @@ std::string mend_of_identity(const matching::Examination& examination, const Ask
     case Obstacle::unknown_concept:
     case Obstacle::unknown_offer:
     case Obstacle::unknown_representation:
-      return "load the same ontologies on every host: geminga-query ontology says who has others";
+      return std::string(mend_of_ontologies);
     case Obstacle::unsatisfiable:
       return "mend the ontology: geminga-ontology check says why nothing can be one";
     case Obstacle::unclassified:

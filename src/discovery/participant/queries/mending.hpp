@@ -14,6 +14,10 @@ namespace geminga::participant {
 inline constexpr std::string_view mend_of_gaps =
     "define a class as equivalent to the expression in the ontology, then everything is found; the request may stay";
 
+/// Advice for hosts whose ontologies differ.
+inline constexpr std::string_view mend_of_ontologies =
+    "load the same ontologies on every host; geminga-query ontology lists the hosts that have others";
+
 /// Advice for an identity that does not fit. `match` is the match of the pair where it is too weak; `chain` converts
 /// its representation into the one that is asked for, or is null.
 [[nodiscard]] std::string mend_of_identity(const matching::Examination& examination, const Asked& asked,

@@ -18,9 +18,6 @@ using registry::PublicationEntry;
 
 constexpr std::size_t max_shown_bytes = 400;
 
-constexpr const char* load_the_same =
-    "load the same ontologies on every host: geminga-query ontology says who has others";
-
 std::string shown(const vocabulary::Vocabulary& vocabulary, const std::string& iri) {
   return base::printable(vocabulary.short_name(std::string_view(iri)), max_shown_bytes);
 }
@@ -118,15 +115,14 @@ std::optional<Reason> Reasons::of_unknown_offers(const Asked& asked, const Neare
   const auto* offer = nearest.unknown ? matcher_.publications().find_entry(*nearest.unknown) : nullptr;
   if (offer == nullptr) return std::nullopt;
   const auto& offered = std::get<SemanticIdentity>(offer->publication.identity);
-  const std::string count = nearest.unknown_count == 1
-                                ? "one service has a concept that is"
-                                : std::to_string(nearest.unknown_count) + " services have concepts that are";
-  Reason reason{Obstacle::unknown_offer,
-                "nobody offers " + words(matcher_.editions().vocabulary(), asked.entry.subscription.identity) +
-                    ", nor anything that is known to be below or above it, but " + count +
-                    " unknown to the ontology here: " + to_string(offer->key) + " offers " +
-                    shown(matcher_.editions().vocabulary(), offered.concept_iri),
-                load_the_same};
+  const std::string count =
+      nearest.unknown_count == 1 ? "one service: " : std::to_string(nearest.unknown_count) + " services, such as ";
+  Reason reason{
+      Obstacle::unknown_offer,
+      "nobody offers " + words(matcher_.editions().vocabulary(), asked.entry.subscription.identity) +
+          ", nor anything that is known to be below or above it; the ontology here does not know the concept of " +
+          count + shown(matcher_.editions().vocabulary(), offered.concept_iri) + " of " + to_string(offer->key),
+      std::string(mend_of_ontologies)};
   reason.text += beside_other_ontology(offer->key.participant);
   return reason;
 }
@@ -145,7 +141,7 @@ Reason Reasons::of_unknown_name(Piece& piece, ParticipantId user, const std::str
   if (const std::string other = beside_other_ontology(user); !other.empty()) {
     reason.obstacle = Obstacle::ontology_differs;
     reason.text += other;
-    reason.mend = load_the_same;
+    reason.mend = mend_of_ontologies;
   }
   return reason;
 }
@@ -156,7 +152,8 @@ std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
     const std::string problem =
         matching::unit_problem(asked.entry.subscription.where, matcher_.editions().vocabulary().units());
     if (!problem.empty()) {
-      return Reason{Obstacle::unreadable, "its condition cannot be read here: " + problem, load_the_same};
+      return Reason{Obstacle::unreadable, "its condition cannot be read here: " + problem,
+                    std::string(mend_of_ontologies)};
     }
     return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
                   "its consumer's host knows more of conditions than this one: update a whole team"};

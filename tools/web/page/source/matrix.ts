@@ -111,8 +111,8 @@ export class Matrix {
     const rank = (one: Participant): number => (one.self ? 0 : this.troubled.has(one.id) ? 1 : 2);
     this.order = [...participants].sort((a, b) => rank(a) - rank(b) || byName(a, b));
     const missed = this.order.filter((one) => this.troubled.has(one.id));
-    const about = 'Each row says whom it hears: ● lately, ◐ within the interval or not lately, ✕ not for eight intervals, · not known. ' +
-      (missed.length === 0 ? 'Nobody is missed.' : `Missed are some of ${missed.length}, which stand first: ${shortened(missed.map((one) => one.name).join(', '), 200)}.`);
+    const about = 'Each row says whom it hears: ● lately, ◐ longer ago, ✕ not for eight intervals, · not known. ' +
+      (missed.length === 0 ? 'Nobody is missed.' : `These ${missed.length} are missed or miss others, and stand first: ${shortened(missed.map((one) => one.name).join(', '), 200)}.`);
     if (this.about.textContent !== about) this.about.textContent = about;
     this.room.style.width = `${left + this.order.length * size}px`;
     this.room.style.height = `${top + this.order.length * size}px`;

@@ -32,7 +32,7 @@ export function whatIf(found: (matches: Match[]) => void): HTMLElement {
     }
   };
   return h('div', {},
-    h('p', {}, 'Who would serve a request, before anybody states it? Type a concept or a class expression.'),
+    h('p', {}, 'See who would serve a request before a program states it. Type a concept or a class expression.'),
     h('form', { submit: (event) => void submit(event) },
       h('label', { for: 'if-concept' }, 'Concept'), concept, completionOf(concept),
       h('label', { for: 'if-where' }, 'Condition'), where,

@@ -41,7 +41,7 @@ function gone(happenings: Happening[], now: Map<string, Participant>): Finding[]
     .map(([name, happening]) => ({
       key: `gone ${name}`,
       level: 'error',
-      title: `${name} is gone since ${clock(happening.time)}`,
+      title: `${name} is gone, noticed at ${clock(happening.time)}`,
       text: 'Its announcements no longer come. Is it switched off, or out of reach of the radio?',
       places: [happening.key],
     }));
@@ -59,10 +59,10 @@ function hearing(participants: Participant[]): Finding[] {
     }
     if (isLossy(one)) {
       findings.push({ key: `loss ${one.id}`, level: 'warning', title: `At least ${Math.round((one.loss_least ?? 0) * 100)} % of the announcements of ${one.name} are lost`, places,
-        text: 'It may be told as gone while it lives. Look at the radio link, and at what else floods it.' });
+        text: 'It may be taken for gone while it lives. Check the radio link, and what else uses it.' });
     } else if (isLate(one)) {
       findings.push({ key: `late ${one.id}`, level: 'warning', title: `${one.name} was last heard ${one.heard.toFixed(0)} s ago`, places,
-        text: `It speaks each ${one.interval} s otherwise, and is gone when its deadline passes.` });
+        text: `It usually announces itself every ${one.interval} s, and counts as gone after its deadline.` });
     }
   }
   return findings;
@@ -76,7 +76,7 @@ function ontologies(ontology: Ontology | undefined): Finding[] {
   }
   if (ontology.contradiction) {
     findings.push({ key: 'contradiction', level: 'error', title: 'The ontology contradicts itself', places: [],
-      text: 'No concept matches. See which axioms do so.', command: 'geminga-ontology explain --inconsistent FILES' });
+      text: 'No concept matches. See which axioms contradict each other.', command: 'geminga-ontology explain --inconsistent FILES' });
   }
   if (ontology.others.length > 0) {
     findings.push({
@@ -96,8 +96,8 @@ function keys(security: Security | undefined): Finding[] {
       text: 'Copy the key file to it, and reload its daemon.', command: 'systemctl reload gemingad' }));
 }
 
-/** The reason without what the title says. */
-const reasonOf = (request: Request): string => (request.because ?? '').replace(/^nobody offers (concept|text|id)=[^,]*?( as [^,]*)?, /, '');
+/** The reason, in which "it" stands for the identity that the title has. */
+const reasonOf = (request: Request): string => (request.because ?? '').replace(/^nobody offers (concept|text|id)=[^,:]*?( as [^,:]*)?(?=[,:])/, 'Nobody offers it');
 
 /** Requests without a service; those of many hosts for the same are one finding. */
 function unmatched(requests: Request[]): Finding[] {
