@@ -76,9 +76,10 @@ bool Numbers::excludes(const Choice& choice, DependencySet& dependency) const {
         numbers.may_be_excluded(id_of(choice)) && numbers.any_excluding(id_of(choice), [&](std::uint32_t bound) {
           return is_in_force(bound, choice.a, dependency);
         });
-    return is_excluded || are_too_many(choice, dependency);
+    return is_excluded || are_too_many(choice, dependency) || are_covered(choice, dependency);
   }
-  if (!numbers.may_be_excluded(choice.predicate)) return are_too_many(choice, dependency);
+  if (!numbers.may_be_excluded(choice.predicate))
+    return are_too_many(choice, dependency) || are_covered(choice, dependency);
   for (FactId id = graph_.node(choice.a).others; id != none; id = graph_.next_other(id, choice.a)) {
     effort_.count_look();
     const Fact& fact = graph_.fact(id);
@@ -86,13 +87,14 @@ bool Numbers::excludes(const Choice& choice, DependencySet& dependency) const {
     dependency = sets_.unite(dependency, fact.dependency);
     return true;
   }
-  return are_too_many(choice, dependency);
+  return are_too_many(choice, dependency) || are_covered(choice, dependency);
 }
 
 bool Numbers::is_exceeded(std::uint32_t bound, NodeId node, DependencySet& dependency) const {
   if (!program_.counts()) return false;
   const NumberOrder& numbers = program_.numbers();
-  if (!numbers.may_be_excluded(bound) && !numbers.may_be_added(bound)) return false;
+  if (!numbers.may_be_excluded(bound) && !numbers.may_be_added(bound) && !program_.covers().is_any_of(bound))
+    return false;
   DependencySet reasons = dependency;
   if (!is_in_force(bound, node, reasons) || !excludes({ChoiceKind::at_most, bound, node, node}, reasons)) return false;
   dependency = reasons;
@@ -155,6 +157,60 @@ bool Numbers::are_too_many(std::uint32_t bound, const Choice& choice, Dependency
   if (add_up()) return true;
   std::ranges::stable_sort(asked, std::ranges::greater(), by_specificity);
   return add_up();
+}
+
+// Whether bounds of the node, with the choice, allow fewer neighbours together than an at-least asks for.
+bool Numbers::are_covered(const Choice& choice, DependencySet& dependency) const {
+  const auto is_covered = [&](std::uint32_t at_least) {
+    const std::uint32_t count = program_.numbers().count({at_least});
+    return std::ranges::any_of(program_.covers().of(at_least),
+                               [&](const Cover& cover) { return are_fewer(cover, count, choice, dependency); });
+  };
+  if (choice.kind == ChoiceKind::at_least) return is_covered(choice.predicate);
+  if (choice.kind != ChoiceKind::at_most || !program_.covers().is_any_of(choice.predicate)) return false;
+  for (FactId id = graph_.node(choice.a).others; id != none; id = graph_.next_other(id, choice.a)) {
+    effort_.count_look();
+    const Fact& fact = graph_.fact(id);
+    if (fact.kind != FactKind::at_least || !is_covered(fact.predicate)) continue;
+    dependency = sets_.unite(dependency, fact.dependency);
+    return true;
+  }
+  return false;
+}
+
+// Whether the cover allows fewer neighbours than `count`. A bound that is used already costs nothing more.
+bool Numbers::are_fewer(const Cover& cover, std::uint32_t count, const Choice& choice,
+                        DependencySet& dependency) const {
+  DependencySet reasons = dependency;
+  if (!has_concepts(cover.guard, choice.a, reasons)) return false;
+  const auto is_limit = [&](const Limit& limit) {
+    if (limit.bound == no_predicate) return has_concepts(limit.guard, choice.a, reasons);
+    return (choice.kind == ChoiceKind::at_most && choice.predicate == limit.bound) ||
+           is_in_force(limit.bound, choice.a, reasons);
+  };
+  std::vector<std::uint32_t> used;
+  std::uint64_t sum = 0;
+  for (const std::vector<Limit>& limits : cover.alternatives) {
+    const auto is_used = [&](const Limit& limit) { return std::ranges::find(used, limit.bound) != used.end(); };
+    if (std::ranges::any_of(limits, is_used)) continue;
+    const auto found = std::ranges::find_if(limits, is_limit);
+    if (found == limits.end() || (sum += found->count) >= count) return false;
+    if (found->bound != no_predicate) used.push_back(found->bound);
+  }
+  dependency = reasons;
+  return true;
+}
+
+bool Numbers::has_concepts(std::span<const std::uint32_t> concepts, NodeId node, DependencySet& dependency) const {
+  DependencySet reasons = dependency;
+  for (const std::uint32_t id : concepts) {
+    effort_.count_look();
+    const FactId fact = graph_.find(FactKind::concept_of, id, node);
+    if (fact == none) return false;
+    reasons = sets_.unite(reasons, graph_.fact(fact).dependency);
+  }
+  dependency = reasons;
+  return true;
 }
 
 }  // namespace geminga::hypertableau

@@ -2,6 +2,9 @@
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_NUMBERS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_NUMBERS_HPP
 
+#include <cstdint>
+#include <span>
+
 #include "reasoning/dl/hypertableau/choice.hpp"
 #include "reasoning/dl/hypertableau/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
@@ -30,6 +33,11 @@ class Numbers {
  private:
   [[nodiscard]] bool are_too_many(const Choice& choice, DependencySet& dependency) const;
   [[nodiscard]] bool are_too_many(std::uint32_t bound, const Choice& choice, DependencySet& dependency) const;
+  [[nodiscard]] bool are_covered(const Choice& choice, DependencySet& dependency) const;
+  [[nodiscard]] bool are_fewer(const Cover& cover, std::uint32_t count, const Choice& choice,
+                               DependencySet& dependency) const;
+  [[nodiscard]] bool has_concepts(std::span<const std::uint32_t> concepts, NodeId node,
+                                  DependencySet& dependency) const;
 
   const Program& program_;
   const Graph& graph_;

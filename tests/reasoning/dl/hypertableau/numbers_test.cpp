@@ -116,6 +116,28 @@ TEST(LargeNumbers, OfKindsThatExcludeEachOtherAddUp) {
             Verdict::yes);
 }
 
+TEST(LargeNumbers, OfAUnionAreLimitedByTheBoundsOfItsAlternatives) {
+  const std::string bounds = "SubClassOf(A ObjectMaxCardinality(20 r B))\nSubClassOf(A ObjectMaxCardinality(30 s C))\n";
+  const std::string fifty = "SubObjectPropertyOf(r s)\nSubClassOf(A ObjectMinCardinality(50 r D))\n";
+  const std::string more = "SubObjectPropertyOf(r s)\nSubClassOf(A ObjectMinCardinality(51 r D))\n";
+  const std::string none = "SubClassOf(A ObjectMaxCardinality(0 r E))\n";
+  const std::string either = "SubClassOf(D ObjectUnionOf(B C))\n";
+  const std::string nested = "SubClassOf(D ObjectUnionOf(B F))\nSubClassOf(F ObjectUnionOf(C E))\n";
+  EXPECT_EQ(verdict_of(bounds + more + either, few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(bounds + more + nested + none, few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(bounds + more + "ObjectPropertyRange(s ObjectUnionOf(B C))\n", few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(bounds + more + "SubClassOf(A ObjectAllValuesFrom(r ObjectUnionOf(C B)))\n", few_nodes),
+            Verdict::no);
+  EXPECT_EQ(verdict_of(more + "SubClassOf(D ObjectUnionOf(B C))\nSubClassOf(B E)\nSubClassOf(C E)\n"
+                              "SubClassOf(A ObjectMaxCardinality(50 r E))\n",
+                       few_nodes),
+            Verdict::no);
+  constexpr QuestionLimits few_steps{.nodes = 200, .steps = 60'000};
+  for (const std::string& cover : {either, nested + none, nested})
+    EXPECT_EQ(verdict_of(bounds + fifty + cover, few_steps), Verdict::yes) << cover;
+  EXPECT_EQ(verdict_of(bounds + more + nested, few_steps), Verdict::yes);
+}
+
 TEST(LargeNumbers, OfTheWholeAreMetByTheNeighboursOfItsParts) {
   const std::string parts =
       "DisjointClasses(B C D)\nSubClassOf(A ObjectExactCardinality(66 r B))\n"

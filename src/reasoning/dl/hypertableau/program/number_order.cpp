@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/sorted.hpp"
+#include "reasoning/dl/hypertableau/program/hierarchy.hpp"
 
 namespace geminga::hypertableau {
 
@@ -14,45 +15,6 @@ using clauses::Clause;
 using clauses::number;
 
 namespace {
-
-/// The things above each of many things, as far as it is told.
-class Hierarchy {
- public:
-  explicit Hierarchy(std::size_t count) : above_(count), found_by_(count, 0) {}
-  void add(std::uint32_t low, std::uint32_t high) { above_[low].push_back(high); }
-  /// Ascending, with `start`.
-  [[nodiscard]] std::vector<std::uint32_t> all_above(std::uint32_t start) {
-    std::vector<std::uint32_t> found = {start};
-    found_by_[start] = ++searches_;
-    for (std::size_t at = 0; at < found.size(); ++at) {
-      for (const std::uint32_t next : above_[found[at]]) {
-        if (found_by_[next] != searches_) found.push_back(next);
-        found_by_[next] = searches_;
-      }
-    }
-    base::sort_unique(found);
-    return found;
-  }
-
- private:
-  std::vector<std::vector<std::uint32_t>> above_;
-  std::vector<std::uint32_t> found_by_;  ///< the last search that found it
-  std::uint32_t searches_ = 0;
-};
-
-Hierarchy hierarchy_of_concepts(const clauses::ClauseSet& set, std::span<const Clause> inclusions) {
-  Hierarchy result(set.concepts.size());
-  const auto look = [&](const Clause& clause) {
-    if (clause.body.size() != 1 || clause.head.size() != 1) return;
-    const Atom& low = clause.body.front();
-    const Atom& high = clause.head.front();
-    if (low.kind == AtomKind::concept_of && high.kind == AtomKind::concept_of)
-      result.add(low.predicate, high.predicate);
-  };
-  std::ranges::for_each(set.clauses, look);
-  std::ranges::for_each(inclusions, look);
-  return result;
-}
 
 /// The exclusions between concepts, as far as single clauses say them.
 class Exclusions {
@@ -221,22 +183,8 @@ std::uint32_t NumberOrder::family_of(const Family& family) {
 }
 
 void NumberOrder::find_above(const clauses::ClauseSet& set, std::span<const Clause> inclusions) {
-  Hierarchy of_roles(first_data_ + set.data_properties.size());
+  Hierarchy of_roles = hierarchy_of_roles(set);
   Hierarchy of_concepts = hierarchy_of_concepts(set, inclusions);
-  for (const Clause& clause : set.clauses) {
-    if (clause.body.size() != 1 || clause.head.size() != 1) continue;
-    const Atom& low = clause.body.front();
-    const Atom& high = clause.head.front();
-    if (low.kind == AtomKind::role && high.kind == AtomKind::role && low.first != low.second &&
-        high.first != high.second) {
-      // R(x,y) -> S(x,y) or S(y,x), and the same of the inverses.
-      const std::uint32_t turn = low.first == high.first ? 0U : 1U;
-      of_roles.add(low.predicate * 2, (high.predicate * 2) ^ turn);
-      of_roles.add(low.predicate * 2 + 1, (high.predicate * 2 + 1) ^ turn);
-    } else if (low.kind == AtomKind::data_role && high.kind == AtomKind::data_role) {
-      of_roles.add(first_data_ + low.predicate, first_data_ + high.predicate);
-    }
-  }
   above_.resize(index_.size());
   for (const auto& [family, index] : index_) {
     const bool is_data = family.direction >= first_data_;

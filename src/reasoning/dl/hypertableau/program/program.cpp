@@ -68,6 +68,7 @@ void Program::compare_numbers() {
   const UnionSuperclasses unions(set_, fillers);
   for (const Clause& clause : unions.clauses()) add_plans(clause);
   numbers_ = NumberOrder(set_, unions.clauses(), bounds_);
+  covers_ = Covers(set_, unions.clauses(), bounds_);
 }
 
 std::uint32_t Program::bound_of_atom(const Atom& atom) const {

@@ -15,6 +15,7 @@
 #include "reasoning/dl/hypertableau/program/backward_looks.hpp"
 #include "reasoning/dl/hypertableau/program/bound.hpp"
 #include "reasoning/dl/hypertableau/program/burdens.hpp"
+#include "reasoning/dl/hypertableau/program/covers.hpp"
 #include "reasoning/dl/hypertableau/program/denials.hpp"
 #include "reasoning/dl/hypertableau/program/directions.hpp"
 #include "reasoning/dl/hypertableau/program/domains.hpp"
@@ -115,6 +116,8 @@ class Program {
   [[nodiscard]] bool counts() const { return counts_; }
   /// Requires counts(). Which number restrictions imply or exclude which others.
   [[nodiscard]] const NumberOrder& numbers() const { return numbers_; }
+  /// Requires counts(). Which bounds cover the neighbours of an at-least together.
+  [[nodiscard]] const Covers& covers() const { return covers_; }
   /// How many neighbours an at-least needs (clauses/counted_neighbours.hpp).
   [[nodiscard]] std::uint32_t needed(std::uint32_t at_least) const { return needed_[at_least]; }
   /// The concept, in no clause, of the thing that a question asks to be outside of another concept.
@@ -166,6 +169,7 @@ class Program {
   std::vector<std::uint32_t> bound_of_data_at_most_;
   bool counts_;
   NumberOrder numbers_;
+  Covers covers_;
   std::vector<std::uint32_t> needed_;  ///< by at-least
   bool needs_thing_ = false;
   bool has_nominals_ = false;
