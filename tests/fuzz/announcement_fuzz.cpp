@@ -42,14 +42,14 @@ void check_table(const Announcement& announcement) {
   table.set_self(ParticipantId{1}, announcement::BootNonce{1});
   const base::Instant now{std::chrono::hours(1)};
   for (int i = 0; i < 2; ++i) (void)table.hear(announcement, {env::InterfaceIndex{1}, "eth0", "10.0.0.1", now});
-  table.for_each([&](const Neighbour& neighbour) {
+  table.neighbours().for_each([&](const Neighbour& neighbour) {
     require(neighbour.publications + neighbour.subscriptions <= max_services_per_participant);
     require(neighbour.paths.size() <= max_paths);
     require(neighbour.deadline > now && neighbour.deadline <= now + membership::patience(max_interval, {.loss = 1}));
   });
   require(table.take_changes().size() <= 2 * announcement::max_services_per_participant);
   table.expire(now + membership::patience(announcement::max_interval, {.loss = 1}));
-  require(table.size() == 0);
+  require(table.neighbours().size() == 0);
 }
 
 }  // namespace

@@ -78,14 +78,16 @@ class Registry {
   /// Whether it has the services that the table counts, and no others.
   void check(const NeighbourTable& table) {
     std::size_t services = 0;
-    table.for_each([&](const Neighbour& neighbour) {
+    table.neighbours().for_each([&](const Neighbour& neighbour) {
       require(publications_[neighbour.id].size() == neighbour.publications);
       require(subscriptions_[neighbour.id].size() == neighbour.subscriptions);
       require(neighbour.publications + neighbour.subscriptions <= announcement::max_services_per_participant);
       services += neighbour.publications + neighbour.subscriptions;
     });
-    for (const auto& [participant, numbers] : publications_) require(numbers.empty() || table.is_known(participant));
-    for (const auto& [participant, numbers] : subscriptions_) require(numbers.empty() || table.is_known(participant));
+    for (const auto& [participant, numbers] : publications_)
+      require(numbers.empty() || table.neighbours().is_known(participant));
+    for (const auto& [participant, numbers] : subscriptions_)
+      require(numbers.empty() || table.neighbours().is_known(participant));
     require(services <=
             announcement::max_remote_services + announcement::reserved_services * announcement::max_participants);
   }
@@ -115,12 +117,12 @@ void check_report(NeighbourTable& table, base::Instant now) {
 void check_table(NeighbourTable& table, Registry& registry, base::Instant now) {
   for (const Change& change : table.take_changes()) std::visit(registry, change);
   registry.check(table);
-  require(table.size() <= announcement::max_participants && !table.is_known(ourselves));
-  table.for_each([&](const Neighbour& neighbour) {
+  require(table.neighbours().size() <= announcement::max_participants && !table.neighbours().is_known(ourselves));
+  table.neighbours().for_each([&](const Neighbour& neighbour) {
     require(neighbour.paths.size() <= announcement::max_paths);
     require(neighbour.deadline <= now + longest_patience());
   });
-  if (const auto loss = table.loss()) require(*loss >= 0 && *loss < 1);
+  if (const auto loss = table.neighbours().loss()) require(*loss >= 0 && *loss < 1);
 }
 
 }  // namespace
@@ -157,6 +159,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* octets, std::size_t si
   now += longest_patience();
   table.expire(now);
   check_table(table, registry, now);
-  require(table.size() == 0);
+  require(table.neighbours().size() == 0);
   return 0;
 }

@@ -34,11 +34,6 @@ void NeighbourTable::hear_behind(const announcement::Announcement& presence, con
   }
 }
 
-bool NeighbourTable::is_heard_directly(ParticipantId id, base::Instant now) const {
-  const auto* known = records_.record(id);
-  return known != nullptr && known->is_heard_directly(now);
-}
-
 void NeighbourTable::suspect(ParticipantId id, base::Instant now) {
   const auto known = records_.find(id);
   if (known == records_.end()) return;
@@ -56,15 +51,6 @@ void NeighbourTable::doubt(ParticipantId id, base::Instant now) {
 void NeighbourTable::judge_reach() {
   if (!judge_) return;
   for (auto& [id, known] : records_) known.record->judge_reach(judge_, changes_);
-}
-
-std::optional<Reach> NeighbourTable::reach(ParticipantId id) const {
-  const auto* known = records_.record(id);
-  return known == nullptr ? std::nullopt : std::optional(known->reach());
-}
-
-void NeighbourTable::for_each_reach(const std::function<void(const Reach&)>& visit) const {
-  for (const auto& [id, known] : records_) visit(known.record->reach());
 }
 
 }  // namespace geminga::membership

@@ -268,7 +268,6 @@ void NeighbourTable::add(std::unique_ptr<NeighbourRecord> one, const announcemen
   const auto known = records_.add(id, {.record = std::move(one),
                                        .slot = timetable_.take(id),
                                        .member = &admission_.add(id, record.source(), record.standing())});
-  ++roster_;
   witnesses_.add(id, record.boot());
   namesakes_.update(id, {record.name(), record.source()}, record.lasting());
   (void)record.hear(announcement, arrival, changes_);
@@ -286,7 +285,6 @@ std::unique_ptr<NeighbourRecord> NeighbourTable::remove(Records::iterator known,
   changes_.emplace_back(RemoveParticipant{known->first, reason});
   admission_.remove(known->first);
   timetable_.give(known->second.slot);
-  ++roster_;
   lacks_and_doubts_.forget(known->first);
   auto record = std::move(known->second.record);
   witnesses_.remove(known->first);
@@ -300,7 +298,7 @@ void NeighbourTable::update(Records::value_type& known, Instant now) {
   lacks_and_doubts_.update(known.first, record, now);
   if (record.take_anew()) {
     namesakes_.update(known.first, {record.name(), record.source()}, record.lasting());
-    ++roster_;
+    records_.note_change();
   }
   witnesses_.update(known.first, record.heard(), record.lasting_interval(now), record.held_revision());
   if (judge_) record.judge_reach(judge_, changes_);
@@ -317,21 +315,6 @@ bool NeighbourTable::make_room(ParticipantId asks) {
   if (greediest == nullptr || !greediest->services().give_way(changes_)) return false;
   lacks_and_doubts_.note_short(greediest->services().owner().id);
   return true;
-}
-
-std::optional<Neighbour> NeighbourTable::find(ParticipantId id) const {
-  const auto* known = records_.record(id);
-  if (known == nullptr) return std::nullopt;
-  return known->snapshot();
-}
-
-std::optional<Instant> NeighbourTable::affirmed(ParticipantId id) const {
-  const auto* known = records_.record(id);
-  return known == nullptr ? std::nullopt : std::optional(known->affirmed());
-}
-
-void NeighbourTable::for_each(const std::function<void(const Neighbour&)>& visit) const {
-  for (const auto& [id, known] : records_) visit(known.record->snapshot());
 }
 
 }  // namespace geminga::membership

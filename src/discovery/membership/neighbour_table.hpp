@@ -25,6 +25,7 @@
 #include "discovery/membership/neighbour/neighbour.hpp"
 #include "discovery/membership/neighbour/neighbour_record.hpp"
 #include "discovery/membership/neighbour/service_room.hpp"
+#include "discovery/membership/neighbours.hpp"
 #include "discovery/membership/records.hpp"
 #include "discovery/membership/report.hpp"
 #include "discovery/membership/timetable.hpp"
@@ -106,56 +107,23 @@ class NeighbourTable final : private ServiceRoom {
                                base::Instant now) {
     return witnesses_.misses_us(presence, since, interval, now);
   }
-  /// Whether the last fold that differed from ours is still unclear; see Witnesses::is_unlike().
-  [[nodiscard]] bool is_unlike(base::Instant now) const { return witnesses_.is_unlike(now); }
-  /// Whether we testify that we have heard it ourselves within one of its intervals.
-  [[nodiscard]] bool is_heard_lately(ParticipantId id, base::Instant now) const {
-    return witnesses_.has_heard(id, now);
-  }
-  /// The last testimony of a known participant, by name; see Witnesses::last_word().
-  [[nodiscard]] std::optional<NamedTestimony> last_word(ParticipantId witness) const {
-    return witnesses_.last_word(witness);
-  }
-  /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
-  [[nodiscard]] std::optional<double> loss() const { return records_.loss(); }
 
   /// Makes room where memory is short: gives up a quarter of the participants that are not seasoned, at least one, the
   /// one that was added last first. For memory_pause no more participants than are left have a place. How many were
   /// given up; 0: all are seasoned.
   std::size_t shed(base::Instant now);
-  /// Whether it has said for long that it does not hear us, though we hear it.
-  [[nodiscard]] bool is_deaf_to_us(ParticipantId id) const { return witnesses_.is_deaf_to_us(id); }
-  /// The same for so long that it is no chance, and people may be told.
-  [[nodiscard]] bool is_surely_deaf_to_us(ParticipantId id) const { return witnesses_.is_surely_deaf_to_us(id); }
-
-  /// Whether it hears us, and has said for long that it knows other participants than we do; whether anybody has.
-  [[nodiscard]] bool knows_others(ParticipantId id) const { return witnesses_.knows_others(id); }
-  [[nodiscard]] bool anybody_knows_others() const { return witnesses_.anybody_knows_others(); }
   /// Takes in what the presence of a relay says of participants that are not heard on its link. Its sender was known
   /// before, and is believed: by a seal, or since the owner has named it. `passage` is the way to the relay itself: its
   /// loss and interval.
   void hear_behind(const announcement::Announcement& presence, const Passage& passage, base::Instant now);
-  /// Whether a known participant is heard by ourselves, so that no relay is needed.
-  [[nodiscard]] bool is_heard_directly(ParticipantId id, base::Instant now) const;
   /// Asks for the state of a known participant, since somebody who hears it through us lacks it.
   void suspect(ParticipantId id, base::Instant now);
   /// Asks for a sign of life of a known participant, since somebody who hears it through us doubts it.
   void doubt(ParticipantId id, base::Instant now);
-  /// The ways to a known participant; nothing: it is unknown.
-  [[nodiscard]] std::optional<Reach> reach(ParticipantId id) const;
-  /// The ways to each participant, in ascending order of identifier.
-  void for_each_reach(const std::function<void(const Reach&)>& visit) const;
-
-  [[nodiscard]] bool is_known(ParticipantId id) const { return records_.record(id) != nullptr; }
-  [[nodiscard]] std::optional<Neighbour> find(ParticipantId id) const;
-  /// When a datagram last proved that a known participant still offers and asks for what was last heard of it.
-  [[nodiscard]] std::optional<base::Instant> affirmed(ParticipantId id) const;
-  /// Counts how often a participant came or went, or changed its name or ontology. The same number means the same
-  /// participants with the same names and ontologies.
-  [[nodiscard]] std::uint64_t roster() const { return roster_; }
-  /// In ascending order of identifier.
-  void for_each(const std::function<void(const Neighbour&)>& visit) const;
-  [[nodiscard]] std::size_t size() const { return records_.size(); }
+  /// The participants that are known.
+  [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
+  /// Testimony: the words of neighbours about each other and about us.
+  [[nodiscard]] const Witnesses& witnesses() const { return witnesses_; }
   /// How many participants were heard for seasoned_after.
   [[nodiscard]] std::size_t seasoned() const { return admission_.seasoned(); }
   /// Services that were not taken because of max_services_per_participant or max_remote_services.
@@ -197,9 +165,9 @@ class NeighbourTable final : private ServiceRoom {
   Namesakes namesakes_;
   Turn turn_ = 0;
   Records records_;
-  Timetable timetable_;  ///< when expire() has something to do for which participant
-  JudgeReach judge_;     ///< empty: all count as reachable
-  std::uint64_t roster_ = 0;
+  Neighbours neighbours_{records_};
+  Timetable timetable_;                                ///< when expire() has something to do for which participant
+  JudgeReach judge_;                                   ///< empty: all count as reachable
   std::size_t room_ = announcement::max_participants;  ///< until `room_until_`, since memory was short
   base::Instant room_until_{};
   std::vector<Change> changes_;

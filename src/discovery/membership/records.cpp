@@ -25,6 +25,7 @@ Records::iterator Records::add(ParticipantId id, Known known) {
   const auto index = static_cast<std::ptrdiff_t>(index_of(id));
   ids_.insert(ids_.begin() + index, id);
   found_.insert(found_.begin() + index, one);
+  ++roster_;
   return one;
 }
 
@@ -35,6 +36,7 @@ void Records::erase(iterator one) {
   ids_.erase(ids_.begin() + index);
   found_.erase(found_.begin() + index);
   map_.erase(one);
+  ++roster_;
 }
 
 void Records::count(Known& known) {

@@ -41,6 +41,10 @@ class Records {
   void erase(iterator one);
   /// Counts its losses anew. Call when something of it was heard.
   void count(Known& known);
+  /// Counts that a record has another name or ontology.
+  void note_change() { ++roster_; }
+  /// Counts every add(), erase() and note_change().
+  [[nodiscard]] std::uint64_t roster() const { return roster_; }
   /// The share of all participants' last datagrams that was lost, in [0, 1); nothing: too few were heard.
   [[nodiscard]] std::optional<double> loss() const;
 
@@ -52,6 +56,7 @@ class Records {
   std::vector<iterator> found_;     ///< in the same order
   int heard_ = 0;                   ///< of all participants
   int span_ = 0;
+  std::uint64_t roster_ = 0;
 };
 
 }  // namespace geminga::membership

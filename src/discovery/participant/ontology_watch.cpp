@@ -9,7 +9,7 @@
 namespace geminga::participant {
 namespace {
 
-std::string name_of(const membership::NeighbourTable& neighbours, ParticipantId id, std::uint64_t digest) {
+std::string name_of(const membership::Neighbours& neighbours, ParticipantId id, std::uint64_t digest) {
   const auto neighbour = neighbours.find(id);
   const std::string name = neighbour ? neighbour->name : to_string(id);
   return base::printable(name) + " (" + digest_word(digest) + ")";
@@ -17,7 +17,7 @@ std::string name_of(const membership::NeighbourTable& neighbours, ParticipantId 
 
 }  // namespace
 
-void OntologyWatch::look(const membership::NeighbourTable& neighbours, std::uint64_t own_digest, env::Env& env) {
+void OntologyWatch::look(const membership::Neighbours& neighbours, std::uint64_t own_digest, env::Env& env) {
   const base::Instant now = env.now();
   if (now < next_look_) return;
   next_look_ = now + ontology_look_interval;

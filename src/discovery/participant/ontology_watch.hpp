@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/time.hpp"
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbours.hpp"
 #include "env/env.hpp"
 #include "geminga/service.hpp"
 
@@ -24,7 +24,7 @@ class OntologyWatch {
  public:
   /// To be called at the end of any event, with the digest of our own ontology; does nothing before its interval has
   /// gone by, or while nobody comes, goes or says anything else. O(participants).
-  void look(const membership::NeighbourTable& neighbours, std::uint64_t own_digest, env::Env& env);
+  void look(const membership::Neighbours& neighbours, std::uint64_t own_digest, env::Env& env);
 
  private:
   using Others = std::map<ParticipantId, std::uint64_t>;  ///< the digest of each that differs

@@ -33,7 +33,7 @@ gcnp::ChannelKeyring Participant::Owners::keys_of(Life life) const {
 }
 
 gcnp::Way Participant::Owners::way_of(ParticipantId participant) const {
-  return participant::way_of(participant, air.neighbours());
+  return participant::way_of(participant, air.table().neighbours());
 }
 
 Answer Participant::Owners::status_answer() {
@@ -53,7 +53,7 @@ std::vector<std::string> Participant::Owners::own_diagnosis(ParticipantId asker)
 
 std::expected<Answering, Error> Participant::Owners::ask_other(const std::string& participant) {
   std::optional<ParticipantId> found;
-  air.neighbours().for_each([&](const membership::Neighbour& one) {
+  air.table().neighbours().for_each([&](const membership::Neighbour& one) {
     if (to_string(one.id) == participant || (one.name == participant && (!found || one.id < *found))) found = one.id;
   });
   if (!found) {
@@ -64,7 +64,8 @@ std::expected<Answering, Error> Participant::Owners::ask_other(const std::string
 }
 
 Listed Participant::Owners::listed() {
-  return {.env = env, .matcher = knowledge.matcher, .neighbours = air.neighbours(), .resolver = knowledge.resolver};
+  return {
+      .env = env, .matcher = knowledge.matcher, .neighbours = air.table().neighbours(), .resolver = knowledge.resolver};
 }
 
 std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& query) {
@@ -75,14 +76,14 @@ std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& qu
         if constexpr (std::is_same_v<Query, gcnp::QueryServices> || std::is_same_v<Query, gcnp::QueryRequests>) {
           return begin_list(listed(), one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryHearing>) {
-          return begin_hearing(env, air.neighbours());
+          return begin_hearing(env, air.table());
         } else if constexpr (std::is_same_v<Query, gcnp::QueryTaxonomy>) {
           return begin_taxonomy(listed(), one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryMatch>) {
           return begin_match(listed(), knowledge.overlaps, knowledge.self, one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryWhy>) {
           return begin_why(
-              knowledge.matcher, knowledge.overlaps, air.neighbours(),
+              knowledge.matcher, knowledge.overlaps, air.table().neighbours(),
               {.matcher = knowledge.matcher, .resolver = knowledge.resolver, .self = knowledge.self, .now = env.now()},
               one);
         } else if constexpr (std::is_same_v<Query, gcnp::QueryExplain>) {
@@ -95,13 +96,14 @@ std::expected<Answering, Error> Participant::Owners::ask(const gcnp::Request& qu
             return participant_line(listed(), knowledge.self, settings.interval, clients.sessions(), id);
           });
         } else if constexpr (std::is_same_v<Query, gcnp::QueryOntology>) {
-          return telling(answer_ontology(knowledge.vocabulary(), knowledge.reading, air.neighbours(), env.now()));
+          return telling(
+              answer_ontology(knowledge.vocabulary(), knowledge.reading, air.table().neighbours(), env.now()));
         } else if constexpr (std::is_same_v<Query, gcnp::QueryInterfaces>) {
           return telling(answer_interfaces(env, air));
         } else if constexpr (std::is_same_v<Query, gcnp::QueryPeers>) {
           return telling(answer_peers(sessions));
         } else if constexpr (std::is_same_v<Query, gcnp::QuerySecurity>) {
-          return telling(answer_security(air.seal(), air.neighbours(), env.now()));
+          return telling(answer_security(air.seal(), air.table().neighbours(), env.now()));
         } else if constexpr (std::is_same_v<Query, gcnp::QueryStatus>) {
           return telling(status_answer());
         } else if constexpr (std::is_same_v<Query, gcnp::QueryConcepts>) {

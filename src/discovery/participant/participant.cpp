@@ -278,7 +278,7 @@ void Participant::settle() {
     }
     const vocabulary::Vocabulary& ours = all.knowledge.vocabulary();
     const bool is_ours_to_come = !ours.is_loaded() && all.knowledge.reading.is_loading;
-    if (!is_ours_to_come) all.ontology_watch.look(all.air.neighbours(), ours.digest(), all.env);
+    if (!is_ours_to_come) all.ontology_watch.look(all.air.table().neighbours(), ours.digest(), all.env);
     all.knowledge.resume_postponed_overlaps();
     all.clients.close_due();
     all.clients.telling().deliver_events();
@@ -300,7 +300,7 @@ base::Instant Participant::deadline() const {
   const bool is_turn_due = all.phase == Phase::ready && all.clients.turns().is_due();
   if (is_turn_due || is_feed_due() || all.knowledge.ontology_change.is_under_way()) return all.env.now();
   return std::min(
-      {all.air.neighbours().next_deadline(), all.air.beyond().due(), all.clients.deadline(), all.knowledge.next_due()});
+      {all.air.table().next_deadline(), all.air.beyond().due(), all.clients.deadline(), all.knowledge.next_due()});
 }
 
 }  // namespace geminga::participant

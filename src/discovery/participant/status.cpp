@@ -58,7 +58,7 @@ void append_counters(Line& line, const ClientCounters& clients, const AirCounter
 }
 
 void append_ontology(Line& line, const vocabulary::Vocabulary& vocabulary, const OntologyReading& reading,
-                     const membership::NeighbourTable& neighbours) {
+                     const membership::Neighbours& neighbours) {
   if (reading.is_loading) append_flag(line, "ontology_loading", true);
   if (!reading.failure.empty()) append(line, "ontology_failed", reading.failure.front());
   if (!vocabulary.is_consistent()) append_flag(line, "ontology_contradiction", true);
@@ -89,7 +89,7 @@ void append_contest(Line& line, const AirCounters& counters, const Contest& cont
 }
 
 /// The number of participants that say that they do not hear us, though we hear them.
-void append_deaf(Line& line, const membership::NeighbourTable& neighbours) {
+void append_deaf(Line& line, const membership::Neighbours& neighbours) {
   std::size_t deaf = 0;
   neighbours.for_each([&](const membership::Neighbour& one) { deaf += one.is_deaf ? 1 : 0; });
   append_over_zero(line, "unheard_by", deaf);
@@ -124,16 +124,16 @@ Answer answer_status(const Settings& settings, Course course, const Knowledge& k
   append(line, "uptime", seconds(course.uptime));
   append(line, "interval", seconds(settings.interval));
   append(line, "peers", sessions.peer_count());
-  append(line, "participants", air.neighbours().size() + 1);
+  append(line, "participants", air.table().neighbours().size() + 1);
   append(line, "publications", knowledge.matcher.publications().size());
   append(line, "subscriptions", knowledge.matcher.subscriptions().size());
   append(line, "local_publications", sessions.publication_count());
   append(line, "local_subscriptions", sessions.subscription_count());
   append(line, "ontology", digest_word(vocabulary.digest()));
   append_counters(line, sessions.counters, air.counters());
-  append_ontology(line, vocabulary, knowledge.reading, air.neighbours());
+  append_ontology(line, vocabulary, knowledge.reading, air.table().neighbours());
   append_contest(line, air.counters(), air.announcer().contest(), now);
-  append_deaf(line, air.neighbours());
+  append_deaf(line, air.table().neighbours());
   append_tried(line, air.deaf_hosts());
   append_sealing(line, air.seal());
   append_relayed(line, air.beyond());
@@ -146,7 +146,7 @@ Answer answer_status(const Settings& settings, Course course, const Knowledge& k
   append_over_zero(line, "overlaps_undecided", overlaps.undecided);
   append_over_zero(line, "overlaps_postponed", overlaps.postponed);
   append_over_zero(line, "converters_postponed", knowledge.held_converters());
-  append_over_zero(line, "refused_services", air.neighbours().refused_services());
+  append_over_zero(line, "refused_services", air.table().refused_services());
   append_matches(line, sessions.counters, air.counters());
   append(line, "clients_closed", sessions.counters.clients_closed);
   append(line, "lags", sessions.counters.lags);

@@ -12,7 +12,7 @@
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbours.hpp"
 #include "discovery/relaying/relay.hpp"
 #include "discovery/relaying/voucher.hpp"
 #include "discovery/relaying/word_chain.hpp"
@@ -37,7 +37,7 @@ inline constexpr base::Duration partial_again = std::chrono::seconds(2);
 class Keeping {
  public:
   /// Borrows all for its life.
-  Keeping(const env::Env& env, const membership::NeighbourTable& neighbours, const Relay& relay)
+  Keeping(const env::Env& env, const membership::Neighbours& neighbours, const Relay& relay)
       : env_(env), neighbours_(neighbours), relay_(relay) {}
 
   /// Takes in a sealed word that the table has taken in.
@@ -83,7 +83,7 @@ class Keeping {
                                              ParticipantId self);
 
   const env::Env& env_;
-  const membership::NeighbourTable& neighbours_;
+  const membership::Neighbours& neighbours_;
   const Relay& relay_;
   std::map<ParticipantId, WordChain> chains_;
   std::map<env::InterfaceIndex, Keeper> keepers_;

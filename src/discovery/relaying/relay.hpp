@@ -10,7 +10,7 @@
 
 #include "base/time.hpp"
 #include "discovery/announcement/announcement.hpp"
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbours.hpp"
 #include "discovery/membership/schedule/token_bucket.hpp"
 #include "discovery/relaying/speakers.hpp"
 #include "env/env.hpp"
@@ -36,7 +36,7 @@ inline constexpr base::Duration repeat_delay = std::chrono::milliseconds(6);
 class Relay {
  public:
   /// Borrows both for its life.
-  Relay(const env::Env& env, const membership::NeighbourTable& neighbours) : env_(env), neighbours_(neighbours) {}
+  Relay(const env::Env& env, const membership::Neighbours& neighbours) : env_(env), neighbours_(neighbours) {}
 
   /// The links on which a word of this participant is to be said that came in on `from`: all others on which it is not
   /// heard anyway, and for which no better relay speaks. `is_sealed`: without a seal only links to named peers count.
@@ -92,7 +92,7 @@ class Relay {
   [[nodiscard]] env::InterfaceIndex link_of(env::InterfaceIndex interface) const;
 
   const env::Env& env_;
-  const membership::NeighbourTable& neighbours_;
+  const membership::Neighbours& neighbours_;
   Speakers speakers_;
   std::deque<Repeat> repeats_;  ///< by time
   membership::TokenBucket budget_{words_capacity, word_refill_time};

@@ -48,9 +48,9 @@ struct ChangeHeard : ::testing::Test {
 TEST_F(ChangeHeard, AddsAndRemovesWhatItSaysAndNothingElse) {
   EXPECT_EQ(hear(change_of(4, 5, {7}, {6})), Hearing::known);
   EXPECT_THAT(rig.lines(), ElementsAre("remove pub 00000001/1/6 withdrawn", "put pub 00000001/1/7 at 10.0.0.1"));
-  EXPECT_EQ(rig.table.affirmed(robot), now);
+  EXPECT_EQ(rig.table.neighbours().affirmed(robot), now);
   EXPECT_FALSE(is_lacked());
-  EXPECT_TRUE(rig.table.find(robot)->is_complete);
+  EXPECT_TRUE(rig.table.neighbours().find(robot)->is_complete);
 }
 
 TEST_F(ChangeHeard, MayLeaveAStateOfFewerParts) {
@@ -62,7 +62,7 @@ TEST_F(ChangeHeard, MayLeaveAStateOfFewerParts) {
   }
   (void)hear(change_of(5, 6, {}, {11}));
   EXPECT_EQ(hear(speaker(1, 6, {10})), Hearing::known) << "what is gone needs no part any more";
-  EXPECT_EQ(rig.table.find(robot)->publications, 1U);
+  EXPECT_EQ(rig.table.neighbours().find(robot)->publications, 1U);
   auto lie = speaker(1, 6, {10});
   lie.part_count = 2;
   EXPECT_EQ(hear(lie), Hearing::contradiction) << "it was said in one part";
@@ -72,7 +72,7 @@ TEST_F(ChangeHeard, KeepsAllThatItDoesNotSayForAsLongAsItIsAffirmed) {
   (void)hear(change_of(4, 5, {7}));
   for (int i = 0; i < 20; ++i) (void)rig.hear(presence_at(5), now += seconds(2));
   rig.table.expire(now);
-  EXPECT_EQ(rig.table.find(robot)->publications, 3U);
+  EXPECT_EQ(rig.table.neighbours().find(robot)->publications, 3U);
 }
 
 TEST_F(ChangeHeard, LeadsFromAnyRevisionBetweenItsTwo) {
@@ -94,7 +94,7 @@ TEST_F(ChangeHeard, SaidAgainDoesNothing) {
   (void)rig.lines();
   EXPECT_EQ(hear(change_of(4, 5, {7}, {6})), Hearing::known);
   EXPECT_FALSE(is_lacked());
-  EXPECT_EQ(rig.table.find(robot)->publications, 2U);
+  EXPECT_EQ(rig.table.neighbours().find(robot)->publications, 2U);
 }
 
 TEST_F(ChangeHeard, OfSomebodyUnknownMakesNobodyKnown) {
@@ -102,7 +102,7 @@ TEST_F(ChangeHeard, OfSomebodyUnknownMakesNobodyKnown) {
   change.participant = ParticipantId{2};
   change.boot = announcement::BootNonce{2};
   EXPECT_EQ(hear(change), Hearing::stranger);
-  EXPECT_FALSE(rig.table.is_known(ParticipantId{2}));
+  EXPECT_FALSE(rig.table.neighbours().is_known(ParticipantId{2}));
   EXPECT_THAT(rig.table.report(now).lacks, ElementsAre(ParticipantId{2}));
 }
 
@@ -120,17 +120,17 @@ TEST_F(ChangeHeard, OfALiarIsUndoneByTheNextTrueWord) {
   auto lie = change_of(4, 5, {9}, {5, 6});
   lie.sequence = 2;
   EXPECT_EQ(hear(lie), Hearing::known);
-  EXPECT_EQ(rig.table.find(robot)->publications, 1U);
+  EXPECT_EQ(rig.table.neighbours().find(robot)->publications, 1U);
   auto truth = speaker(1, 4, {5, 6});
   truth.sequence = 2;
   EXPECT_EQ(hear(truth), Hearing::contradiction);
-  EXPECT_EQ(rig.table.find(robot)->publications, 3U) << "what was removed is back; what was added lapses";
+  EXPECT_EQ(rig.table.neighbours().find(robot)->publications, 3U) << "what was removed is back; what was added lapses";
   for (int i = 0; i < 3; ++i) {
     truth.sequence += 1;
     (void)rig.hear(truth, now += seconds(2));
     rig.table.expire(now);
   }
-  EXPECT_EQ(rig.table.find(robot)->publications, 2U);
+  EXPECT_EQ(rig.table.neighbours().find(robot)->publications, 2U);
 }
 
 TEST_F(ChangeHeard, CannotMakeAParticipantHaveMoreThanItMay) {
@@ -141,7 +141,7 @@ TEST_F(ChangeHeard, CannotMakeAParticipantHaveMoreThanItMay) {
     (void)hear(change_of(revision, revision + 1, numbers));
     ++revision;
   }
-  EXPECT_EQ(rig.table.find(robot)->publications, announcement::max_services_per_participant);
+  EXPECT_EQ(rig.table.neighbours().find(robot)->publications, announcement::max_services_per_participant);
   EXPECT_TRUE(is_lacked());
 }
 
@@ -156,7 +156,7 @@ TEST_F(ChangeHeard, WhilePartsAreMissingDoesNotMakeTheStateComplete) {
   const auto all = speaker(1, 6, {5, 6, 7, 8});
   (void)hear(part_of(all, 0, 2, {5, 6}));
   (void)hear(change_of(6, 7, {9}));
-  EXPECT_FALSE(rig.table.find(robot)->is_complete);
+  EXPECT_FALSE(rig.table.neighbours().find(robot)->is_complete);
   EXPECT_TRUE(is_lacked());
 }
 

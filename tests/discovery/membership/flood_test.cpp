@@ -76,7 +76,7 @@ struct Flood {
         ++said;
         next = said < copies.size() ? arrives + copies.at(said) : next + interval;
       }
-      if (now >= arrives && !rig.table.is_known(robot)) unknown += std::chrono::microseconds(100);
+      if (now >= arrives && !rig.table.neighbours().is_known(robot)) unknown += std::chrono::microseconds(100);
     }
     return unknown;
   }
@@ -105,8 +105,8 @@ TEST(Flood, OfAHundredThousandIdentitiesKeepsNoTrueRobotOut) {
     const auto unknown = flood.run(shape, seconds(3), seconds(3) + milliseconds(test::rounds(10'000)));
     const auto what = std::to_string(shape.sources) + " sources, " + std::to_string(shape.copies) + " copies";
     EXPECT_LE(unknown, 2 * interval) << what;
-    EXPECT_TRUE(flood.rig.table.is_known(robot)) << what;
-    EXPECT_LE(flood.rig.table.size(), announcement::max_participants) << what;
+    EXPECT_TRUE(flood.rig.table.neighbours().is_known(robot)) << what;
+    EXPECT_LE(flood.rig.table.neighbours().size(), announcement::max_participants) << what;
   }
 }
 
@@ -119,11 +119,11 @@ TEST(Flood, ThatIsOverKeepsNoTrueRobotOut) {
         flood.forge({.sources = 1, .copies = copies, .is_of_robots_address = is_same}, number);
       }
       flood.pass_to(flood.now + milliseconds(100));
-      EXPECT_EQ(flood.rig.table.size(), announcement::max_participants);
+      EXPECT_EQ(flood.rig.table.neighbours().size(), announcement::max_participants);
       (void)flood.say();
       flood.pass_to(flood.now + milliseconds(20));
       (void)flood.say();
-      EXPECT_TRUE(flood.rig.table.is_known(robot)) << copies << " copies, the same address: " << is_same;
+      EXPECT_TRUE(flood.rig.table.neighbours().is_known(robot)) << copies << " copies, the same address: " << is_same;
     }
   }
 }
@@ -147,7 +147,7 @@ TEST(Flood, PushesNobodyOutWhoIsKnownForLong) {
       (void)flood.hear(speaker(1000 + id, 1), "10.1." + std::to_string(id / 250) + "." + std::to_string(id % 250));
     }
     std::size_t left = 0;
-    for (std::uint32_t id = 1; id <= 4; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
+    for (std::uint32_t id = 1; id <= 4; ++id) left += flood.rig.table.neighbours().is_known(ParticipantId{id}) ? 1 : 0;
     if (known_for == announcement::seasoned_after) {
       EXPECT_EQ(left, 4U);
     } else {
@@ -169,7 +169,8 @@ TEST(Flood, LetsOneAddressHaveOnlyTheNamedNumberForGood) {
       (void)flood.hear(speaker(1000 + id, 1), "10.1." + std::to_string(id / 250) + "." + std::to_string(id % 250));
     }
     std::size_t left = 0;
-    for (std::uint32_t id = 1; id <= count; ++id) left += flood.rig.table.is_known(ParticipantId{id}) ? 1 : 0;
+    for (std::uint32_t id = 1; id <= count; ++id)
+      left += flood.rig.table.neighbours().is_known(ParticipantId{id}) ? 1 : 0;
     EXPECT_EQ(left, std::min(count, announcement::max_seasoned_per_source));
   }
 }
@@ -178,14 +179,14 @@ TEST(Flood, TakesPlacesUpToTheNamedNumberAndFromTheGreediestAddressAfterThat) {
   TableRig rig;
   rig.source = "10.0.0.66";
   for (std::uint32_t id = 1; id <= announcement::max_participants; ++id) {
-    EXPECT_EQ(rig.table.size(), id - 1);
+    EXPECT_EQ(rig.table.neighbours().size(), id - 1);
     EXPECT_EQ(rig.hear(speaker(id, 1)), Hearing::newcomer) << id;
   }
   EXPECT_EQ(rig.hear(speaker(announcement::max_participants + 1, 1)), Hearing::full);
   rig.source = "10.0.0.7";
   EXPECT_EQ(rig.hear(speaker(announcement::max_participants + 2, 1)), Hearing::newcomer);
-  EXPECT_EQ(rig.table.size(), announcement::max_participants);
-  EXPECT_TRUE(rig.table.is_known(ParticipantId{announcement::max_participants + 2}));
+  EXPECT_EQ(rig.table.neighbours().size(), announcement::max_participants);
+  EXPECT_TRUE(rig.table.neighbours().is_known(ParticipantId{announcement::max_participants + 2}));
   rig.source = "10.0.0.66";
   auto goodbye = speaker(announcement::max_participants, 1);
   goodbye.kind = announcement::Kind::goodbye;
@@ -210,7 +211,7 @@ TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
       keep();
       (void)flood.say();
     }
-    ASSERT_EQ(flood.rig.table.size(), announcement::max_participants);
+    ASSERT_EQ(flood.rig.table.neighbours().size(), announcement::max_participants);
     auto goodbye = speaker(std::to_underlying(robot), 0, {});
     goodbye.kind = announcement::Kind::goodbye;
     ASSERT_EQ(flood.hear(goodbye, flood.robots_address), Hearing::goodbye);
@@ -219,8 +220,8 @@ TEST(Flood, FillsNotThePlaceOfASeasonedRobotInWhoseNameItSaysGoodbye) {
     }
     keep();
     EXPECT_EQ(flood.say(), Hearing::returned) << is_filler_proved;
-    EXPECT_TRUE(flood.rig.table.is_known(robot));
-    EXPECT_EQ(flood.rig.table.size(), announcement::max_participants);
+    EXPECT_TRUE(flood.rig.table.neighbours().is_known(robot));
+    EXPECT_EQ(flood.rig.table.neighbours().size(), announcement::max_participants);
   }
 }
 
@@ -240,7 +241,7 @@ TEST(Flood, ThatFallsSilentGivesWayThoughOneOfItGoesOn) {
     for (int i = 0; i < 10; ++i) {
       (void)flood.hear(speaker(1000 + goes_on, 1), address_of(goes_on));
       (void)flood.say();
-      if (flood.rig.table.is_known(robot)) break;
+      if (flood.rig.table.neighbours().is_known(robot)) break;
       pass(interval);
       unknown += interval;
     }
@@ -266,11 +267,11 @@ TEST(Flood, OfOneDatagramWithTheHighestNumberKeepsNoWaitingStrangerOut) {
   for (const auto step : {milliseconds(20), milliseconds(40), milliseconds(80), milliseconds(160), milliseconds(1700),
                           milliseconds(2000)}) {
     (void)flood.say();
-    if (flood.rig.table.is_known(robot)) break;
+    if (flood.rig.table.neighbours().is_known(robot)) break;
     flood.pass_to(flood.now + step);
     unknown += step;
   }
-  EXPECT_TRUE(flood.rig.table.is_known(robot)) << "after " << unknown / milliseconds(1) << " ms";
+  EXPECT_TRUE(flood.rig.table.neighbours().is_known(robot)) << "after " << unknown / milliseconds(1) << " ms";
 }
 
 /// All services from 1 to `count`, in as many parts as needed.
@@ -295,7 +296,7 @@ TEST(Flood, OfServicesLeavesRoomForThoseOfARobot) {
     EXPECT_GT(flood.rig.table.refused_services(), 0U);
     for (const std::uint32_t count : {11U, 16U, 32U, 33U, 200U}) {
       offer(flood, std::to_underlying(robot), count, "10.0.0.7");
-      EXPECT_EQ(flood.rig.table.find(robot)->publications, count) << source;
+      EXPECT_EQ(flood.rig.table.neighbours().find(robot)->publications, count) << source;
     }
   }
 }
@@ -305,7 +306,7 @@ TEST(Flood, OfServicesLeavesTheReserveToEveryStranger) {
   for (std::uint32_t id = 1001; id <= 1009; ++id)
     offer(flood, id, announcement::max_services_per_participant, "10.0.0.66");
   offer(flood, std::to_underlying(robot), announcement::reserved_services, "10.0.0.66");
-  EXPECT_EQ(flood.rig.table.find(robot)->publications, announcement::reserved_services);
+  EXPECT_EQ(flood.rig.table.neighbours().find(robot)->publications, announcement::reserved_services);
 }
 
 }  // namespace

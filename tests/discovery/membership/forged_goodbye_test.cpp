@@ -61,7 +61,7 @@ TEST(Forged, GoodbyesEverySecondHideNobodyAfterTheFirst) {
   // A true goodbye is believed then if nothing follows it for two intervals.
   (void)air.hear(goodbye_of(air), "10.0.0.1");
   air.pass(2 * interval);
-  EXPECT_FALSE(air.rig.table.is_known(victim));
+  EXPECT_FALSE(air.rig.table.neighbours().is_known(victim));
   EXPECT_THAT(air.registry.services, IsEmpty());
 }
 

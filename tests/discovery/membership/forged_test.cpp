@@ -73,7 +73,7 @@ std::vector<Lie> lies() {
 
 void expect_truth(const Air& air, const std::string& what) {
   EXPECT_TRUE(air.is_right()) << what << "\n" << testing::PrintToString(air.registry.services);
-  const auto known = air.rig.table.find(victim);
+  const auto known = air.rig.table.neighbours().find(victim);
   ASSERT_TRUE(known) << what;
   EXPECT_EQ(known->name, "robot1") << what;
   EXPECT_EQ(known->ontology_digest, 0U) << what;
@@ -99,7 +99,7 @@ TEST(Forged, StatesFromTheSameAddressLastUntilTheirVictimSpeaks) {
         (void)air.hear(forged, "10.0.0.1");
       }
       const auto what = lie.what + ", " + std::to_string(copies) + " times";
-      EXPECT_TRUE(air.rig.table.is_known(victim)) << what;
+      EXPECT_TRUE(air.rig.table.neighbours().is_known(victim)) << what;
       air.pass(seconds(1));
       (void)air.say();
       air.pass(interval);
@@ -109,7 +109,7 @@ TEST(Forged, StatesFromTheSameAddressLastUntilTheirVictimSpeaks) {
       // Nothing of the lie comes back, and nothing of the victim is lost later.
       for (int i = 0; i < 10; ++i, air.pass(interval)) (void)air.say();
       expect_truth(air, what + ", later");
-      EXPECT_TRUE(air.rig.table.find(victim)->is_complete) << what;
+      EXPECT_TRUE(air.rig.table.neighbours().find(victim)->is_complete) << what;
     }
   }
 }
@@ -239,7 +239,7 @@ TEST(Forged, AnAddressChangesWithTheSecondDatagramFromTheNewOne) {
   air.pass(milliseconds(20));
   moved.sequence = 3;
   EXPECT_EQ(air.hear(moved, "10.0.0.9"), Hearing::known);
-  EXPECT_EQ(air.rig.table.find(victim)->address, "10.0.0.9");
+  EXPECT_EQ(air.rig.table.neighbours().find(victim)->address, "10.0.0.9");
   EXPECT_EQ(air.registry.services.at({victim, PeerId{1}, 5}), "10.0.0.9:5000 of robot1/vision");
 }
 
@@ -308,7 +308,7 @@ TEST(Forged, WaysFromElsewhereAreNotOpenedBesideOneThatLives) {
       EXPECT_EQ(air.hear(forged, source), Hearing::elsewhere) << link;
       EXPECT_TRUE(air.is_right());
     }
-    EXPECT_EQ(air.rig.table.find(victim)->paths.size(), 1U);
+    EXPECT_EQ(air.rig.table.neighbours().find(victim)->paths.size(), 1U);
   }
 }
 
@@ -320,10 +320,10 @@ TEST(Forged, IntervalOfAStrangerCountsOnlyUpToABound) {
     auto state = air.truth();
     state.interval = announced;
     (void)air.say(state);
-    EXPECT_EQ(air.rig.table.find(victim)->deadline,
+    EXPECT_EQ(air.rig.table.neighbours().find(victim)->deadline,
               rig_start + patience(std::min<base::Duration>(announced, announcement::stranger_interval), {}));
     (void)air.say(state);
-    EXPECT_EQ(air.rig.table.find(victim)->deadline, rig_start + patience(announced, {}));
+    EXPECT_EQ(air.rig.table.neighbours().find(victim)->deadline, rig_start + patience(announced, {}));
   }
 }
 
@@ -370,7 +370,7 @@ TEST(Forged, NothingRandomOutlastsItsSenderByTwoIntervals) {
     // The lies are over for two intervals, and nothing has changed since. One more announcement may be on its way.
     (void)air.say();
     EXPECT_TRUE(air.is_right()) << "seed " << seed << "\n" << testing::PrintToString(air.registry.services);
-    const auto known = air.rig.table.find(victim);
+    const auto known = air.rig.table.neighbours().find(victim);
     ASSERT_TRUE(known) << "seed " << seed;
     EXPECT_EQ(known->name, "robot1") << "seed " << seed;
     EXPECT_EQ(known->interval, interval) << "seed " << seed;

@@ -26,7 +26,7 @@ struct Walk {
 
   /// Checks that the victim is there with exactly the services that it says, whatever else is said in its name.
   [[nodiscard]] bool is_there() const {
-    const auto known = air.rig.table.find(victim);
+    const auto known = air.rig.table.neighbours().find(victim);
     if (!known || known->boot != announcement::BootNonce{1}) return false;
     const std::string publication = "10.0.0.1:5000 of robot1/vision";
     return std::ranges::all_of(std::array{5U, 6U, 7U}, [&](std::uint32_t number) {
@@ -188,7 +188,7 @@ TEST(ForgerWalk, InATableThatIsFullHidesNobodyWhoIsKnownForLong) {
     for (int i = 0; i < 30; ++i) {
       fill();
       walk.live(interval, 10, true);
-      ASSERT_LE(walk.air.rig.table.size(), announcement::max_participants) << "seed " << seed;
+      ASSERT_LE(walk.air.rig.table.neighbours().size(), announcement::max_participants) << "seed " << seed;
     }
     ASSERT_LE(walk.longest, 2 * two_intervals) << "seed " << seed;
     longer += walk.longest > two_intervals ? 1 : 0;
@@ -214,7 +214,7 @@ TEST(ForgerWalk, WithServicesKeepsEveryLimit) {
       now += milliseconds(random.below(300));
       rig.table.expire(now);
       std::size_t beyond_reserve = 0;
-      rig.table.for_each([&](const Neighbour& each) {
+      rig.table.neighbours().for_each([&](const Neighbour& each) {
         ASSERT_LE(each.publications, announcement::max_services_per_participant);
         beyond_reserve += each.publications - std::min(each.publications, announcement::reserved_services);
       });

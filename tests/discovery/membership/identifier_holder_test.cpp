@@ -203,7 +203,7 @@ TEST(Identifier, MovesWithItsOwnerToANewAddressThoughSomebodyForgesTheHighestNum
   (void)hear(~std::uint64_t{0});
   (void)hear(++air.sequence);
   (void)hear(++air.sequence);
-  EXPECT_EQ(air.rig.table.find(victim)->address, "10.0.0.9");
+  EXPECT_EQ(air.rig.table.neighbours().find(victim)->address, "10.0.0.9");
 }
 
 TEST(FormerIncarnations, AreRememberedUpToTheNamedNumberAndTheYoungestGivesWay) {

@@ -34,8 +34,8 @@ TEST(NeighbourServices, AreAffirmedAndNotToldAgainWhenAllPartsAreKnown) {
   for (const auto later : {milliseconds(124), milliseconds(125), milliseconds(2000)}) {
     (void)rig.hear(speaker(1, 1), rig_start + later);
     EXPECT_THAT(rig.lines(), IsEmpty());
-    EXPECT_EQ(rig.table.affirmed(ParticipantId{1}), rig_start + later);
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->deadline, rig_start + later + patience(seconds(2), {}));
+    EXPECT_EQ(rig.table.neighbours().affirmed(ParticipantId{1}), rig_start + later);
+    EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->deadline, rig_start + later + patience(seconds(2), {}));
   }
 }
 
@@ -65,7 +65,7 @@ TEST(NeighbourServices, AreNotOverwrittenByAnOvertakenDatagram) {
   const auto overtaken = rig_start + announcement::overtaken_time - base::Duration(1);
   EXPECT_EQ(rig.hear(older, overtaken), Hearing::known);
   EXPECT_THAT(rig.lines(), IsEmpty());
-  const auto known = rig.table.find(ParticipantId{1});
+  const auto known = rig.table.neighbours().find(ParticipantId{1});
   EXPECT_EQ(known->name, "renamed");
   EXPECT_EQ(known->address, "10.0.0.200");
   EXPECT_EQ(known->heard, overtaken) << "an overtaken datagram is a sign of life";
@@ -106,12 +106,12 @@ TEST(NeighbourServices, AreAppliedPartByPartAndWithdrawnWhenAllPartsAreThere) {
   const auto next = speaker(1, 2, {6, 8, 9});
   (void)rig.hear(part_of(next, 1, 2, {8, 9}));
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/8 at 10.0.0.1", "put pub 00000001/1/9 at 10.0.0.1"));
-  EXPECT_FALSE(rig.table.find(ParticipantId{1})->is_complete);
+  EXPECT_FALSE(rig.table.neighbours().find(ParticipantId{1})->is_complete);
   (void)rig.hear(part_of(next, 1, 2, {8, 9}));
   EXPECT_THAT(rig.lines(), IsEmpty());
   (void)rig.hear(part_of(next, 0, 2, {6}));
   EXPECT_THAT(rig.lines(), ElementsAre("remove pub 00000001/1/5 withdrawn", "remove pub 00000001/1/7 withdrawn"));
-  EXPECT_TRUE(rig.table.find(ParticipantId{1})->is_complete);
+  EXPECT_TRUE(rig.table.neighbours().find(ParticipantId{1})->is_complete);
 }
 
 TEST(NeighbourServices, AreCompletedByALaterCopyOfALostPart) {
@@ -119,9 +119,9 @@ TEST(NeighbourServices, AreCompletedByALaterCopyOfALostPart) {
   const auto state = speaker(1, 1, {5, 6});
   (void)rig.hear(part_of(state, 0, 2, {5}));
   (void)rig.hear(part_of(state, 0, 2, {5}), rig_start + seconds(2));
-  EXPECT_FALSE(rig.table.find(ParticipantId{1})->is_complete);
+  EXPECT_FALSE(rig.table.neighbours().find(ParticipantId{1})->is_complete);
   (void)rig.hear(part_of(state, 1, 2, {6}), rig_start + seconds(4));
-  EXPECT_TRUE(rig.table.find(ParticipantId{1})->is_complete);
+  EXPECT_TRUE(rig.table.neighbours().find(ParticipantId{1})->is_complete);
 }
 
 TEST(NeighbourServices, DoNotMixPartsOfDifferentRevisions) {
@@ -133,7 +133,7 @@ TEST(NeighbourServices, DoNotMixPartsOfDifferentRevisions) {
   newer.sequence = 6;
   (void)rig.hear(newer);
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/8 at 10.0.0.1"));
-  EXPECT_FALSE(rig.table.find(ParticipantId{1})->is_complete);
+  EXPECT_FALSE(rig.table.neighbours().find(ParticipantId{1})->is_complete);
   auto overtaken = part_of(speaker(1, 2, {6, 7}), 1, 2, {7});
   overtaken.sequence = 3;
   (void)rig.hear(overtaken);
@@ -153,8 +153,8 @@ TEST(NeighbourServices, AreAllKeptAliveByOnePartOfACompleteRevision) {
     (void)rig.hear(part_of(state, 0, 2, {5}), now);
     rig.table.expire(now);
     EXPECT_THAT(rig.lines(), IsEmpty());
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 2U);
-    EXPECT_EQ(rig.table.affirmed(ParticipantId{1}), now);
+    EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->publications, 2U);
+    EXPECT_EQ(rig.table.neighbours().affirmed(ParticipantId{1}), now);
   }
 }
 
@@ -182,7 +182,7 @@ TEST(NeighbourServices, AreKnownOnceThoughTheyAreHeardOnSeveralInterfaces) {
   (void)rig.hear(speaker(1, 1));
   EXPECT_EQ(rig.hear(on_wlan, rig_start, wlan), Hearing::known);
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1"));
-  const auto known = rig.table.find(ParticipantId{1});
+  const auto known = rig.table.neighbours().find(ParticipantId{1});
   ASSERT_EQ(known->paths.size(), 2U);
   EXPECT_EQ(known->paths[1].interface_name, "wlan0");
   EXPECT_EQ(known->publications, 1U);
@@ -207,7 +207,7 @@ TEST(NeighbourServices, ChangeTheirAddressWhenTheWayInUseIsLost) {
   // The way in use stays in use when the other one comes back: channels are not moved without need.
   (void)rig.hear(speaker(1, 1), lost + milliseconds(1));
   EXPECT_THAT(rig.lines(), IsEmpty());
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->address, "192.168.0.1");
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->address, "192.168.0.1");
 }
 
 TEST(NeighbourServices, ChangeTheirAddressAtOnceWhenOurInterfaceIsGone) {
@@ -221,7 +221,7 @@ TEST(NeighbourServices, ChangeTheirAddressAtOnceWhenOurInterfaceIsGone) {
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 192.168.0.1"));
   rig.table.forget_interface(wlan);
   EXPECT_THAT(rig.lines(), IsEmpty());
-  EXPECT_TRUE(rig.table.is_known(ParticipantId{1})) << "it may come back before its deadline";
+  EXPECT_TRUE(rig.table.neighbours().is_known(ParticipantId{1})) << "it may come back before its deadline";
 }
 
 TEST(NeighbourServices, GetTheBestAddressAndTheZoneOfOurInterface) {

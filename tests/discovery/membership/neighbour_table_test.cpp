@@ -22,7 +22,7 @@ TEST(NeighbourTable, TakesInANewcomerWithItsServices) {
   TableRig rig;
   EXPECT_EQ(rig.hear(speaker(1, 1, {5, 6})), Hearing::newcomer);
   EXPECT_THAT(rig.lines(), ElementsAre("put pub 00000001/1/5 at 10.0.0.1", "put pub 00000001/1/6 at 10.0.0.1"));
-  const auto known = rig.table.find(ParticipantId{1});
+  const auto known = rig.table.neighbours().find(ParticipantId{1});
   ASSERT_TRUE(known);
   EXPECT_EQ(known->name, "robot1");
   EXPECT_EQ(known->publications, 2U);
@@ -60,7 +60,7 @@ TEST(NeighbourTable, IgnoresAnotherGroup) {
   auto other = speaker(1, 1);
   other.group = "red";
   EXPECT_EQ(rig.hear(other), Hearing::other_group);
-  EXPECT_EQ(rig.table.size(), 0U);
+  EXPECT_EQ(rig.table.neighbours().size(), 0U);
 }
 
 TEST(NeighbourTable, KnowsItsOwnDatagramsUnderWhateverIdentifier) {
@@ -70,7 +70,7 @@ TEST(NeighbourTable, KnowsItsOwnDatagramsUnderWhateverIdentifier) {
     own.boot = self_boot;
     EXPECT_EQ(rig.hear(own), Hearing::own);
   }
-  EXPECT_EQ(rig.table.size(), 0U);
+  EXPECT_EQ(rig.table.neighbours().size(), 0U);
 }
 
 TEST(NeighbourTable, TellsThatItsIdentifierIsClaimedOrUsedBySomebodyElse) {
@@ -81,7 +81,7 @@ TEST(NeighbourTable, TellsThatItsIdentifierIsClaimedOrUsedBySomebodyElse) {
     other.kind = kind;
     EXPECT_EQ(rig.hear(other), Hearing::clash);
   }
-  EXPECT_EQ(rig.table.size(), 0U);
+  EXPECT_EQ(rig.table.neighbours().size(), 0U);
   EXPECT_THAT(rig.lines(), IsEmpty());
 }
 
@@ -90,7 +90,7 @@ TEST(NeighbourTable, DoesNotTakeAClaimantForAParticipant) {
   auto claim = speaker(1, 0, {});
   claim.kind = announcement::Kind::claim;
   EXPECT_EQ(rig.hear(claim), Hearing::claim);
-  EXPECT_FALSE(rig.table.is_known(ParticipantId{1}));
+  EXPECT_FALSE(rig.table.neighbours().is_known(ParticipantId{1}));
 }
 
 TEST(NeighbourTable, ExpiresAParticipantAtItsInstantAndNotBefore) {
@@ -101,10 +101,10 @@ TEST(NeighbourTable, ExpiresAParticipantAtItsInstantAndNotBefore) {
   EXPECT_EQ(rig.table.next_deadline(), deadline);
   rig.table.expire(deadline - base::Duration(1));
   EXPECT_THAT(rig.lines(), IsEmpty());
-  EXPECT_TRUE(rig.table.is_known(ParticipantId{1}));
+  EXPECT_TRUE(rig.table.neighbours().is_known(ParticipantId{1}));
   rig.table.expire(deadline);
   EXPECT_THAT(rig.lines(), ElementsAre("remove 00000001 expired"));
-  EXPECT_FALSE(rig.table.is_known(ParticipantId{1}));
+  EXPECT_FALSE(rig.table.neighbours().is_known(ParticipantId{1}));
   EXPECT_EQ(rig.table.next_deadline(), base::never);
 }
 
@@ -114,7 +114,8 @@ TEST(NeighbourTable, CountsTheDeadlineFromTheLastDatagramInAnnouncedIntervals) {
   quick.interval = milliseconds(100);
   (void)rig.hear(quick);
   (void)rig.hear(quick, rig_start + milliseconds(7));
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->deadline, rig_start + milliseconds(7) + patience(milliseconds(100), {}));
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->deadline,
+            rig_start + milliseconds(7) + patience(milliseconds(100), {}));
 }
 
 announcement::Announcement presence_of(const announcement::Announcement& state) {
@@ -137,7 +138,7 @@ TEST(NeighbourTable, KeepsAllServicesOfWhoIsThereWithTheSameRevision) {
     EXPECT_EQ(rig.hear(presence_of(speaker(1, 1)), now), Hearing::known);
     rig.table.expire(now);
     EXPECT_THAT(rig.lines(), IsEmpty());
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 1U);
+    EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->publications, 1U);
   }
   EXPECT_TRUE(rig.table.report(rig_start + seconds(40)).lacks.empty());
 }
@@ -151,13 +152,13 @@ TEST(NeighbourTable, LacksTheStateOfWhoIsThereWithAnotherRevision) {
   EXPECT_THAT(rig.table.report(later).lacks, ElementsAre(ParticipantId{1}));
   EXPECT_EQ(rig.hear(speaker(1, 2, {5, 6}), later), Hearing::known);
   EXPECT_FALSE(rig.table.lacks_anybody(later));
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 2U);
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->publications, 2U);
 }
 
 TEST(NeighbourTable, LacksTheStateOfAStrangerForAWhile) {
   TableRig rig;
   EXPECT_EQ(rig.hear(presence_of(speaker(1, 1))), Hearing::stranger);
-  EXPECT_FALSE(rig.table.is_known(ParticipantId{1}));
+  EXPECT_FALSE(rig.table.neighbours().is_known(ParticipantId{1}));
   EXPECT_THAT(rig.table.report(rig_start).lacks, ElementsAre(ParticipantId{1}));
   EXPECT_TRUE(rig.table.report(rig_start + seconds(4)).lacks.empty());
   for (std::uint32_t id = 100; id < 200; ++id) (void)rig.hear(presence_of(speaker(id, 1)));
@@ -188,7 +189,7 @@ TEST(NeighbourTable, OpensAWayByAPresenceAndLearnsItsAddressesFromTheState) {
   EXPECT_EQ(rig.hear(presence_of(on_wlan), rig_start, wlan), Hearing::known);
   EXPECT_THAT(rig.table.report(rig_start).lacks, ElementsAre(ParticipantId{1})) << "its addresses there are not known";
   EXPECT_EQ(rig.hear(on_wlan, rig_start, wlan), Hearing::known) << "the presence has said nothing of addresses";
-  EXPECT_THAT(rig.table.find(ParticipantId{1})->paths.at(1).addresses, ElementsAre("192.168.0.1"));
+  EXPECT_THAT(rig.table.neighbours().find(ParticipantId{1})->paths.at(1).addresses, ElementsAre("192.168.0.1"));
 }
 
 TEST(NeighbourTable, KeepsAliveWhomWitnessesHaveHeardWhereAllKnowTheSameOnes) {
@@ -207,8 +208,8 @@ TEST(NeighbourTable, KeepsAliveWhomWitnessesHaveHeardWhereAllKnowTheSameOnes) {
     (void)rig.hear(witness_of(rig, is_same), now);
     const auto seen = now - milliseconds(500);
     rig.table.expire(rig_start + patience(seconds(2), {}));
-    ASSERT_EQ(rig.table.is_known(ParticipantId{1}), is_same);
-    EXPECT_TRUE(!is_same || rig.table.find(ParticipantId{1})->deadline >= seen + patience(seconds(2), {}));
+    ASSERT_EQ(rig.table.neighbours().is_known(ParticipantId{1}), is_same);
+    EXPECT_TRUE(!is_same || rig.table.neighbours().find(ParticipantId{1})->deadline >= seen + patience(seconds(2), {}));
   }
 }
 
@@ -260,7 +261,7 @@ TEST(NeighbourTable, IgnoresAGoodbyeOfSomebodyElse) {
   goodbye.kind = announcement::Kind::goodbye;
   goodbye.boot = announcement::BootNonce{77};
   EXPECT_EQ(rig.hear(goodbye), Hearing::stale);
-  EXPECT_TRUE(rig.table.is_known(ParticipantId{1}));
+  EXPECT_TRUE(rig.table.neighbours().is_known(ParticipantId{1}));
 }
 
 TEST(NeighbourTable, LetsANewIncarnationReplaceTheOldOneWhenThatIsSilentForTwoIntervals) {
@@ -279,9 +280,9 @@ TEST(NeighbourTable, LetsANewIncarnationReplaceTheOldOneWhenThatIsSilentForTwoIn
   auto late = speaker(1, 9, {5});
   late.sequence = 1;
   EXPECT_EQ(rig.hear(late, rig_start + seconds(5)), Hearing::stale);
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, announcement::BootNonce{77});
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->boot, announcement::BootNonce{77});
   EXPECT_EQ(rig.hear(speaker(1, 9, {5, 6}), rig_start + seconds(5)), Hearing::returned);
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, announcement::BootNonce{1});
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->boot, announcement::BootNonce{1});
 }
 
 TEST(NeighbourTable, GivesAnIdentifierToTheIncarnationThatClaimedItBeforeWhoAnticipatedIt) {
@@ -337,15 +338,15 @@ TEST(NeighbourTable, IgnoresAnotherIncarnationUnderAnIdentifierWhoseOwnerIsThere
     EXPECT_EQ(rig.hear(other, now), Hearing::rival);
     rig.table.expire(now);
   }
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->boot, announcement::BootNonce{1});
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->publications, 1U);
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->boot, announcement::BootNonce{1});
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->publications, 1U);
 }
 
 TEST(NeighbourTable, VisitsInOrderOfIdentifier) {
   TableRig rig;
   for (const auto id : {9U, 3U, 7U}) (void)rig.hear(speaker(id, 1));
   std::vector<std::uint32_t> ids;
-  rig.table.for_each([&](const Neighbour& neighbour) { ids.push_back(std::to_underlying(neighbour.id)); });
+  rig.table.neighbours().for_each([&](const Neighbour& neighbour) { ids.push_back(std::to_underlying(neighbour.id)); });
   EXPECT_THAT(ids, ElementsAre(3, 7, 9));
 }
 
@@ -357,7 +358,7 @@ TEST(NeighbourTable, MeasuresLossFromSequenceNumbers) {
     announcement.sequence = sequence;
     (void)rig.hear(announcement, rig_start + milliseconds(sequence));
   }
-  EXPECT_NEAR(rig.table.find(ParticipantId{1})->loss, 0.25, 0.02);
+  EXPECT_NEAR(rig.table.neighbours().find(ParticipantId{1})->loss, 0.25, 0.02);
 }
 
 TEST(NeighbourTable, RemembersTheLossesOfWhoIsGivenUpAndComesBack) {
@@ -375,7 +376,7 @@ TEST(NeighbourTable, RemembersTheLossesOfWhoIsGivenUpAndComesBack) {
     EXPECT_EQ(say(presence_of(speaker(1, 1)), first + 9, at + 90), Hearing::stranger) << life;
   }
   EXPECT_EQ(say(speaker(1, 1), 31, 300), Hearing::newcomer);
-  const auto known = rig.table.find(ParticipantId{1});
+  const auto known = rig.table.neighbours().find(ParticipantId{1});
   EXPECT_EQ(known->loss, 0) << "of its new life";
   EXPECT_EQ(known->paths.at(0).for_long, (LossSample{.missed = 31 - 10, .numbers = 31}));
 }

@@ -56,17 +56,18 @@ TEST(Pace, IsBelievedDoublingByDoublingWhenItWasSaidForAnInterval) {
   presence.peers.clear();
   presence.doublings = 3;
   (void)rig.hear(presence, now += seconds(2));
-  EXPECT_LT(rig.table.find(ParticipantId{1})->deadline, now + seconds(6));
+  EXPECT_LT(rig.table.neighbours().find(ParticipantId{1})->deadline, now + seconds(6));
   (void)rig.hear(presence, now += milliseconds(100));
-  EXPECT_LT(rig.table.find(ParticipantId{1})->deadline, now + seconds(6)) << "twice, but not for an interval";
+  EXPECT_LT(rig.table.neighbours().find(ParticipantId{1})->deadline, now + seconds(6))
+      << "twice, but not for an interval";
   (void)rig.hear(presence, now += seconds(2));
-  EXPECT_EQ(rig.table.find(ParticipantId{1})->interval, seconds(16));
-  EXPECT_GT(rig.table.find(ParticipantId{1})->deadline, now + seconds(8));
-  EXPECT_LT(rig.table.find(ParticipantId{1})->deadline, now + seconds(12)) << "twice the old one";
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->interval, seconds(16));
+  EXPECT_GT(rig.table.neighbours().find(ParticipantId{1})->deadline, now + seconds(8));
+  EXPECT_LT(rig.table.neighbours().find(ParticipantId{1})->deadline, now + seconds(12)) << "twice the old one";
   (void)rig.hear(presence, now += seconds(4));
-  EXPECT_GT(rig.table.find(ParticipantId{1})->deadline, now + seconds(16));
+  EXPECT_GT(rig.table.neighbours().find(ParticipantId{1})->deadline, now + seconds(16));
   (void)rig.hear(presence, now += seconds(8));
-  EXPECT_GT(rig.table.find(ParticipantId{1})->deadline, now + seconds(32));
+  EXPECT_GT(rig.table.neighbours().find(ParticipantId{1})->deadline, now + seconds(32));
 }
 
 TEST(Pace, NeverBringsAnIntervalBeyondItsLimit) {

@@ -36,7 +36,7 @@ struct ReachRig {
                                  .is_alone = how == How::alone,
                                  .passage = how == How::relayed ? &passage : nullptr});
   }
-  std::string observed() { return observed_address(*rig.table.reach(far_id)); }
+  std::string observed() { return observed_address(*rig.table.neighbours().reach(far_id)); }
   std::vector<bool> flags() {
     std::vector<bool> all;
     for (const auto& change : rig.table.take_changes()) {
@@ -61,7 +61,7 @@ TEST(Reach, IsJudgedOfParticipantsFromAfarAlone) {
   by_relay.hear(How::relayed, "10.0.0.5");
   EXPECT_THAT(by_relay.judged, ElementsAre("10.0.0.5"));
   EXPECT_FALSE(by_relay.flags().back());
-  EXPECT_EQ(by_relay.rig.table.reach(far_id)->reachability, Reachability::no_route);
+  EXPECT_EQ(by_relay.rig.table.neighbours().reach(far_id)->reachability, Reachability::no_route);
   ReachRig alone;
   alone.hear(How::alone, "10.0.0.5");
   EXPECT_THAT(alone.judged, ElementsAre("10.0.0.5"));

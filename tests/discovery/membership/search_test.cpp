@@ -65,9 +65,9 @@ TEST(Search, IsForWhomTheTableLosesThatMayComeBackIntoReach) {
   (void)rig.hear(speaker(1, 1), rig_start + sought_after);
   (void)rig.hear(speaker(2, 1), rig_start + sought_after - milliseconds(1));
   EXPECT_EQ(rig.table.expire(rig_start + sought_after), 0U) << "who was heard once may have been a forgery";
-  EXPECT_EQ(rig.table.size(), 2U);
+  EXPECT_EQ(rig.table.neighbours().size(), 2U);
   EXPECT_EQ(rig.table.expire(rig_start + seconds(60)), 1U);
-  EXPECT_EQ(rig.table.size(), 0U);
+  EXPECT_EQ(rig.table.neighbours().size(), 0U);
 }
 
 }  // namespace

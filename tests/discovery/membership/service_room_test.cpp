@@ -28,11 +28,12 @@ TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfOneParticipant) {
                            announcement::max_services_per_participant + 1}) {
     TableRig rig;
     hear_many(rig, 1, 1, static_cast<std::uint32_t>(count));
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->publications,
+    EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->publications,
               std::min(count, announcement::max_services_per_participant));
     EXPECT_EQ(rig.table.refused_services(), count > announcement::max_services_per_participant ? 1U : 0U);
     // The list may be incomplete, so it withdraws nothing.
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->is_complete, count <= announcement::max_services_per_participant);
+    EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->is_complete,
+              count <= announcement::max_services_per_participant);
   }
 }
 
@@ -47,7 +48,7 @@ TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAllBeyondTheReserveOfEach) {
   EXPECT_EQ(rig.table.refused_services(), 0U);
   hear_many(rig, full + 2, 1, announcement::reserved_services);
   EXPECT_EQ(rig.table.refused_services(), 0U);
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 2})->publications, announcement::reserved_services);
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{full + 2})->publications, announcement::reserved_services);
   // The stranger is given nothing beyond its reserve.
   rig.source = "10.0.0.66";
   (void)rig.hear(speaker(full + 3, 1, {1}));
@@ -59,13 +60,13 @@ TEST(NeighbourServices, AreTakenUpToTheNamedNumberOfAllBeyondTheReserveOfEach) {
   greedy.boot = announcement::BootNonce{full + 4};
   (void)rig.hear(greedy);
   EXPECT_EQ(rig.table.refused_services(), 1U);
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, announcement::reserved_services);
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{full + 4})->publications, announcement::reserved_services);
   // Room that is given back is used again.
   rig.source.clear();
   (void)rig.hear(speaker(1, 2, {1}));
   rig.source = "10.0.0.66";
   (void)rig.hear(greedy);
-  EXPECT_EQ(rig.table.find(ParticipantId{full + 4})->publications, announcement::reserved_services + 1);
+  EXPECT_EQ(rig.table.neighbours().find(ParticipantId{full + 4})->publications, announcement::reserved_services + 1);
 }
 
 TEST(NeighbourServices, OfSomebodyWhoLeftGiveOnlyTheRoomThatTheyTook) {
@@ -78,7 +79,7 @@ TEST(NeighbourServices, OfSomebodyWhoLeftGiveOnlyTheRoomThatTheyTook) {
     ASSERT_EQ(rig.hear(goodbye), Hearing::goodbye);
     const auto beyond_reserve = [&] {
       std::size_t count = 0;
-      rig.table.for_each([&](const Neighbour& each) {
+      rig.table.neighbours().for_each([&](const Neighbour& each) {
         count += each.publications - std::min(each.publications, announcement::reserved_services);
       });
       return count;
@@ -97,7 +98,8 @@ TEST(NeighbourServices, UseAtMostTheNamedNumberOfWays) {
     auto announcement = speaker(1, 1);
     announcement.link = link;
     (void)rig.hear(announcement, rig_start, env::InterfaceIndex{link});
-    EXPECT_EQ(rig.table.find(ParticipantId{1})->paths.size(), std::min<std::size_t>(link, announcement::max_paths));
+    EXPECT_EQ(rig.table.neighbours().find(ParticipantId{1})->paths.size(),
+              std::min<std::size_t>(link, announcement::max_paths));
   }
 }
 

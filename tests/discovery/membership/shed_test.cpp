@@ -26,7 +26,7 @@ TEST(Shedding, GivesUpTheNewestQuarterOfThoseThatAreNotSeasoned) {
   (void)rig.lines();
   EXPECT_EQ(rig.table.shed(later), 2U);
   EXPECT_THAT(rig.lines(), ElementsAre("remove 00000009 expired", "remove 00000008 expired"));
-  EXPECT_EQ(rig.table.size(), 7U);
+  EXPECT_EQ(rig.table.neighbours().size(), 7U);
   rig.source = "10.0.0.30";
   EXPECT_EQ(rig.hear(speaker(30, 1), later), Hearing::full) << "nobody comes while memory is short";
   rig.source = "10.0.0.1";
@@ -34,7 +34,7 @@ TEST(Shedding, GivesUpTheNewestQuarterOfThoseThatAreNotSeasoned) {
   rig.source = "10.0.0.30";
   while (rig.table.shed(later) > 0) {
   }
-  EXPECT_EQ(rig.table.size(), 1U) << "a seasoned one is never given up";
+  EXPECT_EQ(rig.table.neighbours().size(), 1U) << "a seasoned one is never given up";
   EXPECT_EQ(rig.hear(speaker(31, 1), later + memory_pause - milliseconds(1)), Hearing::full);
   EXPECT_EQ(rig.hear(speaker(32, 1), later + memory_pause), Hearing::newcomer);
 }
@@ -48,10 +48,10 @@ TEST(Shedding, OfManyThatAreSilentTakesSomeInEachCall) {
   }
   const base::Instant end = rig_start + seconds(600);
   rig.table.expire(end);
-  EXPECT_EQ(rig.table.size(), 1U);
+  EXPECT_EQ(rig.table.neighbours().size(), 1U);
   EXPECT_LE(rig.table.next_deadline(), end) << "the rest is due at once";
   rig.table.expire(end);
-  EXPECT_EQ(rig.table.size(), 0U);
+  EXPECT_EQ(rig.table.neighbours().size(), 0U);
 }
 
 }  // namespace

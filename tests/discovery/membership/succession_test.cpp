@@ -27,7 +27,7 @@ struct Succession : ::testing::Test {
   }
   [[nodiscard]] bool is_known_after(base::Duration time) {
     rig.table.expire(now + time);
-    return rig.table.is_known(former);
+    return rig.table.neighbours().is_known(former);
   }
 
   TableRig rig;
@@ -48,7 +48,7 @@ TEST(YoungSuccession, OfOneThatWasHeardOnceIsBelieved) {
   (void)rig.hear(next_incarnation(), rig_start + seconds(1));
   EXPECT_THAT(rig.table.report(rig_start + seconds(1)).doubts, ::testing::ElementsAre(former));
   rig.table.expire(rig_start + seconds(1) + least_answer_time);
-  EXPECT_FALSE(rig.table.is_known(former));
+  EXPECT_FALSE(rig.table.neighbours().is_known(former));
 }
 
 TEST_F(Succession, OfOneThatNobodyAskedIsNotBelievedBeforeItsDeadline) {
@@ -175,9 +175,9 @@ TEST_F(LastingSuccession, IsOfAnyNameFromAnyAddress) {
   ASSERT_EQ(rig.hear(moved_life(7), now), Hearing::claim);
   EXPECT_THAT(rig.table.report(now).doubts, ::testing::ElementsAre(former));
   rig.table.expire(now + least_answer_time - base::Duration(1));
-  EXPECT_TRUE(rig.table.is_known(former));
+  EXPECT_TRUE(rig.table.neighbours().is_known(former));
   rig.table.expire(now + least_answer_time);
-  EXPECT_FALSE(rig.table.is_known(former));
+  EXPECT_FALSE(rig.table.neighbours().is_known(former));
 }
 
 TEST_F(LastingSuccession, OfACopyOfADiskIsDenied) {
@@ -188,7 +188,7 @@ TEST_F(LastingSuccession, OfACopyOfADiskIsDenied) {
   state.lasting = 7;
   (void)rig.hear(state, now + milliseconds(50));
   rig.table.expire(now + seconds(3));
-  EXPECT_TRUE(rig.table.is_known(former));
+  EXPECT_TRUE(rig.table.neighbours().is_known(former));
 }
 
 TEST_F(LastingSuccession, IsNotOfAnotherIdentityOrOfNone) {

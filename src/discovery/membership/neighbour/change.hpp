@@ -19,7 +19,7 @@ enum class Departure : std::uint8_t {
 };
 
 /// A remote publication is there, has changed, or was said again (then only `heard` differs). That a presence affirms
-/// it is told by NeighbourTable::affirmed(). The address is empty only if nothing is known of the sender; an IPv6
+/// it is told by Neighbours::affirmed(). The address is empty only if nothing is known of the sender; an IPv6
 /// link-local one has our interface as its zone. `is_reachable`: false where it is the address of a participant that
 /// cannot be reached from here; an address that a service states for itself is not judged.
 struct PutPublication {

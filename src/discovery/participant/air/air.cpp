@@ -30,29 +30,29 @@ Air::Air(env::Env& env, const TeamSettings& settings, OwnState own)
     : env_(env),
       settings_(settings),
       own_(std::move(own)),
-      neighbours_(settings.group),
+      table_(settings.group),
       seal_([&env] { return env.random_bits(); }),
-      introductions_(neighbours_, seal_, settings_),
+      introductions_(table_, seal_, settings_),
       reader_(settings.shared ? settings.shared->reader : own_reader_),
       announcer_({.env = env,
                   .settings = settings_,
                   .own = own_,
-                  .neighbours = neighbours_,
+                  .table = table_,
                   .seal = seal_,
                   .dual_stack = dual_stack_,
                   .deaf_hosts = deaf_hosts_,
                   .introductions = introductions_,
                   .counters = counters_,
                   .behind = [this](const env::Interface& on) { return beyond_.behind(on); }}),
-      beyond_({.env = env, .settings = settings_, .neighbours = neighbours_, .seal = seal_, .announcer = announcer_}) {}
+      beyond_({.env = env, .settings = settings_, .table = table_, .seal = seal_, .announcer = announcer_}) {}
 
 void Air::start() {
   seal_.adopt(settings_.sealing, env_.now());
-  neighbours_.set_secret(env_.random_bits());
-  neighbours_.set_judge([&env = env_](const std::string& address, const std::string& observed) {
+  table_.set_secret(env_.random_bits());
+  table_.set_judge([&env = env_](const std::string& address, const std::string& observed) {
     return judged_reach(address, observed, env.route(address));
   });
-  if (settings_.shared) neighbours_.set_offers(settings_.shared->offers);
+  if (settings_.shared) table_.set_offers(settings_.shared->offers);
   announcer_.start();
 }
 
@@ -130,15 +130,15 @@ std::optional<Announcer::Consequence> Air::take_in_direct(const Received& receiv
   const auto links = beyond_.links_for(received.opened, heard, received.on);
   const bool is_about_us = heard.participant == announcer_.id();  // it may be a lie, and others hear it
   if (!is_about_us && DualStack::is_said_twice(heard, received.on)) return std::nullopt;
-  const membership::Hearing hearing = neighbours_.hear(heard, {.interface = received.arrival.interface,
-                                                               .interface_name = received.arrival.interface_name,
-                                                               .source = received.arrival.source,
-                                                               .now = received.arrival.now,
-                                                               .is_sealed = is_sealed,
-                                                               .is_alone = received.arrival.is_alone});
+  const membership::Hearing hearing = table_.hear(heard, {.interface = received.arrival.interface,
+                                                          .interface_name = received.arrival.interface_name,
+                                                          .source = received.arrival.source,
+                                                          .now = received.arrival.now,
+                                                          .is_sealed = is_sealed,
+                                                          .is_alone = received.arrival.is_alone});
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (heard.kind == announcement::Kind::presence) {
-    one_way_.hear(heard, neighbours_, received.arrival.source, received.on.name, env_.log());
+    one_way_.hear(heard, table_, received.arrival.source, received.on.name, env_.log());
     if (is_sealed && !recall(heard, *received.opened.session, hearing, received.on, served)) {
       return Announcer::Consequence::failed;
     }
@@ -172,12 +172,12 @@ std::optional<Announcer::Consequence> Air::take_in_relayed(const announcement::A
   const announcement::Relayed& relayed = heard.relayed;
   const membership::Passage passage = beyond_.passage(heard, on);
   const auto links = beyond_.links_for(*word, on, is_sealed);
-  const membership::Hearing hearing = neighbours_.hear(*word, {.interface = on.index,
-                                                               .interface_name = on.name,
-                                                               .source = relayed.source,
-                                                               .now = env_.now(),
-                                                               .is_sealed = is_sealed,
-                                                               .passage = &passage});
+  const membership::Hearing hearing = table_.hear(*word, {.interface = on.index,
+                                                          .interface_name = on.name,
+                                                          .source = relayed.source,
+                                                          .now = env_.now(),
+                                                          .is_sealed = is_sealed,
+                                                          .passage = &passage});
   ++counters_.hearings.at(std::to_underlying(hearing));
   if (hearing == membership::Hearing::own) return std::nullopt;
   beyond_.pass_on({.datagram = relayed.word, .age = relayed.age, .through = relayed.through, .source = relayed.source},
@@ -195,7 +195,7 @@ const Diagnoses::Diagnosis* Air::diagnosis_of(ParticipantId participant) {
 void Air::hear_exchange(const announcement::Announcement& heard, bool is_sealed) {
   const base::Instant now = env_.now();
   if (heard.group != settings_.group || heard.partner != announcer_.id()) return;
-  if (!neighbours_.is_known(heard.participant)) return;
+  if (!table_.neighbours().is_known(heard.participant)) return;
   if (heard.kind == announcement::Kind::diagnosis) {
     diagnoses_.hear_diagnosis(heard, now);
     return;
@@ -209,7 +209,7 @@ void Air::hear_exchange(const announcement::Announcement& heard, bool is_sealed)
 void Air::reach(const announcement::Announcement& heard, const env::Interface& on, std::string_view source) {
   if (heard.kind == announcement::Kind::goodbye) deaf_hosts_.forget(heard.participant);
   if (!is_sealed() || heard.kind != announcement::Kind::presence) return;
-  if (!neighbours_.is_deaf_to_us(heard.participant)) {
+  if (!table_.witnesses().is_deaf_to_us(heard.participant)) {
     deaf_hosts_.hear(heard.participant);
   } else {
     deaf_hosts_.hear_deaf({.participant = heard.participant, .interface = on.index, .address = std::string(source)},
@@ -218,22 +218,22 @@ void Air::reach(const announcement::Announcement& heard, const env::Interface& o
 }
 
 void Air::meet(const announcement::Announcement& heard, const env::Interface& on) {
-  if (!is_sealed() || heard.group != settings_.group || !neighbours_.is_known(heard.participant)) return;
+  if (!is_sealed() || heard.group != settings_.group || !table_.neighbours().is_known(heard.participant)) return;
   for (const announcement::Introduction& one : heard.introductions) {
     const auto address = base::parse_address(one.address);
     const bool is_ours = std::ranges::any_of(env_.interfaces(), [&](const env::Interface& interface) {
       return std::ranges::find(interface.addresses, one.address) != interface.addresses.end();
     });
     if (!address || is_ours || address->scope() == base::AddressScope::loopback) continue;
-    if (one.participant == announcer_.id() || neighbours_.is_known(one.participant)) continue;
+    if (one.participant == announcer_.id() || table_.neighbours().is_known(one.participant)) continue;
     deaf_hosts_.introduce({.participant = one.participant, .interface = on.index, .address = one.address},
                           settings_.interval, env_.now());
   }
 }
 
 void Air::reach_lost(base::Instant now) {
-  if (!is_sealed() || neighbours_.next_deadline() > now) return;
-  neighbours_.for_each([&](const membership::Neighbour& one) {
+  if (!is_sealed() || table_.next_deadline() > now) return;
+  table_.neighbours().for_each([&](const membership::Neighbour& one) {
     if (one.deadline > now || one.paths.empty() || !one.through.empty() || one.paths.front().addresses.empty()) return;
     deaf_hosts_.lose({.participant = one.id,
                       .interface = one.paths.front().interface,
@@ -250,7 +250,7 @@ void Air::speak_to(const announcement::Announcement& heard, const env::Interface
   if (hearing == Hearing::own || hearing == Hearing::clash || hearing == Hearing::other_group) return;
   const bool is_guest = is_sealed && env_.is_sender_unnamed();
   if (!on.ipv6_side_of && !is_guest) return;
-  const auto known = neighbours_.find(heard.participant);
+  const auto known = table_.neighbours().find(heard.participant);
   const base::Duration time =
       announcement::contest_intervals * std::max(known ? known->interval : base::Duration(0), settings_.interval);
   dual_stack_.hear(heard, on, env_.now() + time);
@@ -258,7 +258,7 @@ void Air::speak_to(const announcement::Announcement& heard, const env::Interface
 }
 
 void Air::shed() {
-  const std::size_t given_up = neighbours_.shed(env_.now());
+  const std::size_t given_up = table_.shed(env_.now());
   env_.log().write(base::LogLevel::warning,
                    "memory is short: " + std::to_string(given_up) +
                        " participants that were heard last are given up, and further ones "
@@ -268,15 +268,15 @@ void Air::shed() {
 
 void Air::expire() {
   const base::Instant now = env_.now();
-  if (const base::Instant due = neighbours_.next_deadline(); due < now - late_after) {
-    neighbours_.postpone(now + time_to_catch_up);
+  if (const base::Instant due = table_.next_deadline(); due < now - late_after) {
+    table_.postpone(now + time_to_catch_up);
   }
   reach_lost(now);
-  if (const std::size_t lost = neighbours_.expire(now); lost > 0) announcer_.lost(lost);
+  if (const std::size_t lost = table_.expire(now); lost > 0) announcer_.lost(lost);
 }
 
 std::vector<membership::Change> Air::take_changes() {
-  auto changes = neighbours_.take_changes();
+  auto changes = table_.take_changes();
   for (const membership::Change& change : changes) {
     const auto* gone = std::get_if<membership::RemoveParticipant>(&change);
     if (gone == nullptr) continue;

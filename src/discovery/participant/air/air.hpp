@@ -45,9 +45,9 @@ class Air {
   /// Gives up the participants that were heard last, and takes in no further ones for a while
   /// (NeighbourTable::shed()).
   void shed();
-  void forget_interface(env::InterfaceIndex interface) { neighbours_.forget_interface(interface); }
+  void forget_interface(env::InterfaceIndex interface) { table_.forget_interface(interface); }
   /// Judges anew which participants can be reached: Env::route() may answer otherwise than before.
-  void judge_reach() { neighbours_.judge_reach(); }
+  void judge_reach() { table_.judge_reach(); }
   /// The changes of neighbours since the last call, in the order in which the registry must make them.
   [[nodiscard]] std::vector<membership::Change> take_changes();
   /// Whether all that we say is said on this interface, too.
@@ -60,7 +60,7 @@ class Air {
 
   [[nodiscard]] Announcer& announcer() { return announcer_; }
   [[nodiscard]] const Announcer& announcer() const { return announcer_; }
-  [[nodiscard]] const membership::NeighbourTable& neighbours() const { return neighbours_; }
+  [[nodiscard]] const membership::NeighbourTable& table() const { return table_; }
   [[nodiscard]] const sealing::Seal& seal() const { return seal_; }
   [[nodiscard]] const AirCounters& counters() const { return counters_; }
   [[nodiscard]] const DeafHosts& deaf_hosts() const { return deaf_hosts_; }
@@ -110,7 +110,7 @@ class Air {
   const TeamSettings& settings_;
   OwnState own_;
   AirCounters counters_;
-  membership::NeighbourTable neighbours_;
+  membership::NeighbourTable table_;
   sealing::Seal seal_;  ///< all that goes out or comes in passes it
   DualStack dual_stack_;
   OneWay one_way_;

@@ -38,14 +38,14 @@ Announcer::Announcer(const Means& means)
     : means_(means),
       boot_(announcement::BootNonce(means.env.random_bits())),
       claim_(means.env.random_bits(),
-             [&neighbours = means.neighbours](ParticipantId id) { return neighbours.is_known(id); }),
+             [&neighbours = means.table.neighbours()](ParticipantId id) { return neighbours.is_known(id); }),
       schedule_(schedule_options(means.settings), means.env.random_bits()),
       outlet_({.env = means.env, .seal = means.seal, .deaf_hosts = means.deaf_hosts, .counters = means.counters},
               means.env.random_bits()) {}
 
 void Announcer::start() {
   claim_.start(means_.env.now());
-  means_.neighbours.set_self(claim_.id(), boot_);
+  means_.table.set_self(claim_.id(), boot_);
 }
 
 void Announcer::stop() {
@@ -87,15 +87,15 @@ void Announcer::announce() {
   if (!claim_.is_held()) return;
   if (std::exchange(is_changed_, false)) {
     is_untold_ = true;
-    schedule_.set_loss(means_.neighbours.loss());
+    schedule_.set_loss(means_.table.neighbours().loss());
     schedule_.changed(is_new_to_others() ? membership::Schedule::Say::state : membership::Schedule::Say::change, now);
   }
-  const std::uint8_t doublings = membership::doublings_for(means_.neighbours.seasoned(), doublings_);
+  const std::uint8_t doublings = membership::doublings_for(means_.table.seasoned(), doublings_);
   if (doublings < doublings_ || !schedule_.is_slowing()) doublings_ = doublings;
   schedule_.set_doublings(doublings_, now);
-  schedule_.ask(means_.neighbours.lacks_anybody(now), means_.neighbours.doubts_anybody(), now);
-  if (means_.neighbours.is_unlike(now)) schedule_.differ(now);
-  schedule_.search(search_.spacing(means_.neighbours.size(), interval(), now), now);
+  schedule_.ask(means_.table.lacks_anybody(now), means_.table.doubts_anybody(), now);
+  if (means_.table.witnesses().is_unlike(now)) schedule_.differ(now);
+  schedule_.search(search_.spacing(means_.table.neighbours().size(), interval(), now), now);
   be_silent_on_ipv6_sides();
   schedule_.challenge(means_.seal.asks(now) || means_.seal.is_asked(now), now);
   for (;;) {
@@ -112,7 +112,7 @@ void Announcer::announce() {
         send(change());
         break;
       case membership::Schedule::Say::presence:
-        schedule_.set_loss(means_.neighbours.loss());
+        schedule_.set_loss(means_.table.neighbours().loss());
         send(presence());
         break;
     }
@@ -146,7 +146,7 @@ bool Announcer::is_new_to_others() {
 
 void Announcer::update_log(base::Instant now) {
   if (std::exchange(is_untold_, false)) {
-    means_.neighbours.set_revision(++revision_);
+    means_.table.set_revision(++revision_);
     changed_ = now;
   }
   if (log_.state().revision != revision_ || log_.state().participant != claim_.id()) log_.update(state(), now);
@@ -239,20 +239,20 @@ void Announcer::heard_presence(const Heard& heard) {
     schedule_.leave_testimony();
     testifies_for_ = {};
   }
-  const bool misses_us = means_.neighbours.misses_us(presence, changed_, interval(), now);
+  const bool misses_us = means_.table.misses_us(presence, changed_, interval(), now);
   const bool may_lack_change = misses_us && now - changed_ < membership::doubtful_intervals * interval();
-  const membership::Difference difference = means_.neighbours.compare(presence, now);
+  const membership::Difference difference = means_.table.compare(presence, now);
   if (difference.unknown == membership::Unknown::us) schedule_.lacked(now);
   if (difference.lacks_our_state) schedule_.seems_lacked(now);
   if (may_lack_change) schedule_.differ(now);
-  if (means_.neighbours.doubts_anybody() && means_.neighbours.hear_doubts(presence.doubts, now)) {
+  if (means_.table.doubts_anybody() && means_.table.hear_doubts(presence.doubts, now)) {
     schedule_.asked_by_another(now);
   }
   if (names(presence.doubts, claim_.id())) {
     schedule_.doubted(now);
     return;
   }
-  const auto is_heard = [&](ParticipantId id) { return means_.neighbours.is_heard_lately(id, now); };
+  const auto is_heard = [&](ParticipantId id) { return means_.table.witnesses().has_heard(id, now); };
   const auto doubted = std::ranges::find_if(presence.doubts, is_heard);
   if (doubted == presence.doubts.end()) return;
   const bool is_one = std::find_if(doubted + 1, presence.doubts.end(), is_heard) == presence.doubts.end();
@@ -279,7 +279,7 @@ Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
       return Consequence::nothing;
     case membership::IdentifierClaim::Verdict::redrawn:
       ++means_.counters.redraws;
-      means_.neighbours.set_self(claim_.id(), boot_);
+      means_.table.set_self(claim_.id(), boot_);
       return Consequence::nothing;
     case membership::IdentifierClaim::Verdict::dropped:
       ++means_.counters.redraws;
@@ -290,7 +290,7 @@ Announcer::Consequence Announcer::heard_clash(const Heard& heard) {
           {.participant = to_string(lost), .code = "clash"});
       send(header(announcement::Kind::goodbye, lost));
       schedule_.pause();
-      means_.neighbours.set_self(claim_.id(), boot_);
+      means_.table.set_self(claim_.id(), boot_);
       return Consequence::nothing;
     case membership::IdentifierClaim::Verdict::failed:
       return Consequence::failed;
@@ -352,7 +352,7 @@ announcement::Announcement Announcer::header(announcement::Kind kind, Participan
 announcement::Announcement Announcer::presence() {
   announcement::Announcement presence = header(announcement::Kind::presence, claim_.id());
   presence.revision = revision_;
-  membership::Report report = means_.neighbours.report(means_.env.now());
+  membership::Report report = means_.table.report(means_.env.now());
   presence.witness = std::move(report.witness);
   presence.lacks = std::move(report.lacks);
   presence.doubts = std::move(report.doubts);

@@ -48,7 +48,7 @@ class Announcer {
     env::Env& env;
     const TeamSettings& settings;
     const OwnState& own;
-    membership::NeighbourTable& neighbours;
+    membership::NeighbourTable& table;
     sealing::Seal& seal;
     DualStack& dual_stack;
     DeafHosts& deaf_hosts;
@@ -85,7 +85,9 @@ class Announcer {
   /// Makes our presence due, since something is to be said with it.
   void show();
   /// The deadlines of so many participants have passed that may come back into reach.
-  void lost(std::size_t participants) { search_.begin(means_.neighbours.size() + participants, means_.env.now()); }
+  void lost(std::size_t participants) {
+    search_.begin(means_.table.neighbours().size() + participants, means_.env.now());
+  }
   /// The instant at which step_claim() or announce() has something to do, or base::never.
   [[nodiscard]] base::Instant due() const;
 

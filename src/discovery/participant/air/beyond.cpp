@@ -19,8 +19,8 @@ bool is_taken(Hearing hearing) {
 
 Beyond::Beyond(const Means& means) : means_(means), voucher_(means.seal), recall_(means.seal) {
   if (!means.settings.relay) return;
-  relay_.emplace(means.env, means.neighbours);
-  keeping_.emplace(means.env, means.neighbours, *relay_);
+  relay_.emplace(means.env, means.table.neighbours());
+  keeping_.emplace(means.env, means.table.neighbours(), *relay_);
 }
 
 const announcement::Announcement* Beyond::unwrap(const announcement::Announcement& relayed, bool is_believed) {
@@ -31,7 +31,7 @@ const announcement::Announcement* Beyond::unwrap(const announcement::Announcemen
   const base::Instant now = means_.env.now();
   const auto word = voucher_.unwrap(relayed, means_.announcer.id(), now);
   if (!word) return nullptr;
-  if (!means_.neighbours.is_heard_directly((*word)->participant, now)) return *word;
+  if (!means_.table.neighbours().is_heard_directly((*word)->participant, now)) return *word;
   voucher_.refuse(relaying::Refusal::near);
   return nullptr;
 }
@@ -46,7 +46,7 @@ membership::Passage Beyond::passage(std::vector<ParticipantId> through, const en
                               .delay = {}};
   passage.hops = passage.through.size();
   for (const ParticipantId id : passage.through) {
-    const auto relay = means_.neighbours.reach(id);
+    const auto relay = means_.table.neighbours().reach(id);
     if (relay) passage.interval = relay->interval;
     if (relay) passage.loss = relay->loss;  // that of the last one counts all hops to it
     passage.delay += passage.interval;
@@ -67,12 +67,12 @@ void Beyond::hear_presence(const announcement::Announcement& presence, const env
   const env::InterfaceIndex link = relaying::link_of(on);
   if (hearing == Hearing::known && !presence.behind.empty()) {
     const membership::Passage passage = this->passage({presence.participant}, on);
-    means_.neighbours.hear_behind(presence, passage, now);
+    means_.table.hear_behind(presence, passage, now);
     if (relay_) relay_->hear_behind(link, presence, passage.interval);
   }
   if (!relay_) return;
   hear_doubts(presence.doubts, link);
-  for (const ParticipantId id : relay_->elsewhere(link, presence.lacks)) means_.neighbours.suspect(id, now);
+  for (const ParticipantId id : relay_->elsewhere(link, presence.lacks)) means_.table.suspect(id, now);
 }
 
 /// Those who doubt a participant on one link hear of it through us: we tell what we know, or ask on the other links.
@@ -80,11 +80,11 @@ void Beyond::hear_doubts(const std::vector<ParticipantId>& doubts, env::Interfac
   const base::Instant now = means_.env.now();
   relay_->hear_doubts(link, doubts);
   for (const ParticipantId id : relay_->elsewhere(link, doubts)) {
-    const auto reach = means_.neighbours.reach(id);
+    const auto reach = means_.table.neighbours().reach(id);
     if (now - reach->heard < reach->interval) {
       means_.announcer.show();
     } else {
-      means_.neighbours.doubt(id, now);
+      means_.table.doubt(id, now);
     }
   }
 }
@@ -139,7 +139,7 @@ std::vector<announcement::Announcement> Beyond::recall(const announcement::Annou
   std::vector<announcement::Announcement> all;
   if (hearing != Hearing::known || recall_.pending() == 0) return all;
   for (const announcement::Behind& one : presence.behind) {
-    if (one.participant == means_.announcer.id() || means_.neighbours.is_known(one.participant)) continue;
+    if (one.participant == means_.announcer.id() || means_.table.neighbours().is_known(one.participant)) continue;
     auto words = recall_.recall(session, presence.participant, one);
     recalled_ += words.empty() ? 0 : 1;
     std::ranges::move(words, std::back_inserter(all));
@@ -178,7 +178,7 @@ void Beyond::keep_what_is_due() {
   using What = relaying::Keeping::Errand::What;
   while (const auto errand = keeping_->next(means_.announcer.id())) {
     if (errand->what == What::keep && seals()) keep(*errand);
-    if (errand->what == What::ask) means_.neighbours.suspect(errand->participant, means_.env.now());
+    if (errand->what == What::ask) means_.table.suspect(errand->participant, means_.env.now());
     if (errand->what == What::drop) {
       means_.announcer.outlet().hand(errand->link, keeping::write(keeping::Drop{errand->participant}));
     }

@@ -35,7 +35,7 @@ class Beyond {
   struct Means {
     const env::Env& env;
     const TeamSettings& settings;
-    membership::NeighbourTable& neighbours;
+    membership::NeighbourTable& table;
     sealing::Seal& seal;
     Announcer& announcer;
   };

@@ -24,13 +24,13 @@ std::string address_on(const membership::Neighbour& neighbour, env::InterfaceInd
 
 bool Introductions::is_due(base::Instant now) {
   const base::Duration interval = settings_.interval;
-  if (!neighbours_.anybody_knows_others()) {
+  if (!table_.witnesses().anybody_knows_others()) {
     begin_ = base::never;
     return false;
   }
-  if (begin_ == base::never || roster_ != neighbours_.roster()) {
+  if (begin_ == base::never || roster_ != table_.neighbours().roster()) {
     pause_ = introducing_intervals;
-    roster_ = neighbours_.roster();
+    roster_ = table_.neighbours().roster();
     if (begin_ == base::never || now >= end_ || now < begin_) begin_ = now;
     end_ = begin_ + introducing_intervals * interval;
   }
@@ -47,10 +47,10 @@ void Introductions::add_to(announcement::Announcement& presence, env::InterfaceI
   if (presence.kind != announcement::Kind::presence || !is_sealed || !is_due(now)) return;
   auto& all = presence.introductions;  // in ascending order
   bool is_needed = false;
-  neighbours_.for_each([&](const membership::Neighbour& one) {
+  table_.neighbours().for_each([&](const membership::Neighbour& one) {
     std::string address = address_on(one, interface);
     if (address.empty()) return;
-    is_needed = is_needed || neighbours_.knows_others(one.id);
+    is_needed = is_needed || table_.witnesses().knows_others(one.id);
     all.push_back({one.id, std::move(address)});
   });
   if (!is_needed || all.size() < 2) {

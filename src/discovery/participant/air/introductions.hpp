@@ -21,8 +21,8 @@ inline constexpr int longest_introducing_pause = 256;
 class Introductions {
  public:
   /// Borrows all for its life.
-  Introductions(const membership::NeighbourTable& neighbours, const sealing::Seal& seal, const TeamSettings& settings)
-      : neighbours_(neighbours), seal_(seal), settings_(settings) {}
+  Introductions(const membership::NeighbourTable& table, const sealing::Seal& seal, const TeamSettings& settings)
+      : table_(table), seal_(seal), settings_(settings) {}
 
   /// Adds neighbours to a presence that goes out on this interface: those that are heard there, in turn, while somebody
   /// who hears us there knows others than we do. Only where announcements are sealed, since a receiver sends to the
@@ -32,7 +32,7 @@ class Introductions {
  private:
   [[nodiscard]] bool is_due(base::Instant now);
 
-  const membership::NeighbourTable& neighbours_;
+  const membership::NeighbourTable& table_;
   const sealing::Seal& seal_;
   const TeamSettings& settings_;
   base::Instant begin_ = base::never;  ///< of the series under way, or of the next one; never: nobody needs any

@@ -6,11 +6,11 @@
 
 namespace geminga::participant {
 
-void OneWay::hear(const announcement::Announcement& presence, const membership::NeighbourTable& neighbours,
+void OneWay::hear(const announcement::Announcement& presence, const membership::NeighbourTable& table,
                   std::string_view source, std::string_view interface, base::LogSink& log) {
-  const bool is_deaf = neighbours.is_surely_deaf_to_us(presence.participant);
+  const bool is_deaf = table.witnesses().is_surely_deaf_to_us(presence.participant);
   if (is_deaf == told_.contains(presence.participant)) return;
-  const auto known = neighbours.find(presence.participant);
+  const auto known = table.neighbours().find(presence.participant);
   const std::string id = to_string(presence.participant);
   const std::string name = base::printable(known ? known->name : id);
   if (!is_deaf) {
@@ -19,7 +19,7 @@ void OneWay::hear(const announcement::Announcement& presence, const membership::
     return;
   }
   if (told_.size() >= max_named_deaf) {
-    std::erase_if(told_, [&](ParticipantId one) { return !neighbours.is_known(one); });
+    std::erase_if(told_, [&](ParticipantId one) { return !table.neighbours().is_known(one); });
     if (told_.size() >= max_named_deaf) return;
   }
   told_.insert(presence.participant);

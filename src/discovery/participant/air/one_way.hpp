@@ -21,7 +21,7 @@ class OneWay {
  public:
   /// To be called with each presence of a neighbour that was heard, and where it came from. Costs next to nothing while
   /// nothing changes.
-  void hear(const announcement::Announcement& presence, const membership::NeighbourTable& neighbours,
+  void hear(const announcement::Announcement& presence, const membership::NeighbourTable& table,
             std::string_view source, std::string_view interface, base::LogSink& log);
 
  private:

@@ -301,7 +301,7 @@ std::shared_ptr<const vocabulary::Chain> chain_of(const matching::Examination& e
                                  examination.vocabulary(), asked.request->asks.chains);
 }
 
-std::vector<Check> checks_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,
+std::vector<Check> checks_of(const matching::Matcher& matcher, const membership::Neighbours& neighbours,
                              const Asked& asked, const PublicationEntry& offer, Depth depth) {
   std::vector<Check> checks{check_mode(asked, offer), check_identity(matcher.examination(), asked, offer, depth),
                             check_provider(asked, offer), check_protocol(asked.entry.subscription, offer),
@@ -330,7 +330,7 @@ const Check* first_obstacle(const std::vector<Check>& checks) {
   return nullptr;
 }
 
-Check misfit_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours, const Asked& asked,
+Check misfit_of(const matching::Matcher& matcher, const membership::Neighbours& neighbours, const Asked& asked,
                 const PublicationEntry& offer, Obstacle obstacle) {
   switch (obstacle) {
     case Obstacle::mode:

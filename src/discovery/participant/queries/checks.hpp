@@ -12,7 +12,7 @@
 #include "discovery/matching/matcher.hpp"
 #include "discovery/matching/obstacle.hpp"
 #include "discovery/matching/request.hpp"
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbours.hpp"
 #include "discovery/participant/clients/answering.hpp"
 
 namespace geminga::participant {
@@ -54,14 +54,13 @@ inline constexpr std::size_t max_proof_bytes = 4096;
 
 /// Checks mode, identity, provider, protocol and condition, and, where there are any, the scopes, the provider's
 /// condition, the signature, and an address that cannot be reached.
-[[nodiscard]] std::vector<Check> checks_of(const matching::Matcher& matcher,
-                                           const membership::NeighbourTable& neighbours, const Asked& asked,
-                                           const registry::PublicationEntry& offer, Depth depth);
+[[nodiscard]] std::vector<Check> checks_of(const matching::Matcher& matcher, const membership::Neighbours& neighbours,
+                                           const Asked& asked, const registry::PublicationEntry& offer, Depth depth);
 /// The first failed check, in the order identity, mode, protocol, provider, scope, condition, the provider's condition,
 /// signature, reach, arbitration; null where none failed.
 [[nodiscard]] const Check* first_obstacle(const std::vector<Check>& checks);
 /// The check that fails first for a pair that does not meet.
-[[nodiscard]] Check misfit_of(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours,
+[[nodiscard]] Check misfit_of(const matching::Matcher& matcher, const membership::Neighbours& neighbours,
                               const Asked& asked, const registry::PublicationEntry& offer, matching::Obstacle obstacle);
 
 /// Appends `check ok text`, those of `code mend proof` that are not empty, and what is missing.

@@ -48,18 +48,17 @@ Line line_of(const Witness& witness, const std::optional<membership::NamedTestim
 
 }  // namespace
 
-Answering begin_hearing(const env::Env& env, const membership::NeighbourTable& neighbours) {
+Answering begin_hearing(const env::Env& env, const membership::NeighbourTable& table) {
   std::vector<Witness> witnesses;
-  neighbours.for_each([&](const membership::Neighbour& one) { witnesses.push_back({one.id, one.name}); });
+  table.neighbours().for_each([&](const membership::Neighbour& one) { witnesses.push_back({one.id, one.name}); });
   std::ranges::sort(witnesses, {}, &Witness::id);
   Answering answering{.kind = "hearing", .proceed = {}};
-  answering.proceed = [&env, &neighbours, witnesses = std::move(witnesses),
-                       next = std::size_t{0}](Piece& piece) mutable {
+  answering.proceed = [&env, &table, witnesses = std::move(witnesses), next = std::size_t{0}](Piece& piece) mutable {
     for (; next < witnesses.size(); ++next) {
       if (piece.is_full()) return false;
       piece.look_at(1 + witnesses.size() / names_per_entry);
-      Line line = line_of(witnesses[next], neighbours.last_word(witnesses[next].id), env.now());
-      append_way(line, witnesses[next].id, neighbours);
+      Line line = line_of(witnesses[next], table.witnesses().last_word(witnesses[next].id), env.now());
+      append_way(line, witnesses[next].id, table.neighbours());
       piece.tell(std::move(line));
     }
     return true;

@@ -12,7 +12,7 @@
 
 #include "discovery/gcnp/parameters.hpp"
 #include "discovery/matching/matcher.hpp"
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbours.hpp"
 #include "discovery/participant/clients/answering.hpp"
 #include "discovery/participant/knowledge/resolver.hpp"
 
@@ -32,7 +32,7 @@ inline void append_flag(Line& line, std::string_view key, bool value) { append(l
 
 /// The time since an entry was last heard; 0 for one of our own.
 template <typename Entry>
-[[nodiscard]] std::string age(const registry::Table<Entry>& known, const membership::NeighbourTable& neighbours,
+[[nodiscard]] std::string age(const registry::Table<Entry>& known, const membership::Neighbours& neighbours,
                               base::Instant now, const Entry& entry) {
   if (entry.is_local) return "0.000";
   const auto* stored = known.find(entry.key);

@@ -14,7 +14,7 @@ constexpr std::uint32_t unnamed_classes = 2;
 }  // namespace
 
 Answer answer_ontology(const vocabulary::Vocabulary& vocabulary, const OntologyReading& reading,
-                       const membership::NeighbourTable& neighbours, base::Instant now) {
+                       const membership::Neighbours& neighbours, base::Instant now) {
   Answer answer{.kind = "ontology", .lines = {{}}, .end = {}};
   append_flag(answer.lines.front(), "loaded", vocabulary.is_loaded());
   append(answer.lines.front(), "digest", digest_word(vocabulary.digest()));

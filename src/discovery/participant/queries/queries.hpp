@@ -27,7 +27,7 @@ namespace geminga::participant {
 struct Listed {
   const env::Env& env;
   const matching::Matcher& matcher;
-  const membership::NeighbourTable& neighbours;
+  const membership::Neighbours& neighbours;
   Resolver& resolver;
 };
 
@@ -43,10 +43,10 @@ struct Listed {
                                                           const gcnp::QueryExplain& query);
 [[nodiscard]] Answer answer_concepts(const vocabulary::Vocabulary& vocabulary, const gcnp::QueryConcepts& query);
 [[nodiscard]] Answer answer_ontology(const vocabulary::Vocabulary& vocabulary, const OntologyReading& reading,
-                                     const membership::NeighbourTable& neighbours, base::Instant now);
+                                     const membership::Neighbours& neighbours, base::Instant now);
 [[nodiscard]] Answer answer_interfaces(const env::Env& env, Air& air);
 [[nodiscard]] Answer answer_peers(const Sessions& sessions);
-[[nodiscard]] Answer answer_security(const sealing::Seal& seal, const membership::NeighbourTable& neighbours,
+[[nodiscard]] Answer answer_security(const sealing::Seal& seal, const membership::Neighbours& neighbours,
                                      base::Instant now);
 
 /// The answer to `query diagnosis`: `diagnosis` is null while the participant is being asked.
@@ -65,11 +65,11 @@ struct Listed {
 [[nodiscard]] std::expected<Answering, Error> begin_participants(
     const Listed& by, const Overlaps& overlaps, const Self& self, const gcnp::QueryParticipants& query,
     std::function<std::optional<Line>(ParticipantId)> line_of);
-[[nodiscard]] Answering begin_hearing(const env::Env& env, const membership::NeighbourTable& neighbours);
+[[nodiscard]] Answering begin_hearing(const env::Env& env, const membership::NeighbourTable& table);
 [[nodiscard]] std::expected<Answering, Error> begin_taxonomy(const Listed& by, const gcnp::QueryTaxonomy& query);
 /// The matcher judges a subscription that it is asked about where that is still to be done.
 [[nodiscard]] std::expected<Answering, Error> begin_why(matching::Matcher& matcher, const Overlaps& overlaps,
-                                                        const membership::NeighbourTable& neighbours, const Stating& by,
+                                                        const membership::Neighbours& neighbours, const Stating& by,
                                                         const gcnp::QueryWhy& query);
 
 }  // namespace geminga::participant

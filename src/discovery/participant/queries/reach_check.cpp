@@ -9,7 +9,7 @@ using matching::Obstacle;
 using membership::Reachability;
 
 /// The cause, to stand behind a comma; empty where the participant can be reached meanwhile.
-std::string cause_of(const membership::NeighbourTable& neighbours, ParticipantId participant) {
+std::string cause_of(const membership::Neighbours& neighbours, ParticipantId participant) {
   const auto reach = neighbours.reach(participant);
   if (!reach || reach->reachability == Reachability::reachable) return "";
   if (reach->reachability == Reachability::no_route) return ", since this host has no route to it";
@@ -19,7 +19,7 @@ std::string cause_of(const membership::NeighbourTable& neighbours, ParticipantId
 
 }  // namespace
 
-Check check_reach(const membership::NeighbourTable& neighbours, const Asked& asked,
+Check check_reach(const membership::Neighbours& neighbours, const Asked& asked,
                   const registry::PublicationEntry& offer) {
   const std::string text = "the address " + offer.publication.address + " is not reachable from here" +
                            cause_of(neighbours, offer.key.participant);

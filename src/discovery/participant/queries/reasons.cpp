@@ -36,7 +36,7 @@ std::string gaps_of(const Asked& asked) {
 }
 
 /// Whether somebody on the air has another ontology, by which concepts may be offered that are unknown here.
-bool has_other_ontologies(const membership::NeighbourTable& neighbours, std::uint64_t digest) {
+bool has_other_ontologies(const membership::Neighbours& neighbours, std::uint64_t digest) {
   bool has_others = false;
   neighbours.for_each(
       [&](const membership::Neighbour& one) { has_others = has_others || one.ontology_digest != digest; });

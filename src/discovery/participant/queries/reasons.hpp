@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "discovery/matching/matcher.hpp"
-#include "discovery/membership/neighbour_table.hpp"
+#include "discovery/membership/neighbours.hpp"
 #include "discovery/participant/queries/checks.hpp"
 
 namespace geminga::participant {
@@ -72,7 +72,7 @@ void append_because(Line& line, const Reason& reason);
 class Reasons {
  public:
   /// Borrows both for its life.
-  Reasons(const matching::Matcher& matcher, const membership::NeighbourTable& neighbours)
+  Reasons(const matching::Matcher& matcher, const membership::Neighbours& neighbours)
       : matcher_(matcher), neighbours_(neighbours) {}
 
   /// From what is known already; the nearest offer may be gone since.
@@ -97,7 +97,7 @@ class Reasons {
   [[nodiscard]] std::string beside_other_ontology(ParticipantId user) const;
 
   const matching::Matcher& matcher_;
-  const membership::NeighbourTable& neighbours_;
+  const membership::Neighbours& neighbours_;
   std::size_t searches_left_ = max_searched_names;
 };
 

@@ -72,7 +72,7 @@ Line source_line(base::Instant now, const sealing::Rejected& rejected) {
 
 }  // namespace
 
-Answer answer_security(const sealing::Seal& seal, const membership::NeighbourTable& neighbours, base::Instant now) {
+Answer answer_security(const sealing::Seal& seal, const membership::Neighbours& neighbours, base::Instant now) {
   Answer answer{.kind = "security", .lines = {our_line(seal)}, .end = {}};
   for (const auto& [outcome, count] : seal.ledger().recent()) answer.lines.push_back(outcome_line(outcome, count));
   neighbours.for_each([&](const membership::Neighbour& one) { answer.lines.push_back(member_line(seal, one)); });

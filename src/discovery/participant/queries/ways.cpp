@@ -8,7 +8,7 @@
 namespace geminga::participant {
 namespace {
 
-gcnp::Way way_of(const membership::Reach& reach, const membership::NeighbourTable& neighbours) {
+gcnp::Way way_of(const membership::Reach& reach, const membership::Neighbours& neighbours) {
   if (reach.hops == 0) return {};
   const auto neighbour = neighbours.find(reach.id);
   std::vector<std::string> names;
@@ -21,12 +21,12 @@ gcnp::Way way_of(const membership::Reach& reach, const membership::NeighbourTabl
 
 }  // namespace
 
-gcnp::Way way_of(ParticipantId participant, const membership::NeighbourTable& neighbours) {
+gcnp::Way way_of(ParticipantId participant, const membership::Neighbours& neighbours) {
   const auto reach = neighbours.reach(participant);
   return reach ? way_of(*reach, neighbours) : gcnp::Way();
 }
 
-void append_way(Line& line, ParticipantId participant, const membership::NeighbourTable& neighbours) {
+void append_way(Line& line, ParticipantId participant, const membership::Neighbours& neighbours) {
   const auto reach = neighbours.reach(participant);
   if (!reach) return;
   gcnp::Way way = way_of(*reach, neighbours);
@@ -34,7 +34,7 @@ void append_way(Line& line, ParticipantId participant, const membership::Neighbo
   gcnp::append_way(line, way);
 }
 
-std::string observed_address(ParticipantId participant, const membership::NeighbourTable& neighbours) {
+std::string observed_address(ParticipantId participant, const membership::Neighbours& neighbours) {
   const auto reach = neighbours.reach(participant);
   return reach ? membership::observed_address(*reach) : std::string();
 }

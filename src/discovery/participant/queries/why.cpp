@@ -27,7 +27,7 @@ using registry::SubscriptionEntry;
 /// One request and one offer, aspect by aspect.
 class PairAnswer {
  public:
-  PairAnswer(matching::Matcher& matcher, const Overlaps& overlaps, const membership::NeighbourTable& neighbours,
+  PairAnswer(matching::Matcher& matcher, const Overlaps& overlaps, const membership::Neighbours& neighbours,
              Asked asked, Offered offer)
       : matcher_(matcher),
         overlaps_(overlaps),
@@ -88,7 +88,7 @@ class PairAnswer {
 
   matching::Matcher& matcher_;
   const Overlaps& overlaps_;
-  const membership::NeighbourTable& neighbours_;
+  const membership::Neighbours& neighbours_;
   Asked asked_;
   Offered offer_;
   std::vector<Check> checks_;
@@ -101,8 +101,8 @@ class PairAnswer {
 /// Everybody who answers a request or comes near.
 class RequestAnswer {
  public:
-  RequestAnswer(const matching::Matcher& matcher, const Overlaps& overlaps,
-                const membership::NeighbourTable& neighbours, Asked asked)
+  RequestAnswer(const matching::Matcher& matcher, const Overlaps& overlaps, const membership::Neighbours& neighbours,
+                Asked asked)
       : matcher_(matcher), neighbours_(neighbours), survey_(matcher, overlaps, std::move(asked)) {}
 
   bool operator()(Piece& piece) {
@@ -198,7 +198,7 @@ class RequestAnswer {
   }
 
   const matching::Matcher& matcher_;
-  const membership::NeighbourTable& neighbours_;
+  const membership::Neighbours& neighbours_;
   Survey survey_;
   bool is_surveyed_ = false;
   std::vector<ServiceKey> chosen_;
@@ -209,7 +209,7 @@ class RequestAnswer {
 /// Everybody who takes an offer, has better ones or comes near.
 class OfferAnswer {
  public:
-  OfferAnswer(matching::Matcher& matcher, const Overlaps& overlaps, const membership::NeighbourTable& neighbours,
+  OfferAnswer(matching::Matcher& matcher, const Overlaps& overlaps, const membership::Neighbours& neighbours,
               Offered offer)
       : matcher_(matcher), overlaps_(overlaps), neighbours_(neighbours), demand_(matcher, overlaps, std::move(offer)) {}
 
@@ -312,7 +312,7 @@ class OfferAnswer {
 
   matching::Matcher& matcher_;
   const Overlaps& overlaps_;
-  const membership::NeighbourTable& neighbours_;
+  const membership::Neighbours& neighbours_;
   Demand demand_;
   bool is_walked_ = false;
   std::vector<Entry> list_;
@@ -325,7 +325,7 @@ class OfferAnswer {
 }  // namespace
 
 std::expected<Answering, Error> begin_why(matching::Matcher& matcher, const Overlaps& overlaps,
-                                          const membership::NeighbourTable& neighbours, const Stating& by,
+                                          const membership::Neighbours& neighbours, const Stating& by,
                                           const gcnp::QueryWhy& query) {
   auto asked = asked_of(by, query);
   if (!asked) return std::unexpected(std::move(asked.error()));

@@ -143,7 +143,7 @@ TEST(ChangeLog, LeadsWhoeverMissesHalfOfItToTheSameState) {
           heard.clear();
         }
       }
-      const auto known = table.find(ParticipantId{1});
+      const auto known = table.neighbours().find(ParticipantId{1});
       const bool has_heard_of_it = known && known->heard == now;
       if (!has_heard_of_it || !known->is_complete || !table.report(now).lacks.empty()) continue;
       ++complete;
