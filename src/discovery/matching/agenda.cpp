@@ -89,7 +89,7 @@ void Agenda::judge(const StoredPublication& publication, std::unique_ptr<Cause> 
                       .cause = std::move(cause),
                       .left = std::move(concerned),
                       .look_back = must_look_back ? std::optional<std::uint32_t>(0) : std::nullopt,
-                      .is_done = std::vector<bool>(directory_.subscription_slots())});
+                      .is_done = std::vector<bool>(directory_.requests().slots())});
 }
 
 Agenda::Review Agenda::review(const StoredSubscription& subscription, Review::Kind kind) const {
@@ -113,7 +113,8 @@ void Agenda::judge(const StoredSubscription& subscription, std::unique_ptr<Cause
 }
 
 void Agenda::judge_services_of(ParticipantId participant) {
-  for (const ServiceKey& subscription : directory_.asking_on()) described_.emplace(subscription, participant);
+  for (const ServiceKey& subscription : directory_.requests().asking_on())
+    described_.emplace(subscription, participant);
 }
 
 void Agenda::judge_anew(const std::vector<const StoredSubscription*>& subscriptions) {
@@ -142,7 +143,7 @@ void Agenda::proceed(Spread& spread) {
       spread.look_back.reset();
     } else {
       spread.look_back = next->first + 1;
-      judge_one(spread, directory_.subscription_at(next->first));
+      judge_one(spread, directory_.requests().at(next->first));
     }
   }
 }
@@ -150,7 +151,7 @@ void Agenda::proceed(Spread& spread) {
 void Agenda::judge_one(Spread& spread, const StoredSubscription& subscription) {
   if (subscription.slot >= spread.is_done.size() || spread.is_done[subscription.slot]) return;
   spread.is_done[subscription.slot] = true;
-  if (directory_.is_going(subscription) || !pairs_.concerns(subscription, *spread.publication)) return;
+  if (directory_.requests().is_going(subscription) || !pairs_.concerns(subscription, *spread.publication)) return;
   // A subscription that has taken it up since then was told of it as it is.
   const bool knew_it = spread.cause != nullptr && !pairs_.has_taken(subscription.slot);
   Cause nothing;
@@ -162,7 +163,7 @@ void Agenda::judge_one(Spread& spread, const StoredSubscription& subscription) {
 void Agenda::proceed(Review& review) {
   const StoredSubscription& subscription = *review.subscription;
   Step step(judge_, passed_);
-  if (directory_.is_going(subscription)) {
+  if (directory_.requests().is_going(subscription)) {
     review.left.clear();
     return;
   }
@@ -178,7 +179,7 @@ void Agenda::proceed(Review& review) {
     const StoredPublication* publication = review.left.back();
     review.left.pop_back();
     step.pass();
-    if (publication == nullptr || directory_.is_going(*publication)) continue;
+    if (publication == nullptr || directory_.offers().is_going(*publication)) continue;
     if (review.kind == Review::Kind::chains) {
       judge_chain(subscription, *publication, cause);
     } else if (!pairs_.considered_by(*publication).contains(subscription.slot)) {
@@ -200,7 +201,7 @@ void Agenda::judge_chain(const StoredSubscription& subscription, const StoredPub
   // The mark is 0 for a pair without a conversion, and for a publication that is no candidate.
   const std::uint32_t was = known == considered.end() ? 0 : known->second.match.chain;
   if (mark != was) pairs_.judge(subscription, publication, cause);
-  passed_ += directory_.edition_of(subscription).converters->take_work();
+  passed_ += directory_.requests().edition_of(subscription).converters->take_work();
 }
 
 void Agenda::take_postponed() {
@@ -213,10 +214,10 @@ void Agenda::take_described() {
   const auto [key, participant] = *described_.begin();
   described_.erase(described_.begin());
   ++passed_;
-  const StoredSubscription* subscription = directory_.subscriptions().find(key);
-  if (subscription == nullptr || directory_.is_going(*subscription)) return;
+  const StoredSubscription* subscription = directory_.requests().table().find(key);
+  if (subscription == nullptr || directory_.requests().is_going(*subscription)) return;
   Review one{.subscription = subscription, .kind = Review::Kind::all, .cause = nullptr, .candidates = {}, .left = {}};
-  for (const StoredPublication* publication : directory_.publications().of_participant(participant)) {
+  for (const StoredPublication* publication : directory_.offers().table().of_participant(participant)) {
     const bool is_considered = pairs_.considered_by(*publication).contains(subscription->slot);
     (is_considered ? one.candidates : one.left).push_back(publication);
   }
@@ -231,8 +232,8 @@ bool Agenda::take_stale() {
   passed_ += converters.take_work();
   if (!key) return converters.has_stale() || !is_empty();
   converters.refresh(*key);
-  const auto* subscription = directory_.subscriptions().find(*key);
-  if (subscription == nullptr || directory_.is_going(*subscription)) return true;
+  const auto* subscription = directory_.requests().table().find(*key);
+  if (subscription == nullptr || directory_.requests().is_going(*subscription)) return true;
   reviews_.push_back(review(*subscription, Review::Kind::chains));
   proceed(reviews_.back());
   if (reviews_.back().left.empty()) reviews_.pop_back();
@@ -240,7 +241,7 @@ bool Agenda::take_stale() {
 }
 
 void Agenda::catch_up(const StoredSubscription& subscription) {
-  Converters& converters = *directory_.edition_of(subscription).converters;
+  Converters& converters = *directory_.requests().edition_of(subscription).converters;
   if (!converters.is_stale(subscription.entry.key)) return;
   converters.refresh(subscription.entry.key);
   Review all = review(subscription, Review::Kind::chains);

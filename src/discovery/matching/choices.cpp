@@ -24,7 +24,7 @@ Standing standing_of(const StoredSubscription& subscription, const StoredPublica
   if (!subscription.entry.is_local && !announced.empty()) {
     standing.decided = Standing::Decided::by_consumer;
     standing.is_chosen = is_announced_choice(subscription.entry, publication.entry);
-    const auto* rival = directory.publications().find(announced.back());
+    const auto* rival = directory.offers().table().find(announced.back());
     standing.rival = standing.is_chosen || rival == nullptr ? nullptr : &rival->entry;
     return standing;
   }
@@ -44,7 +44,7 @@ Standing standing_of(const StoredSubscription& subscription, const StoredPublica
 
 std::vector<ServiceKey> Choices::chosen(const ServiceKey& subscription) const {
   std::vector<ServiceKey> keys;
-  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
+  const StoredSubscription* stored = directory_.requests().table().find(subscription);
   if (stored == nullptr) return keys;
   for (const auto& one : pairs_.choice(*stored).chosen()) keys.push_back(one.publication->entry.key);
   return keys;
@@ -52,44 +52,44 @@ std::vector<ServiceKey> Choices::chosen(const ServiceKey& subscription) const {
 
 std::vector<ServiceKey> Choices::consumers(const ServiceKey& publication) const {
   std::vector<ServiceKey> keys;
-  const StoredPublication* stored = directory_.publications().find(publication);
+  const StoredPublication* stored = directory_.offers().table().find(publication);
   if (stored == nullptr || !is_provider_told(stored->entry.publication.mode)) return keys;
   for (const auto& [slot, rank] : pairs_.considered_by(*stored)) {
-    const StoredSubscription& one = directory_.subscription_at(slot);
+    const StoredSubscription& one = directory_.requests().at(slot);
     if (pairs_.choice(one).is_chosen(rank)) keys.push_back(one.entry.key);
   }
   return keys;
 }
 
 std::optional<Match> Choices::given(const ServiceKey& subscription, const ServiceKey& publication) const {
-  const StoredSubscription* asks = directory_.subscriptions().find(subscription);
-  const StoredPublication* offers = directory_.publications().find(publication);
+  const StoredSubscription* asks = directory_.requests().table().find(subscription);
+  const StoredPublication* offers = directory_.offers().table().find(publication);
   return asks == nullptr || offers == nullptr ? std::nullopt : pairs_.chosen_match(*asks, *offers);
 }
 
 std::vector<ServiceKey> Choices::announced(const ServiceKey& subscription) const {
-  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
+  const StoredSubscription* stored = directory_.requests().table().find(subscription);
   return stored == nullptr ? std::vector<ServiceKey>() : pairs_.announced().keys(*stored);
 }
 
 std::optional<Standing> Choices::standing(const ServiceKey& subscription, const ServiceKey& publication,
                                           const Place& place) const {
-  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
-  const StoredPublication* offered = directory_.publications().find(publication);
+  const StoredSubscription* asked = directory_.requests().table().find(subscription);
+  const StoredPublication* offered = directory_.offers().table().find(publication);
   if (asked == nullptr || offered == nullptr) return std::nullopt;
   return standing_of(*asked, *offered, place, directory_, pairs_);
 }
 
 std::shared_ptr<const vocabulary::Chain> Choices::chain(const ServiceKey& subscription,
                                                         const ServiceKey& publication) const {
-  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
-  const StoredPublication* offered = directory_.publications().find(publication);
+  const StoredSubscription* asked = directory_.requests().table().find(subscription);
+  const StoredPublication* offered = directory_.offers().table().find(publication);
   return asked == nullptr || offered == nullptr ? nullptr : directory_.chain(*asked, *offered);
 }
 
 std::string Choices::chain_words(const ServiceKey& subscription, const vocabulary::Chain& chain) const {
-  const StoredSubscription* asked = directory_.subscriptions().find(subscription);
-  return asked == nullptr ? "" : matching::chain_words(&chain, directory_.edition_of(*asked).vocabulary);
+  const StoredSubscription* asked = directory_.requests().table().find(subscription);
+  return asked == nullptr ? "" : matching::chain_words(&chain, directory_.requests().edition_of(*asked).vocabulary);
 }
 
 std::optional<std::vector<ServiceKey>> Choices::known(const SubscriptionEntry& subscription) const {

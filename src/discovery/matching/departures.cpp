@@ -12,13 +12,13 @@ void Departures::remove(const std::vector<const StoredPublication*>& publication
                         const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
   const bool was_idle = agenda_.is_empty();
   Cause cause;
-  directory_.retire(publications, reason);
-  for (const auto* subscription : subscriptions) directory_.retire(*subscription);
+  directory_.offers().retire(publications, reason);
+  for (const auto* subscription : subscriptions) directory_.requests().retire(*subscription);
   for (const auto* subscription : subscriptions) pairs_.end(*subscription, reason, cause);
   for (const auto* subscription : pairs_.withdraw(publications, reason)) pairs_.settle(*subscription, cause);
   std::set<Id32> numbers;
-  for (const auto* publication : publications) erase(*publication, numbers);
-  for (const auto* subscription : subscriptions) erase(*subscription, numbers);
+  for (const auto* publication : publications) erase(directory_.offers(), *publication, numbers);
+  for (const auto* subscription : subscriptions) erase(directory_.requests(), *subscription, numbers);
   while (!numbers.empty()) review(numbers);
   agenda_.relieve();
   if (was_idle) agenda_.take_some();
@@ -33,16 +33,16 @@ void Departures::review(std::set<Id32>& numbers) {
 }
 
 void Departures::begin(ParticipantId participant, Reason reason) {
-  begin(directory_.publications().of_participant(participant), directory_.subscriptions().of_participant(participant),
-        reason);
+  begin(directory_.offers().table().of_participant(participant),
+        directory_.requests().table().of_participant(participant), reason);
 }
 
 void Departures::begin(std::vector<const StoredPublication*> publications,
                        std::vector<const StoredSubscription*> subscriptions, Reason reason) {
-  std::erase_if(publications, [&](const auto* one) { return directory_.is_going(*one); });
-  std::erase_if(subscriptions, [&](const auto* one) { return directory_.is_going(*one); });
-  directory_.retire(publications, reason);
-  for (const auto* subscription : subscriptions) directory_.retire(*subscription);
+  std::erase_if(publications, [&](const auto* one) { return directory_.offers().is_going(*one); });
+  std::erase_if(subscriptions, [&](const auto* one) { return directory_.requests().is_going(*one); });
+  directory_.offers().retire(publications, reason);
+  for (const auto* subscription : subscriptions) directory_.requests().retire(*subscription);
   // Taken from the back, in ascending order of key.
   std::ranges::reverse(subscriptions);
   std::ranges::reverse(publications);
@@ -57,10 +57,10 @@ bool Departures::next() {
     departure.subscriptions.pop_back();
     Cause cause;
     pairs_.end(subscription, departure.reason, cause);
-    erase(subscription, departure.numbers);
+    erase(directory_.requests(), subscription, departure.numbers);
   } else if (!departure.publications.empty()) {
     if (end_one_consumer(departure, *departure.publications.back())) return true;
-    erase(*departure.publications.back(), departure.numbers);
+    erase(directory_.offers(), *departure.publications.back(), departure.numbers);
     departure.publications.pop_back();
   } else if (!departure.numbers.empty()) {
     review(departure.numbers);
@@ -75,7 +75,7 @@ bool Departures::end_one_consumer(const Departure& departure, const StoredPublic
   const ConsideredBy& considered_by = pairs_.considered_by(publication);
   if (considered_by.empty()) return false;
   // One subscription loses all of them at once, so that nothing that is about to go takes another's place.
-  const StoredSubscription& subscription = directory_.subscription_at(considered_by.begin()->first);
+  const StoredSubscription& subscription = directory_.requests().at(considered_by.begin()->first);
   Cause cause;
   for (const auto* one : departure.publications) {
     if (pairs_.considered_by(*one).contains(subscription.slot)) pairs_.judge(subscription, *one, cause);

@@ -55,13 +55,13 @@ class Departures {
              std::vector<const registry::StoredSubscription*> subscriptions, Reason reason);
   /// Ends the pairs of a publication with one subscription; false where there is none left.
   bool end_one_consumer(const Departure& departure, const registry::StoredPublication& publication);
-  /// Erases an entry that is in no pair, and adds its number where it clashes.
-  template <typename Stored>
-  void erase(const Stored& stored, std::set<Id32>& numbers) {
+  /// Erases an entry of offers or requests that is in no pair, and adds its number where it clashes.
+  template <typename Owner, typename Stored>
+  void erase(Owner& owner, const Stored& stored, std::set<Id32>& numbers) {
     if (clashes_.contains(stored.identity)) numbers.insert(stored.identity);
     agenda_.forget(stored);
     const ServiceKey key = stored.entry.key;
-    directory_.erase(stored);
+    owner.erase(stored);
     if (key == description_key(key.participant)) agenda_.judge_services_of(key.participant);
   }
   /// Has judged what may be another match after entries with these clashing numbers were erased. Takes some of them.

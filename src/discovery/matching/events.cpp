@@ -47,7 +47,7 @@ void Events::tell_consumer(Change change, const StoredSubscription& subscription
 
 void Events::tell_provider(Change change, const StoredSubscription& subscription, const StoredPublication& publication,
                            Match match, Reason reason, const Cause& cause) {
-  if (!publication.entry.is_local || directory_.is_going(publication)) return;
+  if (!publication.entry.is_local || directory_.offers().is_going(publication)) return;
   const bool is_over = change == Change::del;
   const ChannelMode mode = is_over ? cause.as_told(publication)->publication.mode : publication.entry.publication.mode;
   if (!is_provider_told(mode)) return;

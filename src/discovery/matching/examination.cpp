@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "discovery/matching/explained.hpp"
+#include "discovery/matching/meeting/explained.hpp"
 
 namespace geminga::matching {
 
@@ -22,17 +22,17 @@ std::shared_ptr<const Request> Examination::prepare(const Subscription& asked) c
 
 std::optional<Match> Examination::meets(const SubscriptionEntry& asked, const Request& request,
                                         const PublicationEntry& publication) const {
-  const StoredPublication* stored = directory_.publications().find(publication.key);
-  if (stored == nullptr || directory_.is_going(*stored)) return std::nullopt;
+  const StoredPublication* stored = directory_.offers().table().find(publication.key);
+  if (stored == nullptr || directory_.offers().is_going(*stored)) return std::nullopt;
   return judge_.judge(asked, request, *stored, editions_.in_force()).match;
 }
 
 Finding Examination::examine(const SubscriptionEntry& asked, const Request& request,
                              const PublicationEntry& offered) const {
   const Edition& edition = editions_.in_force();
-  const auto* stored = directory_.publications().find(offered.key);
+  const auto* stored = directory_.offers().table().find(offered.key);
   if (stored != nullptr && &stored->entry == &offered) {
-    return judge_.examine(asked, request, directory_.offer(*stored, edition), edition);
+    return judge_.examine(asked, request, directory_.offers().offer(*stored, edition), edition);
   }
   return judge_.examine(asked, request, Imagined(offered, edition.vocabulary, preparation_.placing()).offer, edition);
 }
@@ -40,8 +40,8 @@ Finding Examination::examine(const SubscriptionEntry& asked, const Request& requ
 Finding Examination::examine(const StoredSubscription& stored, const Offer& offer) const {
   const SubscriptionEntry& asked = stored.entry;
   const Edition& edition = editions_.in_force();
-  const bool is_current = directory_.edition_of(stored).generation == edition.generation;
-  const Request& known = directory_.request(stored);
+  const bool is_current = directory_.requests().edition_of(stored).generation == edition.generation;
+  const Request& known = directory_.requests().request(stored);
   const auto* requested = std::get_if<SemanticIdentity>(&asked.subscription.identity);
   const bool may_overlap = requested != nullptr && asked.subscription.weakest == Degree::overlapping;
   const bool may_compare = offer.classes.place && has_expression(asked.subscription.identity);

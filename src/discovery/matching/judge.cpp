@@ -5,7 +5,7 @@ namespace geminga::matching {
 Judgement Judge::judge(const registry::SubscriptionEntry& asked, const Request& request,
                        const registry::StoredPublication& publication, const Edition& edition) const {
   if (is_kept_apart(publication.entry.publication.identity, asked.subscription.identity)) return {};
-  return judgement_of(asked, request, described(directory_.offer(publication, edition), request, edition),
+  return judgement_of(asked, request, described(directory_.offers().offer(publication, edition), request, edition),
                       edition.vocabulary);
 }
 
@@ -17,10 +17,10 @@ Finding Judge::examine(const registry::SubscriptionEntry& asked, const Request& 
 
 Offer Judge::described(Offer offer, const Request& request, const Edition& edition) const {
   if (!request.on) return offer;
-  const auto* description = directory_.publications().find(description_key(offer.entry.key.participant));
-  if (description == nullptr || directory_.is_going(*description)) return offer;
+  const auto* description = directory_.offers().table().find(description_key(offer.entry.key.participant));
+  if (description == nullptr || directory_.offers().is_going(*description)) return offer;
   offer.described_as = std::get_if<SemanticIdentity>(&description->entry.publication.identity);
-  offer.described_classes = &directory_.classes(*description, edition);
+  offer.described_classes = &directory_.offers().classes(*description, edition);
   return offer;
 }
 

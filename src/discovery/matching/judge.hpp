@@ -6,8 +6,8 @@
 
 #include "discovery/matching/clashes.hpp"
 #include "discovery/matching/directory.hpp"
-#include "discovery/matching/obstacle.hpp"
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
+#include "discovery/matching/meeting/request.hpp"
 
 namespace geminga::matching {
 
@@ -19,9 +19,9 @@ class Judge {
   /// A pair of entries that are known, by the edition of the subscription. What is about to be erased meets nothing.
   [[nodiscard]] Judgement judge(const registry::StoredSubscription& subscription,
                                 const registry::StoredPublication& publication) const {
-    if (directory_.is_going(publication) || directory_.is_going(subscription)) return {};
-    return judge(subscription.entry, directory_.request(subscription), publication,
-                 directory_.edition_of(subscription));
+    if (directory_.offers().is_going(publication) || directory_.requests().is_going(subscription)) return {};
+    return judge(subscription.entry, directory_.requests().request(subscription), publication,
+                 directory_.requests().edition_of(subscription));
   }
   /// A publication that is known and a request made by the vocabulary of the edition.
   [[nodiscard]] Judgement judge(const registry::SubscriptionEntry& asked, const Request& request,

@@ -11,12 +11,23 @@ using registry::StoredPublication;
 using registry::StoredSubscription;
 using registry::SubscriptionEntry;
 
+namespace {
+
+/// The entry of offers or requests with this key; null where there is none or it is about to be erased.
+template <typename Owner>
+auto* staying(const Owner& owner, const ServiceKey& key) {
+  const auto* stored = owner.table().find(key);
+  return stored == nullptr || owner.is_going(*stored) ? nullptr : stored;
+}
+
+}  // namespace
+
 Matcher::Matcher(const vocabulary::Vocabulary& vocabulary, Placing placing, Overlapping overlapping,
                  Comparing comparing)
     : editions_(vocabulary),
       preparation_(editions_, std::move(placing), std::move(overlapping), std::move(comparing)),
       directory_(editions_, preparation_),
-      clashes_(directory_.publications(), directory_.subscriptions()),
+      clashes_(directory_.offers().table(), directory_.requests().table()),
       judge_(directory_, clashes_),
       events_(directory_),
       pairs_(directory_, judge_, events_),
@@ -27,11 +38,11 @@ Matcher::Matcher(const vocabulary::Vocabulary& vocabulary, Placing placing, Over
       examination_(editions_, preparation_, directory_, judge_),
       search_(editions_, preparation_, directory_, judge_, examination_) {}
 
-template <typename Entry>
-const registry::Stored<Entry>* Matcher::known_before(const registry::Table<Entry>& table, const Entry& entry) {
-  const registry::Stored<Entry>* known = table.find(entry.key);
+template <typename Owner, typename Entry>
+const registry::Stored<Entry>* Matcher::known_before(const Owner& owner, const Entry& entry) {
+  const registry::Stored<Entry>* known = owner.table().find(entry.key);
   if (known == nullptr) return nullptr;
-  if (directory_.is_going(*known)) {
+  if (owner.is_going(*known)) {
     departures_.finish();
     return nullptr;
   }
@@ -44,20 +55,20 @@ void Matcher::put(PublicationEntry entry) {
   const bool is_local = entry.is_local;
   settle_air(is_local);
   const bool was_idle = agenda_.is_empty();
-  const StoredPublication* known = known_before(directory_.publications(), entry);
+  const StoredPublication* known = known_before(directory_.offers(), entry);
   if (known != nullptr && known->entry.same_as(entry)) {
-    directory_.refresh(*known, entry.updated);
+    directory_.offers().refresh(*known, entry.updated);
     return;
   }
   const Id32 number_before = known == nullptr ? id32(entry.publication.identity) : known->identity;
   const bool is_new_identity = known == nullptr || known->entry.publication.identity != entry.publication.identity;
   Cause cause;
   if (known == nullptr) {
-    known = &directory_.add(std::move(entry));
+    known = &directory_.offers().add(std::move(entry));
     pairs_.add(*known);
   } else {
     agenda_.supersede(*known);
-    cause.replace(*known, directory_.replace(*known, std::move(entry)));
+    cause.replace(*known, directory_.offers().replace(*known, std::move(entry)));
   }
   const auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
   auto concerned = directory_.subscriptions_found_for(*known);
@@ -68,7 +79,7 @@ void Matcher::put(PublicationEntry entry) {
     agenda_.judge(*known, std::make_unique<Cause>(std::move(cause)), std::move(concerned), must_look_back);
     agenda_.judge_anew(anew);
   } else {
-    for (const auto& [slot, rank] : considered_by) concerned.push_back(&directory_.subscription_at(slot));
+    for (const auto& [slot, rank] : considered_by) concerned.push_back(&directory_.requests().at(slot));
     order_by_key(concerned);
     for (const auto* subscription : concerned) {
       if (std::ranges::find(anew, subscription) != anew.end()) continue;
@@ -87,9 +98,9 @@ void Matcher::put(SubscriptionEntry entry, Telling telling) {
   const bool is_local = entry.is_local;
   settle_air(is_local);
   const bool was_idle = agenda_.is_empty();
-  const StoredSubscription* known = known_before(directory_.subscriptions(), entry);
+  const StoredSubscription* known = known_before(directory_.requests(), entry);
   if (known != nullptr && known->entry.same_as(entry)) {
-    directory_.refresh(*known, entry.updated);
+    directory_.requests().refresh(*known, entry.updated);
     return;
   }
   const Id32 number_before = known == nullptr ? id32(entry.subscription.identity) : known->identity;
@@ -97,12 +108,12 @@ void Matcher::put(SubscriptionEntry entry, Telling telling) {
   Request request = preparation_.prepare(entry, false);
   Cause cause;
   if (known == nullptr) {
-    known = &directory_.add(std::move(entry), std::move(request));
+    known = &directory_.requests().add(std::move(entry), std::move(request));
     pairs_.prepare(*known, nullptr);
   } else {
     agenda_.supersede(*known);
     const bool was_clashing = clashes_.contains(known->identity);
-    cause.replace(*known, directory_.replace(*known, std::move(entry), std::move(request)), was_clashing);
+    cause.replace(*known, directory_.requests().replace(*known, std::move(entry), std::move(request)), was_clashing);
     pairs_.prepare(*known, &cause.replaced_subscription()->before.request);
   }
   auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
@@ -127,45 +138,45 @@ void Matcher::put(SubscriptionEntry entry, Telling telling) {
 }
 
 bool Matcher::remove_publication(const ServiceKey& key, Reason reason) {
-  const StoredPublication* stored = directory_.publications().find(key);
-  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  const auto* stored = staying(directory_.offers(), key);
+  if (stored == nullptr) return false;
   settle_air(stored->entry.is_local);
   departures_.remove(*stored, reason);
   return true;
 }
 
 bool Matcher::remove_subscription(const ServiceKey& key, Reason reason) {
-  const StoredSubscription* stored = directory_.subscriptions().find(key);
-  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  const auto* stored = staying(directory_.requests(), key);
+  if (stored == nullptr) return false;
   settle_air(stored->entry.is_local);
   departures_.remove(*stored, reason);
   return true;
 }
 
 bool Matcher::begin_removal_of_publication(const ServiceKey& key, Reason reason) {
-  const StoredPublication* stored = directory_.publications().find(key);
-  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  const auto* stored = staying(directory_.offers(), key);
+  if (stored == nullptr) return false;
   departures_.begin(*stored, reason);
   return true;
 }
 
 bool Matcher::begin_removal_of_subscription(const ServiceKey& key, Reason reason) {
-  const StoredSubscription* stored = directory_.subscriptions().find(key);
-  if (stored == nullptr || directory_.is_going(*stored)) return false;
+  const auto* stored = staying(directory_.requests(), key);
+  if (stored == nullptr) return false;
   departures_.begin(*stored, reason);
   return true;
 }
 
 void Matcher::remove_peer(ParticipantId participant, PeerId peer, Reason reason) {
-  auto publications = directory_.publications().of_peer(participant, peer);
-  auto subscriptions = directory_.subscriptions().of_peer(participant, peer);
-  std::erase_if(publications, [&](const StoredPublication* one) { return directory_.is_going(*one); });
-  std::erase_if(subscriptions, [&](const StoredSubscription* one) { return directory_.is_going(*one); });
+  auto publications = directory_.offers().table().of_peer(participant, peer);
+  auto subscriptions = directory_.requests().table().of_peer(participant, peer);
+  std::erase_if(publications, [&](const StoredPublication* one) { return directory_.offers().is_going(*one); });
+  std::erase_if(subscriptions, [&](const StoredSubscription* one) { return directory_.requests().is_going(*one); });
   departures_.remove(publications, subscriptions, reason);
 }
 
 void Matcher::catch_up(const ServiceKey& subscription) {
-  if (const StoredSubscription* stored = directory_.subscriptions().find(subscription)) agenda_.catch_up(*stored);
+  if (const StoredSubscription* stored = directory_.requests().table().find(subscription)) agenda_.catch_up(*stored);
 }
 
 }  // namespace geminga::matching

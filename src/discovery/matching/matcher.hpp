@@ -64,7 +64,10 @@ class Matcher {
   Matcher& operator=(const Matcher&) = delete;
 
   /// Keeps entries that matchers of the same process know, too, once. Call before the first one is put.
-  void share(const std::shared_ptr<registry::SharedEntries>& entries) { directory_.share(entries); }
+  void share(const std::shared_ptr<registry::SharedEntries>& entries) {
+    directory_.offers().share(entries);
+    directory_.requests().share(entries);
+  }
 
   /// Adds or changes an entry. Its identity is resolved by the caller (IRIs). An entry of another participant whose
   /// `where` cannot be read never matches.
@@ -106,8 +109,8 @@ class Matcher {
   // The owners that answer questions, and the change of the vocabulary.
 
   /// The registry: all that is known of the team.
-  [[nodiscard]] const registry::Publications& publications() const { return directory_.publications(); }
-  [[nodiscard]] const registry::Subscriptions& subscriptions() const { return directory_.subscriptions(); }
+  [[nodiscard]] const registry::Publications& publications() const { return directory_.offers().table(); }
+  [[nodiscard]] const registry::Subscriptions& subscriptions() const { return directory_.requests().table(); }
   /// The vocabulary in force, by which all questions are answered.
   [[nodiscard]] const Editions& editions() const { return editions_; }
   /// The publications that are given to whom.
@@ -122,14 +125,16 @@ class Matcher {
   [[nodiscard]] std::uint64_t judged() const { return judge_.judged(); }
   /// How many entries were filed, unfiled or passed in the index since the start: what filing has cost.
   [[nodiscard]] std::uint64_t filed() const {
-    return directory_.filed() + pairs_.passed() + agenda_.passed() + departures_.passed() + change_.passed();
+    return directory_.offers().filed() + directory_.requests().filed() + pairs_.passed() + agenda_.passed() +
+           departures_.passed() + change_.passed();
   }
 
  private:
-  /// The entry that another one of the same key is to take the place of; null where there is none. Where it is about
-  /// to be erased, departures are ended first. Where one of the two is local and the other is not, it is removed.
-  template <typename Entry>
-  const registry::Stored<Entry>* known_before(const registry::Table<Entry>& table, const Entry& entry);
+  /// The entry of offers or requests that another one of the same key is to take the place of; null where there is
+  /// none. Where it is about to be erased, departures are ended first. Where one of the two is local and the other is
+  /// not, it is removed.
+  template <typename Owner, typename Entry>
+  const registry::Stored<Entry>* known_before(const Owner& owner, const Entry& entry);
 
   /// Takes the steps that are left of what other hosts have said, before they say something else.
   void settle_air(bool is_local) {

@@ -19,7 +19,7 @@ void Pairs::prepare(const StoredSubscription& subscription, const Request* forme
   if (subscription.slot >= choosers_.size()) choosers_.resize(subscription.slot + 1);
   Chooser* chooser = find_chooser(subscription);
   if (chooser == nullptr) return;
-  if (former != nullptr && former->preferences != directory_.request(subscription).preferences) {
+  if (former != nullptr && former->preferences != directory_.requests().request(subscription).preferences) {
     chooser->choice.release_waiting();
     forget_dropped(subscription);
   }
@@ -28,7 +28,7 @@ void Pairs::prepare(const StoredSubscription& subscription, const Request* forme
 }
 
 void Pairs::set_terms(const StoredSubscription& subscription, Chooser& chooser) const {
-  chooser.choice.set_margins(directory_.request(subscription).preferences.margins());
+  chooser.choice.set_margins(directory_.requests().request(subscription).preferences.margins());
   chooser.choice.set_limit(arbitrated_limit(subscription.entry));
 }
 
@@ -45,14 +45,14 @@ bool Pairs::was_chosen_unseen(const StoredPublication& publication, const Cause&
   const auto* replaced = cause.replaced_subscription();
   if (replaced == nullptr) return false;
   const SubscriptionEntry& before = *replaced->before.entry;
-  const Edition& edition = directory_.edition_of(replaced->before);
+  const Edition& edition = directory_.requests().edition_of(replaced->before);
   const bool was_kept_apart =
       replaced->was_clashing && before.subscription.identity.index() != publication.entry.publication.identity.index();
   const bool was_announced = before.subscription.chosen.empty() || is_announced_choice(before, publication.entry);
   if (!was_announced || was_kept_apart || !is_provider_told(before.subscription.mode)) return false;
   if (is_of_interest(before, publication.entry)) return false;
   const Request& request = replaced->before.request;
-  const Offer offer = judge_.described(directory_.offer(publication, edition), request, edition);
+  const Offer offer = judge_.described(directory_.offers().offer(publication, edition), request, edition);
   return meets(before, request, offer, edition.vocabulary).has_value();
 }
 
@@ -64,7 +64,7 @@ bool Pairs::is_hopeless(const StoredSubscription& subscription, const StoredPubl
   constexpr Match best_possible;
   Choice& choice = chooser_of(subscription).choice;
   return choice.has_passed_over() &&
-         choice.passes_over(directory_.request(subscription).rank(publication.entry, best_possible));
+         choice.passes_over(directory_.requests().request(subscription).rank(publication.entry, best_possible));
 }
 
 void Pairs::judge(const StoredSubscription& subscription, const StoredPublication& publication, const Cause& cause) {
@@ -81,11 +81,11 @@ void Pairs::judge(const StoredSubscription& subscription, const StoredPublicatio
     if (known == considered.end()) return;
     // A match that is of no interest: its consumer has chosen others.
     const Reason reason = match ? Reason::outranked : is_kept_back ? Reason::unreachable : Reason::changed;
-    choice.withdraw(known->second, directory_.reason_to_go(publication).value_or(reason));
+    choice.withdraw(known->second, directory_.offers().reason_to_go(publication).value_or(reason));
     considered.erase(known);
     return;
   }
-  const Rank rank = directory_.request(subscription).rank(publication.entry, *match);
+  const Rank rank = directory_.requests().request(subscription).rank(publication.entry, *match);
   if (known != considered.end()) {
     choice.change(std::exchange(known->second, rank), rank);
   } else {
@@ -122,7 +122,7 @@ void Pairs::refill(const StoredSubscription& subscription, const Cause& cause) {
   }
   for (const auto* publication : found) {
     const bool is_candidate =
-        !directory_.is_going(*publication) && !considered_by(*publication).contains(subscription.slot);
+        !directory_.offers().is_going(*publication) && !considered_by(*publication).contains(subscription.slot);
     if (is_candidate) judge(subscription, *publication, cause);
   }
 }
@@ -174,7 +174,7 @@ bool Pairs::is_turned_away(const StoredSubscription& subscription, const StoredP
 std::vector<const StoredPublication*> Pairs::take_relieved() {
   std::vector<const StoredPublication*> relieved;
   for (auto at = crowded_.begin(); at != crowded_.end();) {
-    const StoredPublication* stored = directory_.publications().find(*at);
+    const StoredPublication* stored = directory_.offers().table().find(*at);
     if (stored != nullptr && considered_by(*stored).size() > max_consumers / 2) {
       ++at;
       continue;
@@ -191,7 +191,7 @@ std::vector<const StoredSubscription*> Pairs::withdraw(const std::vector<const S
   for (const auto* publication : publications) {
     for (const auto& [slot, rank] : considered_by(*publication)) {
       choosers_[slot]->choice.withdraw(rank, reason);
-      concerned.push_back(&directory_.subscription_at(slot));
+      concerned.push_back(&directory_.requests().at(slot));
     }
     considered_by_[publication->slot].clear();
   }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "discovery/matching/editions.hpp"
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/request.hpp"
 
 namespace geminga::matching {
 

@@ -43,27 +43,27 @@ std::vector<ServiceKey> Search::some_candidates(const Subscription& asked, const
 bool Search::examine_requests(const std::optional<ServiceKey>& after, const PublicationEntry& offered,
                               const VisitFinding& visit) const {
   const Imagined imagined(offered, editions_.vocabulary(), preparation_.placing());
-  return directory_.subscriptions().visit_after(after, [&](const StoredSubscription& stored) {
-    return directory_.is_going(stored) || visit(stored.entry, examination_.examine(stored, imagined.offer));
+  return directory_.requests().table().visit_after(after, [&](const StoredSubscription& stored) {
+    return directory_.requests().is_going(stored) || visit(stored.entry, examination_.examine(stored, imagined.offer));
   });
 }
 
 std::size_t Search::examine_near(const PublicationEntry& offered, std::size_t most, const VisitFinding& visit) const {
-  const auto* publication = directory_.publications().find(offered.key);
+  const auto* publication = directory_.offers().table().find(offered.key);
   if (publication == nullptr) return 0;
   const Edition& edition = editions_.in_force();
-  const Classes& known = directory_.classes(*publication, edition);
+  const Classes& known = directory_.offers().classes(*publication, edition);
   std::vector<const StoredSubscription*> found;
-  add_subscriptions_for(directory_.subscriptions(), *publication, known, edition, found);
+  add_subscriptions_for(directory_.requests().table(), *publication, known, edition, found);
   order_by_key(found);
   std::size_t searched = 0;
   if (known.concept_class && edition.vocabulary.is_satisfiable(*known.concept_class)) {
     searched = add_narrower(*known.concept_class, most, found);
   }
   if (found.size() > most) found.resize(most);
-  const Offer offer = directory_.offer(*publication, edition);
+  const Offer offer = directory_.offers().offer(*publication, edition);
   for (const StoredSubscription* stored : found) {
-    if (!directory_.is_going(*stored) && !visit(stored->entry, examination_.examine(*stored, offer))) break;
+    if (!directory_.requests().is_going(*stored) && !visit(stored->entry, examination_.examine(*stored, offer))) break;
   }
   return found.size() + searched;
 }
@@ -77,7 +77,7 @@ std::size_t Search::add_narrower(vocabulary::ClassNumber concept_class, std::siz
     std::vector<vocabulary::ClassNumber> equal;
     if (i > 0) add_equivalents(vocabulary, walked[i], equal);
     for (const vocabulary::ClassNumber one : equal) {
-      for (const auto& filed : directory_.subscriptions().own(std::to_underlying(one), edition.generation)) {
+      for (const auto& filed : directory_.requests().table().own(std::to_underlying(one), edition.generation)) {
         if (std::ranges::find(found, filed.stored) == found.end()) found.push_back(filed.stored);
         if (found.size() >= most) break;
       }
@@ -94,7 +94,7 @@ bool Search::is_served(const SubscriptionEntry& subscription) const {
   const Request request = preparation_.prepare(subscription, false);
   bool is_served = false;
   directory_.visit_publications_for(subscription.subscription, request, [&](const StoredPublication& publication) {
-    is_served = !directory_.is_going(publication) &&
+    is_served = !directory_.offers().is_going(publication) &&
                 judge_.judge(subscription, request, publication, editions_.in_force()).match.has_value();
     return is_served;
   });
@@ -102,7 +102,7 @@ bool Search::is_served(const SubscriptionEntry& subscription) const {
 }
 
 bool Search::is_used(const PublicationEntry& publication) const {
-  const StoredPublication* stored = directory_.publications().find(publication.key);
+  const StoredPublication* stored = directory_.offers().table().find(publication.key);
   return stored != nullptr &&
          std::ranges::any_of(directory_.subscriptions_for(*stored), [&](const StoredSubscription* subscription) {
            return judge_.judge(*subscription, *stored).match.has_value();
@@ -112,7 +112,7 @@ bool Search::is_used(const PublicationEntry& publication) const {
 std::set<std::string> Search::converters_in_use() const {
   std::set<std::string> places;
   if (editions_.in_force().converters->is_empty()) return places;
-  directory_.subscriptions().visit_after(std::nullopt, [&](const StoredSubscription& subscription) {
+  directory_.requests().table().visit_after(std::nullopt, [&](const StoredSubscription& subscription) {
     if (subscription.entry.subscription.convert == 0) return true;
     directory_.visit_publications_for(subscription, [&](const StoredPublication& publication) {
       const auto match = judge_.judge(subscription, publication).match;

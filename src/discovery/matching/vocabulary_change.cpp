@@ -31,15 +31,16 @@ auto next_after(const Table& table, std::optional<ServiceKey>& at) {
 void VocabularyChange::begin(const vocabulary::Vocabulary& next) {
   agenda_.finish();
   editions_.begin_filing(next);
-  directory_.open_indexes(editions_.other());
+  directory_.offers().open_index(editions_.other());
+  directory_.requests().open_index(editions_.other());
   at_.reset();
 }
 
 bool VocabularyChange::file_next() {
   GEMINGA_ASSERT(editions_.stage() == ChangeStage::filing);
-  const auto* stored = next_after(directory_.publications(), at_);
+  const auto* stored = next_after(directory_.offers().table(), at_);
   if (stored == nullptr) return false;
-  directory_.file(*stored, editions_.other());
+  directory_.offers().file(*stored, editions_.other());
   return true;
 }
 
@@ -57,20 +58,21 @@ bool VocabularyChange::rematch_next() {
     return true;
   }
   const auto before = at_;
-  const auto* stored = next_after(directory_.subscriptions(), at_);
+  const auto* stored = next_after(directory_.requests().table(), at_);
   if (stored == nullptr) {
     editions_.begin_unfiling();
     at_.reset();
     return true;
   }
-  const bool is_due = directory_.edition_of(*stored).generation != editions_.in_force().generation;
+  const bool is_due = directory_.requests().edition_of(*stored).generation != editions_.in_force().generation;
   if (is_due && !rematch_if_answered(*stored)) at_ = before;
   return true;
 }
 
 void VocabularyChange::catch_up(const ServiceKey& subscription) {
-  const StoredSubscription* stored = directory_.subscriptions().find(subscription);
-  if (stored == nullptr || directory_.edition_of(*stored).generation == editions_.in_force().generation) return;
+  const StoredSubscription* stored = directory_.requests().table().find(subscription);
+  if (stored == nullptr || directory_.requests().edition_of(*stored).generation == editions_.in_force().generation)
+    return;
   rematch(*stored, preparation_.prepare(stored->entry, false));
 }
 
@@ -79,7 +81,7 @@ bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Re
   bool waits = false;
   directory_.visit_publications_for(
       subscription.entry.subscription, request, [&](const StoredPublication& publication) {
-        if (directory_.is_going(publication)) return false;
+        if (directory_.offers().is_going(publication)) return false;
         waits = judge_.judge(subscription.entry, request, publication, editions_.in_force()).waits;
         return waits;
       });
@@ -88,16 +90,16 @@ bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Re
 
 bool VocabularyChange::rematch_if_answered(const StoredSubscription& subscription) {
   Request request = preparation_.prepare(subscription.entry, false);
-  const bool may_wait = subscription.entry.is_local && !directory_.is_going(subscription);
+  const bool may_wait = subscription.entry.is_local && !directory_.requests().is_going(subscription);
   if (may_wait && !asks_all(subscription, request)) return false;
   rematch(subscription, std::move(request));
   return true;
 }
 
 void VocabularyChange::rematch(const StoredSubscription& subscription, Request request) {
-  directory_.unfile(subscription);
-  if (directory_.is_going(subscription)) return;
-  const Request former = directory_.file(subscription, std::move(request));
+  directory_.requests().unfile(subscription);
+  if (directory_.requests().is_going(subscription)) return;
+  const Request former = directory_.requests().file(subscription, std::move(request));
   pairs_.prepare(subscription, &former);
   Cause cause;
   pairs_.judge_all(subscription, cause);
@@ -105,12 +107,13 @@ void VocabularyChange::rematch(const StoredSubscription& subscription, Request r
 }
 
 void VocabularyChange::unfile_next() {
-  const auto* stored = next_after(directory_.publications(), at_);
+  const auto* stored = next_after(directory_.offers().table(), at_);
   if (stored != nullptr) {
-    directory_.unfile(*stored, editions_.other());
+    directory_.offers().unfile(*stored, editions_.other());
     return;
   }
-  directory_.close_indexes(editions_.other());
+  directory_.offers().close_index(editions_.other());
+  directory_.requests().close_index(editions_.other());
   editions_.end_change();
 }
 
@@ -140,17 +143,18 @@ bool VocabularyChange::place_publications() {
   const Edition& edition = editions_.in_force();
   const StoredPublication* waiting = nullptr;
   std::size_t passed = 0;
-  const bool is_over = directory_.publications().visit_after(place_walk_->at, [&](const StoredPublication& stored) {
+  const bool is_over = directory_.offers().table().visit_after(place_walk_->at, [&](const StoredPublication& stored) {
     place_walk_->at = stored.entry.key;
     const bool is_due = has_expression(stored.entry.publication.identity) &&
-                        directory_.classes(stored, edition).place == nullptr && !directory_.is_going(stored);
+                        directory_.offers().classes(stored, edition).place == nullptr &&
+                        !directory_.offers().is_going(stored);
     if (is_due) waiting = &stored;
     return waiting == nullptr && ++passed < entries_in_step;
   });
   passed_ += passed;
   if (waiting == nullptr) return is_over;
-  directory_.file(*waiting, edition);
-  if (directory_.classes(*waiting, edition).place) {
+  directory_.offers().file(*waiting, edition);
+  if (directory_.offers().classes(*waiting, edition).place) {
     agenda_.judge(*waiting, nullptr, directory_.subscriptions_found_for(*waiting), false);
     if (waiting->entry.publication.mode == ChannelMode::participant)
       agenda_.judge_services_of(waiting->entry.key.participant);
@@ -162,16 +166,18 @@ bool VocabularyChange::place_subscriptions() {
   const StoredSubscription* waiting = nullptr;
   std::size_t passed = 0;
   std::optional<ServiceKey> before;
-  const bool is_over = directory_.subscriptions().visit_after(place_walk_->at, [&](const StoredSubscription& stored) {
-    before = std::exchange(place_walk_->at, stored.entry.key);
-    const bool is_placed = directory_.request(stored).classes.place != nullptr;
-    const auto& on = directory_.request(stored).on;
-    const bool is_on_unplaced = on && has_expression(on->identity) && on->classes.place == nullptr;
-    const bool must_be_placed = is_on_unplaced || (!is_placed && has_expression(stored.entry.subscription.identity));
-    const bool is_due = must_be_placed || pairs_.is_waiting(stored);
-    if (is_due && !directory_.is_going(stored)) waiting = &stored;
-    return waiting == nullptr && ++passed < entries_in_step;
-  });
+  const bool is_over =
+      directory_.requests().table().visit_after(place_walk_->at, [&](const StoredSubscription& stored) {
+        before = std::exchange(place_walk_->at, stored.entry.key);
+        const bool is_placed = directory_.requests().request(stored).classes.place != nullptr;
+        const auto& on = directory_.requests().request(stored).on;
+        const bool is_on_unplaced = on && has_expression(on->identity) && on->classes.place == nullptr;
+        const bool must_be_placed =
+            is_on_unplaced || (!is_placed && has_expression(stored.entry.subscription.identity));
+        const bool is_due = must_be_placed || pairs_.is_waiting(stored);
+        if (is_due && !directory_.requests().is_going(stored)) waiting = &stored;
+        return waiting == nullptr && ++passed < entries_in_step;
+      });
   passed_ += passed;
   if (waiting == nullptr) return is_over;
   if (!rematch_if_answered(*waiting)) place_walk_->at = before;

@@ -27,7 +27,7 @@ TEST(Cause, TellsOfAReplacedPublicationAsItWas) {
   const auto& offered = owners.add(offer(key(2, 1, 1), ball, 1));
   const auto& other = owners.add(offer(key(2, 1, 2), ball));
   Cause cause;
-  cause.replace(offered, owners.directory.replace(offered, offer(key(2, 1, 1), ball, 2)));
+  cause.replace(offered, owners.directory.offers().replace(offered, offer(key(2, 1, 1), ball, 2)));
   EXPECT_EQ(cause.as_told(offered)->publication.priority, 1);
   EXPECT_TRUE(cause.modifies(offered));
   EXPECT_FALSE(cause.modifies(other));
@@ -39,13 +39,14 @@ TEST(Cause, IsNoModificationWhereOnlyTheOwnHostJudgesByWhatChanged) {
   auto changed = offered.entry;
   changed.publication.for_whom = "rate > 1";
   Cause of_offer;
-  of_offer.replace(offered, owners.directory.replace(offered, changed));
+  of_offer.replace(offered, owners.directory.offers().replace(offered, changed));
   EXPECT_FALSE(of_offer.modifies(offered));
   const auto& asked = owners.add(request(key(here, 1, 1), ball));
   auto next = asked.entry;
   next.subscription.where = "rate > 1";
   Cause of_request;
-  of_request.replace(asked, owners.directory.replace(asked, next, owners.preparation.prepare(next, false)), true);
+  of_request.replace(asked, owners.directory.requests().replace(asked, next, owners.preparation.prepare(next, false)),
+                     true);
   EXPECT_TRUE(of_request.replaces(asked));
   EXPECT_FALSE(of_request.modifies(asked));
   ASSERT_NE(of_request.replaced_subscription(), nullptr);

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
 #include "discovery/matching/team.hpp"
 
 namespace geminga::matching {

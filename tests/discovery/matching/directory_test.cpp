@@ -32,13 +32,13 @@ TEST(Directory, GivesTheEntryAndTheRequestThatWereReplaced) {
   Owners owners(soccer());
   const auto& offered = owners.add(offer(key(2, 1, 1), semantic("Ball"), 1));
   const auto& asked = owners.add(request(key(here, 1, 1), semantic("Robot")));
-  const auto former = owners.directory.replace(offered, offer(key(2, 1, 1), semantic("Robot"), 2));
+  const auto former = owners.directory.offers().replace(offered, offer(key(2, 1, 1), semantic("Robot"), 2));
   EXPECT_EQ(former->publication.priority, 1);
   EXPECT_EQ(offered.entry.publication.priority, 2);
   EXPECT_THAT(keys(owners.directory.subscriptions_for(offered)), ElementsAre(key(here, 1, 1)));
   auto next = request(key(here, 1, 1), semantic("Ball"));
-  const Classes classes = owners.directory.request(asked).classes;
-  const auto before = owners.directory.replace(asked, next, owners.preparation.prepare(next, false));
+  const Classes classes = owners.directory.requests().request(asked).classes;
+  const auto before = owners.directory.requests().replace(asked, next, owners.preparation.prepare(next, false));
   EXPECT_EQ(before.entry->subscription.identity, semantic("Robot"));
   EXPECT_EQ(before.request.classes.concept_class, classes.concept_class);
   EXPECT_THAT(owners.directory.subscriptions_for(offered), IsEmpty());
@@ -48,17 +48,17 @@ TEST(Directory, SaysOfWhatIsRetiredThatItGoesAndWhy) {
   Owners owners;
   const auto& offered = owners.add(offer(key(2, 1, 1), TextIdentity{"ball"}));
   const auto& asked = owners.add(request(key(here, 1, 1), TextIdentity{"ball"}));
-  EXPECT_FALSE(owners.directory.is_going(offered));
-  EXPECT_FALSE(owners.directory.is_going(asked));
-  owners.directory.retire(offered, Reason::expired);
-  owners.directory.retire(asked);
-  EXPECT_EQ(owners.directory.reason_to_go(offered), Reason::expired);
-  EXPECT_TRUE(owners.directory.is_going(asked));
-  owners.directory.erase(offered);
-  owners.directory.erase(asked);
-  EXPECT_EQ(owners.directory.publications().size() + owners.directory.subscriptions().size(), 0U);
+  EXPECT_FALSE(owners.directory.offers().is_going(offered));
+  EXPECT_FALSE(owners.directory.requests().is_going(asked));
+  owners.directory.offers().retire({&offered}, Reason::expired);
+  owners.directory.requests().retire(asked);
+  EXPECT_EQ(owners.directory.offers().reason_to_go(offered), Reason::expired);
+  EXPECT_TRUE(owners.directory.requests().is_going(asked));
+  owners.directory.offers().erase(offered);
+  owners.directory.requests().erase(asked);
+  EXPECT_EQ(owners.directory.offers().table().size() + owners.directory.requests().table().size(), 0U);
   const auto& again = owners.add(offer(key(2, 1, 1), TextIdentity{"ball"}));
-  EXPECT_FALSE(owners.directory.is_going(again)) << "its slot has been used before";
+  EXPECT_FALSE(owners.directory.offers().is_going(again)) << "its slot has been used before";
 }
 
 TEST(Directory, FilesByBothVocabulariesUntilTheFormerOneIsEmptied) {
@@ -66,19 +66,22 @@ TEST(Directory, FilesByBothVocabulariesUntilTheFormerOneIsEmptied) {
   const auto& early = owners.add(offer(key(2, 1, 1), semantic("Car")));
   const auto next = soccer([](Taxonomy& taxonomy) { taxonomy.sub("Car", "Tracked"); });
   owners.editions.begin_filing(next);
-  owners.directory.open_indexes(owners.editions.other());
+  owners.directory.offers().open_index(owners.editions.other());
+  owners.directory.requests().open_index(owners.editions.other());
   const auto& late = owners.add(offer(key(2, 1, 2), semantic("Car")));
-  EXPECT_FALSE(owners.directory.classes(early, owners.editions.other()).concept_class) << "its step has not come";
-  EXPECT_TRUE(owners.directory.classes(late, owners.editions.other()).concept_class);
-  EXPECT_FALSE(owners.directory.classes(late, owners.editions.in_force()).concept_class);
-  owners.directory.file(early, owners.editions.other());
+  EXPECT_FALSE(owners.directory.offers().classes(early, owners.editions.other()).concept_class)
+      << "its step has not come";
+  EXPECT_TRUE(owners.directory.offers().classes(late, owners.editions.other()).concept_class);
+  EXPECT_FALSE(owners.directory.offers().classes(late, owners.editions.in_force()).concept_class);
+  owners.directory.offers().file(early, owners.editions.other());
   const auto& former = owners.add(request(key(here, 1, 1), semantic("Tracked")));
   owners.editions.begin_rematching();
   const auto& current = owners.add(request(key(here, 1, 2), semantic("Tracked")));
-  EXPECT_NE(owners.directory.edition_of(former).generation, owners.directory.edition_of(current).generation);
+  EXPECT_NE(owners.directory.requests().edition_of(former).generation,
+            owners.directory.requests().edition_of(current).generation);
   EXPECT_THAT(keys(owners.directory.subscriptions_for(early)), ElementsAre(current.entry.key));
-  owners.directory.unfile(former);
-  owners.directory.file(former, owners.preparation.prepare(former.entry, false));
+  owners.directory.requests().unfile(former);
+  owners.directory.requests().file(former, owners.preparation.prepare(former.entry, false));
   EXPECT_THAT(keys(owners.directory.subscriptions_for(early)), ElementsAre(former.entry.key, current.entry.key));
 }
 

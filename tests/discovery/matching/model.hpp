@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "discovery/matching/matcher.hpp"
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/request.hpp"
 
 namespace geminga::matching {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "discovery/matching/meeting/obstacle.hpp"
 #include "discovery/matching/model.hpp"
-#include "discovery/matching/obstacle.hpp"
 
 namespace geminga::matching {
 

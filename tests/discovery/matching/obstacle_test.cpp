@@ -1,5 +1,5 @@
 // Obstacles between an offer and a request: a case for each, and which of two offers is nearer.
-#include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -22,19 +22,19 @@ struct Owners {
       : editions(vocabulary),
         preparation(editions, {}, {}),
         directory(editions, preparation),
-        clashes(directory.publications(), directory.subscriptions()),
+        clashes(directory.offers().table(), directory.requests().table()),
         judge(directory, clashes),
         events(directory),
         pairs(directory, judge, events) {}
 
   const registry::StoredPublication& add(registry::PublicationEntry entry) {
-    const auto& stored = directory.add(std::move(entry));
+    const auto& stored = directory.offers().add(std::move(entry));
     pairs.add(stored);
     return stored;
   }
   const registry::StoredSubscription& add(registry::SubscriptionEntry entry) {
     Request request = preparation.prepare(entry, false);
-    const auto& stored = directory.add(std::move(entry), std::move(request));
+    const auto& stored = directory.requests().add(std::move(entry), std::move(request));
     pairs.prepare(stored, nullptr);
     return stored;
   }

@@ -62,7 +62,7 @@ TEST(Pairs, ThatAreWithdrawnGiveWhomToSettleInOrderOfKey) {
   Cause cause;
   owners.pairs.judge_anew(asked, cause);
   (void)owners.told();
-  owners.directory.retire(gone, Reason::left);
+  owners.directory.offers().retire({&gone}, Reason::left);
   const auto concerned = owners.pairs.withdraw({&gone}, Reason::left);
   EXPECT_THAT(concerned, ElementsAre(asked[1], asked[0]));
   EXPECT_TRUE(owners.pairs.considered_by(gone).empty());

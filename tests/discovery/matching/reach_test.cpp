@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "discovery/matching/matcher.hpp"
-#include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
 #include "discovery/matching/team.hpp"
 
 namespace geminga::matching {

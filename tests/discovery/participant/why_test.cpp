@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
 #include "discovery/participant/knowledge/work.hpp"
 #include "discovery/participant/queries/survey.hpp"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "discovery/matching/matcher.hpp"
-#include "discovery/matching/obstacle.hpp"
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
+#include "discovery/matching/meeting/request.hpp"
 #include "discovery/membership/neighbours.hpp"
 #include "discovery/participant/clients/answering.hpp"
 

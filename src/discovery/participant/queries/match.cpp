@@ -9,7 +9,7 @@
 #include "discovery/gcnp/event.hpp"
 #include "discovery/matching/arbitration/rank.hpp"
 #include "discovery/matching/degrees/representation.hpp"
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/request.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 #include "discovery/participant/queries/checks.hpp"
 #include "discovery/participant/queries/lines.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/request.hpp"
 
 namespace geminga::matching {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "discovery/matching/matcher.hpp"
-#include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
 #include "discovery/matching/taxonomy.hpp"
 #include "discovery/matching/team.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "discovery/matching/explained.hpp"
+#include "discovery/matching/meeting/explained.hpp"
 #include "discovery/matching/taxonomy.hpp"
 
 namespace geminga::matching {

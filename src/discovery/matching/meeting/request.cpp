@@ -1,4 +1,4 @@
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/request.hpp"
 
 #include <utility>
 

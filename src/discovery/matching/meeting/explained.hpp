@@ -1,11 +1,11 @@
 // The reasons in words why a publication does not meet a subscription.
-#ifndef GEMINGA_DISCOVERY_MATCHING_EXPLAINED_HPP
-#define GEMINGA_DISCOVERY_MATCHING_EXPLAINED_HPP
+#ifndef GEMINGA_DISCOVERY_MATCHING_MEETING_EXPLAINED_HPP
+#define GEMINGA_DISCOVERY_MATCHING_MEETING_EXPLAINED_HPP
 
 #include <expected>
 #include <string>
 
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/request.hpp"
 
 namespace geminga::matching {
 

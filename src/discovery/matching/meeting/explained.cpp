@@ -1,10 +1,10 @@
-#include "discovery/matching/explained.hpp"
+#include "discovery/matching/meeting/explained.hpp"
 
 #include <utility>
 
 #include "base/text.hpp"
 #include "discovery/matching/degrees/representation.hpp"
-#include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
 
 namespace geminga::matching {
 namespace {

@@ -1,6 +1,6 @@
 // Obstacles: codes for what keeps a publication from meeting a subscription.
-#ifndef GEMINGA_DISCOVERY_MATCHING_OBSTACLE_HPP
-#define GEMINGA_DISCOVERY_MATCHING_OBSTACLE_HPP
+#ifndef GEMINGA_DISCOVERY_MATCHING_MEETING_OBSTACLE_HPP
+#define GEMINGA_DISCOVERY_MATCHING_MEETING_OBSTACLE_HPP
 
 #include <compare>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "discovery/matching/request.hpp"
+#include "discovery/matching/meeting/request.hpp"
 
 namespace geminga::matching {
 

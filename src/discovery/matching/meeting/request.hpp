@@ -1,6 +1,6 @@
 // Requests: subscriptions prepared to be compared with many publications; and the judgement on one pair.
-#ifndef GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
-#define GEMINGA_DISCOVERY_MATCHING_REQUEST_HPP
+#ifndef GEMINGA_DISCOVERY_MATCHING_MEETING_REQUEST_HPP
+#define GEMINGA_DISCOVERY_MATCHING_MEETING_REQUEST_HPP
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "discovery/matching/obstacle.hpp"
+#include "discovery/matching/meeting/obstacle.hpp"
 
 #include <algorithm>
 #include <iterator>
