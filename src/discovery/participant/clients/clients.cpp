@@ -9,11 +9,13 @@
 namespace geminga::participant {
 
 Clients::Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of,
-                 Telling::WayOf way_of)
+                 Wording::WayOf way_of)
     : env_(env),
       limits_(limits),
       keys_(std::move(keys_of), sessions_, knows.work),
-      telling_(env, limits_, knows.self, knows.matcher, sessions_, keys_, knows.work, std::move(way_of)),
+      wording_(knows.self, knows.matcher.editions(), knows.matcher.choices(), std::move(way_of)),
+      telling_(env, limits_, knows.matcher, sessions_, keys_, knows.work, wording_),
+      catch_up_(knows.self, knows.matcher, keys_, telling_),
       own_(env, knows.self, knows.matcher, knows.resolver, sessions_, telling_, knows.work),
       admission_(limits_, sessions_, own_),
       statements_(knows.self, knows.matcher.editions(), knows.resolver, admission_, own_, keys_, knows.work,
@@ -22,6 +24,7 @@ Clients::Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, 
               .limits = limits_,
               .sessions = sessions_,
               .telling = telling_,
+              .catch_up = catch_up_,
               .own = own_,
               .statements = statements_,
               .resolver = knows.resolver,
@@ -94,7 +97,7 @@ Clients::At Clients::find_silent() {
     Session& session = *one->second;
     if (session.is_leaving) continue;
     if (session.statements == 0 && !turns_.has_work(session)) return one;  // they stand in the order of arrival
-    if (session.service_count() > 0 || env_.now() - session.heard < limits_.quiet_patience) continue;
+    if (session.services.count() > 0 || env_.now() - session.heard < limits_.quiet_patience) continue;
     if (quietest == sessions_.all.end() || session.heard < quietest->second->heard) quietest = one;
   }
   return quietest;
@@ -136,17 +139,13 @@ bool Clients::make_place(std::string_view user) {
 
 /// Whether it lags and has read nothing for too long.
 bool Clients::is_stuck(Session& session) {
-  if (!session.lags_since) return false;
+  if (!session.lag.is_any()) return false;
   if (!session.is_resyncing()) {
-    session.lags_since.reset();  // what it has missed is about no request that it still has
+    session.lag.end();  // what it has missed is about no request that it still has
     return false;
   }
-  const std::size_t backlog = session.backlog(env_);
-  if (backlog < session.lag_backlog) {
-    session.lag_backlog = backlog;
-    session.lags_since = env_.now();
-  }
-  return env_.now() - *session.lags_since >= limits_.lag_patience;
+  session.lag.note(session.backlog(env_), env_.now());
+  return session.lag.deadline(limits_.lag_patience) <= env_.now();
 }
 
 void Clients::close_due() {
@@ -154,7 +153,7 @@ void Clients::close_due() {
     const auto one = next++;
     Session& session = *one->second;
     if (session.is_leaving) {
-      if (session.service_count() == 0) sessions_.all.erase(one);
+      if (session.services.count() == 0) sessions_.all.erase(one);
       continue;
     }
     if (is_stuck(session)) {
@@ -194,7 +193,7 @@ void Clients::close_all(const std::optional<Error>& error) {
 base::Instant Clients::deadline() const {
   base::Instant first = base::never;
   for (const auto& [stream, session] : sessions_.all) {
-    if (session->lags_since) first = std::min(first, *session->lags_since + limits_.lag_patience);
+    first = std::min(first, session->lag.deadline(limits_.lag_patience));
   }
   return first;
 }

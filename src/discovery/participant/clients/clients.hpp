@@ -8,6 +8,7 @@
 #include "discovery/matching/matcher.hpp"
 #include "discovery/participant/clients/admission.hpp"
 #include "discovery/participant/clients/answering.hpp"
+#include "discovery/participant/clients/catch_up.hpp"
 #include "discovery/participant/clients/key_telling.hpp"
 #include "discovery/participant/clients/limits.hpp"
 #include "discovery/participant/clients/own_services.hpp"
@@ -15,6 +16,7 @@
 #include "discovery/participant/clients/statements.hpp"
 #include "discovery/participant/clients/telling.hpp"
 #include "discovery/participant/clients/turns.hpp"
+#include "discovery/participant/clients/wording.hpp"
 #include "discovery/participant/knowledge/expressions.hpp"
 #include "discovery/participant/knowledge/overlaps.hpp"
 #include "discovery/participant/knowledge/resolver.hpp"
@@ -40,7 +42,7 @@ class Clients {
   /// Borrows `env` and `limits` for its life. `ask` answers queries, `keys_of` gives the keys of channels, `way_of` the
   /// ways to other participants.
   Clients(env::Env& env, const ClientLimits& limits, const Knows& knows, Ask ask, KeysOf keys_of,
-          Telling::WayOf way_of);
+          Wording::WayOf way_of);
   Clients(const Clients&) = delete;
   Clients& operator=(const Clients&) = delete;
 
@@ -85,7 +87,9 @@ class Clients {
   Sessions sessions_;
   std::uint32_t next_peer_ = 1;
   KeyTelling keys_;
+  Wording wording_;
   Telling telling_;
+  CatchUp catch_up_;
   OwnServices own_;
   Admission admission_;
   Statements statements_;

@@ -19,10 +19,6 @@ namespace geminga::participant {
 /// Gives the keys of the channel with this life. The ring is empty while this participant has no key.
 using KeysOf = std::function<gcnp::ChannelKeyring(Life)>;
 
-/// Channels of one session whose keys are remembered as told. At one more all are forgotten, and told again when they
-/// are due: a client takes keys that it has as no change.
-inline constexpr std::size_t max_told_channels = 4096;
-
 /// Writes the keys of a channel into the session that owns the statement, and nowhere else.
 class KeyTelling {
  public:

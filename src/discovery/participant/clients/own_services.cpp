@@ -50,10 +50,8 @@ void OwnServices::withdraw(const Session& session, std::uint32_t number, const S
 }
 
 void OwnServices::forget(Session& session, std::uint32_t number) {
-  session.with_request(number,
-                       [&](const auto& stated) { withdraw(session, number, stated, matching::Reason::withdrawn); });
-  const auto quiet = session.subscriptions.find(number);
-  if (quiet != session.subscriptions.end() && quiet->second.is_quiet) --session.quiet;
+  session.services.with(number,
+                        [&](const auto& stated) { withdraw(session, number, stated, matching::Reason::withdrawn); });
   session.forget(number);
 }
 
@@ -67,30 +65,28 @@ template void OwnServices::suspend(Session&, std::uint32_t, const StatedPublicat
 template void OwnServices::suspend(Session&, std::uint32_t, const StatedSubscription&);
 
 bool OwnServices::is_small(const Session& session) const {
-  return session.service_count() * sessions_.service_count() <= max_pairs_at_once;
+  return session.services.count() * sessions_.service_count() <= max_pairs_at_once;
 }
 
 void OwnServices::withdraw_all(Session& session) {
-  is_changed_ |= session.shared_count() > 0;
+  is_changed_ |= session.services.shared_count() > 0;
   matcher_.remove_peer(self_.id, session.peer(), matching::Reason::withdrawn);
-  session.publications.clear();
-  session.subscriptions.clear();
-  session.quiet = 0;
+  session.services.clear();
   session.told.clear();
   session.resyncs.clear();
   session.to_rename.clear();
 }
 
 void OwnServices::withdraw_one(Session& session) {
-  if (!session.subscriptions.empty()) {
-    forget(session, session.subscriptions.rbegin()->first);
-  } else if (!session.publications.empty()) {
-    forget(session, session.publications.rbegin()->first);
+  if (!session.services.subscriptions.empty()) {
+    forget(session, session.services.subscriptions.rbegin()->first);
+  } else if (!session.services.publications.empty()) {
+    forget(session, session.services.publications.rbegin()->first);
   }
 }
 
 void OwnServices::rename(Session& session) {
-  session.for_each_request([&](std::uint32_t number, const auto&) { session.to_rename.insert(number); });
+  session.services.for_each([&](std::uint32_t number, const auto&) { session.to_rename.insert(number); });
   if (!is_small(session)) return;
   while (!session.to_rename.empty()) rename_one(session);
 }
@@ -98,14 +94,14 @@ void OwnServices::rename(Session& session) {
 void OwnServices::rename_one(Session& session) {
   const std::uint32_t number = *session.to_rename.begin();
   session.to_rename.erase(session.to_rename.begin());
-  session.with_request(number, [&](const auto& stated) { enter(session, number, stated); });
+  session.services.with(number, [&](const auto& stated) { enter(session, number, stated); });
 }
 
 void OwnServices::list_returning() {
   returning_.clear();
   is_changed_ |= description_.enter();
   for (const auto& [stream, session] : sessions_.all) {
-    session->for_each_request(
+    session->services.for_each(
         [&, at = stream](std::uint32_t number, const auto&) { returning_.push_back({at, number}); });
   }
   std::ranges::reverse(returning_);
@@ -119,7 +115,7 @@ bool OwnServices::return_next() {
   if (session == nullptr) return true;
   work_.add(cost_of_statement);
   telling_.tell_gone(*session, number, matching::Reason::renamed);
-  session->with_request(number, [&, id = number](const auto& stated) {
+  session->services.with(number, [&, id = number](const auto& stated) {
     enter(*session, id, stated, matching::Matcher::Telling::providers);
     if (stated.is_in_force) session->resyncs[id] = {};
   });
@@ -130,7 +126,7 @@ void OwnServices::list_for_restating(bool is_of_all) {
   restated_.clear();
   is_changed_ |= description_.restate(is_of_all);
   for (const auto& [stream, session] : sessions_.all) {
-    session->for_each_request([&, at = stream](std::uint32_t number, const auto& stated) {
+    session->services.for_each([&, at = stream](std::uint32_t number, const auto& stated) {
       if (is_of_all || stated.is_awaited) restated_.push_back({at, number});
     });
   }
@@ -144,7 +140,7 @@ bool OwnServices::restate_next() {
   Session* session = sessions_.find(stream);
   if (session == nullptr) return true;
   work_.add(cost_of_statement);
-  session->with_request(number, [&, id = number](auto& stated) {
+  session->services.with(number, [&, id = number](auto& stated) {
     const bool is_known = resolve_again(*session, id, stated);
     if (!self_.is_claimed()) return;
     if (is_known) {
@@ -194,10 +190,10 @@ std::vector<announcement::PeerState> OwnServices::announced() const {
     announcement::PeerState peer;
     peer.id = session->peer();
     peer.name = session->name;
-    for (const auto& [number, stated] : session->publications) {
+    for (const auto& [number, stated] : session->services.publications) {
       if (stated.is_in_force) peer.publications.push_back({.number = number, .publication = stated.service});
     }
-    for (const auto& [number, stated] : session->subscriptions) {
+    for (const auto& [number, stated] : session->services.subscriptions) {
       if (!stated.is_in_force || !stated.is_announced()) continue;
       peer.subscriptions.push_back({.number = number, .subscription = stated.service});
       auto& subscription = peer.subscriptions.back().subscription;

@@ -11,17 +11,6 @@ Session::Session(env::StreamId stream, PeerId peer, std::string_view the_user, c
       stream_(stream),
       peer_(peer) {}
 
-Work Session::used(base::Instant now) const {
-  const auto halvings = (now - used_at_) / half_life;
-  return halvings >= 64 ? 0 : used_ >> halvings;
-}
-
-void Session::use(Work work, base::Instant now) {
-  const auto halvings = (now - used_at_) / half_life;
-  used_ = used(now) + work;
-  used_at_ += halvings * half_life;  // what is left of a half-life is not lost
-}
-
 std::string Session::take_outbox() { return std::exchange(outbox_, {}); }
 
 }  // namespace geminga::participant

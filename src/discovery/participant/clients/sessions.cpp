@@ -41,19 +41,19 @@ std::size_t Sessions::peer_count() const {
 }
 
 std::size_t Sessions::publication_count() const {
-  return sum(all, [](const Session& one) { return one.publications.size(); });
+  return sum(all, [](const Session& one) { return one.services.publications.size(); });
 }
 
 std::size_t Sessions::subscription_count() const {
-  return sum(all, [](const Session& one) { return one.subscriptions.size(); });
+  return sum(all, [](const Session& one) { return one.services.subscriptions.size(); });
 }
 
 std::size_t Sessions::shared_count() const {
-  return sum(all, [](const Session& one) { return one.shared_count(); });
+  return sum(all, [](const Session& one) { return one.services.shared_count(); });
 }
 
 std::size_t Sessions::promised_room() const {
-  return sum(all, [](const Session& one) { return one.room; });
+  return sum(all, [](const Session& one) { return one.services.room; });
 }
 
 void Sessions::refuse(Session& session, std::uint32_t id, const Error& error) {

@@ -49,7 +49,7 @@ Refusal change_names(const Modify& modify, Stated& stated) {
 /// Whether a subscription takes a place of the room that its peer asked for: the others need not know who listens to a
 /// stream.
 bool is_quiet(const Session& session, ChannelMode mode) {
-  return session.room > 0 && mode == ChannelMode::one_to_many_stream;
+  return session.services.room > 0 && mode == ChannelMode::one_to_many_stream;
 }
 
 /// The limit where none is stated: one provider for a channel between two, every one otherwise.
@@ -112,7 +112,7 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
     answer.parameters.push_back({"keys", "yes"});
     answer.parameters.push_back({"sealing", keys_.mode()});
   }
-  if (session.room > 0) answer.parameters.push_back({"room", std::to_string(session.room)});
+  if (session.services.room > 0) answer.parameters.push_back({"room", std::to_string(session.services.room)});
   session.say(answer);
   return std::nullopt;
 }
@@ -158,16 +158,16 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubCreate
                            .service = gcnp::with_identity(create.publication, {})};
   if (auto refusal = resolve_and_check(stated)) return refusal;
   if (auto refusal = admission_.make_room(session)) return refusal;
-  const StatedPublication& entered = session.publications.emplace(id, std::move(stated)).first->second;
+  const StatedPublication& entered = session.services.publications.emplace(id, std::move(stated)).first->second;
   keys_.tell(session, id, entered.service.attributes);
   own_.enter(session, id, entered);
   return std::nullopt;
 }
 
 Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubModify& modify) {
-  const auto found = session.publications.find(id);
-  if (found == session.publications.end())
-    return unknown_request(id, "publication", session.subscriptions.contains(id));
+  const auto found = session.services.publications.find(id);
+  if (found == session.services.publications.end())
+    return unknown_request(id, "publication", session.services.subscriptions.contains(id));
   StatedPublication stated = found->second;
   gcnp::apply(modify, stated.service);
   if (auto refusal = change_names(modify, stated)) return refusal;
@@ -180,7 +180,8 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubModify
 }
 
 Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubRemove&) {
-  if (!session.publications.contains(id)) return unknown_request(id, "publication", session.subscriptions.contains(id));
+  if (!session.services.publications.contains(id))
+    return unknown_request(id, "publication", session.services.subscriptions.contains(id));
   own_.forget(session, id);
   return std::nullopt;
 }
@@ -195,18 +196,18 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubCreate
                             .is_quiet = takes_room};
   if (auto refusal = resolve_and_check(stated)) return refusal;
   if (auto refusal = takes_room ? std::nullopt : admission_.make_room(session)) return refusal;
-  session.quiet += takes_room ? 1 : 0;
+  session.services.quiet += takes_room ? 1 : 0;
   // All that it is given is told piece by piece, however much that is.
-  own_.enter(session, id, session.subscriptions.emplace(id, std::move(stated)).first->second,
+  own_.enter(session, id, session.services.subscriptions.emplace(id, std::move(stated)).first->second,
              matching::Matcher::Telling::providers);
-  if (session.subscriptions.at(id).is_in_force) session.resyncs[id] = {};
+  if (session.services.subscriptions.at(id).is_in_force) session.resyncs[id] = {};
   return std::nullopt;
 }
 
 Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubModify& modify) {
-  const auto found = session.subscriptions.find(id);
-  if (found == session.subscriptions.end()) {
-    return unknown_request(id, "subscription", session.publications.contains(id));
+  const auto found = session.services.subscriptions.find(id);
+  if (found == session.services.subscriptions.end()) {
+    return unknown_request(id, "subscription", session.services.publications.contains(id));
   }
   StatedSubscription stated = found->second;
   gcnp::apply(modify, stated.service);
@@ -218,7 +219,7 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubModify
     if (auto refusal = admission_.check_subscriptions(session, false)) return refusal;
     if (auto refusal = admission_.make_room(session)) return refusal;
     stated.is_quiet = false;
-    --session.quiet;
+    --session.services.quiet;
     own_.change();
   }
   if (stated.is_awaited) own_.suspend(session, id, found->second);
@@ -228,8 +229,8 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubModify
 }
 
 Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubRemove&) {
-  if (!session.subscriptions.contains(id)) {
-    return unknown_request(id, "subscription", session.publications.contains(id));
+  if (!session.services.subscriptions.contains(id)) {
+    return unknown_request(id, "subscription", session.services.publications.contains(id));
   }
   own_.forget(session, id);
   return std::nullopt;

@@ -46,7 +46,7 @@ void Turns::take_statement(Session& session, std::string_view line) {
   }
   if (refusal) parts_.sessions.refuse(session, statement->id, *refusal);
   // Now, so that an answer to what comes next stands behind the events of this.
-  if (session.is_resyncing() && !session.lags_since) parts_.telling.proceed_resync(session);
+  if (session.is_resyncing() && !session.lag.is_any()) parts_.catch_up.proceed(session);
   parts_.telling.deliver_events();
   session.gate.charge((session.events - events) / work_per_statement +
                       (parts_.expressions.counts().classified - classified) * statements_per_expression +
@@ -87,7 +87,7 @@ void Turns::do_next(Session& session) {
   } else if (!session.to_rename.empty()) {
     parts_.own.rename_one(session);
   } else if (session.is_resyncing()) {
-    parts_.telling.proceed_resync(session);
+    parts_.catch_up.proceed(session);
   } else if (session.answering) {
     proceed_answer(session, parts_.work);
   } else if (session.held) {
@@ -107,7 +107,7 @@ void Turns::do_step(Session& session) {
   const std::uint64_t own_events = session.events;
   while (parts_.work.done() - begin < work_in_step && has_work(session)) do_next(session);
   const std::uint64_t others = (parts_.sessions.counters.events - events) - (session.events - own_events);
-  session.use(parts_.work.done() - begin - others * cost_of_event, parts_.env.now());
+  session.recent_work.add(parts_.work.done() - begin - others * cost_of_event, parts_.env.now());
 }
 
 /// Equal ones in the order of their arrival.
@@ -115,13 +115,14 @@ Session* Turns::find_next() const {
   Session* next = nullptr;
   for (const auto& [stream, session] : parts_.sessions.all) {
     if (!has_work(*session)) continue;
-    if (next == nullptr || session->used(parts_.env.now()) < next->used(parts_.env.now())) next = session.get();
+    if (next == nullptr || session->recent_work.at(parts_.env.now()) < next->recent_work.at(parts_.env.now()))
+      next = session.get();
   }
   return next;
 }
 
 bool Turns::has_business(Session& session) {
-  if (session.is_leaving) return session.service_count() > 0;
+  if (session.is_leaving) return session.services.count() > 0;
   if (session.is_closing) return false;
   return is_being_told(session) || session.held || session.reader.has_line();
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/log.hpp"
+#include "discovery/participant/clients/catch_up.hpp"
 #include "discovery/participant/clients/limits.hpp"
 #include "discovery/participant/clients/own_services.hpp"
 #include "discovery/participant/clients/sessions.hpp"
@@ -26,6 +27,7 @@ class Turns {
     const ClientLimits& limits;
     Sessions& sessions;
     Telling& telling;
+    CatchUp& catch_up;
     OwnServices& own;
     Statements& statements;
     const Resolver& resolver;

@@ -55,8 +55,8 @@ Answer answer_peers(const Sessions& sessions) {
     append(line, "peer", static_cast<std::uint32_t>(session->peer()));
     append(line, "name", session->name);
     append_stated(line, "user", session->user);
-    append(line, "publications", session->publications.size());
-    append(line, "subscriptions", session->subscriptions.size());
+    append(line, "publications", session->services.publications.size());
+    append(line, "subscriptions", session->services.subscriptions.size());
     append(line, "statements", session->statements);
     answer.lines.push_back(std::move(line));
   }
