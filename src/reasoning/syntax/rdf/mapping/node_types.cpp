@@ -47,8 +47,9 @@ void NodeTypes::add_vocabulary() {
                           Word::owl_backward_compatible_with, Word::owl_incompatible_with})
     add(node_of(word), type_annotation_property);
   for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
-    if (graph_.is_iri(NodeId{node}) && graph_.text(NodeId{node}).starts_with(syntax::xsd_namespace))
-      add(NodeId{node}, type_datatype);
+    if (!graph_.is_iri(NodeId{node})) continue;
+    const bool is_of_xsd = graph_.text(NodeId{node}).starts_with(syntax::xsd_namespace);
+    add(NodeId{node}, is_of_xsd ? is_named | type_datatype : is_named);
   }
 }
 
@@ -244,9 +245,11 @@ void NodeTypes::choose_property_types() {
 }
 
 bool NodeTypes::is_data_range(NodeId node, int depth) const {
-  if (depth > max_range_depth || graph_.is_literal(node)) return false;
-  if (graph_.is_iri(node)) return is_datatype(node) && !is_class(node);
+  if (depth > max_range_depth) return false;
+  // The bits of a node are in the cache more often than the node itself, which is many times their size.
+  if (has(node, is_named)) return is_datatype(node) && !is_class(node);
   std::uint8_t& mark = range_marks_[static_cast<std::size_t>(node)];
+  if (mark == 0 && graph_.is_literal(node)) return false;
   if (mark == 0) mark = is_datatype(node) || describes_data_range(node, depth) ? 2 : 1;
   return mark == 2;
 }

@@ -51,6 +51,7 @@ class NodeTypes {
   static constexpr Types type_ontology = 64;
   static constexpr Types type_reified = 128;
   static constexpr Types has_literals = 256;  ///< a property with a literal value somewhere
+  static constexpr Types is_named = 512;      ///< an IRI
   static constexpr Types property_types = type_object_property | type_data_property | type_annotation_property;
 
   [[nodiscard]] bool has(NodeId node, Types types) const {

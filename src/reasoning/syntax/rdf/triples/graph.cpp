@@ -2,6 +2,7 @@
 #include "reasoning/syntax/rdf/triples/graph.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "base/hash.hpp"
@@ -45,28 +46,65 @@ NodeId Graph::push(NodeKind kind, bool is_nameless, std::string_view text, NodeI
 }
 
 NodeId Graph::intern(NodeKind kind, std::string_view text, NodeId datatype, NodeId language) {
+  return intern_hashed(hash_of(kind, text, datatype, language), kind, text, datatype, language);
+}
+
+NodeId Graph::intern_hashed(std::uint64_t hash, NodeKind kind, std::string_view text, NodeId datatype,
+                            NodeId language) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
-  const std::uint32_t found =
-      table_.find_or_insert(hash_of(kind, text, datatype, language), number, [&](std::uint32_t filed) {
-        const Record& record = nodes_[filed];
-        return record.size == text.size() && record.kind == kind && record.datatype == datatype &&
-               record.language == language && std::string_view(record.text, record.size) == text;
-      });
+  const std::uint32_t found = table_.find_or_insert(hash, number, [&](std::uint32_t filed) {
+    const Record& record = nodes_[filed];
+    return record.size == text.size() && record.kind == kind && record.datatype == datatype &&
+           record.language == language && std::string_view(record.text, record.size) == text;
+  });
   return found != NodeTable::none ? NodeId{found} : push(kind, false, text, datatype, language);
 }
 
-void Graph::append(const Graph& other) {
-  constexpr auto words = static_cast<std::size_t>(syntax::Word::count);
+std::vector<NodeId> Graph::append_nodes(const Graph& other) {
+  constexpr std::size_t words = static_cast<std::size_t>(syntax::Word::count);
+  constexpr std::size_t at_once = 32;
   std::vector<NodeId> here(other.nodes_.size());
-  const auto node_from = [&](const Record& record) {
-    const std::string_view text(record.text, record.size);
-    if (record.is_nameless) return new_blank(text);
-    // A literal comes behind its datatype and language.
-    return intern(record.kind, text, here[static_cast<std::size_t>(record.datatype)],
-                  here[static_cast<std::size_t>(record.language)]);
+  for (std::size_t number = 0; number < words; ++number) here[number] = NodeId{static_cast<std::uint32_t>(number)};
+  std::array<std::uint64_t, at_once> hashes{};
+  // A literal comes behind its datatype and language.
+  const auto node_at = [&](NodeId node) { return here[static_cast<std::size_t>(node)]; };
+  for (std::size_t begin = words; begin < other.nodes_.size(); begin += at_once) {
+    const auto some = std::span(other.nodes_).subspan(begin, std::min(at_once, other.nodes_.size() - begin));
+    prefetch(some, hashes);
+    for (std::size_t at = 0; at < some.size(); ++at) {
+      const Record& record = some[at];
+      const std::string_view text(record.text, record.size);
+      if (record.is_nameless) {
+        here[begin + at] = new_blank(text);
+      } else if (record.kind != NodeKind::literal) {
+        here[begin + at] = intern_hashed(hashes[at], record.kind, text, NodeId{}, NodeId{});
+      } else {
+        here[begin + at] = literal(text, node_at(record.datatype), node_at(record.language));
+      }
+    }
+  }
+  return here;
+}
+
+void Graph::prefetch(std::span<const Record> some, std::span<std::uint64_t> hashes) const {
+  const auto is_searched = [](const Record& record) { return !record.is_nameless && record.kind != NodeKind::literal; };
+  for (std::size_t at = 0; at < some.size(); ++at) {
+    if (!is_searched(some[at])) continue;
+    hashes[at] = hash_of(some[at].kind, {some[at].text, some[at].size}, NodeId{}, NodeId{});
+    table_.prefetch(hashes[at]);
+  }
+  const auto for_each_candidate = [&](auto&& fetch) {
+    for (std::size_t at = 0; at < some.size(); ++at) {
+      const std::uint32_t number = is_searched(some[at]) ? table_.first_candidate(hashes[at]) : NodeTable::none;
+      if (number != NodeTable::none) fetch(nodes_[number]);
+    }
   };
-  for (std::size_t number = 0; number < other.nodes_.size(); ++number)
-    here[number] = number < words ? NodeId{static_cast<std::uint32_t>(number)} : node_from(other.nodes_[number]);
+  for_each_candidate([](const Record& record) { __builtin_prefetch(&record); });
+  for_each_candidate([](const Record& record) { __builtin_prefetch(record.text); });
+}
+
+void Graph::append(const Graph& other) {
+  const std::vector<NodeId> here = append_nodes(other);
   const auto node_here = [&](NodeId node) { return here[static_cast<std::size_t>(node)]; };
   for (const Triple& triple : other.triples_)
     triples_.push_back({node_here(triple.subject), node_here(triple.predicate), node_here(triple.object), triple.line});

@@ -98,6 +98,12 @@ class Graph {
 
   NodeId push(NodeKind kind, bool is_nameless, std::string_view text, NodeId datatype, NodeId language);
   NodeId intern(NodeKind kind, std::string_view text, NodeId datatype, NodeId language);
+  NodeId intern_hashed(std::uint64_t hash, NodeKind kind, std::string_view text, NodeId datatype, NodeId language);
+  /// The nodes of another graph here, by their numbers there.
+  std::vector<NodeId> append_nodes(const Graph& other);
+  /// Computes the hashes of the IRIs and named blank nodes of another graph, and fetches into the cache what a search
+  /// for each reads: a slot of the table, a node and its text, which lie anywhere in memory.
+  void prefetch(std::span<const Record> some, std::span<std::uint64_t> hashes) const;
   const char* store(std::string_view text);
 
   std::vector<Record> nodes_;

@@ -31,6 +31,20 @@ class NodeTable {
     return none;
   }
 
+  /// Fetches into the cache what a search for this hash looks at first.
+  void prefetch(std::uint64_t hash) const {
+    if (!slots_.empty()) __builtin_prefetch(&slots_[place_of(static_cast<std::uint32_t>(hash >> 32U))]);
+  }
+  /// The number that a search for this hash compares first, or none.
+  [[nodiscard]] std::uint32_t first_candidate(std::uint64_t hash) const {
+    if (slots_.empty()) return none;
+    const auto tag = static_cast<std::uint32_t>(hash >> 32U);
+    for (std::size_t slot = place_of(tag); slots_[slot].number != none; slot = (slot + 1) & mask()) {
+      if (slots_[slot].tag == tag) return slots_[slot].number;
+    }
+    return none;
+  }
+
  private:
   struct Slot {
     std::uint32_t number = none;
