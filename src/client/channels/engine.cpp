@@ -26,8 +26,6 @@ std::string_view to_string(ProviderChange::What what) {
 namespace geminga::client {
 namespace {
 
-/// The number that stands for events among the news.
-constexpr ChannelNumber events_only = 0;
 /// The largest datagram that IP carries.
 constexpr std::size_t largest_datagram = 65'536;
 
@@ -65,22 +63,21 @@ Welcome welcome_of(const gcnp::Statement& hello) {
 Engine::Engine(DaemonLink::Options options, Log::Write log, Reactor::Clock clock)
     : reactor_([this](std::string text) { tell(Problem{0, std::move(text)}); }, std::move(clock)),
       log_(reactor_, std::move(log)),
+      news_(reactor_, log_),
       room_(largest_datagram),
       link_(reactor_, std::move(options), told()),
       session_([this](const gcnp::Statement& statement) {
         if (is_own_process()) link_.say(statement);
       }),
-      settle_(reactor_,
-              [this] {
-                for (const auto& [number, publisher] : publishers_) publisher->on_settled();
-                for (const auto& [number, subscriber] : subscribers_) subscriber->on_settled();
-              }),
-      reminder_(reactor_, [] {}) {
+      settle_(reactor_, [this] {
+        for (const auto& [number, publisher] : publishers_) publisher->on_settled();
+        for (const auto& [number, subscriber] : subscribers_) subscriber->on_settled();
+      }) {
   link_.start();
 }
 
 Engine::~Engine() {
-  on_event_ = nullptr;
+  news_.on_events(nullptr);
   subscribers_.clear();
   publishers_.clear();
 }
@@ -100,7 +97,10 @@ DaemonLink::Told Engine::told() {
 bool Engine::process() {
   reactor_.process();
   end_finished();
-  return hand_out();
+  return news_.hand_out([this](ChannelNumber number) {
+    auto* known = subscriber(number);
+    return known == nullptr ? std::nullopt : known->take();
+  });
 }
 
 Result<ChannelNumber, ClientError> Engine::publish(NamedPublication publication) {
@@ -145,8 +145,7 @@ Result<void, ClientError> Engine::modify(ChannelNumber number, const Session::Ch
 
 void Engine::withdraw(ChannelNumber number) {
   if (subscribers_.erase(number) > 0) {
-    on_message_.erase(number);
-    has_looked(number);
+    news_.forget(number);
     session_.remove(number);
     return;
   }
@@ -301,58 +300,6 @@ void Engine::state_attribute(ChannelNumber channel, const std::string& key, cons
   change.attributes[key] = value;
   if (session_.find(channel) == nullptr) return;
   [[maybe_unused]] const auto asked = session_.modify(channel, change);
-}
-
-void Engine::tell(ChannelEvent event) {
-  if (const auto* problem = std::get_if<Problem>(&event)) log_.line(problem->text);
-  if (events_.size() == max_waiting_events) {
-    events_.pop_front();
-    ++lost_events_;
-  }
-  events_.push_back(std::move(event));
-  has_event_come_ = true;
-  news_.insert(events_only);
-}
-
-std::optional<ChannelEvent> Engine::next_event() {
-  has_looked(events_only);
-  if (const auto lost = std::exchange(lost_events_, 0); lost > 0) {
-    Problem problem{0, std::to_string(lost) + " events were thrown away: take them more often"};
-    log_.line(problem.text);
-    return problem;
-  }
-  if (events_.empty()) return std::nullopt;
-  std::optional<ChannelEvent> event(std::move(events_.front()));
-  events_.pop_front();
-  return event;
-}
-
-void Engine::on_messages(ChannelNumber number, OnMessage on_message) {
-  on_message_[number] = std::move(on_message);
-  ready_.push_back(number);
-}
-
-bool Engine::hand_out() {
-  const bool has_come = std::exchange(has_event_come_, false) || !ready_.empty();
-  // The functions of the program may call everything here but process().
-  while (on_event_ && !events_.empty()) {
-    const auto event = next_event();
-    const OnEvent told = on_event_;
-    told(*event);
-  }
-  const auto ready = std::exchange(ready_, {});
-  for (const ChannelNumber number : ready) {
-    const auto found = on_message_.find(number);
-    if (found == on_message_.end()) continue;
-    const OnMessage told = found->second;
-    has_looked(number);
-    while (auto* known = subscriber(number)) {
-      auto message = known->take();
-      if (!message) break;
-      told(std::move(*message));
-    }
-  }
-  return has_come;
 }
 
 }  // namespace geminga::client

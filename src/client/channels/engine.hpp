@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/channels/channel_host.hpp"
 #include "client/channels/daemon_link.hpp"
 #include "client/channels/log.hpp"
+#include "client/channels/news.hpp"
 #include "client/channels/publisher_channel.hpp"
 #include "client/channels/subscriber_channel.hpp"
 #include "client/protocol/session.hpp"
@@ -29,9 +29,6 @@ namespace geminga::client {
 /// thread-safe.
 class Engine final : public ChannelHost {
  public:
-  using OnEvent = std::function<void(const ChannelEvent&)>;
-  using OnMessage = std::function<void(Message)>;
-
   /// Begins to look for the daemon.
   explicit Engine(DaemonLink::Options options, Log::Write log = {}, Reactor::Clock clock = Reactor::system_time);
   ~Engine() override;
@@ -61,33 +58,15 @@ class Engine final : public ChannelHost {
   /// Whether an attempt to reach the daemon has failed and it is not there.
   [[nodiscard]] bool is_without_daemon() const { return !link_.is_up() && link_.has_failed(); }
 
-  /// The next event that was not taken. If events were thrown away, the first one is a Problem of channel 0 with their
-  /// number.
-  [[nodiscard]] std::optional<ChannelEvent> next_event();
-  /// Gives further events, or messages of a subscriber, to these functions at the end of process().
-  void on_events(OnEvent on_event) { on_event_ = std::move(on_event); }
-  void on_messages(ChannelNumber number, OnMessage on_message);
-
-  /// Whether messages or events have come for which the program has not looked since.
-  [[nodiscard]] bool has_news() const { return !news_.empty(); }
-  /// The program has looked for a message of this subscriber; or 0: for an event.
-  void has_looked(ChannelNumber number) { news_.erase(number); }
-  /// The program is about to look for everything.
-  void will_look() { news_.clear(); }
-  /// Makes the descriptor readable until the next process(), if there are news.
-  void remind() {
-    if (has_news()) reminder_.set(reactor_.now());
-  }
+  /// Events and messages for the program, whose functions for them are called at the end of process().
+  [[nodiscard]] News& news() { return news_; }
 
   /// Gives further lines of the log to this function; to standard error if it is empty.
   void on_log(Log::Write write) { log_.set(std::move(write)); }
 
   [[nodiscard]] Reactor& reactor() override { return reactor_; }
-  void tell(ChannelEvent event) override;
-  void on_message(ChannelNumber channel) override {
-    ready_.push_back(channel);
-    news_.insert(channel);
-  }
+  void tell(ChannelEvent event) override { news_.tell(std::move(event)); }
+  void on_message(ChannelNumber channel) override { news_.on_message(channel); }
   void state_port(ChannelNumber channel, std::uint16_t port) override;
   void state_attribute(ChannelNumber channel, const std::string& key, const std::string& value) override;
   [[nodiscard]] std::optional<SealingMode> sealing_mode() const override { return mode_; }
@@ -112,10 +91,10 @@ class Engine final : public ChannelHost {
   void end_finished();
   /// Ends the channel of a request that is refused.
   void close_refused(ChannelNumber number);
-  bool hand_out();
 
   Reactor reactor_;
   Log log_;
+  News news_;
   std::vector<std::byte> room_;
   std::optional<SealingMode> mode_;  ///< nothing: no daemon has told it yet
   DaemonLink link_;
@@ -125,14 +104,6 @@ class Engine final : public ChannelHost {
   std::vector<ChannelNumber> finishing_;  ///< publishers
   Reactor::Timer settle_;                 ///< a daemon that is back has had its time to confirm
   std::string last_refusal_;              ///< of a daemon; the program is told once
-  std::deque<ChannelEvent> events_;
-  std::uint64_t lost_events_ = 0;  ///< thrown away since the program was last told
-  OnEvent on_event_;
-  std::map<ChannelNumber, OnMessage> on_message_;
-  bool has_event_come_ = false;
-  std::vector<ChannelNumber> ready_;  ///< subscribers that have got a message
-  std::set<ChannelNumber> news_;      ///< subscribers with news, and 0 for events
-  Reactor::Timer reminder_;
   bool is_ending_ = false;
 };
 

@@ -36,7 +36,7 @@ class NodeState {
   /// Makes the descriptor readable for a program that polls it, because a call has read messages that it does not know
   /// of.
   void remind() {
-    if (is_polled) engine.remind();
+    if (is_polled) engine.news().remind();
   }
   /// Drives the engine until `is_done` or the deadline. Whether it is done.
   template <typename IsDone>
@@ -159,7 +159,7 @@ Subscriber::~Subscriber() {
 }
 
 std::optional<Message> Subscriber::poll() {
-  node_->engine.has_looked(number_);
+  node_->engine.news().has_looked(number_);
   auto* subscriber = node_->engine.subscriber(number_);
   return subscriber == nullptr ? std::nullopt : subscriber->take();
 }
@@ -175,7 +175,7 @@ std::optional<Message> Subscriber::receive(milliseconds timeout) {
 }
 
 void Subscriber::on_message(std::function<void(Message)> receive) {
-  node_->engine.on_messages(number_, std::move(receive));
+  node_->engine.news().on_messages(number_, std::move(receive));
 }
 
 Life Subscriber::life() const {
@@ -234,14 +234,15 @@ Result<Subscriber, ClientError> Node::subscribe(const NamedSubscription& subscri
 }
 
 std::optional<ChannelEvent> Node::next_event(milliseconds timeout) {
-  std::optional<ChannelEvent> event = state_->engine.next_event();
+  std::optional<ChannelEvent> event = state_->engine.news().next_event();
   if (event) return event;
-  state_->run_until([&] { return (event = state_->engine.next_event()).has_value(); }, client::deadline_after(timeout));
+  state_->run_until([&] { return (event = state_->engine.news().next_event()).has_value(); },
+                    client::deadline_after(timeout));
   return event;
 }
 
 void Node::on_log(std::function<void(std::string_view)> write) { state_->engine.on_log(std::move(write)); }
-void Node::on_event(std::function<void(const ChannelEvent&)> tell) { state_->engine.on_events(std::move(tell)); }
+void Node::on_event(std::function<void(const ChannelEvent&)> tell) { state_->engine.news().on_events(std::move(tell)); }
 bool Node::is_connected() const { return state_->engine.is_connected(); }
 int Node::descriptor() const {
   state_->is_polled = true;
@@ -249,14 +250,14 @@ int Node::descriptor() const {
 }
 void Node::process() {
   state_->process();
-  state_->engine.will_look();
+  state_->engine.news().will_look();
 }
 
 void Node::wait(milliseconds timeout) {
-  const bool had_news = state_->engine.has_news();
+  const bool had_news = state_->engine.news().is_any();
   const bool has_come = state_->process();
   if (!had_news && !has_come && state_->wait(client::deadline_after(timeout))) state_->process();
-  state_->engine.will_look();
+  state_->engine.news().will_look();
 }
 
 void Node::run_for(milliseconds duration) {

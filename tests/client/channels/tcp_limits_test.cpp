@@ -52,7 +52,7 @@ class TcpLimits : public testing::Test {
   }
   std::vector<std::string> problems() {
     std::vector<std::string> texts;
-    while (const auto event = engine_.next_event()) {
+    while (const auto event = engine_.news().next_event()) {
       if (const auto* problem = std::get_if<Problem>(&*event)) texts.push_back(problem->text);
     }
     return texts;
@@ -140,11 +140,11 @@ TEST_F(TcpLimits, WhoSaysSomethingElseIsClosed) {
 
 TEST_F(TcpLimits, OnlyTheLastEventsWaitAndTheProgramIsToldOfTheOthers) {
   for (std::size_t i = 0; i < max_waiting_events + 1; ++i) engine_.tell(Problem{static_cast<ChannelNumber>(i), ""});
-  const auto lost = std::get<Problem>(*engine_.next_event());
+  const auto lost = std::get<Problem>(*engine_.news().next_event());
   EXPECT_EQ(lost.channel, 0U);
   EXPECT_EQ(lines_.back(), lost.text);
   EXPECT_EQ(lost.text, "1 events were thrown away: take them more often");
-  EXPECT_EQ(std::get<Problem>(*engine_.next_event()).channel, 1U);
+  EXPECT_EQ(std::get<Problem>(*engine_.news().next_event()).channel, 1U);
 }
 
 TEST(Log, SaysAfterASecondThatThereIsNoDaemonAndWhenItIsThere) {
@@ -192,7 +192,7 @@ TEST_F(TcpLimits, AProcessThatWasForkedDoesNotSend) {
 
 TEST_F(TcpLimits, ASocketThatCannotBeWatchedIsToldOf) {
   const auto watch = engine_.reactor().watch(Socket(), [](Reactor::Ready) {});
-  const auto event = engine_.next_event();
+  const auto event = engine_.news().next_event();
   ASSERT_TRUE(event);
   EXPECT_EQ(std::get<Problem>(*event).text, "a socket cannot be watched: Bad file descriptor");
 }
