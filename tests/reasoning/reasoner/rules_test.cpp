@@ -238,6 +238,27 @@ TEST(Rules, OfWhichSomethingIsNotKnownAreNamedWhereTheyMayMatter) {
             "a swrl:Variable of a value that nothing binds");
 }
 
+TEST(Rules, LeaveNothingOpenWhereAModelKeepsThemWhateverTheirUnknownPartsSay) {
+  const std::string premise =
+      "DLSafeRule(Body(DataPropertyAtom(:d ?x ?v) BuiltInAtom(<http://e/unheard> ?v)) Head(ClassAtom(:B ?x)))"
+      "DataPropertyAssertion(:d :a \"5\")";
+  const std::string unheard = "a built-in of a swrl:Imp that is not known";
+  EXPECT_EQ(consistent(premise), "yes");
+  EXPECT_EQ(last_follows(premise + "ClassAssertion(:C :a)"), "no");
+  EXPECT_EQ(last_follows(premise + "SubClassOf(:B :C)ClassAssertion(:C :a)"), unheard);
+  EXPECT_EQ(consistent(premise + "ClassAssertion(ObjectComplementOf(:B) :a)"), unheard);
+  // With nominals, the facts of such a model do not follow.
+  EXPECT_EQ(consistent(premise + "SubClassOf(:N ObjectOneOf(:a))"), "yes");
+  EXPECT_EQ(last_follows(premise + "SubClassOf(:N ObjectOneOf(:a))SubClassOf(:N :B)"), unheard);
+  EXPECT_EQ(last_follows(premise + "SubClassOf(:N ObjectOneOf(:a))SubClassOf(:N :C)"), "no");
+  // Nothing says which individual a variable of the head is, and an empty head is false.
+  EXPECT_NE(consistent("DLSafeRule(Body(ClassAtom(:A ?x)) Head(ObjectPropertyAtom(:p ?x ?y)))ClassAssertion(:A :a)"),
+            "yes");
+  EXPECT_EQ(consistent("DLSafeRule(Body(DataPropertyAtom(:d ?x ?v) BuiltInAtom(<http://e/unheard> ?v)) Head())"
+                       "DataPropertyAssertion(:d :a \"5\")"),
+            unheard);
+}
+
 TEST(Rules, AsConclusionsFollowWhereTheyAreStated) {
   EXPECT_EQ(last_follows(uncle + uncle), "yes");
   EXPECT_EQ(last_follows("ClassAssertion(:A :a)" + uncle), "rules follow only where they are stated");

@@ -41,7 +41,21 @@ std::optional<Choice> Rules::choice_of(const RuleAtom& head, DependencySet& depe
   }
 }
 
+bool Rules::can_conclude(const Match& match) {
+  const auto is_concrete = [&](const RuleAtom& head) {
+    return head.kind != RuleAtomKind::unknown && head.kind != RuleAtomKind::built_in &&
+           std::ranges::all_of(head.terms, [&](const clauses::RuleTerm& term) {
+             DependencySet ignored = no_dependency;
+             const BoundKind kind = bound(term, ignored).kind;
+             return kind == BoundKind::node || kind == BoundKind::literal;
+           });
+  };
+  return std::ranges::all_of(match.rule->heads, is_concrete) &&
+         std::ranges::all_of(match.rule->alternatives, is_concrete);
+}
+
 void Rules::conclude(const Match& match) {
+  if (!match.is_sure && !can_conclude(match)) return;  // find_open() names it
   DependencySet dependency = match.dependency;
   std::vector<Choice> others;
   for (const RuleAtom& alternative : match.rule->alternatives) {

@@ -54,11 +54,11 @@ void Rules::derive() {
   refresh();
   const bool is_first = processed_ == 0;
   if (is_first) {
-    for (const std::uint32_t rule : plans_.untriggered()) match_whole(rule);
+    for (const std::uint32_t rule : plans_.untriggered()) match_if_known(rule);
   }
   while (processed_ < graph_.facts().size() && !is_over()) process(processed_++);
   if (is_over() || (seen_by_paths_ == graph_.facts().size() && !is_first)) return;
-  for (const std::uint32_t rule : plans_.about_paths()) match_whole(rule);
+  for (const std::uint32_t rule : plans_.about_paths()) match_if_known(rule);
   seen_by_paths_ = static_cast<FactId>(graph_.facts().size());
   processed_ = std::max<FactId>(processed_, 1);  // the first fact was matched, if there is one
 }
@@ -74,6 +74,10 @@ std::string Rules::find_open() {
   for (std::uint32_t rule = 0; rule < set_.rules.size() && open_.empty(); ++rule) match_whole(rule);
   is_open_ = false;
   return open_;
+}
+
+void Rules::match_if_known(std::uint32_t rule) {
+  if (takes_unknown_for_true_ || plans_.is_known(rule)) match_whole(rule);
 }
 
 void Rules::match_whole(std::uint32_t rule) {
@@ -96,6 +100,7 @@ void Rules::process(FactId id) {
 }
 
 void Rules::start(const RulePlan& plan, const Fact& fact, FactId id) {
+  if (!takes_unknown_for_true_ && !plans_.is_known(plan.rule)) return;
   const clauses::Rule& rule = set_.rules[plan.rule];
   const RuleAtom& atom = rule.body[plan.trigger];
   bounds_.assign(rule.is_value.size(), {});
@@ -131,7 +136,7 @@ void Rules::match(Match match) {
 void Rules::go_on(Holds holds, Match match) {
   if (holds == Holds::no) return;
   has_unknown_ = has_unknown_ || holds == Holds::unknown;
-  if (holds == Holds::unknown && !is_open_) return;
+  if (holds == Holds::unknown && !is_open_ && !takes_unknown_for_true_) return;
   match.is_sure = match.is_sure && holds == Holds::yes;
   this->match(match);
 }

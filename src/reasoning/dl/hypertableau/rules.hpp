@@ -41,6 +41,11 @@ class Rules {
   /// all of them.
   [[nodiscard]] std::string find_open();
 
+  /// Takes atoms that are not known for atoms that hold, so that a model keeps each rule whatever they say. What
+  /// follows then need not follow from the ontology: only a model says something. To be called before anything is
+  /// matched.
+  void take_unknown_for_true(bool does) { takes_unknown_for_true_ = does; }
+
   /// The facts that were matched.
   [[nodiscard]] FactId sizes() const { return processed_; }
   void restore(FactId processed) {
@@ -71,6 +76,8 @@ class Rules {
 
   void refresh();
   void match_whole(std::uint32_t rule);
+  /// The same of a rule whose body has no unknown atom, or in which that is taken for true.
+  void match_if_known(std::uint32_t rule);
   void process(FactId id);
   void start(const RulePlan& plan, const Fact& fact, FactId id);
   void match(Match match);
@@ -79,7 +86,7 @@ class Rules {
   void look_at_data_role(const clauses::RuleAtom& atom, Match match);
   void look_at_path(const clauses::RuleAtom& atom, Match match);
   void look_at_built_in(const clauses::RuleAtom& atom, Match match);
-  /// Goes on if it holds, or if it is unknown and open matches are looked for.
+  /// Goes on if it holds, or if it is unknown and is taken for true, or open matches are looked for.
   void go_on(Holds holds, Match match);
   [[nodiscard]] bool is_over() const { return facts_.has_clash() || effort_.is_over_limit(); }
 
@@ -93,6 +100,8 @@ class Rules {
                           DependencySet& dependency);
 
   void conclude(const Match& match);
+  /// Whether the heads of a match can be facts: nothing in them is unknown.
+  [[nodiscard]] bool can_conclude(const Match& match);
   void note_open(const Match& match);
   /// The choice that a head is; nothing where it holds, and `is_false` where it cannot.
   std::optional<Choice> choice_of(const clauses::RuleAtom& head, DependencySet& dependency, bool& is_false);
@@ -116,8 +125,9 @@ class Rules {
   std::vector<bool> is_named_;           ///< by node
   std::vector<DependencySet> named_by_;  ///< by node: why
   std::vector<Bound> bounds_;            ///< by variable of the rule that is being matched
-  bool is_open_ = false;                 ///< matches with unknown atoms are looked for
-  bool has_unknown_ = false;             ///< some atom could not be decided
+  bool takes_unknown_for_true_ = false;
+  bool is_open_ = false;      ///< matches with unknown atoms are looked for
+  bool has_unknown_ = false;  ///< some atom could not be decided
   std::string open_;
 };
 

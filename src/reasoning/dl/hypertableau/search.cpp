@@ -40,6 +40,7 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       rules_(source, set, graph_, sets_, effort_, facts_, disjunctions_) {}
 
 void Search::begin(bool is_about_world) {
+  is_open_for_rules_ = false;
   effort_.begin(is_about_world);
   records_.begin_question();
   wrong_guesses_ = all_wrong_guesses_ = 0;
@@ -183,7 +184,10 @@ Outcome Search::run() {
     std::string unknown_value = facts_.check_values();
     if (facts_.has_clash()) continue;
     if (effort_.reason().empty()) effort_.set_reason(std::move(unknown_value));
-    if (effort_.reason().empty()) effort_.set_reason(rules_.find_open());
+    if (effort_.reason().empty()) {
+      effort_.set_reason(rules_.find_open());
+      is_open_for_rules_ = !effort_.reason().empty();
+    }
     return effort_.reason().empty() ? Outcome::model : Outcome::unknown;
   }
 }

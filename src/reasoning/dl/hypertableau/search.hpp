@@ -69,6 +69,14 @@ class Search {
   void limit_steps(std::size_t steps) { effort_.limit_steps(steps); }
   /// The steps of all questions.
   [[nodiscard]] std::size_t steps() const { return effort_.all_steps(); }
+  /// Whether the last outcome is unknown because of a rule alone.
+  [[nodiscard]] bool is_open_for_rules() const { return is_open_for_rules_; }
+  /// Looks for models that keep each rule whatever its unknown parts say (Rules::take_unknown_for_true). An outcome
+  /// other than a model says nothing then. Resets the search.
+  void take_unknown_for_true(bool does) {
+    reset();
+    rules_.take_unknown_for_true(does);
+  }
   /// Why the last outcome is unknown, in a line for a user.
   [[nodiscard]] const std::string& reason() const { return effort_.reason(); }
 
@@ -151,6 +159,7 @@ class Search {
   Derivation derivation_;
   Keys keys_;
   Rules rules_;
+  bool is_open_for_rules_ = false;
 
   std::vector<Branch> branches_;
   std::size_t wrong_guesses_ = 0;      ///< since the search began, or began again

@@ -39,14 +39,27 @@ const Tableau::World& Tableau::find_world() {
   const bool needs_base = search_->has_nominals();
   if (world_ && (world_->answer.verdict != Verdict::yes || !needs_base || search_->has_base())) return *world_;
   search_->reset();
-  const Outcome outcome = search_->find_world();
-  world_ = World{answer_of(outcome, search_->reason()), {}};
+  Outcome outcome = search_->find_world();
+  std::string reason = search_->reason();
+  const bool is_open = outcome == Outcome::unknown && search_->is_open_for_rules();
+  if (is_open) outcome = find_world_whatever_is_unknown(reason);
+  world_ = World{answer_of(outcome, reason), {}};
   if (outcome == Outcome::model) {
     world_->model = search_->model();
     model_ = world_->model;
     if (needs_base) search_->keep();
   }
+  if (is_open && taken_for_true_.empty()) search_->take_unknown_for_true(false);
   return *world_;
+}
+
+/// A model in which the heads of rules hold where only the unknown parts of their bodies may not is a model in any
+/// case. With nominals it is the base of questions, of which then only a model says something.
+Outcome Tableau::find_world_whatever_is_unknown(const std::string& reason) {
+  search_->take_unknown_for_true(true);
+  if (search_->find_world() != Outcome::model) return Outcome::unknown;
+  if (search_->has_nominals()) taken_for_true_ = reason;
+  return Outcome::model;
 }
 
 Answer Tableau::is_consistent() {
@@ -73,6 +86,10 @@ Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together, std::op
   const Outcome outcome = search_->find_instance(std::move(together), outside);
   if (outcome == Outcome::model) model_ = search_->model();
   Answer answer = answer_of(outcome, search_->reason());
+  if (!taken_for_true_.empty()) {
+    model_.certain.clear();
+    if (outcome == Outcome::no_model) answer = {Verdict::unknown, taken_for_true_};
+  }
   search_->end_question(outcome);
   return answer;
 }

@@ -53,6 +53,7 @@ struct Model {
 };
 
 class Search;
+enum class Outcome : std::uint8_t;
 
 /// Asks about one ClauseSet, which must outlive it. Not thread-safe; many may share the set.
 class Tableau {
@@ -87,10 +88,14 @@ class Tableau {
   };
 
   const World& find_world();
+  Outcome find_world_whatever_is_unknown(const std::string& reason);
   void prepare_base();
 
   std::unique_ptr<Search> search_;
   std::optional<World> world_;
+  /// Why the search takes unknown atoms of rules for true, so that a question without a model is undecided; empty: it
+  /// does not.
+  std::string taken_for_true_;
   Model model_;
 };
 

@@ -111,7 +111,7 @@ RulePlans::RulePlans(const clauses::ClauseSet& set) {
     const auto has = [&](RuleAtomKind kind) {
       return std::ranges::any_of(rule.body, [&](const RuleAtom& atom) { return atom.kind == kind; });
     };
-    if (has(RuleAtomKind::unknown)) continue;
+    is_known_.push_back(!has(RuleAtomKind::unknown));
     if (has(RuleAtomKind::path)) {
       about_paths_.push_back(number);
       continue;

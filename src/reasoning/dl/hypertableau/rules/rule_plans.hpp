@@ -23,7 +23,7 @@ struct RulePlan {
   std::vector<RuleStep> steps;
 };
 
-/// The plans of all rules of a clause set. A rule with an unknown atom in its body has no triggers.
+/// The plans of all rules of a clause set.
 class RulePlans {
  public:
   explicit RulePlans(const clauses::ClauseSet& set);
@@ -33,7 +33,9 @@ class RulePlans {
   [[nodiscard]] std::span<const RulePlan> of_data_role(std::uint32_t id) const { return at(by_data_role_, id); }
   /// By rule: all of its atoms.
   [[nodiscard]] const RulePlan& whole(std::uint32_t rule) const { return whole_[rule]; }
-  /// Rules without triggers and unknown atoms. They are matched when it changes which individuals there are.
+  /// Whether no atom of the rule's body is unknown.
+  [[nodiscard]] bool is_known(std::uint32_t rule) const { return is_known_[rule]; }
+  /// Rules without triggers. They are matched when it changes which individuals there are.
   [[nodiscard]] std::span<const std::uint32_t> untriggered() const { return untriggered_; }
   /// Rules about properties that are not simple. They are matched again after every new fact.
   [[nodiscard]] std::span<const std::uint32_t> about_paths() const { return about_paths_; }
@@ -48,6 +50,7 @@ class RulePlans {
   Table by_role_;
   Table by_data_role_;
   std::vector<RulePlan> whole_;
+  std::vector<bool> is_known_;  ///< by rule
   std::vector<std::uint32_t> untriggered_;
   std::vector<std::uint32_t> about_paths_;
 };
