@@ -47,7 +47,7 @@ Scalar rounded(rasqal_op op, const Scalar& value) {
   double& approximate = number->approximate;
   switch (op) {
     case RASQAL_EXPR_ABS:
-      exact = boost::multiprecision::abs(exact);
+      if (exact < 0) exact = -exact;
       approximate = std::abs(approximate);
       break;
     case RASQAL_EXPR_FLOOR:
