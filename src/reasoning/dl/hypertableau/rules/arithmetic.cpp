@@ -197,7 +197,7 @@ Computed rounded_to_digits(std::span<const Value> operands) {
   if (operands[1].family != DataFamily::number) return {};
   if (number == 0 || !std::isfinite(number)) return {Holds::yes, operands[0]};
   const Value exact[] = {value_of_number(Number(number)), operands[1]};
-  const Computed result = compute_exactly(BuiltIn::round_half_to_even, exact);
+  Computed result = compute_exactly(BuiltIn::round_half_to_even, exact);
   if (result.holds != Holds::yes) return result;
   const DataFamily family = operands[0].family;
   const Number& rounded = result.value->position;
