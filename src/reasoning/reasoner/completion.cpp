@@ -2,6 +2,7 @@
 #include "reasoning/reasoner/completion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -44,6 +45,7 @@ class Completing {
         set.individuals.size() + set.concept_facts.size() + set.role_facts.size() + set.data_facts.size();
     // Without an answer to the first question all others have none, so it may take the steps of all.
     question_.world_steps = steps_a_fact * facts + steps_an_inequality * set.equalities.size() + most_vain_steps();
+    if (has_limit()) question_.world_steps = std::max(question_.world_steps, limits.steps / 2);
     question_.nodes += set.individuals.size() + set.data_facts.size();
   }
 
@@ -112,8 +114,14 @@ class Completing {
     return false;
   }
 
-  /// The steps that questions without an answer may take together.
-  [[nodiscard]] std::size_t most_vain_steps() const { return limits_.unanswered * limits_.question.steps; }
+  /// The steps that questions without an answer may take together. They may have a good part of those of the search,
+  /// because the search saves more if it succeeds.
+  [[nodiscard]] std::size_t most_vain_steps() const {
+    constexpr std::size_t vain_part = 8;
+    return std::max(limits_.unanswered * limits_.question.steps, has_limit() ? limits_.steps / vain_part : 0);
+  }
+  /// Whether the steps of the search are bounded, not only those of each question.
+  [[nodiscard]] bool has_limit() const { return limits_.steps != std::numeric_limits<std::size_t>::max(); }
 
   /// Asks about a class. Where there is no answer, later questions may take twice as many steps: the first model may be
   /// large, and when it is kept the others take few.

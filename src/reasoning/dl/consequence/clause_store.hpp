@@ -39,7 +39,7 @@ class ClauseStore {
   void activate(ClauseNumber clause) { clauses_[clause].state = State::active; }
 
   /// The bits of a literal. insert_unit() sets `unit`, the callers set the others.
-  enum Flag : std::uint32_t { unit = 1, active_unit = 2, listed = 4, assumed = 8, noted = 16 };
+  enum Flag : std::uint32_t { unit = 1, active_unit = 2, listed = 4, assumed = 8 };
   [[nodiscard]] bool has(Literal literal, Flag flag) const {
     const Slot* const slot = find(literal);
     return slot != nullptr && (slot->flags & flag) != 0;

@@ -42,21 +42,28 @@ void Paramodulation::paramodulate(Premise equation, Premise into, ClauseStore& s
   conclusions_.finish(store, std::span(&made, 1));
 }
 
-void Paramodulation::apply(Premise premise, const Successor& successor, ClauseStore& store, Successors& successors) {
-  if (premise.literal.kind() == LiteralKind::equal) return apply_equality(premise, store, successors);
-  for (const Literal literal : successor.literals) {
-    if (literal.kind() != LiteralKind::equal) continue;
-    for_each_premise(store, literal, [&](Premise equation) { paramodulate(equation, premise, store); });
+// Redundant premises are dropped, so that they are looked at once.
+std::span<const Premise> Paramodulation::active(Pooled<Premise>& premises, const ClauseStore& store) {
+  effort_.count_compared(premises.size());
+  std::erase_if(premises, [&](Premise one) { return !is_active(store, one); });
+  return premises;
+}
+
+void Paramodulation::apply(Premise premise, Successor& successor, ClauseStore& store, Successors& successors) {
+  if (premise.literal.kind() == LiteralKind::equal) return apply_equality(premise, successor, store, successors);
+  for (const Premise equation : active(successor.equations, store)) {
+    if (is_active(store, equation)) paramodulate(equation, premise, store);
   }
 }
 
-void Paramodulation::apply_equality(Premise premise, ClauseStore& store, Successors& successors) {
+// A conclusion may cut the store, which makes other premises redundant.
+void Paramodulation::apply_equality(Premise premise, Successor& self, ClauseStore& store, Successors& successors) {
   const Term f = premise.literal.term();
   const Term by = premise.literal.other();
-  Successor& self = successors.at(store, f);
-  for (const Literal literal : self.literals) {
-    if (literal == premise.literal) continue;
-    for_each_premise(store, literal, [&](Premise into) { paramodulate(premise, into, store); });
+  for (auto* const premises : {&self.equations, &self.premises}) {
+    for (const Premise into : active(*premises, store)) {
+      if (into.literal != premise.literal && is_active(store, into)) paramodulate(premise, into, store);
+    }
   }
   // The siblings of f(x) differ from it, and so from t. A sibling that is greater is rewritten by itself.
   for (std::uint32_t sibling = rules_.first_sibling(function_of(f)); sibling < function_of(f); ++sibling) {

@@ -2,7 +2,10 @@
 #ifndef GEMINGA_REASONING_DL_CONSEQUENCE_PARAMODULATION_HPP
 #define GEMINGA_REASONING_DL_CONSEQUENCE_PARAMODULATION_HPP
 
+#include <span>
+
 #include "reasoning/dl/consequence/conclusions.hpp"
+#include "reasoning/dl/consequence/effort.hpp"
 #include "reasoning/dl/consequence/premise.hpp"
 #include "reasoning/dl/consequence/rules/rules.hpp"
 #include "reasoning/dl/consequence/successors.hpp"
@@ -15,20 +18,23 @@ namespace geminga::consequence {
 /// Of a store, Paramodulation only reads the clauses.
 class Paramodulation {
  public:
-  Paramodulation(const Rules& rules, Conclusions& conclusions) : rules_(rules), conclusions_(conclusions) {}
+  Paramodulation(const Rules& rules, Effort& effort, Conclusions& conclusions)
+      : rules_(rules), effort_(effort), conclusions_(conclusions) {}
 
   /// Rewrites a premise about f(x) by true -> f(x) = t, which was derived while the premise waited.
   void rewrite(Premise premise, Term by, ClauseStore& store);
   /// Applies the rules to a premise about this successor and its other premises. Replaces the successor if the premise
   /// is true -> f(x) = t.
-  void apply(Premise premise, const Successor& successor, ClauseStore& store, Successors& successors);
+  void apply(Premise premise, Successor& successor, ClauseStore& store, Successors& successors);
 
  private:
   void paramodulate(Premise equation, Premise into, ClauseStore& store);
-  void apply_equality(Premise premise, ClauseStore& store, Successors& successors);
+  void apply_equality(Premise premise, Successor& self, ClauseStore& store, Successors& successors);
+  [[nodiscard]] std::span<const Premise> active(Pooled<Premise>& premises, const ClauseStore& store);
   void factor(Premise premise, ClauseStore& store);
 
   const Rules& rules_;
+  Effort& effort_;
   Conclusions& conclusions_;
 };
 

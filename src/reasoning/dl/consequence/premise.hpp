@@ -25,6 +25,11 @@ struct Premise {
   return premise.clause == no_clause ? std::span<const Literal>() : store.head(premise.clause);
 }
 
+/// Whether a processed premise has not become redundant.
+[[nodiscard]] inline bool is_active(const ClauseStore& store, Premise premise) {
+  return premise.clause == no_clause || store.is_active(premise.clause);
+}
+
 /// Calls `use` with each processed clause in which the literal is maximal.
 template <typename Use>
 void for_each_premise(const ClauseStore& store, Literal literal, Use&& use) {

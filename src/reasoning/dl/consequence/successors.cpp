@@ -34,10 +34,10 @@ Successor& Successors::take_changed() {
   return successor;
 }
 
-const Successor& Successors::note(ClauseStore& store, const Rules& rules, Premise premise) {
+Successor& Successors::note(ClauseStore& store, const Rules& rules, Premise premise) {
   const Literal literal = premise.literal;
   Successor& successor = at(store, literal.term());
-  if (store.set(literal, ClauseStore::noted)) successor.literals.push_back(literal);
+  (literal.kind() == LiteralKind::equal ? successor.equations : successor.premises).push_back(premise);
   if (literal.kind() <= LiteralKind::different) return successor;
   const Literal seen = seen_by_successor(literal);
   if (!rules.is_trigger(seen)) return successor;

@@ -22,7 +22,8 @@ struct Successor {
   bool is_certain = false;       ///< something about it has an empty body
   bool is_changed = false;       ///< since the rule Succ was applied to it
   bool knows_existence = false;  ///< the target has been told that it exists
-  Pooled<Literal> literals;      ///< maximal literals about it, as this context names them
+  Pooled<Premise> equations;     ///< processed premises f(x) = t; some are redundant
+  Pooled<Premise> premises;      ///< the other processed premises about it, as this context names them
   Pooled<Literal> certain;       ///< A(x) that certainly hold of it; ascending
   Pooled<Literal> possible;      ///< other literals that may hold of it; ascending
   Context* target = nullptr;
@@ -45,7 +46,7 @@ class Successors {
   /// Notes true -> f(x) = by.
   void replace(Successor& successor, Term by);
   /// Notes a premise about a successor. The successor is valid until another is made.
-  const Successor& note(ClauseStore& store, const Rules& rules, Premise premise);
+  Successor& note(ClauseStore& store, const Rules& rules, Premise premise);
 
   [[nodiscard]] bool has_changed() const { return !changed_.empty(); }
   /// A successor that changed since the rule Succ was applied to it.

@@ -14,7 +14,7 @@ Worker::Worker(const Rules& rules, SharedEffort& shared, const Outbox& outbox)
       conclusions_(effort_, shared),
       filing_(rules, effort_, shared),
       hyperresolution_(rules, effort_, conclusions_),
-      paramodulation_(rules, conclusions_),
+      paramodulation_(rules, effort_, conclusions_),
       successor_rule_(rules, outbox_),
       predecessor_rule_(conclusions_, outbox_),
       successor_clauses_(effort_, conclusions_),
