@@ -14,10 +14,6 @@ constexpr std::uint64_t mixed(std::uint64_t word) {
 
 bool is_edge(FactKind kind) { return kind == FactKind::role || kind == FactKind::data_role; }
 
-bool is_label(FactKind kind) {
-  return kind != FactKind::role && kind != FactKind::data_role && kind != FactKind::unequal;
-}
-
 }  // namespace
 
 std::uint64_t Graph::hash_of(const Fact& fact) {
@@ -70,6 +66,7 @@ bool Graph::has_label_of(NodeId node, NodeId other) const {
 NodeId Graph::add_node(NodeKind kind, NodeId parent) {
   const auto id = static_cast<NodeId>(nodes_.size());
   Node& node = nodes_.emplace_back();
+  filters_.emplace_back();
   node.kind = kind;
   node.parent = parent;
   node.version = ++versions_;
@@ -84,7 +81,7 @@ NodeId Graph::add_node(NodeKind kind, NodeId parent) {
 }
 
 FactId Graph::find(FactKind kind, std::uint32_t predicate, NodeId a, NodeId b) const {
-  if (slots_.empty()) return none;
+  if (slots_.empty() || !may_have(kind, predicate, a)) return none;
   const std::size_t mask = slots_.size() - 1;
   const std::uint64_t hash = hash_of({kind, predicate, a, b});
   const auto tag = static_cast<std::uint32_t>(hash >> 32);
@@ -134,8 +131,26 @@ FactId Graph::add(const Fact& fact) {
   return id;
 }
 
+void Graph::add_to_filter(const Fact& fact) {
+  if (fact.kind == FactKind::concept_of) {
+    filters_[fact.a].add_concept(fact.predicate);
+  } else if (is_label(fact.kind)) {
+    filters_[fact.a].add_other(static_cast<std::uint32_t>(fact.kind), fact.predicate);
+  }
+}
+
+void Graph::note_stale(NodeId id) {
+  constexpr std::uint32_t few_stale = 16;
+  Node& node = nodes_[id];
+  if (++node.stale_count <= few_stale + node.label_count) return;
+  node.stale_count = 0;
+  filters_[id].forget_concepts();
+  for (FactId label = node.labels; label != none; label = facts_[label].next_a) add_to_filter(facts_[label]);
+}
+
 void Graph::link(FactId id) {
   Fact& fact = facts_[id];
+  add_to_filter(fact);
   Node& a = nodes_[fact.a];
   count_label(fact, true);
   if (fact.kind == FactKind::concept_of) {
@@ -165,6 +180,7 @@ void Graph::unlink(FactId id) {
   count_label(fact, false);
   if (fact.kind == FactKind::concept_of) {
     a.labels = fact.next_a;
+    note_stale(fact.a);
   } else if (is_edge(fact.kind)) {
     a.out = fact.next_a;
     nodes_[fact.b].in = fact.next_b;
@@ -259,6 +275,7 @@ void Graph::cut(const Mark& mark) {
     if (node.parent != none) nodes_[node.parent].first_child = node.next_child;
     if (is_value(node.kind)) values_.pop_back();
     nodes_.pop_back();
+    filters_.pop_back();
     changed_ = std::min(changed_, static_cast<NodeId>(nodes_.size()));
   }
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/label_filter.hpp"
 
 namespace geminga::hypertableau {
 
@@ -27,6 +28,11 @@ enum class FactKind : std::uint8_t {
   data_range,     ///< predicate(a), a a value
   data_at_least,  ///< an index of ClauseSet::data_at_leasts, of a
 };
+
+/// Whether facts of this kind are of one node alone: its concepts, number restrictions and ranges.
+[[nodiscard]] constexpr bool is_label(FactKind kind) {
+  return kind != FactKind::role && kind != FactKind::data_role && kind != FactKind::unequal;
+}
 
 struct Fact {
   FactKind kind = FactKind::concept_of;
@@ -68,6 +74,7 @@ struct Node {
   std::uint32_t label_count = 0;
   std::uint32_t edge_count = 0;           ///< between it and its parent
   std::uint32_t backward_edge_count = 0;  ///< those of them along which some node looks back
+  std::uint32_t stale_count = 0;          ///< concepts that were taken back since its filter was made
   /// Changes whenever the label, the edge to the parent or the state changes.
   std::uint64_t version = 0;
   /// Changes whenever an edge or an inequality of it changes, or the label of a child.
@@ -157,6 +164,14 @@ class Graph {
   [[nodiscard]] static std::uint64_t hash_of(const Fact& fact);
   /// Puts a fact into the first free slot of its chain.
   void fill_slot(FactId id);
+  /// False: the fact is not there. Only labels are known of.
+  [[nodiscard]] bool may_have(FactKind kind, std::uint32_t predicate, NodeId node) const {
+    if (kind == FactKind::concept_of) return filters_[node].may_have_concept(predicate);
+    return !is_label(kind) || filters_[node].may_have_other(static_cast<std::uint32_t>(kind), predicate);
+  }
+  void add_to_filter(const Fact& fact);
+  /// Makes the filter of the node again once so many concepts were taken back that it may claim much too much.
+  void note_stale(NodeId node);
   void count_label(const Fact& fact, bool is_added);
   void count_edge(const Fact& fact, bool is_added);
   void link(FactId id);
@@ -172,6 +187,7 @@ class Graph {
 
   std::vector<bool> looks_back_;
   std::vector<Node> nodes_;
+  std::vector<LabelFilter> filters_;  ///< of nodes_; apart, because a look at a filter needs nothing else of its node
   std::vector<Fact> facts_;
   /// Open addressing. Facts are removed in the reverse order, so an emptied slot breaks no chain of slots.
   std::vector<Slot> slots_;
