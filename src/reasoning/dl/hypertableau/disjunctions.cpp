@@ -39,6 +39,7 @@ void Disjunctions::add(std::vector<Choice>& alternatives, DependencySet dependen
     effort_.count_step();
     choices_.insert(choices_.end(), alternatives.begin(), alternatives.end());
     Disjunction& added = disjunctions_.emplace_back(begin, static_cast<std::uint32_t>(choices_.size()), dependency);
+    added.left = added.end - added.begin;
     added.is_local = is_local(alternatives);
   }
 }
@@ -74,8 +75,9 @@ std::variant<Disjunctions::AllDecided, Disjunctions::Asserted, Decision> Disjunc
     for (std::size_t at = next_; at < disjunctions_.size() && compared < most; ++at) {
       Disjunction& one = disjunctions_[at];
       if (at % known_a_look == 0) effort_.count_look();
+      // Those that have to be looked at anyway are many where there are individuals, and few of them change.
       if (const std::uint64_t state = one.is_done ? 0 : state_of(one);
-          !one.is_done && (state == 0 || state != one.seen)) {
+          !one.is_done && (state == 0 ? compared < few_compared : state != one.seen)) {
         if (settle(at) && !one.is_done) return Asserted();
         one.seen = state;
       }

@@ -359,7 +359,6 @@ void Search::reset() {
   sets_.clear();
   forget_base();
   facts_.clear();
-  records_.clear();
 }
 
 }  // namespace geminga::hypertableau

@@ -46,8 +46,10 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  /// Forgets everything, the base too.
+  /// Forgets everything but the records of choices, the base too.
   void reset();
+  /// Forgets which choices failed.
+  void forget_records() { records_.clear(); }
   /// Requires reset(). Looks for a model of the facts of the set.
   Outcome find_world();
   /// Looks for a model in which one thing is in all of these concepts and outside of another, together with the base.

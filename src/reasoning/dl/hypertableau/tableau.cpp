@@ -34,12 +34,19 @@ void Tableau::limit_steps(std::size_t steps) { search_->limit_steps(steps); }
 
 std::size_t Tableau::steps() const { return search_->steps(); }
 
-/// With nominals, the model of the world is also made the base, if it is not the base already.
+/// With nominals, the model of the world is also made the base, if it is not the base already. A question that left the
+/// base has shown which guesses about the individuals are wrong for it, and probably for others, too. So the world is
+/// found again with these records; if that takes too long, without, which has succeeded before.
 const Tableau::World& Tableau::find_world() {
   const bool needs_base = search_->has_nominals();
   if (world_ && (world_->answer.verdict != Verdict::yes || !needs_base || search_->has_base())) return *world_;
   search_->reset();
   Outcome outcome = search_->find_world();
+  if (world_ && outcome == Outcome::unknown) {
+    search_->forget_records();
+    search_->reset();
+    outcome = search_->find_world();
+  }
   std::string reason = search_->reason();
   const bool is_open = outcome == Outcome::unknown && search_->is_open_for_rules();
   if (is_open) outcome = find_world_whatever_is_unknown(reason);
@@ -71,12 +78,17 @@ Answer Tableau::is_consistent() {
 /// Without nominals facts do not matter to questions, so the base is empty at first.
 void Tableau::prepare_base() {
   if (search_->has_nominals() || (search_->has_base() && search_->base_node_count() <= max_kept_nodes)) return;
-  search_->reset();
+  forget_all();
   search_->keep();
 }
 
 void Tableau::begin_anew() {
-  if (!search_->has_nominals()) search_->reset();
+  if (!search_->has_nominals()) forget_all();
+}
+
+void Tableau::forget_all() {
+  search_->forget_records();
+  search_->reset();
 }
 
 Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together, std::optional<clauses::ConceptId> outside) {

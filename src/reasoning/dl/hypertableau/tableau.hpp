@@ -90,6 +90,7 @@ class Tableau {
   const World& find_world();
   Outcome find_world_whatever_is_unknown(const std::string& reason);
   void prepare_base();
+  void forget_all();
 
   std::unique_ptr<Search> search_;
   std::optional<World> world_;
