@@ -15,7 +15,7 @@ using clauses::Variable;
 
 namespace {
 
-bool is_edge(const Atom& atom) { return atom.kind == AtomKind::role && atom.first != atom.second; }
+bool joins_nodes(const Atom& atom) { return atom.kind == AtomKind::role && atom.first != atom.second; }
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void BackwardLooks::note_inverses(const Clause& clause) {
   bool forwards = std::ranges::any_of(clause.head, [](const Atom& atom) { return atom.kind == AtomKind::equal; });
   bool backwards = false;
   const auto note = [&](const Atom& atom) {
-    if (is_edge(atom)) (atom.first == centre ? forwards : backwards) = true;
+    if (joins_nodes(atom)) (atom.first == centre ? forwards : backwards) = true;
   };
   std::ranges::for_each(clause.body, note);
   std::ranges::for_each(clause.head, note);
@@ -62,7 +62,7 @@ void BackwardLooks::look(const Clause& clause) {
   Variable neighbour = centre;
   bool has_two = false;
   const auto note = [&](const Atom& atom) {
-    if (!is_edge(atom)) return;
+    if (!joins_nodes(atom)) return;
     const Variable other = std::max(atom.first, atom.second);
     has_two = has_two || (neighbour != centre && neighbour != other);
     neighbour = other;
@@ -75,7 +75,7 @@ void BackwardLooks::look(const Clause& clause) {
   };
   const auto guard = std::ranges::find_if(clause.body, is_guard);
   const auto look_along = [&](const Atom& atom) {
-    if (!is_edge(atom)) return;
+    if (!joins_nodes(atom)) return;
     const Direction direction = direction_of(atom.predicate, atom.first != centre);
     if (guard == clause.body.end()) {
       is_of_all_[direction] = true;
