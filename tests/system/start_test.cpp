@@ -69,7 +69,7 @@ TEST(Start, RefusesWhatItDoesNotUnderstand) {
       {{"--multicast", "10.0.0.1"}, "--multicast: 10.0.0.1 is no multicast group"},
       {{"--key-file", "no-such.key"}, "no-such.key: No such file or directory: name a key file"},
       {{"--surprise"}, "'--surprise' is no flag: see gemingad --help"},
-      {{"surprise"}, "surprise: see gemingad --help"},
+      {{"surprise"}, "'surprise' is one word too many: see gemingad --help"},
       {{"--config", "/nowhere/geminga.toml"}, "/nowhere/geminga.toml: No such file or directory"},
   };
   for (const auto& [flags, words] : cases) {
