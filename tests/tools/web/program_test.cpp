@@ -278,7 +278,7 @@ TEST_F(Program, DoesNotStartOpenToOthersWithoutASecret) {
   refused({"--listen", "0.0.0.0:4780"}, "other hosts reach 0.0.0.0: give --token-file");
   refused({"--listen", "[::]:4780"}, "other hosts reach ::: give --token-file");
   refused({"--listen", "192.0.2.7:4780"}, "give --token-file");
-  refused({"--listen", "localhost:4780"}, "--listen: localhost:4780 ");
+  refused({"--listen", "localhost:4780"}, "--listen: 'localhost' is no IP address");
   refused({"--listen", "127.0.0.1"}, "--listen: ");
   refused({"--host", "a b"}, "is no name of a host");
   refused({"--connect", "nowhere"}, "is no address of a daemon");
