@@ -156,8 +156,7 @@ constexpr std::size_t begin_bytes = std::size_t{1} << 16;
 
 /// An error of a parser, with what the file is instead where that shows.
 syntax::LoadError explained(syntax::LoadError error, syntax::Syntax syntax, std::string_view path, bool is_foreign) {
-  if (is_foreign)
-    error.text += " (it names neither RDF's nor OWL's namespace: is it an ontology?)";
+  if (is_foreign) error.text += " (it names neither RDF's nor OWL's namespace: is it an ontology?)";
   if (syntax != syntax::Syntax::turtle) return error;
   const std::string_view name = syntax::name_without_gz(path);
   if (name.ends_with(".nq")) {
