@@ -338,7 +338,7 @@ void Expansion::add_neighbours(const Fact& fact, std::span<const NodeId> known, 
     for (const NodeId other : known) facts_.add_unequal(other, node, dependency);
     if (effort_.is_over_limit()) return;
   }
-  facts_.add_siblings(first, dependency);
+  if (known.size() < needed) facts_.add_siblings(first, dependency);
 }
 
 // If the property has at most one value, the neighbour in the graph must have the filler.

@@ -31,7 +31,7 @@ TEST(Graph, FindsExactlyTheFactsThatAreThereAfterAnyCuts) {
   constexpr std::uint32_t predicates = 400;
   std::mt19937 random(26);
   const auto below = [&](std::uint32_t bound) { return static_cast<std::uint32_t>(random() % bound); };
-  Graph graph(std::vector<bool>(2 * predicates, false));
+  Graph graph(std::vector<bool>(std::size_t{2} * predicates, false));
   std::vector<Fact> there;
   std::vector<Mark> marks = {graph.mark()};
   for (int step = 0; step < 4000; ++step) {

@@ -36,7 +36,7 @@ class LabelFilter {
 
   [[nodiscard]] static constexpr std::uint32_t hash_of(std::uint32_t number) { return number * 0x9e3779b1U; }
   [[nodiscard]] static constexpr std::uint32_t bit_of_concept(std::uint32_t predicate) {
-    return static_cast<std::uint32_t>((std::uint64_t{hash_of(predicate)} * (concept_words * word_bits)) >> 32);
+    return static_cast<std::uint32_t>((std::uint64_t{hash_of(predicate)} * concept_words * word_bits) >> 32);
   }
   [[nodiscard]] static constexpr std::uint64_t bit_of_other(std::uint32_t kind, std::uint32_t predicate) {
     return std::uint64_t{1} << (hash_of((predicate << 3) | kind) >> 26);
