@@ -56,6 +56,7 @@ TEST_F(Mistake, NamesWhatMayBeMeantOrWhatThereIs) {
       {{"cok"}, "'cok' is no command: did you mean cook? " + see},
       {{"dance"}, "'dance' is no command: the commands are cook, wash: " + see},
       {{"--spoon", "x", "cok"}, "'cok' is no command: did you mean cook? " + see},
+      {{"--spon=x"}, "'--spon' is no flag: did you mean --spoon? " + see},
       {{"cook", "--sallt", "x"}, "'--sallt' is no flag: did you mean --salt? " + see},
       {{"cook", "--spon=x"}, "'--spon' is no flag: did you mean --spoon? " + see},
       {{"cook", "--hiden", "x"}, "'--hiden' is no flag: " + see},

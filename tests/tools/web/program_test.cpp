@@ -77,7 +77,7 @@ class Program : public tools::Query {
     return testing::AssertionFailure() << reply.status << ' ' << reply.body;
   }
 
-  /// The words of both about a time in which those of the page do not change: a finding may come with time.
+  /// The answers of both, given while the page's stays the same. The doctor finds more after some time.
   std::pair<Reply, std::string> page_and_program(const std::string& target, const std::vector<std::string>& line) {
     const auto end = std::chrono::steady_clock::now() + system::patience;
     Reply after = get(target);
