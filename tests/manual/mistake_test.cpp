@@ -32,7 +32,7 @@ class Mistake : public testing::Test {
   }
 
   /// The words about a command line, or nothing where it is right.
-  std::string said(std::vector<std::string> words) {
+  std::string said(const std::vector<std::string>& words) {
     std::vector<const char*> line{"kitchen"};
     for (const std::string& word : words) line.push_back(word.c_str());
     try {
