@@ -30,21 +30,6 @@ final class HandshakeTest {
         return Offer.of(mode, Identity.text("x"));
     }
 
-    /** Nothing comes to the socket. */
-    private static void isSilent(DatagramSocket socket) throws IOException {
-        socket.setSoTimeout(30);
-        try {
-            socket.receive(new DatagramPacket(new byte[1], 1));
-        } catch (SocketTimeoutException nothingCame) {
-            return;
-        }
-        throw new AssertionError("something came");
-    }
-
-    private static void awaitDropped(PublisherBench bench, long count) {
-        while (bench.publisher.dropped() < count) Thread.yield();
-    }
-
     private static Frame floor(PublisherBench bench, DatagramSocket from, long life, long cookie) throws IOException {
         bench.send(from, bench.hello(life, 5, cookie));
         Frame floor = (Frame) PublisherBench.frame(from);
@@ -61,7 +46,7 @@ final class HandshakeTest {
         try (PublisherBench bench = new PublisherBench(offer(Mode.STREAM)); DatagramSocket listener = new DatagramSocket(); DatagramSocket other = new DatagramSocket()) {
             byte[] short8 = new Frame(Frame.Kind.HELLO, 7, 0, ByteBuffer.allocate(8).putLong(bench.publisher.life()).array()).write();
             for (byte[] wrong : List.of(Frame.hello(7, new Handshake(99, 5, 0)).write(), short8, "no frame".getBytes(), Frame.end(7, 0).write())) bench.send(listener, wrong);
-            awaitDropped(bench, 4);
+            bench.awaitDropped(4);
             Frame first = floor(bench, listener, 7, 0);
             Check.that(first.write().length <= bench.hello(7, 5, 0).length, "no answer is longer than its hello");
             long cookie = cookie(first);
@@ -73,7 +58,7 @@ final class HandshakeTest {
             Check.equal("hello", new String(((Frame) PublisherBench.frame(listener)).payload()));
             Frame renewed = floor(bench, listener, 7, 0); // renewed, whatever its cookie is
             Check.equal("0 1", cookie(renewed) + " " + renewed.sequence());
-            isSilent(other);
+            PublisherBench.isSilent(other);
             bench.send(listener, new Frame(Frame.Kind.END, 7, 0, new Handshake(bench.publisher.life(), 5, 0).write()).write());
             while (bench.publisher.awaitConsumer(Duration.ofMillis(1))) Thread.onSpinWait();
             Check.that(!bench.publisher.send(new byte[1]), "nobody listens");
@@ -130,7 +115,7 @@ final class HandshakeTest {
             long begin = System.nanoTime();
             for (int i = 0; i < 4 * Limits.ANSWERS; ++i) bench.send(flood, bench.hello(7, 5, 0));
             bench.send(flood, "no frame".getBytes());
-            awaitDropped(bench, 1); // so all hellos have been read
+            bench.awaitDropped(1); // so all hellos have been read
             double seconds = (System.nanoTime() - begin) / 1e9;
             int answers = 0;
             flood.setSoTimeout(100);

@@ -21,6 +21,7 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -94,6 +95,21 @@ final class PublisherBench implements AutoCloseable {
     void isProblem(String text) throws InterruptedException {
         Check.equal(text, ((Event.Problem) next()).text());
         Check.equal(text, log.poll(30, TimeUnit.SECONDS));
+    }
+
+    void awaitDropped(long count) {
+        while (publisher.dropped() < count) Thread.yield();
+    }
+
+    /** Nothing comes to the socket. */
+    static void isSilent(DatagramSocket socket) throws IOException {
+        socket.setSoTimeout(30);
+        try {
+            socket.receive(new DatagramPacket(new byte[1], 1));
+        } catch (SocketTimeoutException nothingCame) {
+            return;
+        }
+        throw new AssertionError("something came");
     }
 
     /** A plain hello of that life. */

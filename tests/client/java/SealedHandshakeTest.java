@@ -31,21 +31,6 @@ final class SealedHandshakeTest {
         return Offer.of(mode, Identity.text("x"));
     }
 
-    /** Nothing comes to the socket. */
-    private static void isSilent(DatagramSocket socket) throws IOException {
-        socket.setSoTimeout(30);
-        try {
-            socket.receive(new DatagramPacket(new byte[1], 1));
-        } catch (SocketTimeoutException nothingCame) {
-            return;
-        }
-        throw new AssertionError("something came");
-    }
-
-    private static void awaitDropped(PublisherBench bench, long count) {
-        while (bench.publisher.dropped() < count) Thread.yield();
-    }
-
     static void aSealedStreamOverUdpIsSentToWhoHasTheKey() throws Exception {
         for (String mode : List.of("encrypted", "authenticated")) {
             try (PublisherBench bench = PublisherBench.sealed(offer(Mode.STREAM), mode); DatagramSocket listener = new DatagramSocket(); DatagramSocket stranger = new DatagramSocket()) {
@@ -61,15 +46,15 @@ final class SealedHandshakeTest {
                 Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener)));
                 Check.that(bench.publisher.awaitConsumer(LONG), "there");
                 bench.send(listener, hello); // recorded, from its own address: the counter does not rise
-                awaitDropped(bench, 2);
+                bench.awaitDropped(2);
                 bench.publisher.send("ball".getBytes());
                 WireFrame sent = PublisherBench.frame(listener);
                 Check.equal("ball", new String(consumer.open(sent).payload()));
                 Check.that(!(sent instanceof Frame), "sealed");
                 bench.send(listener, new Frame(Frame.Kind.END, 7, 0, new Handshake(bench.publisher.life(), 5, 0).write()).write());
-                awaitDropped(bench, 3);
+                bench.awaitDropped(3);
                 Check.that(bench.publisher.send(new byte[1]), "a forged end changes nothing");
-                isSilent(stranger);
+                PublisherBench.isSilent(stranger);
                 Check.that(consumer.open(PublisherBench.frame(listener)).sequence() == 2, "the second");
                 bench.send(listener, consumer.say(Frame.Kind.END, 5, cookie));
                 while (bench.publisher.awaitConsumer(Duration.ofMillis(1))) Thread.onSpinWait();
@@ -83,7 +68,7 @@ final class SealedHandshakeTest {
             bench.send(listener, consumer.hello(5, 0));
             long cookie = consumer.isAnswered(Frame.Kind.FLOOR, 5, PublisherBench.frame(listener));
             bench.send(listener, consumer.hello(5, cookie)); // nobody has announced it: it is not answered
-            isSilent(listener);
+            PublisherBench.isSilent(listener);
             bench.daemon.say(ScriptedDaemon.consumer(1, WORD, listener.getLocalPort(), LIFE));
             while (bench.told.isEmpty()) {
                 bench.send(listener, consumer.hello(5, cookie));
@@ -228,7 +213,7 @@ final class SealedHandshakeTest {
             WireFrame floor = PublisherBench.frame(listener);
             Check.equal(0L, consumer.isAnswered(Frame.Kind.FLOOR, 5, floor));
             Check.that(floor.sequence() >= heard.sequence(), "the last message");
-            isSilent(listener);
+            PublisherBench.isSilent(listener);
         }
     }
 
@@ -237,7 +222,7 @@ final class SealedHandshakeTest {
             bench.daemon.say(ScriptedDaemon.consumer(1, WORD, plain.getLocalPort(), "no-life"));
             bench.isProblem(WORD + " states no life, so its channel cannot be sealed");
             Check.that(!bench.publisher.send("secret".getBytes()), "nobody is there");
-            isSilent(plain);
+            PublisherBench.isSilent(plain);
         }
     }
 }

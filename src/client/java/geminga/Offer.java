@@ -19,7 +19,7 @@ public final class Offer {
      * @return the offer
      */
     public static Offer of(Mode mode, Identity identity) {
-        return new Offer(Request.state(Words.offer(), mode, identity));
+        return new Offer(IdentityWords.state(Words.offer(), mode, identity));
     }
 
     /**
@@ -119,7 +119,7 @@ public final class Offer {
 
     /** {@return the identity of the service} */
     public Identity identity() {
-        return Request.identity(words);
+        return IdentityWords.read(words);
     }
 
     /** {@return the port, 0 for any} */

@@ -23,7 +23,7 @@ public final class Request {
      * @return the request
      */
     public static Request of(Mode mode, Identity identity) {
-        return new Request(state(Words.request(), mode, identity), Map.of());
+        return new Request(IdentityWords.state(Words.request(), mode, identity), Map.of());
     }
 
     /**
@@ -228,7 +228,7 @@ public final class Request {
 
     /** {@return the requested identity} */
     public Identity identity() {
-        return identity(words);
+        return IdentityWords.read(words);
     }
 
     /** {@return the port for messages over UDP, 0 for any} */
@@ -294,19 +294,5 @@ public final class Request {
 
     private Request with(String key, String value) {
         return new Request(words.with(key, value), conversions);
-    }
-
-    static Words state(Words words, Mode mode, Identity identity) {
-        Words stated = words.with("mode", mode.word());
-        if (identity instanceof Identity.Number number) return stated.with("id", Long.toString(number.value()));
-        if (identity instanceof Identity.Text text) return stated.with("text", text.value());
-        Identity.Concept named = (Identity.Concept) identity;
-        return stated.with("concept", named.name()).with("representation", named.representation());
-    }
-
-    static Identity identity(Words words) {
-        if (!words.get("id").isEmpty()) return Identity.number(Long.parseLong(words.get("id")));
-        if (!words.get("text").isEmpty()) return Identity.text(words.get("text"));
-        return Identity.concept(words.get("concept"), words.get("representation"));
     }
 }
