@@ -123,6 +123,7 @@ try {
 
   // A request that nobody serves, another ontology, and a name that would be markup.
   await says('#wrong', 'Nobody serves soccer:GoalInfo');
+  await says('#wrong', 'Nobody offers it, nor anything below or above it: start ');
   await says('#wrong', 'robot2: another ontology');
   await says('#picture', hostile.slice(0, 14));
   await until(() => document.querySelectorAll('.line.exact').length >= 2 && document.querySelectorAll('.line.narrower').length >= 1);
@@ -268,6 +269,7 @@ try {
   await says('#wrong', 'Nobody serves soccer:GoalInfo');
   await until(() => document.querySelectorAll('.line').length > 1);
   await until(() => document.documentElement.scrollWidth <= window.innerWidth);
+  await until(() => document.querySelector('#picture svg rect').getBoundingClientRect().width < 1.3 * 168);
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: 'light' }]);
   await shoot('phone');
   await page.setViewport({ width: 1440, height: 1000 });

@@ -13,7 +13,7 @@ const typing = 300;
 const errorOf = (error: unknown): HTMLElement => h('p', { class: 'error' }, error instanceof Error ? error.message : String(error));
 
 const countsOf = (node: ClassNode): string =>
-  [node.offers > 0 ? `${node.offers} offered` : '', node.requests > 0 ? `${node.requests} asked` : ''].filter((word) => word !== '').join(', ');
+  [node.offers > 0 ? `${node.offers} offered` : '', node.requests > 0 ? `${node.requests} asked for` : ''].filter((word) => word !== '').join(', ');
 
 /** A button that shows the axioms by which a class is below another. */
 function whyButton(sub: string, sup: string, label: string): HTMLElement {

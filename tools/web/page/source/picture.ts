@@ -187,6 +187,7 @@ export class Picture {
     if (this.root.getAttribute('viewBox') !== view) {
       this.root.setAttribute('viewBox', view);
       this.root.style.maxWidth = `${width * mostScale}px`;
+      this.root.style.setProperty('--own-width', `${width}px`);
     }
     this.lines.put(this.lineGroup);
     this.boxes.put(this.boxGroup);
@@ -217,8 +218,8 @@ export class Picture {
 
   private box(one: Participant, at: { x: number; y: number }, drawing: Drawing, within: number, modules: number, isGone: boolean, isChosen: boolean): SVGElement {
     const unserved = drawing.unserved.get(one.id) ?? 0;
-    const second = isGone ? 'gone' : `${counted(modules, 'module')}, ${within} inside`;
-    const third = isGone ? 'was here' : `${one.publications} offered, ${one.subscriptions} asked`;
+    const second = isGone ? 'gone' : `${counted(modules, 'module')}${within > 0 ? `, ${within} inside` : ''}`;
+    const third = isGone ? 'was here' : `${one.publications} offered, ${one.subscriptions} asked for`;
     const isWrong = drawing.wrong.has(one.id) || isGone;
     const more = `${one.name}, ${within} matches inside${unserved > 0 ? `, ${unserved} requests not served` : ''}${isWrong ? ', something is wrong' : ''}`;
     const choose = () => this.choose({ participant: one.id });

@@ -97,7 +97,7 @@ function keys(security: Security | undefined): Finding[] {
 }
 
 /** The reason, in which "it" stands for the identity that the title has. */
-const reasonOf = (request: Request): string => (request.because ?? '').replace(/^nobody offers (concept|text|id)=[^,:]*?( as [^,:]*)?(?=[,:])/, 'Nobody offers it');
+const reasonOf = (request: Request): string => (request.because ?? '').replace(/^nobody offers (?:concept|text|id)=.*?(?=, nor |: |$)/, 'Nobody offers it');
 
 /** Requests without a service; those of many hosts for the same are one finding. */
 function unmatched(requests: Request[]): Finding[] {
