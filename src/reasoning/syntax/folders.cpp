@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> extensions{".ttl", ".nt",  ".rdf", ".owl", ".xml",
-                                                     ".owx", ".omn", ".ofn", ".fss"};
+constexpr std::array<std::string_view, 11> extensions{".ttl", ".nt",  ".trig", ".nq",  ".rdf", ".owl",
+                                                      ".xml", ".owx", ".omn",  ".ofn", ".fss"};
 /// How much of a file is looked at whose name ends in .xml, because many programs use this ending.
 constexpr std::size_t begin_bytes = std::size_t{1} << 16;
 
@@ -62,8 +62,9 @@ class Walk {
     const std::size_t before = listing_.files.size();
     if (auto failed = enter(folder_, 0)) return failed;
     if (listing_.files.size() == before)
-      return unreadable(folder_,
-                        "holds no ontology file: put files named .ttl, .nt, .rdf, .owl, .owx, .omn or .ofn there");
+      return unreadable(
+          folder_,
+          "holds no ontology file: put files named .ttl, .nt, .trig, .nq, .rdf, .owl, .owx, .omn or .ofn there");
     std::ranges::sort(listing_.files.begin() + static_cast<std::ptrdiff_t>(before), listing_.files.end());
     return std::nullopt;
   }

@@ -17,7 +17,7 @@ namespace geminga::syntax {
 inline constexpr std::size_t max_left_out = 16;
 
 /// Whether a text is the name of a file and not something else that may stand in its place: it ends as the names of
-/// ontology files do (.ttl .nt .rdf .owl .xml .owx .omn .ofn .fss, also with .gz), and is no IRI with `://`.
+/// ontology files do (.ttl .nt .trig .nq .rdf .owl .xml .owx .omn .ofn .fss, also with .gz), and is no IRI with `://`.
 [[nodiscard]] bool is_ontology_name(std::string_view text);
 
 /// The files that the arguments mean.
@@ -29,11 +29,12 @@ struct Listing {
   std::vector<std::string> skipped;
 };
 
-/// A file stands for itself. A folder stands for every ontology file in it and in the folders below (.ttl .nt .rdf .owl
-/// .xml .owx .omn .ofn .fss, also with .gz), except hidden files and Protégé's catalogues. A file that is named twice
-/// counts once. A folder without any ontology file is an error, and so is one with a link to a file outside of it.
-/// `also` are further endings of names that count, also with .gz. Where `left_out` is not null, what cannot be resolved
-/// or listed below a folder, and a link to a file outside of it, are left out and added there, up to max_left_out.
+/// A file stands for itself. A folder stands for every ontology file in it and in the folders below (.ttl .nt .trig .nq
+/// .rdf .owl .xml .owx .omn .ofn .fss, also with .gz), except hidden files and Protégé's catalogues. A file that is
+/// named twice counts once. A folder without any ontology file is an error, and so is one with a link to a file outside
+/// of it. `also` are further endings of names that count, also with .gz. Where `left_out` is not null, what cannot be
+/// resolved or listed below a folder, and a link to a file outside of it, are left out and added there, up to
+/// max_left_out.
 [[nodiscard]] std::expected<Listing, LoadError> list_files(std::span<const std::string> arguments,
                                                            const FileLimits& limits,
                                                            std::span<const std::string_view> also = {},

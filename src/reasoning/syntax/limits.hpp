@@ -41,6 +41,8 @@ struct FileLimits {
   /// Of one file: different pairs of a prefix and its IRI; in Turtle all declarations, which raptor searches from the
   /// first on.
   std::size_t prefixes = 10'000;
+  /// The graphs of a file of TriG, of which each takes two marks until they are blotted out.
+  std::size_t graphs = 1'000'000;
   /// Different pairs of a prefix and its IRI of all files together. Published files have ten, and most have the same.
   std::size_t all_prefixes = 50'000;
   /// Not a limit: how many imports that no file answers are left out under names of their own; others are counted.

@@ -114,10 +114,12 @@ Content look_at_xml(std::string_view text) {
   return Content::xml;
 }
 
-/// `{ "`, which no Turtle has behind a bracket.
+/// `{ "` or `{}`, which neither Turtle nor TriG begins with.
 bool is_object(std::string_view text) {
   text = base::trimmed(text);
-  return text.starts_with('{') && base::trimmed(text.substr(1, 64)).starts_with('"');
+  if (!text.starts_with('{')) return false;
+  text = base::trimmed(text.substr(1, 64));
+  return text.empty() || text.starts_with('"') || text.starts_with('}');
 }
 
 /// A line `format-version: 1.2`, or another `tag: value` before the first stanza.
@@ -130,12 +132,12 @@ bool is_obo(std::string_view text) {
   return (has_tag && head.find("\n[Term]") != std::string_view::npos) || text.starts_with("[Term]");
 }
 
-/// A directive, an IRI, a blank node or a prefixed name and white space.
+/// A directive, an IRI, a blank node, or a graph of TriG.
 bool begins_turtle(std::string_view text) {
-  for (const std::string_view directive : {"@prefix ", "@base ", "prefix ", "base "}) {
+  for (const std::string_view directive : {"@prefix ", "@base ", "prefix ", "base ", "graph <", "graph _:"}) {
     if (starts_ignoring_case(text, directive)) return true;
   }
-  if (text.starts_with('[')) return true;
+  if (text.starts_with('[') || text.starts_with('{')) return true;
   const std::size_t end = text.find_first_of(" \t\r\n");
   if (end == std::string_view::npos) return false;
   const std::string_view first = text.substr(0, end);
@@ -150,7 +152,7 @@ Content look(std::string_view content) {
   if (text.starts_with("<?xml") || starts_ignoring_case(text, "<!doctype") || text.starts_with("<!--") ||
       is_xml_tag(text))
     return look_at_xml(text);
-  if (text.starts_with('{') || (text.starts_with('[') && is_object(text.substr(1)))) return Content::json;
+  if (is_object(text) || (text.starts_with('[') && is_object(text.substr(1)))) return Content::json;
   if (is_obo(text)) return Content::obo;
   if (text.starts_with("(define-") || text.starts_with("(in-tbox")) return Content::krss;
   if (text.starts_with("Prefix:") || text.starts_with("Ontology:")) return Content::manchester;
@@ -216,8 +218,8 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
     default:
       break;
   }
-  const bool says_turtle = path.ends_with(".ttl");
-  const bool says_triples = path.ends_with(".nt");
+  const bool says_turtle = path.ends_with(".ttl") || path.ends_with(".trig");
+  const bool says_triples = path.ends_with(".nt") || path.ends_with(".nq");
   if (says_turtle || says_triples) {
     const bool is_xml = found == Content::xml && !is_bare_tag(without_comments(base::without_mark(content)));
     if (is_xml) return std::unexpected("is XML by its content: name it .rdf or .owl");
@@ -235,7 +237,8 @@ std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::str
   const bool says_xml = path.ends_with(".rdf") || path.ends_with(".owl") || path.ends_with(".xml");
   if (says_xml || found == Content::turtle) return Syntax::turtle;
   return std::unexpected(
-      "has no known extension, and begins as no known syntax: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
+      "has no known extension, and begins as no known syntax: name it .ttl, .nt, .trig, .nq, .rdf, .owl, "
+      ".xml, .owx, .omn or .ofn");
 }
 
 }  // namespace geminga::syntax

@@ -28,9 +28,10 @@ enum class Syntax : std::uint8_t {
 [[nodiscard]] constexpr bool is_read_last(Syntax syntax) { return syntax == Syntax::manchester; }
 
 /// The syntax of a file, or why it cannot be read, as the words behind "FILE: ". A name that ends in .ttl or .nt
-/// decides. The endings .owl, .rdf and .xml are used for several syntaxes, and the content decides. The syntaxes of OWL
-/// 2 are recognised by their content, whatever the name; .ofn, .fss, .omn and .owx can be nothing else. With any other
-/// name the content decides alone. A .gz behind the name does not count.
+/// decides, and so does one that ends in .trig or .nq: TriG holds Turtle, N-Quads hold N-Triples, and the scan of
+/// rdf/scan takes their graphs away. The endings .owl, .rdf and .xml are used for several syntaxes, and the content
+/// decides. The syntaxes of OWL 2 are recognised by their content, whatever the name; .ofn, .fss, .omn and .owx can be
+/// nothing else. With any other name the content decides alone. A .gz behind the name does not count.
 [[nodiscard]] std::expected<Syntax, std::string> detect_syntax(std::string_view path, std::string_view content);
 
 /// Whether a file begins as XML and names neither RDF's nor OWL's namespace there, so that it belongs to another

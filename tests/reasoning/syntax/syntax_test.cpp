@@ -14,6 +14,8 @@ TEST(Syntax, IsDecidedByTheNameOfTurtleAndTriplesAndByTheContentOfOthers) {
   EXPECT_EQ(detect_syntax("a.ttl", turtle), Syntax::turtle);
   EXPECT_EQ(detect_syntax("a.ttl", ""), Syntax::turtle);
   EXPECT_EQ(detect_syntax("a.nt", iri_first), Syntax::n_triples);
+  EXPECT_EQ(detect_syntax("a.nq", iri_first), Syntax::n_triples);
+  EXPECT_EQ(detect_syntax("a.trig", "{ :a :b :c }"), Syntax::turtle);
   EXPECT_EQ(detect_syntax("A.TTL", turtle), Syntax::turtle);
   EXPECT_EQ(detect_syntax("A.NT.gz", iri_first), Syntax::n_triples);
   for (const char* name : {"a.owl", "a.rdf", "a.xml"}) {
@@ -47,9 +49,9 @@ TEST(Syntax, OfTriplesMayBeginWithANameThatLooksLikeAnElementWithAPrefix) {
 }
 
 TEST(Syntax, OfAnUnknownExtensionIsDecidedByTheContent) {
-  for (const char* turtle :
-       {"@prefix : <http://e/> .", "BASE <http://e/>", "<http://e/a> a <http://e/B> .", "<> a :b .",
-        "_:a a <http://e/B> .", "[ a <http://e/B> ] .", "# a comment\n@base <http://e/> ."})
+  for (const char* turtle : {"@prefix : <http://e/> .", "BASE <http://e/>", "<http://e/a> a <http://e/B> .",
+                             "<> a :b .", "_:a a <http://e/B> .", "[ a <http://e/B> ] .",
+                             "# a comment\n@base <http://e/> .", "{ <a> a <b> }", "GRAPH <g> {}"})
     EXPECT_EQ(detect_syntax("a.txt", turtle), Syntax::turtle) << turtle;
   EXPECT_EQ(detect_syntax("a.txt", "<rdf:RDF xmlns:rdf='x'>"), Syntax::rdf_xml);
   EXPECT_EQ(detect_syntax("a.owl2", "Ontology(<http://e/>)"), Syntax::functional);
@@ -76,9 +78,9 @@ TEST(Syntax, IsRefusedWithWhatToDo) {
   EXPECT_EQ(words("a.ttl", "<?xml version=\"1.0\"?>"), "is XML by its content: name it .rdf or .owl");
   EXPECT_EQ(words("a.ttl", "<RDF xmlns=\"http://e/\">"), "is XML by its content: name it .rdf or .owl");
   EXPECT_EQ(words("a.ttl", "<s> <p> 123 ."), "accepted");
-  EXPECT_EQ(
-      words("a.txt", "hello"),
-      "has no known extension, and begins as no known syntax: name it .ttl, .nt, .rdf, .owl, .xml, .owx, .omn or .ofn");
+  EXPECT_EQ(words("a.txt", "hello"),
+            "has no known extension, and begins as no known syntax: name it .ttl, .nt, .trig, .nq, .rdf, .owl, .xml, "
+            ".owx, .omn or .ofn");
   EXPECT_EQ(words("a.txt", "[ {\n\"@id\": 1 } ]"), "is in JSON, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.owl", "(define-concept A B)"), "is in KRSS, which is not read: convert it to RDF/XML or Turtle");
   EXPECT_EQ(words("a.xml", "<TriX xmlns=\"http://www.w3.org/2004/03/trix/trix-1/\">"),

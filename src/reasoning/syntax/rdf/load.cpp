@@ -130,6 +130,14 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
   if (!syntax) return std::unexpected(syntax::LoadError{base::printable(path, 4096), 0, syntax.error(), true});
   auto layout = scan(*syntax, bytes->view(), limits);
   std::map<std::string_view, std::uint32_t> remarks;
+  if (layout && !layout->graph_marks.empty()) {
+    remarks.emplace("graphs of TriG or N-Quads, read as one graph",
+                    line_of(bytes->view(), layout->graph_marks.front().begin));
+    auto text = syntax::FileBytes::copy_of(without_marks(bytes->view(), layout->graph_marks));
+    if (!text) return refuse(0, "is too large for the memory");
+    *bytes = std::move(*text);
+    layout = scan(*syntax, bytes->view(), limits);
+  }
   if (layout && (syntax::has_triples(*syntax) || is_xml(*syntax))) {
     Bases bases;
     std::vector<Rewrite> rewrites;
@@ -155,15 +163,11 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
 constexpr std::size_t begin_bytes = std::size_t{1} << 16;
 
 /// An error of a parser, with what the file is instead where that shows.
-syntax::LoadError explained(syntax::LoadError error, syntax::Syntax syntax, std::string_view path, bool is_foreign) {
+syntax::LoadError explained(syntax::LoadError error, syntax::Syntax syntax, bool is_foreign) {
   if (is_foreign) error.text += " (it names neither RDF's nor OWL's namespace: is it an ontology?)";
   if (syntax != syntax::Syntax::turtle) return error;
-  const std::string_view name = syntax::name_without_gz(path);
-  if (name.ends_with(".nq")) {
-    error.text += ": N-Quads are not read, convert them to N-Triples";
-  } else if (error.text.contains("{ ... }") || error.text.contains("Graph URI literal {")) {
-    error.text = "has { ... }, which Turtle has not: TriG and Notation 3 are not read, convert it to Turtle";
-  }
+  if (error.text.contains("{ ... }") || error.text.contains("Graph URI literal {"))
+    error.text = "has { ... } where TriG has none: Notation 3 is not read, convert it to Turtle";
   return error;
 }
 
@@ -188,7 +192,7 @@ class Loading {
       // Before it is read, because what was read is given back to the kernel.
       const bool is_foreign = is_xml(syntax) && syntax::is_foreign_xml(scanned->bytes.view().substr(0, begin_bytes));
       if (auto error = redland_.read(path, syntax, scanned->bytes, scanned->layout, graph_))
-        return explained(std::move(*error), syntax, path, is_foreign);
+        return explained(std::move(*error), syntax, is_foreign);
       leave_out_passed(file);
       return take_prefixes(number, redland_.prefixes());
     }

@@ -51,6 +51,8 @@ std::vector<Boundary> boundaries() {
          for (std::size_t i = 0; i < n; ++i) text += "@prefix p" + std::to_string(i) + ": <http://e/> .\n";
          return text;
        }},
+      {"graphs", [](syntax::FileLimits& l, std::size_t n) { l.graphs = n; }, "a.trig",
+       [](std::size_t n) { return times(n, "<g> {}\n"); }},
       {"prefixes of elements", [](syntax::FileLimits& l, std::size_t n) { l.prefixes = n + 3; }, "a.owl",
        [](std::size_t n) {  // the root declares three
          std::string text;

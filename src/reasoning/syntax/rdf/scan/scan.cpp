@@ -28,7 +28,7 @@ std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view 
   if (is_xml(syntax)) return scan_xml(bytes, limits);
   if (!has_triples(syntax)) return Layout{Pieces(limits.piece_bytes)};  // its reader looks for itself
   if (auto problem = scan_text(bytes, true)) return std::unexpected(std::move(*problem));
-  return scan_turtle(bytes, limits);
+  return scan_turtle(bytes, syntax == syntax::Syntax::n_triples, limits);
 }
 
 }  // namespace geminga::rdf

@@ -15,6 +15,7 @@
 
 #include "reasoning/syntax/limits.hpp"
 #include "reasoning/syntax/rdf/scan/bases.hpp"
+#include "reasoning/syntax/rdf/scan/graph_marks.hpp"
 #include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/syntax.hpp"
 
@@ -38,9 +39,10 @@ struct Layout {
   std::vector<std::uint32_t> lines{};  ///< of the triples of Turtle and N-Triples, in raptor's order
   bool needs_turtle = false;     ///< N-Triples that raptor's reader of it skips or refuses, and that of Turtle reads
   bool has_collections = false;  ///< rdf:parseType="Collection"
-  std::vector<BaseText> base_texts{};  ///< the bases that the file names
-  std::vector<Repair> repairs{};       ///< which do not overlap
-  Bases bases{};                       ///< those of the bases that stand marked in the text
+  std::vector<BaseText> base_texts{};    ///< the bases that the file names
+  std::vector<Repair> repairs{};         ///< which do not overlap
+  std::vector<GraphMark> graph_marks{};  ///< which raptor does not read
+  Bases bases{};                         ///< those of the bases that stand marked in the text
 };
 
 /// The layout of a file, or its first problem. Linear in the file.
@@ -49,8 +51,9 @@ struct Layout {
 
 /// The first NUL byte or bad UTF-8.
 [[nodiscard]] std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8);
-/// Turtle and N-Triples: nesting, long texts and IRIs, escapes for NUL and surrogates.
-[[nodiscard]] std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::FileLimits& limits);
+/// Turtle, TriG, N-Triples and N-Quads: nesting, long texts and IRIs, escapes for NUL and surrogates.
+[[nodiscard]] std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, bool is_n_triples,
+                                                             const syntax::FileLimits& limits);
 /// RDF/XML: encoding, nesting, long texts and tags, and the declarations of its DOCTYPE.
 [[nodiscard]] std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits);
 /// The same for OWL/XML, whose reader has limits of its own, so that nothing is looked for behind its prologue unless

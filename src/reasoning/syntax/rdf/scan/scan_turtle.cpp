@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/rdf/scan/graph_marks.hpp"
 #include "reasoning/syntax/rdf/scan/pieces.hpp"
 #include "reasoning/syntax/rdf/scan/scan.hpp"
 #include "reasoning/syntax/rdf/scan/turtle_lines.hpp"
@@ -21,8 +22,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> usual_pre
 
 class TurtleScan {
  public:
-  TurtleScan(std::string_view bytes, const syntax::FileLimits& limits)
-      : bytes_(bytes), limits_(limits), pieces_(limits.piece_bytes) {}
+  TurtleScan(std::string_view bytes, bool is_n_triples, const syntax::FileLimits& limits)
+      : bytes_(bytes), limits_(limits), marks_(is_n_triples), pieces_(limits.piece_bytes) {}
 
   std::expected<Layout, ScanProblem> run() {
     if (bytes_.starts_with("\xef\xbb\xbf")) place_ = 3;
@@ -36,13 +37,18 @@ class TurtleScan {
              "has a statement of more than " + std::to_string(limits_.statement_triples) + " triples: split it");
       if (lines_.prefix_count() > limits_.prefixes)
         fail(place_, "declares more than " + std::to_string(limits_.prefixes) + " prefixes");
+      if (marks_.graph_count() > limits_.graphs)
+        fail(place_, "has more than " + std::to_string(limits_.graphs) + " graphs");
     }
+    if (const auto place = marks_.problem())
+      fail(*place, "has { ... } where TriG has none: Notation 3 is not read, convert it to Turtle");
     if (problem_) return std::unexpected(std::move(*problem_));
     return Layout{.pieces = std::move(pieces_),
                   .lines = lines_.take(),
                   .needs_turtle = needs_turtle_,
                   .base_texts = std::move(bases_),
-                  .repairs = declarations()};
+                  .repairs = declarations(),
+                  .graph_marks = marks_.take()};
   }
 
  private:
@@ -62,15 +68,26 @@ class TurtleScan {
       case '(':
         if (++depth_ > limits_.nesting)
           fail(place_, "nests brackets more than " + std::to_string(limits_.nesting) + " deep");
+        marks_.other(place_, bytes_[place_]);
         lines_.open(bytes_[place_++], line_here());
         break;
       case ']':
       case ')':
         if (depth_ > 0) --depth_;
+        marks_.other(place_, bytes_[place_]);
         lines_.close(bytes_[place_++]);
+        break;
+      case '{':
+        marks_.open(place_++, lines_.is_in_directive());
+        lines_.punctuation('.');
+        break;
+      case '}':
+        marks_.close(place_++);
+        lines_.punctuation('.');
         break;
       case ';':
       case ',':
+        marks_.other(place_, bytes_[place_]);
         lines_.punctuation(bytes_[place_++]);
         break;
       case ' ':
@@ -81,6 +98,7 @@ class TurtleScan {
         break;
       case '^':  // ^^ before a datatype
         ++place_;
+        marks_.datatype();
         lines_.datatype();
         break;
       default:
@@ -112,12 +130,12 @@ class TurtleScan {
   void name() {
     const std::size_t begin = place_;
     if (bytes_[begin] == '.' && !is_digit(begin + 1)) {
-      ++place_;
+      marks_.dot(place_++);
       lines_.punctuation('.');
       return;
     }
     for (;;) {
-      place_ = std::min(bytes_.find_first_of(" \t\r\n#<\"'[]()\\,;^", place_), bytes_.size());
+      place_ = std::min(bytes_.find_first_of(" \t\r\n#<\"'[](){}\\,;^", place_), bytes_.size());
       if (place_ >= bytes_.size() || bytes_[place_] != '\\') break;
       place_ = std::min(place_ + 2, bytes_.size());
     }
@@ -125,7 +143,24 @@ class TurtleScan {
     if (place_ - begin > limits_.iri_bytes) too_long(begin, "a name", limits_.iri_bytes);
     const std::string_view word = bytes_.substr(begin, place_ - begin);
     note_prefix(word);
+    const bool was_in_directive = lines_.is_in_directive();
     lines_.word(word, line_at(begin));
+    if (was_in_directive || lines_.is_in_directive()) return marks_.directive();
+    note_term(word, begin);
+  }
+
+  /// Tells the marks of graphs a word. A dot at its end ends the statement, as for the lines.
+  void note_term(std::string_view word, std::size_t begin) {
+    const bool is_end = word.ends_with('.') && !word.ends_with("\\.");
+    if (is_end) word.remove_suffix(1);
+    if (base::in_lower_case(word) == "graph") {
+      marks_.keyword(begin);
+    } else if (word.find(':') != std::string_view::npos) {
+      marks_.name(begin, begin + word.size(), word.starts_with("_:"));
+    } else if (!word.starts_with('@') && !word.empty()) {
+      marks_.other(begin, word.front());
+    }
+    if (is_end) marks_.dot(begin + word.size());
   }
 
   /// Whether a prefix that has one meaning everywhere is used before it is declared.
@@ -180,7 +215,9 @@ class TurtleScan {
       bases_.push_back({begin + 1, text.size(), std::string(text)});
     if (!is_absolute(text)) needs_turtle_ = true;
     ++place_;
+    const bool is_of_directive = lines_.is_in_directive();
     lines_.term(line_at(begin));
+    is_of_directive ? marks_.directive() : marks_.name(begin, std::min(place_, bytes_.size()), is_absolute(text));
   }
 
   /// Whether an IRI begins with a scheme (RFC 3986, section 3.1).
@@ -211,6 +248,7 @@ class TurtleScan {
     if (place_ - begin > limits_.literal_bytes) too_long(begin, "a literal", limits_.literal_bytes);
     place_ += is_long ? 3 : 1;
     lines_.term(line_at(begin));
+    marks_.literal(begin);
   }
 
   /// \u0000 would cut a name short, and a surrogate would become bad UTF-8.
@@ -248,6 +286,7 @@ class TurtleScan {
   std::string_view bytes_;
   const syntax::FileLimits& limits_;
   TurtleLines lines_;
+  GraphMarks marks_;
   Pieces pieces_;
   std::vector<BaseText> bases_;
   bool needs_turtle_ = false;
@@ -265,8 +304,9 @@ class TurtleScan {
 
 }  // namespace
 
-std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, const syntax::FileLimits& limits) {
-  return TurtleScan(bytes, limits).run();
+std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, bool is_n_triples,
+                                               const syntax::FileLimits& limits) {
+  return TurtleScan(bytes, is_n_triples, limits).run();
 }
 
 }  // namespace geminga::rdf
