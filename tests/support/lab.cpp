@@ -237,7 +237,11 @@ void Lab::begin(std::size_t host, const std::vector<std::string>& flags) {
 }
 
 void Lab::wait_until_ready(std::size_t host) {
-  if (!daemon(host).wait_for(" ready: ")) throw std::runtime_error("gemingad is not ready: " + daemon(host).said());
+  Process& started = daemon(host);
+  const std::string ready = started.rest_of_line_with(" ready: ");
+  const bool has_read = !ready.contains("ontology is being loaded") ||
+                        started.wait_for_any({" is in force\n", "serving without an ontology"});
+  if (ready.empty() || !has_read) throw std::runtime_error("gemingad is not ready: " + started.said());
 }
 
 void Lab::start_all(const std::vector<std::string>& flags) {

@@ -27,7 +27,8 @@ class Lab {
   [[nodiscard]] bool has_namespaces() const;
   [[nodiscard]] std::string way() const;
 
-  /// Starts a gemingad on the host, named `robotN`, with further flags, and waits until it is ready.
+  /// Starts a gemingad on the host, named `robotN`, with further flags, and waits until it is ready and has read its
+  /// ontology: one that takes half a second, as on a busy machine, is read while the daemon already serves.
   void start(std::size_t host, const std::vector<std::string>& flags = {});
   /// The two halves of start(), to start several at once: begins, and waits until it is ready.
   void begin(std::size_t host, const std::vector<std::string>& flags = {});

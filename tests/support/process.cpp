@@ -70,12 +70,25 @@ bool Process::read_more(Clock::time_point until) {
   return true;
 }
 
-bool Process::wait_for(const std::string& text) {
+bool Process::wait_for(const std::string& text) { return wait_for_any({text}); }
+
+bool Process::wait_for_any(const std::vector<std::string>& texts) {
   const auto until = Clock::now() + patience;
-  while (said_.find(text, forgotten_) == std::string::npos) {
+  const auto is_said = [this](const std::string& text) { return said_.find(text, forgotten_) != std::string::npos; };
+  while (std::ranges::none_of(texts, is_said)) {
     if (!read_more(until)) return false;
   }
   return true;
+}
+
+std::string Process::rest_of_line_with(const std::string& text) {
+  if (!wait_for(text)) return "";
+  const std::size_t begin = said_.find(text, forgotten_);
+  const auto until = Clock::now() + patience;
+  while (said_.find('\n', begin) == std::string::npos) {
+    if (!read_more(until)) return "";
+  }
+  return said_.substr(begin, said_.find('\n', begin) + 1 - begin);
 }
 
 void Process::forget() { forgotten_ = said_.size(); }

@@ -34,6 +34,11 @@ class Process {
   void signal(int number) const;
   /// Waits until its output contains `text`. False: it ended without, or patience did.
   [[nodiscard]] bool wait_for(const std::string& text);
+  /// The same for one of several texts.
+  [[nodiscard]] bool wait_for_any(const std::vector<std::string>& texts);
+  /// Waits in the same way for a whole line that contains `text`. Returns the text and what follows it in its line, the
+  /// end of the line included; empty: it did not come.
+  [[nodiscard]] std::string rest_of_line_with(const std::string& text);
   /// Forgets the output until now, then waits in the same way.
   void forget();
   /// Reads its output, so that it never has to wait for a reader.

@@ -234,6 +234,9 @@ TEST(Start, ServesFromItsFirstSecondWhileAHardOntologyIsStillBeingRead) {
   consumer.say("3 query match concept=<http://zoo.example/#Animal>");
   EXPECT_THAT(consumer.lines_until_pong(), testing::ElementsAre(StartsWith("3 503 not ready: the ontology is being")));
   EXPECT_THAT(consumer.query("status")[0], HasSubstr("ontology_loading=1"));
+  const Ran listed = run(lab.on(0, {program("geminga-query"), "--connect", address, "services", "mode=otm/pubsub"}));
+  EXPECT_EQ(listed.status, 1);
+  EXPECT_THAT(listed.said, HasSubstr("the daemon is still reading its ontology"));
 
   folder.write("go", "");
   EXPECT_TRUE(consumer.line_with({"2 pub add", "port=5002"})) << daemon.said();

@@ -57,6 +57,13 @@ std::string complaint_about_keys(const Listing& listing, const Records& all) {
   return text;
 }
 
+/// Says that the daemon has not read its ontology, where that is so: what was stated by concept waits for it, unlisted.
+std::string reason_of_ontology(Client& client) {
+  const auto status = client.query("status", {});
+  if (!status || status->records.empty() || status->records.front()["ontology_loading"].empty()) return {};
+  return "the daemon is still reading its ontology, and lists what is stated by concept when it has: ask again";
+}
+
 }  // namespace
 
 std::expected<Records, ClientError> ask(Client& client, const Listing& listing) {
@@ -85,6 +92,7 @@ shell::ExitStatus show(const Context& context, Client& client, const Listing& li
   if (!listing.filter.values.empty()) {
     if (const auto all = ask_daemon(client, listing)) why = complaint_about_keys(listing, *all);
   }
+  if (why.empty()) why = reason_of_ontology(client);
   if (why.empty() && !context.common.is_json && listing.reason) why = listing.reason(client);
   if (!why.empty() || !context.common.is_json) shell::complain(program, why.empty() ? listing.nothing : why);
   return shell::ExitStatus::nothing;

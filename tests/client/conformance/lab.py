@@ -57,11 +57,12 @@ class Host:
         return True
 
     def start_daemon(self, program: str) -> None:
-        """Starts gemingad and waits until it is ready."""
+        """Starts gemingad and waits until it is ready and has read its ontology, which a busy machine does while it already serves."""
         name = f"host{self.number}"
         flags = ["--name", name, "--gcnp", f"127.0.0.1:{self.gcnp_port}", "--interval", "0.5", *self._flags]
         self.daemon = self.start(f"gemingad of {name}", [program, *flags], with_errors=True)
-        self.daemon.find(r".* ready: .*")
+        if "ontology is being loaded" in self.daemon.find(r".* ready: .*")[0]:
+            self.daemon.find(r".*( is in force|serving without an ontology.*)")
 
     def reload_daemon(self, mode: str) -> None:
         """Has gemingad read its configuration again, and waits until it seals in this mode."""
