@@ -19,12 +19,14 @@
 namespace geminga::system {
 
 /// Listens on 127.0.0.1 until its end. It says `greeting` to each, and `answer` each time that `question` has come.
+/// Where there is a `flood`, it says that again and again behind the first answer, as fast as the guest reads.
 class LyingServer {
  public:
-  LyingServer(std::string greeting, std::string question, std::string answer)
+  LyingServer(std::string greeting, std::string question, std::string answer, std::string flood = "")
       : greeting_(std::move(greeting)),
         question_(std::move(question)),
         answer_(std::move(answer)),
+        flood_(std::move(flood)),
         door_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in place{};
     place.sin_family = AF_INET;
@@ -68,19 +70,23 @@ class LyingServer {
       if (const auto found = heard.find(question_); found != std::string::npos) {
         heard.erase(0, found + question_.size());
         say(guest, answer_);
+        while (!flood_.empty() && !stop.stop_requested() && say(guest, flood_)) {
+        }
       }
     }
   }
 
-  static void say(int guest, std::string_view octets) {
+  /// False where the guest has left.
+  static bool say(int guest, std::string_view octets) {
     while (!octets.empty()) {
       const ssize_t sent = ::send(guest, octets.data(), octets.size(), MSG_NOSIGNAL);
-      if (sent <= 0) return;
+      if (sent <= 0) return false;
       octets.remove_prefix(static_cast<std::size_t>(sent));
     }
+    return true;
   }
 
-  std::string greeting_, question_, answer_;
+  std::string greeting_, question_, answer_, flood_;
   client::Socket door_;
   std::uint16_t port_ = 0;
   std::jthread thread_;

@@ -61,17 +61,22 @@ TEST_F(Nats, StandsBesideMqttAtOneDaemonAndEitherIsEnough) {
   Talk consumer = link_.lab().talk(2);
   consumer.say("7 sub create mode=otm/stream text=ball");
   Talk provider = link_.lab().talk(1);
-  const std::size_t came_back = link_.status(1, "relay_own");
-  const std::size_t replayed = link_.status(2, "sealing_replayed");  // while the links form, a word may come twice
-  for (const char* port : {"5000", "5001", "5002"}) {
-    provider.say(std::string("4 pub create mode=otm/stream text=ball port=") + port);
-    EXPECT_TRUE(consumer.line_with({"7 pub add", std::string("port=") + port}));
-    provider.say("4 pub remove");
-    EXPECT_TRUE(consumer.line_with({"7 pub del", "reason=withdrawn"}));
+  // Until each hears the other on both links a word may come back, or come twice.
+  const auto gone_round = [this] {
+    return link_.status(1, "relay_own") + link_.status(1, "relay_repeated") + link_.status(2, "sealing_replayed");
+  };
+  bool goes_round = true;
+  for (int round = 0; goes_round && round < 20; ++round) {
+    const std::size_t before = gone_round();
+    for (const char* port : {"5000", "5001", "5002"}) {
+      provider.say(std::string("4 pub create mode=otm/stream text=ball port=") + port);
+      ASSERT_TRUE(consumer.line_with({"7 pub add", std::string("port=") + port}));
+      provider.say("4 pub remove");
+      ASSERT_TRUE(consumer.line_with({"7 pub del", "reason=withdrawn"}));
+    }
+    goes_round = gone_round() > before;
   }
-  EXPECT_EQ(link_.status(1, "relay_own"), came_back) << "both hear each other on both links: no word goes round";
-  EXPECT_EQ(link_.status(1, "relay_repeated"), 0U);
-  EXPECT_EQ(link_.status(2, "sealing_replayed"), replayed);
+  EXPECT_FALSE(goes_round) << "both hear each other on both links";
 
   provider.say("4 pub create mode=otm/stream text=ball port=5003");
   EXPECT_TRUE(consumer.line_with({"7 pub add", "port=5003"}));
@@ -156,12 +161,14 @@ TEST(NatsLiar, IsNoServerWhereItSpeaksSomethingElse) {
 }
 
 TEST(NatsLiar, IsCountedWhereItFloodsAndSaysWhatNoWordIs) {
-  // The answer to the first PING, then words by a subject that is no UTF-8: one too long, and more than a second takes.
-  std::string flood = "PONG\r\nMSG geminga.geminga.word.\xff\xfe 1 1473\r\n" + std::string(1473, 'x') + "\r\n";
-  for (int word = 0; word < 9000; ++word) flood += "MSG geminga.geminga.word.\xff\xfe 1 4\r\nball\r\n";
+  // The answer to the first PING, then words by a subject that is no UTF-8: one too long, and more than a second takes,
+  // without an end: how many a busy machine reads in a second is not known.
+  const std::string answer = "PONG\r\nMSG geminga.geminga.word.\xff\xfe 1 1473\r\n" + std::string(1473, 'x') + "\r\n";
+  std::string flood;
+  for (int word = 0; word < 1000; ++word) flood += "MSG geminga.geminga.word.\xff\xfe 1 4\r\nball\r\n";
   const LyingServer liar(R"(INFO {"server_id":"L","version":"99.0.0","proto":1,"max_payload":1048576,"headers":true})"
                          "\r\n",
-                         "PING\r\n", flood);
+                         "PING\r\n", answer, flood);
   Process bridge(bridge_to(liar));
   EXPECT_TRUE(bridge.wait_for("carrying words by " + liar.where())) << bridge.said();
   EXPECT_TRUE(bridge.wait_for("words of no size that a word has")) << bridge.said();

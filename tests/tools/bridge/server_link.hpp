@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <chrono>
 #include <csignal>
 #include <memory>
 #include <string>
@@ -80,11 +79,10 @@ class ServerLink {
   }
   /// Waits until a relay has handed over so many words that are kept.
   [[nodiscard]] bool wait_until_kept(std::size_t host, std::size_t count) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (status(host, "relay_kept") < count) {
-      if (std::chrono::steady_clock::now() > deadline) return false;
-    }
-    return true;
+    return lab_.talk(host).wait_until("status", [count](const std::vector<std::string>& lines) {
+      const std::string kept = lines.empty() ? "" : field(lines[0], "relay_kept");
+      return !kept.empty() && std::stoul(kept) >= count;
+    });
   }
   void kill_bridge(std::size_t host) { bridges_.at(host).reset(); }
   /// Starts a daemon of the site whose relays are the hosts that have a bridge.
