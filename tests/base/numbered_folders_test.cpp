@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace geminga::base {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(NumberedFolders, AreThoseThatANumberNamesAlone) {
-  const fs::path folder = fs::path(testing::TempDir()) / "geminga-numbered-folders";
+  const fs::path folder = fs::path(testing::TempDir()) / ("geminga-numbered-folders-" + std::to_string(::getpid()));
   fs::remove_all(folder);
   for (const char* name : {"10", "9", "007", "+1", "1a", "-3", ".5", "18446744073709551615", "18446744073709551616"})
     fs::create_directories(folder / name);

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <boost/asio/io_context.hpp>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "base/private_file.hpp"
 
@@ -78,7 +80,7 @@ TEST(Child, MayNotWriteMoreThanItsBound) {
 }
 
 TEST(Child, StartsNothingWritesNothingAndSignalsNobody) {
-  const std::string path = testing::TempDir() + "/geminga-child";
+  const std::string path = testing::TempDir() + "/geminga-child-" + std::to_string(::getpid());
   EXPECT_FALSE(shell("(exit 0)").has_succeeded) << "another process";
   EXPECT_FALSE(shell(": > " + path).has_succeeded) << "a new file";
   EXPECT_FALSE(shell("exec touch " + path).has_succeeded);

@@ -1,6 +1,7 @@
 // The compiled form: what is damaged is refused with a reason, and nothing in it is trusted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -317,8 +318,13 @@ TEST(Compiled, KeepsWhyAnswersMayBeMissing) {
   EXPECT_NE(left_out[view.unused_group[0]].construct, "swrl:Imp");
 }
 
+/// The place of a file that no other process has.
+std::filesystem::path own_file(const std::string& name) {
+  return std::filesystem::path(testing::TempDir()) / ("geminga-" + name + '-' + std::to_string(::getpid()) + ".gemo");
+}
+
 TEST(Compiled, IsMappedFromAFile) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "geminga-el-compiled-test.gemo";
+  const std::filesystem::path path = own_file("mapped");
   const std::vector<std::byte> whole = small();
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(whole.data()), static_cast<std::streamsize>(whole.size()));
@@ -333,7 +339,7 @@ TEST(Compiled, IsMappedFromAFile) {
 }
 
 TEST(Compiled, IsRefusedEmptyFromAFile) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "geminga-el-empty-test.gemo";
+  const std::filesystem::path path = own_file("empty");
   std::ofstream(path, std::ios::binary).flush();
   EXPECT_FALSE(Ontology::map(path));
   std::filesystem::remove(path);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -23,7 +24,8 @@ class Fingerprints : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) /
-              ("fingerprint-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+              ("fingerprint-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + '-' +
+               std::to_string(::getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "system/folder.hpp"
 #include "tools/clients/bench.hpp"
 #include "tools/doctor/lab_doctor.hpp"
 
@@ -53,7 +54,8 @@ TEST(DoctorCommand, SaysThatNoDaemonRuns) {
 
 TEST(DoctorCommand, WritesAReportWithoutKeys) {
   Bench bench;
-  const std::string file = testing::TempDir() + "doctor-report.json";
+  const system::Folder folder;
+  const std::string file = folder.path("report.json");
   EXPECT_NE(bench.query({"doctor", "--report", file}).status, 2);
   std::ifstream in(file);
   const boost::json::value report = parsed({std::istreambuf_iterator<char>(in), {}});
@@ -69,8 +71,9 @@ TEST(DoctorCommand, WritesAReportWithoutNamesAndPayloads) {
   peer.say("0 sys hello name=kangaroo");
   peer.say("1 pub create mode=oto id=77 port=5000 secret=pouch");
   EXPECT_THAT(peer.lines_until_pong(), Not(IsEmpty()));  // the answer to hello
+  const system::Folder folder;
   const auto reported = [&](std::vector<std::string> flags) {
-    const std::string file = testing::TempDir() + "doctor-report.json";
+    const std::string file = folder.path("report.json");
     flags.insert(flags.begin(), {"doctor", "--report", file});
     EXPECT_NE(bench.query(flags).status, 2);
     std::ifstream in(file);
