@@ -150,6 +150,12 @@ elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   list(PREPEND geminga_test_options -O0)
 endif()
 
+# The time after which a test hangs; a busy machine is ten times as slow as an idle one, and a sanitizer five times as slow.
+set(geminga_test_timeout 300)
+if(GEMINGA_SANITIZE)
+  set(geminga_test_timeout 900)
+endif()
+
 # geminga_test_body(TARGET [SIMULATES]): how every target below tests/ that knows GoogleTest is compiled. Half of the time of such a
 # compilation is reading the headers of tests/precompiled.hpp. The preset dev reads every header in each file, so that a missing
 # #include is found there.
@@ -209,7 +215,7 @@ function(geminga_test name)
     string(REPLACE "/" "_" module ${module})
     target_link_libraries(${target} PRIVATE geminga_${module})
   endforeach()
-  set(properties TIMEOUT 300)
+  set(properties TIMEOUT ${geminga_test_timeout})
   if(arg_ONE_AT_A_TIME)
     list(APPEND properties RESOURCE_LOCK ${target})
   endif()

@@ -16,7 +16,7 @@ from virtual import ROOT
 import geminga
 import geminga.blocking
 
-PATIENCE_SECONDS = 20.0
+PATIENCE_SECONDS = 60.0
 ENVIRONMENT = dict(os.environ, PYTHONPATH=str(ROOT / "src/client/python"))
 
 

@@ -23,13 +23,13 @@ TEST(Pipe, CarriesEachLineAsOneMessageInEveryMode) {
     const auto outcome =
         shell(bench, "printf 'one\\ntwo words\\n\\nlast' | $publish" + service +
                          " --protocol tcp --send & publisher=$!; $subscribe" + service +
-                         " --listen --count 4 --timeout 30; status=$?; wait $publisher && exit $status");
+                         " --listen --count 4 --timeout 100; status=$?; wait $publisher && exit $status");
     EXPECT_EQ(outcome.status, 0) << mode << outcome.errors;
     EXPECT_EQ(outcome.out, "one\ntwo words\n\nlast\n") << mode << outcome.errors;
     EXPECT_THAT(outcome.errors, testing::HasSubstr("geminga-publish@")) << mode;
     const auto datagrams =
         shell(bench, "yes ball | $publish" + udp + " --send & publisher=$!; $subscribe" + udp +
-                         " --listen --count 3 --timeout 30; status=$?; kill $publisher; exit $status");
+                         " --listen --count 3 --timeout 100; status=$?; kill $publisher; exit $status");
     EXPECT_EQ(datagrams.status, 0) << mode << datagrams.errors;
     EXPECT_EQ(datagrams.out, "ball\nball\nball\n") << mode << datagrams.errors;
   }
@@ -38,11 +38,11 @@ TEST(Pipe, CarriesEachLineAsOneMessageInEveryMode) {
 TEST(Pipe, ShowsATerminalNothingThatItObeys) {
   const Bench bench;
   const std::string service = " --text calls --mode oto";
-  const auto outcome =
-      shell(bench,
-            "printf 'red \\033[31m, turned \\342\\200\\256\\n' | $publish" + service +
-                " --protocol tcp --send & publisher=$!; script -qec \"$subscribe" + service +
-                " --listen --count 1 --timeout 30\" /dev/null < /dev/null; status=$?; wait $publisher && exit $status");
+  const auto outcome = shell(
+      bench,
+      "printf 'red \\033[31m, turned \\342\\200\\256\\n' | $publish" + service +
+          " --protocol tcp --send & publisher=$!; script -qec \"$subscribe" + service +
+          " --listen --count 1 --timeout 100\" /dev/null < /dev/null; status=$?; wait $publisher && exit $status");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.out, testing::HasSubstr("red \ufffd[31m, turned \ufffd"));
 }
@@ -51,9 +51,10 @@ TEST(Pipe, CarriesAFileWithoutLossOverTcp) {
   const Bench bench;
   const auto outcome =
       shell(bench,
-            "seq 20000 > numbers; $publish --text numbers --mode oto --protocol tcp --send < numbers & publisher=$!; "
-            "$subscribe --text numbers --mode oto --listen --count 20000 --timeout 60 | cmp - numbers; "
-            "status=$?; wait $publisher && rm numbers && exit $status");
+            "numbers=$(mktemp); seq 20000 > $numbers; "
+            "$publish --text numbers --mode oto --protocol tcp --send < $numbers & publisher=$!; "
+            "$subscribe --text numbers --mode oto --listen --count 20000 --timeout 100 | cmp - $numbers; "
+            "status=$?; wait $publisher; status=$((status | $?)); rm $numbers; exit $status");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
 }
 
@@ -62,7 +63,7 @@ TEST(Pipe, LeavesOutALineThatNoDatagramHolds) {
   const auto outcome =
       shell(bench,
             "(echo one; head -c 70000 /dev/zero | tr '\\0' x; echo; echo two) | $publish --text long --mode "
-            "oto --send & publisher=$!; $subscribe --text long --mode oto --listen --count 2 --timeout 30; "
+            "oto --send & publisher=$!; $subscribe --text long --mode oto --listen --count 2 --timeout 100; "
             "wait $publisher");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.out, "one\ntwo\n") << outcome.errors;
@@ -86,9 +87,10 @@ TEST(Pipe, SaysWhatIsWrong) {
   EXPECT_EQ(shell(bench, "$subscribe --text nobody --mode oto --listen --timeout 0.2").status, 4);
   EXPECT_EQ(shell(bench, "$subscribe --text x --listen --connect " + nobody()).status, 3);
   EXPECT_EQ(
-      shell(bench,
-            "head -c 70000 /dev/zero | tr '\\0' x | $publish --text big --mode oto --send & publisher=$!; $subscribe "
-            "--text big --mode oto --listen --timeout 5; wait $publisher")
+      shell(
+          bench,
+          "head -c 70000 /dev/zero | tr '\\0' x | $publish --text big --mode oto --send & publisher=$!; $subscribe "
+          "--text big --mode oto --listen & subscriber=$!; wait $publisher; status=$?; kill $subscriber; exit $status")
           .status,
       2)
       << "more than a datagram holds";

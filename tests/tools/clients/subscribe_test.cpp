@@ -95,7 +95,13 @@ TEST(Subscribe, EndsWithFourWhenItsTimeIsOverWithNothing) {
   Talk provider = bench.talk();
   provider.say("1 pub create mode=otm/stream text=camera port=5000");
   EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
-  EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "0.3"}).status, 0) << "something was told";
+  // A busy machine needs longer until the event is there.
+  int status = 4;
+  for (int tenths = 3; status == 4 && tenths < 600; tenths *= 3) {
+    const std::string time = std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10);
+    status = bench.run("geminga-subscribe", {"--text", "camera", "--timeout", time}).status;
+  }
+  EXPECT_EQ(status, 0) << "something was told";
   EXPECT_EQ(bench.run("geminga-subscribe", {"--text", "camera", "--timeout", "0.3", "--count", "2"}).status, 4)
       << "less than was asked for";
 }
@@ -109,7 +115,7 @@ TEST(Subscribe, AsksForProvidersDegreeWhereAndLimit) {
   EXPECT_THAT(provider.lines_until_pong(), IsEmpty());
   const auto expect = [&](int status, std::vector<std::string> words) {
     // An event ends it at once; it waits for the whole time only where no event is to come.
-    words.insert(words.begin(), {"soccer:BallInfo", "--count", "1", "--timeout", status == 0 ? "10" : "0.2"});
+    words.insert(words.begin(), {"soccer:BallInfo", "--count", "1", "--timeout", status == 0 ? "100" : "0.2"});
     EXPECT_EQ(bench.run("geminga-subscribe", words).status, status) << testing::PrintToString(words);
   };
   expect(0, {});

@@ -89,7 +89,7 @@ TEST_F(Travel, BringsAnOntologyWholeFromWhoHasItAndNothingFromALiar) {
   while (several.status == 0);  // until the liar is heard, there is one ontology
   EXPECT_EQ(several.status, 2);
   EXPECT_THAT(several.said, AllOf(HasSubstr("several are offered"), HasSubstr("version 7 of robot0")));
-  const auto lied = fetch({"--digest", "aa", "--timeout", "5"}, "lied");
+  const auto lied = fetch({"--digest", "aa", "--timeout", "10"}, "lied");
   EXPECT_EQ(lied.status, 1);
   EXPECT_THAT(lied.said, HasSubstr("no part of an ontology"));
   EXPECT_FALSE(fs::exists(folder_ / "lied"));

@@ -23,7 +23,7 @@ const puppeteer = (await import(pathToFileURL(resolve('puppeteer-core')).href)).
 const axe = readFileSync(resolve('axe-core/axe.min.js'), 'utf8');
 mkdirSync(shots, { recursive: true });
 
-const patience = 20_000;
+const patience = 60_000;
 const started = [];
 const hostile = '<img src=x onerror="document.title=1">';
 
