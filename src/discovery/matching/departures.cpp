@@ -8,6 +8,22 @@ namespace geminga::matching {
 using registry::StoredPublication;
 using registry::StoredSubscription;
 
+namespace {
+
+/// Of the subscriptions that consider a publication the one with the least key, so that the order of what is told does
+/// not depend on slots, and so on what has gone before; of very many any one. There is one at least.
+const StoredSubscription& first_of(const ConsideredBy& considered_by, const Directory& directory) {
+  const StoredSubscription* first = &directory.requests().at(considered_by.begin()->first);
+  if (considered_by.size() > max_passed_in_step) return *first;
+  for (const auto& [slot, rank] : considered_by) {
+    const StoredSubscription& one = directory.requests().at(slot);
+    if (one.entry.key < first->entry.key) first = &one;
+  }
+  return *first;
+}
+
+}  // namespace
+
 void Departures::remove(const std::vector<const StoredPublication*>& publications,
                         const std::vector<const StoredSubscription*>& subscriptions, Reason reason) {
   const bool was_idle = agenda_.is_empty();
@@ -75,7 +91,7 @@ bool Departures::end_one_consumer(const Departure& departure, const StoredPublic
   const ConsideredBy& considered_by = pairs_.considered_by(publication);
   if (considered_by.empty()) return false;
   // One subscription loses all of them at once, so that nothing that is about to go takes another's place.
-  const StoredSubscription& subscription = directory_.requests().at(considered_by.begin()->first);
+  const StoredSubscription& subscription = first_of(considered_by, directory_);
   Cause cause;
   for (const auto* one : departure.publications) {
     if (pairs_.considered_by(*one).contains(subscription.slot)) pairs_.judge(subscription, *one, cause);

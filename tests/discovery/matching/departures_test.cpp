@@ -41,6 +41,20 @@ TEST(Matcher, NothingOfAParticipantThatIsLeavingIsGivenBetweenTheSteps) {
   EXPECT_EQ(matcher.subscriptions().size(), 3U);
 }
 
+TEST(Matcher, TellsOfAWithdrawalInStepsInTheOrderOfTheRequestsAndNotOfTheirMaking) {
+  Matcher matcher;
+  matcher.put(offer(key(2, 1, 1), ball));
+  for (const std::uint32_t number : {3U, 1U, 2U}) matcher.put(request(key(here, 1, number), ball));
+  (void)matcher.take_events();
+  matcher.begin_removal_of_publication(key(2, 1, 1), Reason::withdrawn);
+  std::vector<std::string> words;
+  while (matcher.take_step()) {
+    for (const std::string& one : told(matcher)) words.push_back(one);
+  }
+  EXPECT_THAT(words, ElementsAre("p1.1.1 pub del p2.1.1 withdrawn", "p1.1.2 pub del p2.1.1 withdrawn",
+                                 "p1.1.3 pub del p2.1.1 withdrawn"));
+}
+
 TEST(Matcher, WhoComesBackBeforeHisDepartureIsOverIsThere) {
   Matcher matcher;
   matcher.put(offer(key(2, 1, 1), ball));
