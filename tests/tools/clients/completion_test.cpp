@@ -109,7 +109,7 @@ class Completion : public Query {
 
   static constexpr std::string_view half_a_second = "--timeout 0.5";
   /// The completion script as it is installed.
-  [[nodiscard]] std::string shipped(const std::string& form) { return bench_.query({"--describe", form}).out; }
+  [[nodiscard]] std::string shipped(const std::string& form) const { return bench_.query({"--describe", form}).out; }
 
   [[nodiscard]] std::map<std::string, std::string> environment(const std::string& connect = {}) {
     const char* path = std::getenv("PATH");
