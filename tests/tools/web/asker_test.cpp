@@ -15,8 +15,6 @@ namespace {
 
 using client::Conversation;
 using client::ScriptedDaemon;
-using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::SizeIs;
 using Kind = ClientError::Kind;
 
@@ -273,7 +271,7 @@ TEST(RecentAnswers, AreSoMany) {
     EXPECT_NE(recent.find({std::to_string(count - 1)}, {}), nullptr);
     RecentAnswers large;
     large.put({"a"}, outcome, max_recent_octets - 1, {});
-    large.put({"b"}, outcome, static_cast<std::size_t>(1 + beyond), {});
+    large.put({"b"}, outcome, 1 + static_cast<std::size_t>(beyond), {});
     EXPECT_EQ(large.find({"a"}, {}) != nullptr, beyond <= 0) << beyond;
   }
 }
