@@ -49,7 +49,8 @@ void print_words(const Context& context, const Ontology& parts) {
   if (parts.head["loading"] == "1") std::cout << "Files are being read.\n\n";
   if (parts.head["loaded"] != "1") {
     if (parts.head["loading"] != "1" && parts.failures.empty()) {
-      std::cout << "No ontology is loaded: start gemingad with --ontology FILE-OR-FOLDER\n";
+      shell::print_wrapped(std::cout, context.terminal,
+                           "No ontology is loaded: start gemingad with --ontology FILE-OR-FOLDER");
     }
   } else {
     std::cout << shell::printable(parts.head["classes"]) << " classes, digest "
@@ -63,9 +64,12 @@ void print_words(const Context& context, const Ontology& parts) {
     left_out.add({record["left_out"], record["count"], record["first"]});
   }
   left_out.print(std::cout, context.terminal, "\nNot used by the reasoner:\n");
-  if (!parts.gaps.empty()) std::cout << "\nNot searched to the end:\n";
+  if (!parts.gaps.empty()) std::cout << "\nWhere the search was not finished:\n";
   print_lines(context, parts.gaps, "gap");
-  if (parts.head["complete"] == "1") std::cout << "\nComplete: everything that follows from these files was found.\n";
+  if (parts.head["complete"] == "1") {
+    std::cout << '\n';
+    shell::print_wrapped(std::cout, context.terminal, "Complete: everything that follows from these files was found.");
+  }
   shell::Table others({{"PARTICIPANT"}, {"NAME", false, 8}, {"ONTOLOGY"}});
   for (const auto& record : parts.others) {
     others.add({record["other"], record["name"], record["ontology"]});

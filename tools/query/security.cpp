@@ -24,10 +24,16 @@ void print_own_sealing(const Context& context, const Security& security) {
         "--generate-key.");
     return;
   }
+  // The first key is the one that seals; in mode `prepared` nothing is sealed yet.
   const std::string keys(security.head["keys"]);
+  const std::string mode(security.head["mode"]);
+  const std::string sends =
+      mode == "prepared" ? "plain datagrams" : "datagrams sealed with key " + keys.substr(0, keys.find(','));
+  const bool has_many = keys.find(',') != std::string::npos;
+  const std::string plain = mode == "prepared" || mode == "mixed" ? ", and plain ones" : "";
   shell::print_wrapped(std::cout, context.terminal,
-                       shell::printable(std::string(security.head["mode"]) + ", keys " + keys + ": " +
-                                        keys.substr(0, keys.find(',')) + " seals, all of them open"));
+                       shell::printable("Mode " + mode + ": this host sends " + sends + ", and accepts those with " +
+                                        (has_many ? "one of the keys " : "key ") + keys + plain + "."));
 }
 
 std::string_view dash(std::string_view text) { return text.empty() ? "-" : text; }
@@ -35,23 +41,23 @@ std::string_view dash(std::string_view text) { return text.empty() ? "-" : text;
 void print_security(const Context& context, const Security& security) {
   print_own_sealing(context, security);
   shell::Table participants(
-      {{"PARTICIPANT"}, {"NAME", false, 8}, {"SAYS"}, {"SEALS WITH"}, {"OPENS WITH", false, 10}, {"LACKS", false, 9}});
+      {{"PARTICIPANT"}, {"NAME", false, 8}, {"MODE"}, {"SEALS WITH"}, {"OPENS WITH", false, 10}, {"LACKS", false, 9}});
   for (const auto& record : security.participants) {
     participants.add({record["participant"], record["name"], record["protection"], dash(record["key"]),
                       dash(record["keys"]), dash(record["lacks"])});
   }
-  participants.print(std::cout, context.terminal, "\n");
-  shell::Table datagrams({{"DATAGRAMS", true}, {"SEALED"}, {"KEY"}, {"REJECTED"}});
+  participants.print(std::cout, context.terminal, "\nOther participants and their keys:\n");
+  shell::Table datagrams({{"DATAGRAMS", true}, {"SEALED"}, {"KEY"}, {"REJECTED AS"}});
   for (const auto& record : security.datagrams) {
     datagrams.add({record["datagrams"], record["protection"], dash(record["key"]), dash(record["rejected"])});
   }
-  datagrams.print(std::cout, context.terminal, "\nThe last datagrams, a thousand at most:\n");
-  shell::Table rejected({{"FROM", false, 12}, {"SEALED"}, {"KEY"}, {"REJECTED"}, {"COUNT", true}, {"LAST", true}});
+  datagrams.print(std::cout, context.terminal, "\nThe last thousand datagrams received:\n");
+  shell::Table rejected({{"FROM", false, 12}, {"SEALED"}, {"KEY"}, {"REJECTED AS"}, {"COUNT", true}, {"LAST", true}});
   for (const auto& record : security.rejected) {
     rejected.add({record["source"], record["protection"], dash(record["key"]), record["rejected"], record["count"],
                   shell::duration_words(record["age"])});
   }
-  rejected.print(std::cout, context.terminal, "\nNot heard:\n");
+  rejected.print(std::cout, context.terminal, "\nRejected, by sender and reason:\n");
 }
 
 }  // namespace

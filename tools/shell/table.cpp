@@ -51,32 +51,6 @@ void narrow(std::vector<std::size_t>& widths, const std::vector<std::size_t>& le
 /// The longest word that is kept whole though a column is left out for it.
 constexpr std::size_t longest_whole_word = 32;
 
-/// A cell, or the lines of one, at its place in a row.
-struct Placed {
-  std::size_t begin = 0;
-  std::size_t width = 0;
-  bool is_right_aligned = false;
-  std::vector<std::string> lines;
-};
-
-/// Prints cells side by side.
-void print_cells(std::ostream& out, const Terminal& terminal, const std::vector<Placed>& cells) {
-  std::size_t height = 0;
-  for (const Placed& cell : cells) height = std::max(height, cell.lines.size());
-  for (std::size_t row = 0; row < height; ++row) {
-    std::string text;
-    for (const Placed& cell : cells) {
-      if (row >= cell.lines.size()) continue;
-      const std::string& part = cell.lines[row];
-      const std::size_t padding = cell.is_right_aligned ? cell.width - std::min(cell.width, width(part)) : 0;
-      text.append(cell.begin + padding - std::min(cell.begin + padding, width(text)), ' ');
-      text += part;
-    }
-    text.erase(text.find_last_not_of(' ') + 1);
-    out << coloured(terminal, Colour::bold, encoded(terminal, text)) << '\n';
-  }
-}
-
 std::size_t width_of(const std::vector<std::string>& lines) {
   std::size_t widest = 0;
   for (const std::string& line : lines) widest = std::max(widest, width(line));
@@ -135,14 +109,53 @@ Table::Layout Table::layout_for(const Terminal& terminal) const {
   return layout;
 }
 
+void Table::print_cells(std::ostream& out, const Terminal& terminal, const std::vector<Placed>& cells) {
+  std::size_t height = 0;
+  for (const Placed& cell : cells) height = std::max(height, cell.lines.size());
+  for (std::size_t row = 0; row < height; ++row) {
+    std::string text;
+    for (const Placed& cell : cells) {
+      if (row >= cell.lines.size()) continue;
+      const std::string& part = cell.lines[row];
+      const std::size_t padding = cell.is_right_aligned ? cell.width - std::min(cell.width, width(part)) : 0;
+      text.append(cell.begin + padding - std::min(cell.begin + padding, width(text)), ' ');
+      text += part;
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    out << coloured(terminal, Colour::bold, encoded(terminal, text)) << '\n';
+  }
+}
+
+bool Table::is_torn(const Terminal& terminal, const Layout& layout) const {
+  if (terminal.columns == 0) return false;
+  Row titles;
+  for (const Column& column : columns_) titles.push_back(column.title);
+  if (placed(terminal, layout, titles).size() > 1) return true;
+  const auto torn =
+      std::ranges::count_if(rows_, [&](const Row& row) { return placed(terminal, layout, row).size() > 1; });
+  return static_cast<std::size_t>(torn) * 2 > rows_.size();
+}
+
 void Table::print(std::ostream& out, const Terminal& terminal, std::string_view above) const {
   if (rows_.empty()) return;
   out << above;
   const Layout layout = layout_for(terminal);
+  if (is_torn(terminal, layout)) return print_blocks(out, terminal, layout);
+  const auto print_row = [&](const Terminal& colours, const Row& cells) {
+    for (const auto& beside : placed(terminal, layout, cells)) print_cells(out, colours, beside);
+  };
   Row titles;
   for (const Column& column : columns_) titles.push_back(column.title);
-  print_row(out, terminal, layout, titles);
-  print_groups(out, terminal, layout);
+  print_row(terminal, titles);
+  Terminal plain = terminal;
+  plain.has_colour = false;
+  print_groups(out, terminal, layout, "", [&](const Row& row) {
+    Row cells = row;
+    for (auto& cell : cells) {
+      if (cell.empty()) cell.assign(1, '-');
+    }
+    print_row(plain, cells);
+  });
   if (layout.left_out.empty()) return;
   std::string note = "Not shown here:";
   for (const std::string& title : layout.left_out) note += (title == layout.left_out.front() ? " " : ", ") + title;
@@ -150,9 +163,9 @@ void Table::print(std::ostream& out, const Terminal& terminal, std::string_view 
   for (const std::string& line : wrapped(note, terminal.columns)) out << coloured(terminal, Colour::dim, line) << '\n';
 }
 
-void Table::print_groups(std::ostream& out, const Terminal& terminal, const Layout& layout) const {
-  Terminal plain = terminal;
-  plain.has_colour = false;
+template <typename PrintRow>
+void Table::print_groups(std::ostream& out, const Terminal& terminal, const Layout& layout, std::string_view between,
+                         PrintRow print) const {
   const bool has_headings = layout.heading < columns_.size();
   std::vector<std::pair<std::string_view, std::vector<const Row*>>> groups{{"", {}}};
   std::map<std::string_view, std::size_t> places{{"", 0}};
@@ -162,23 +175,50 @@ void Table::print_groups(std::ostream& out, const Terminal& terminal, const Layo
     if (is_new) groups.emplace_back(heading, std::vector<const Row*>{});
     groups[place->second].second.push_back(&row);
   }
+  std::string_view before;
   for (const auto& [heading, rows] : groups) {
-    for (const std::string& line : heading.empty() ? std::vector<std::string>() : wrapped(heading, terminal.columns)) {
-      out << coloured(terminal, Colour::yellow, encoded(terminal, line)) << '\n';
+    if (!heading.empty()) {
+      out << std::exchange(before, "");
+      for (const std::string& line : wrapped(heading, terminal.columns)) {
+        out << coloured(terminal, Colour::yellow, encoded(terminal, line)) << '\n';
+      }
     }
     for (const Row* row : rows) {
-      Row cells = *row;
-      for (auto& cell : cells) {
-        if (cell.empty()) cell.assign(1, '-');
-      }
-      print_row(out, plain, layout, cells);
+      out << std::exchange(before, between);
+      print(*row);
     }
   }
 }
 
-void Table::print_row(std::ostream& out, const Terminal& terminal, const Layout& layout, const Row& cells) const {
+void Table::print_blocks(std::ostream& out, const Terminal& terminal, const Layout& layout) const {
+  std::size_t titles = 0;
+  for (const Column& column : columns_) titles = std::max(titles, width(column.title));
+  const std::size_t beside = layout.indent + titles + gap;
+  // Where titles would take more than half of a line, each has a line of its own.
+  const bool has_room = beside <= terminal.columns / 2;
+  const std::size_t begin = has_room ? beside : layout.indent;
+  print_groups(out, terminal, layout, "\n", [&](const Row& row) {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::size_t first = row[i].find_first_not_of(' ');
+      if (first == std::string::npos || row[i] == "-" || i == layout.heading) continue;
+      std::string title = std::string(layout.indent, ' ') + columns_[i].title;
+      if (has_room) title.append(begin - width(title), ' ');
+      const std::vector<std::string> lines =
+          wrapped(row[i].substr(first), std::max(terminal.columns, begin + 1) - begin);
+      out << coloured(terminal, Colour::bold, encoded(terminal, title));
+      if (!has_room) out << '\n' << std::string(begin, ' ');
+      out << encoded(terminal, lines.front()) << '\n';
+      for (std::size_t line = 1; line < lines.size(); ++line) {
+        out << std::string(begin, ' ') << encoded(terminal, lines[line]) << '\n';
+      }
+    }
+  });
+}
+
+std::vector<std::vector<Table::Placed>> Table::placed(const Terminal& terminal, const Layout& layout,
+                                                      const Row& cells) const {
   const std::size_t limit = terminal.columns == 0 ? std::numeric_limits<std::size_t>::max() : terminal.columns;
-  std::vector<Placed> beside;
+  std::vector<std::vector<Placed>> groups(1);
   std::size_t begin = layout.indent;
   std::size_t taken = 0;  // the columns that the cells of the line take, and the gap behind them
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -188,15 +228,14 @@ void Table::print_row(std::ostream& out, const Terminal& terminal, const Layout&
     const std::size_t needed = std::min(width_of(lines), limit);
     std::size_t at = std::max(begin, taken);
     if (at + needed > limit) {
-      print_cells(out, terminal, beside);
-      beside.clear();
+      if (!groups.back().empty()) groups.emplace_back();
       at = std::min(begin, limit - needed);
     }
-    beside.push_back({at, columns, columns_[i].is_right_aligned, std::move(lines)});
+    groups.back().push_back({at, columns, columns_[i].is_right_aligned, std::move(lines)});
     taken = at + std::max(needed, columns_[i].is_right_aligned ? columns : 0) + gap;
     begin += columns + gap;
   }
-  print_cells(out, terminal, beside);
+  return groups;
 }
 
 }  // namespace geminga::shell

@@ -27,11 +27,12 @@ struct Column {
 
 /// Makes cells printable. A column of empty cells is left out; other empty cells are shown as `-`.
 ///
-/// On a terminal no line is longer than its width, unless even the columns of rank 0 do not fit at their narrowest. No
-/// text is cut: long cells go on in the next line, a cell with a word that is wider than its column moves
-/// what follows to the right or into the next line, and the columns that are left out are named below the table. Where
-/// sentences become headings, rows without one come first, and rows with the same one stand together, in the order of
-/// the first of each.
+/// On a terminal no line is longer than its width. No text is cut: long cells go on in the next line, a cell with a
+/// word that is wider than its column moves what follows to the right or into the next line, and the columns that are
+/// left out are named below the table. Where the titles, or most of the rows, would not stay side by side, each row is
+/// a block of lines instead: a title and a cell in each, all columns, and none for an empty cell. Where sentences
+/// become headings, rows without one come first, and rows with the same one stand together, in the order of the first
+/// of each.
 class Table {
  public:
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
@@ -44,6 +45,13 @@ class Table {
 
  private:
   using Row = std::vector<std::string>;
+  /// A cell, or the lines of one, at its place in a row.
+  struct Placed {
+    std::size_t begin = 0;
+    std::size_t width = 0;
+    bool is_right_aligned = false;
+    std::vector<std::string> lines;
+  };
   /// The widths of the columns on one terminal; a width of 0 is a column that is not shown.
   struct Layout {
     std::vector<std::size_t> widths;
@@ -53,12 +61,22 @@ class Table {
   };
 
   [[nodiscard]] Layout layout_for(const Terminal& terminal) const;
+  /// The cells of a row, in groups that fit side by side; one group where the whole row does.
+  [[nodiscard]] std::vector<std::vector<Placed>> placed(const Terminal& terminal, const Layout& layout,
+                                                        const Row& cells) const;
+  static void print_cells(std::ostream& out, const Terminal& terminal, const std::vector<Placed>& cells);
   /// The width of each column's longest cell; 0 where all cells are empty.
   [[nodiscard]] std::vector<std::size_t> natural_widths() const;
   /// The least width of each column that breaks no word, unless that is too much.
   [[nodiscard]] std::vector<std::size_t> word_widths(const std::vector<std::size_t>& natural) const;
-  void print_groups(std::ostream& out, const Terminal& terminal, const Layout& layout) const;
-  void print_row(std::ostream& out, const Terminal& terminal, const Layout& layout, const Row& cells) const;
+  /// Whether the titles, or most of the rows, do not stay side by side.
+  [[nodiscard]] bool is_torn(const Terminal& terminal, const Layout& layout) const;
+  /// The groups of rows, each below its heading, by a function that prints one row. `between` separates rows and
+  /// groups.
+  template <typename PrintRow>
+  void print_groups(std::ostream& out, const Terminal& terminal, const Layout& layout, std::string_view between,
+                    PrintRow print) const;
+  void print_blocks(std::ostream& out, const Terminal& terminal, const Layout& layout) const;
 
   std::vector<Column> columns_;
   std::vector<Row> rows_;

@@ -264,7 +264,7 @@ TEST(QueryOfSealed, ShowsModeAndKeysAndNeverAKey) {
   Bench bench({"--key-file", file});
   const auto shown = bench.query({"security"});
   EXPECT_EQ(shown.status, 0);
-  EXPECT_THAT(shown.out, HasSubstr("encrypted, keys " + id + ": " + id + " seals"));
+  EXPECT_THAT(shown.out, HasSubstr("Mode encrypted: this host sends datagrams sealed with key " + id));
   const auto all = bench.json({"security"});
   EXPECT_EQ(all.at("mode"), "encrypted");
   EXPECT_EQ(all.at("keys").at(0), id.c_str());

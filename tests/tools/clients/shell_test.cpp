@@ -88,10 +88,10 @@ TEST(Table, WrapsLongCellsAndCutsNothing) {
   Table table({{"A"}, {"B", false, 4}, {"C", false, 4}});
   table.add({"fixed", "bbbbbbbbbbbb", "cccccc"});
   EXPECT_EQ(shown(table, 27), "A      B             C\nfixed  bbbbbbbbbbbb  cccccc\n");
-  EXPECT_EQ(shown(table, 26), "A      B            C\nfixed  bbbbbbbbbbbb\n                    cccccc\n");
+  EXPECT_EQ(shown(table, 26), "A  fixed\nB  bbbbbbbbbbbb\nC  cccccc\n");
   Table words({{"A"}, {"B", false, 4}, {"C", false, 4}});
   words.add({"fixed", "bbbb bbbb bbb", "cccc cc"});
-  EXPECT_EQ(shown(words, 1), "A\nB\nC\nf\ni\nx\ne\nd\nb\nb\nb\nb\nb\nb\nb\nb\nb\nb\nb\nc\nc\nc\nc\nc\nc\n")
+  EXPECT_EQ(shown(words, 1), "A\nf\ni\nx\ne\nd\nB\nb\nb\nb\nb\nb\nb\nb\nb\nb\nb\nb\nC\nc\nc\nc\nc\nc\nc\n")
       << "even there";
   EXPECT_EQ(shown(words, 17), "A      B     C\nfixed  bbbb  cccc\n       bbbb  cc\n       bbb\n");
 }
@@ -128,14 +128,50 @@ TEST(Table, PutsWhatStandsBehindAWideWordToTheRightOrIntoTheNextLine) {
             "Base@robot1\n"
             "                       a-name-that-is-longer-than-its-column\n"
             "                                                     1/2/5\n");
-  EXPECT_EQ(shown(table, 38),
-            "CONSUMER       IDENTITY        REQUEST\n"
-            "Base@robot1    KickStat        1/2/3\n"
-            "RefereeBoxInterface@monitor  Box\n"
-            "                               1/2/4\n"
-            "Base@robot1\n"
-            " a-name-that-is-longer-than-its-column\n"
-            "                               1/2/5\n");
+}
+
+TEST(Table, IsABlockOfLinesForEachRowWhereMostOfThemDoNotStaySideBySide) {
+  Table table({{"CONSUMER", false, 4}, {"IDENTITY", false, 4}, {"REQUEST"}, {""}});
+  table.add({"Base@robot1", "KickStat", "1/2/3", "(this host)"});
+  table.add({"RefereeBoxInterface@monitor", "Box", "1/2/4", " "});
+  table.add({"Base@robot1", "a name that is longer than its column", "", "-"});
+  EXPECT_EQ(shown(table, 32),
+            "CONSUMER  Base@robot1\n"
+            "IDENTITY  KickStat\n"
+            "REQUEST   1/2/3\n"
+            "          (this host)\n"
+            "\n"
+            "CONSUMER  RefereeBoxInterface@\n"
+            "          monitor\n"
+            "IDENTITY  Box\n"
+            "REQUEST   1/2/4\n"
+            "\n"
+            "CONSUMER  Base@robot1\n"
+            "IDENTITY  a name that is longer\n"
+            "          than its column\n");
+  EXPECT_THAT(shown(table, 16), testing::StartsWith("CONSUMER\nBase@robot1\nIDENTITY\nKickStat\n"))
+      << "titles have lines of their own where they would take more than half of a line";
+}
+
+TEST(Table, PutsSentencesOverBlocksToo) {
+  Table table({{"NAME"}, {"WHY", false, 20, 0, true}, {"REQUEST"}});
+  for (const char* name : {"one", "two"}) {
+    table.add({std::string(name) + " with a long name", "nobody offers the ball", "aaaaaaaaaaaa/1/1"});
+  }
+  table.add({"three with a name", "the modes differ", "aaaaaaaaaaaa/1/2"});
+  EXPECT_EQ(shown(table, 30),
+            "nobody offers the ball\n"
+            "  NAME     one with a long\n"
+            "           name\n"
+            "  REQUEST  aaaaaaaaaaaa/1/1\n"
+            "\n"
+            "  NAME     two with a long\n"
+            "           name\n"
+            "  REQUEST  aaaaaaaaaaaa/1/1\n"
+            "\n"
+            "the modes differ\n"
+            "  NAME     three with a name\n"
+            "  REQUEST  aaaaaaaaaaaa/1/2\n");
 }
 
 TEST(Table, PutsSentencesOverTheRowsThatHaveTheSameWhereTheyHaveNoRoom) {
