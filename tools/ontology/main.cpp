@@ -51,8 +51,10 @@ Exit status: 0 yes or done, 1 no or a problem found, 2 wrong usage or a file tha
 
 int run(int argc, char** argv) {
   CLI::App program("Checks, classifies, explains, draws and compiles ontologies.", "geminga-ontology");
-  program.set_version_flag("--version", "geminga-ontology " GEMINGA_VERSION " (compiled ontologies " +
-                                            std::to_string(geminga::compiled::compiled_version) + ")");
+  program.set_version_flag("--version",
+                           "geminga-ontology " GEMINGA_VERSION " (compiled ontologies " +
+                               std::to_string(geminga::compiled::compiled_version) + ")",
+                           "Print the version and exit");
   program.footer(examples);
   program.require_subcommand(1);
   Choice choice;

@@ -202,7 +202,7 @@ std::vector<std::string> lack_lines(const TeamLack& lack, const Plan& plan) {
   for (std::size_t role = 0; role < lack.to_come.size(); ++role) {
     if (lack.to_come[role] == 0) continue;
     lines.push_back(role_words(plan, role) + " needs " + std::to_string(lack.to_come[role]) +
-                    " more, to whom nobody who is there comes near");
+                    " more, and no present robot nearly suits it");
   }
   for (const LackOfRobot& one : lack.robots) {
     std::string line = one.name + " (" + one.id + ") would hold role";

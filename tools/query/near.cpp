@@ -70,7 +70,7 @@ Listing near_participants(const std::string& expression, const std::string& wher
                   "id",
                   table_of_near_participants,
                   near_line,
-                  "nobody is known to be that, and nobody comes near: geminga-query participants --json shows the "
+                  "no participant is known to satisfy that, or nearly so: geminga-query participants --json shows the "
                   "description of each"};
   if (!where.empty()) listing.parameters.emplace_back("where", where);
   listing.is_found = is_match;

@@ -131,13 +131,14 @@ Listing participants_listing(const DescribedFlags& flags) {
     if (flags.degree != Degree::narrower) near.parameters.emplace_back("degree", to_string(flags.degree));
     return near;
   }
-  Listing listing{"participants",
-                  {{"concept", flags.expression}},
-                  {},
-                  "id",
-                  table_of_described_participants,
-                  described_line,
-                  "nobody is known to be that: geminga-query participants --json shows the description of each"};
+  Listing listing{
+      "participants",
+      {{"concept", flags.expression}},
+      {},
+      "id",
+      table_of_described_participants,
+      described_line,
+      "no participant is known to satisfy that: geminga-query participants --json shows the description of each"};
   if (!flags.where.empty()) listing.parameters.emplace_back("where", flags.where);
   if (flags.degree != Degree::narrower) listing.parameters.emplace_back("degree", to_string(flags.degree));
   return listing;

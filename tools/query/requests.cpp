@@ -51,8 +51,9 @@ Listing listing_of_requests(const RequestsFlags& flags) {
                   "subscription",
                   [unmatched = flags.unmatched](const auto& records) { return table_of_requests(records, unmatched); },
                   service_line,
-                  flags.unmatched ? "no such request is unmatched: each has somebody who serves it"
-                                  : "no such request is known: see geminga-query participants for who is heard at all"};
+                  flags.unmatched
+                      ? "no such request is unmatched: each has a service"
+                      : "no such request is known: geminga-query participants lists the hosts that are heard"};
   if (flags.unmatched) listing.parameters.emplace_back("unmatched", "1");
   return listing;
 }

@@ -81,8 +81,8 @@ Listing services_listing(const std::vector<std::string>& words, bool unused) {
                   "service",
                   [unused](const auto& records) { return table_of_services(records, unused); },
                   service_line,
-                  unused ? "no such service is unused: each has somebody who asks for it"
-                         : "no such service is known: see geminga-query participants for who is heard at all"};
+                  unused ? "no such service is unused: each has a request"
+                         : "no such service is known: geminga-query participants lists the hosts that are heard"};
   if (unused) listing.parameters.emplace_back("unused", "1");
   return listing;
 }

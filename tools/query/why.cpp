@@ -209,9 +209,10 @@ void print_sum(const Context& context, const Record& end, const Sum& sum, bool i
 
 void print_request(const Context& context, const Answer& answer) {
   const Record& end = answer.end;
-  const std::string more = end["gaps"].empty() ? ""
-                                               : "; not all is found of an expression that no class is defined by: " +
-                                                     std::string(end["gaps"]);
+  const std::string more =
+      end["gaps"].empty()
+          ? ""
+          : "; the answer may be incomplete, as no class is defined by the expression: " + std::string(end["gaps"]);
   print_sum(context, end, {"matching", "offers", "service", "meet"}, end["served"] == "1", more);
   shell::Table table({{"PROVIDER", false, 12},
                       {"OFFERS", false, 16},

@@ -78,7 +78,8 @@ TEST_F(Query, SaysWhyNobodyTakesAService) {
   EXPECT_EQ(bench_.query({"why", "--service", ball}).out, taken.out);
   const auto shown = bench_.query({"why", lonely});
   EXPECT_EQ(shown.status, 1) << shown.errors;
-  EXPECT_THAT(shown.out, StartsWith("no: nobody asks for text=lonely (2 requests are known)\nnobody: start who"));
+  EXPECT_THAT(shown.out,
+              StartsWith("no: nobody asks for text=lonely (2 requests are known)\nnobody: start the module"));
   const auto document = bench_.json({"why", "--service", lonely});
   EXPECT_EQ(document.at("service").as_string(), lonely);
   EXPECT_EQ(document.at("used"), false);

@@ -79,7 +79,7 @@ std::optional<Error> check_conversion(const Attributes& attributes, const vocabu
     const auto number = vocabulary.find_term(*name);
     if (number && vocabulary.is_satisfiable(*number)) continue;
     const auto meant = vocabulary.find(*name);
-    const std::string why = number   ? *name + " is unsatisfiable: nothing can be one"
+    const std::string why = number   ? *name + " is unsatisfiable: it can have no instance"
                             : !meant ? meant.error()
                                      : *name + " is a label: write " + vocabulary.short_name(*meant);
     return Error{ErrorCode::impossible, "converts: " + why};

@@ -102,7 +102,8 @@ std::string unrelated_expression(const Meaning& offered, const Subscription& ask
       may_be_missed(offered.classes, prepared.classes, !is_weaker(Degree::broader, asked.weakest), vocabulary);
   if (!is_missed) return both + "neither subsumes the other";
   return both +
-         "neither is known to subsume the other, but not all is found of an expression that no class is defined by: " +
+         "neither is known to subsume the other, but the answer may be incomplete, as no class is defined by the "
+         "expression: " +
          gap_words(offered.classes, prepared.classes);
 }
 

@@ -10,7 +10,7 @@
 namespace geminga::participant {
 namespace {
 
-constexpr std::string_view unsatisfiable = "the expression is unsatisfiable, nothing can be one";
+constexpr std::string_view unsatisfiable = "the expression is unsatisfiable: it can have no instance";
 
 }  // namespace
 

@@ -27,7 +27,7 @@ std::expected<std::string, Error> resolve_class(const vocabulary::Vocabulary& vo
         "the ontology contradicts itself, so that no class can have an instance: see geminga-query ontology");
   }
   if (!vocabulary.is_satisfiable(*found)) {
-    return impossible("the class is unsatisfiable, nothing can be one: geminga-query explain says why");
+    return impossible("the class is unsatisfiable and can have no instance: geminga-query explain says why");
   }
   return std::string(vocabulary.iri(*found));
 }

@@ -135,7 +135,7 @@ std::string mend_of_identity(const matching::Examination& examination, const Ask
     case Obstacle::unknown_representation:
       return std::string(mend_of_ontologies);
     case Obstacle::unsatisfiable:
-      return "mend the ontology: geminga-ontology check says why nothing can be one";
+      return "correct the ontology: geminga-ontology check says why it can have no instance";
     case Obstacle::unclassified:
       return "ask for a named concept, or load an ontology that knows all names of the expression";
     case Obstacle::unclassified_offer:
@@ -143,7 +143,7 @@ std::string mend_of_identity(const matching::Examination& examination, const Ask
              "services "
              "says what is wrong with it";
     case Obstacle::disjoint:
-      return "ask for something else, or mend the ontology if something can be both";
+      return "ask for something else, or correct the ontology if something can be both";
     case Obstacle::undecided:
       return "ask again in a second, or ask for something that subsumes what is offered";
     case Obstacle::incomplete:

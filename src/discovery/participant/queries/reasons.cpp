@@ -94,7 +94,7 @@ Reason Reasons::of_nobody(const Asked& asked) const {
                      : asked.entry.subscription.weakest == Degree::overlapping
                          ? ", nor anything that can have instances in common with it"
                          : ", nor anything below or above it"),
-                "start who offers it; geminga-query services shows what is there"};
+                "start the module that offers it; geminga-query services lists what is offered"};
   if (is_concept) reason.text += beside_other_ontology(asked.entry.key.participant);
   return reason;
 }
@@ -105,7 +105,7 @@ Reason Reasons::of_nobody(const PublicationEntry& offer) const {
   Reason reason{Obstacle::nobody,
                 "nobody asks for " + words(matcher_.editions().vocabulary(), identity) +
                     (is_concept ? ", nor for anything below or above it" : ""),
-                "start who asks for it; geminga-query requests shows what is there"};
+                "start the module that asks for it; geminga-query requests lists what is asked for"};
   if (is_concept) reason.text += beside_other_ontology(offer.key.participant);
   return reason;
 }
@@ -155,8 +155,9 @@ std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
       return Reason{Obstacle::unreadable, "its condition cannot be read here: " + problem,
                     std::string(mend_of_ontologies)};
     }
-    return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
-                  "its consumer's host knows more of conditions than this one: update a whole team"};
+    return Reason{
+        Obstacle::unreadable, "its condition or its scope cannot be read here",
+        "the consumer's host has a newer version, which knows more conditions: install one version on all hosts"};
   }
   const auto* semantic = std::get_if<SemanticIdentity>(&asked.entry.subscription.identity);
   if (semantic == nullptr) return std::nullopt;
@@ -179,14 +180,14 @@ std::optional<Reason> Reasons::of_request(Piece& piece, const Asked& asked) {
   if (!has_expression(*semantic) && !asked.request->classes.concept_class) {
     return Reason{
         Obstacle::unsatisfiable,
-        shown(matcher_.editions().vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
-        "mend the ontology: geminga-ontology check says why"};
+        shown(matcher_.editions().vocabulary(), semantic->concept_iri) + " is unsatisfiable: it can have no instance",
+        "correct the ontology: geminga-ontology check says why"};
   }
   if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
     return Reason{Obstacle::incomplete,
                   "nothing that is offered is known to be below or above " +
                       words(matcher_.editions().vocabulary(), asked.entry.subscription.identity) +
-                      ", but not all is found of an expression that no class is defined by: " + gaps,
+                      ", but the answer may be incomplete, as no class is defined by the expression: " + gaps,
                   std::string(mend_of_gaps)};
   }
   return std::nullopt;
@@ -209,7 +210,7 @@ Reason Reasons::of(Piece& piece, const Asked& asked, const Nearest& nearest) {
     reason.text += "; offered are " + told_representations(matcher_.editions().vocabulary(), nearest);
   }
   if (const std::string gaps = gaps_of(asked); !gaps.empty()) {
-    reason.text += "; not all is found of an expression that no class is defined by: " + gaps;
+    reason.text += "; the answer may be incomplete, as no class is defined by the expression: " + gaps;
     reason.mend += "; or " + std::string(mend_of_gaps);
   }
   return reason;
@@ -245,8 +246,9 @@ Reason Reasons::likely(Piece& piece, const registry::SubscriptionEntry& request)
 /// A fault of the offer itself, whatever is asked for.
 std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& offer) {
   if (!matching::Scope::parse(offer.publication.scope) || !matching::Where::parse(offer.publication.for_whom)) {
-    return Reason{Obstacle::unreadable, "its condition or its scope cannot be read here",
-                  "its provider's host knows more of conditions than this one: update a whole team"};
+    return Reason{
+        Obstacle::unreadable, "its condition or its scope cannot be read here",
+        "the provider's host has a newer version, which knows more conditions: install one version on all hosts"};
   }
   const auto* semantic = std::get_if<SemanticIdentity>(&offer.publication.identity);
   if (semantic == nullptr) return std::nullopt;
@@ -270,8 +272,8 @@ std::optional<Reason> Reasons::of_offer(Piece& piece, const PublicationEntry& of
   if (!vocabulary.is_satisfiable(*concept_class)) {
     return Reason{
         Obstacle::unsatisfiable,
-        shown(matcher_.editions().vocabulary(), semantic->concept_iri) + " is unsatisfiable: nothing can be one",
-        "mend the ontology: geminga-ontology check says why"};
+        shown(matcher_.editions().vocabulary(), semantic->concept_iri) + " is unsatisfiable: it can have no instance",
+        "correct the ontology: geminga-ontology check says why"};
   }
   if (!semantic->representation_iri.empty() && !vocabulary.find_iri(semantic->representation_iri)) {
     return of_unknown_name(piece, offer.key.participant, semantic->representation_iri,
