@@ -32,26 +32,29 @@
 
 namespace geminga::membership {
 
-/// The time for which a goodbye is remembered, so that datagrams which it overtook bring nobody back.
+/// The time for which a goodbye is remembered, so that older datagrams that arrive after it do not bring the
+/// participant back.
 inline constexpr base::Duration goodbye_memory = std::chrono::seconds(10);
 
-/// One incarnation of a participant: one boot nonce. Each call appends what changes to the list that it is given.
+/// One incarnation of a participant: one boot nonce. Each call appends its changes to the list that it is given.
 ///
-/// A sender numbers its datagrams in rising order, and its revision never falls. Two datagrams that do not fit together
-/// prove that one of them is forged, but not which. From then on the participant is *contested*, until everything has
-/// fitted for `hold_intervals`. What was changed within that time is undone, and what is believed stays believed while
-/// it is repeated. New services are taken in; a service that nobody repeats lapses. So a lie in the name of a
-/// participant lasts until the participant speaks, and the next lie changes nothing that it keeps saying.
+/// A sender numbers its datagrams in rising order, and its revision never falls. If two datagrams contradict each
+/// other, one of them is forged, but it is not known which. From then on the participant is *contested*, until no
+/// datagram has contradicted another for `hold_intervals`. Changes within that time are undone. What was believed stays
+/// believed while it is repeated, new services are accepted, and a service that is not repeated lapses. So a forged
+/// datagram has effect only until the participant sends its next one, and further forged ones change nothing that the
+/// participant repeats.
 class NeighbourRecord {
  public:
-  /// `since`: when it came to own its identifier. Borrows the room that its services take, and the testimony of others.
+  /// `since`: when it came to own its identifier. Borrows the account of room for services and the witnesses; both must
+  /// outlive it.
   NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since, ServiceRoom& room,
                   const Witnesses& witnesses);
   NeighbourRecord(const NeighbourRecord&) = delete;
   NeighbourRecord& operator=(const NeighbourRecord&) = delete;
 
   [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
-  /// The source address that it was first heard from. It takes a place of the share of that address.
+  /// The source address that it was first heard from. It counts towards the limit of participants of that address.
   [[nodiscard]] const std::string& source() const { return source_; }
   /// When it was first heard under its identifier; a claim counts, too. Of several incarnations under one identifier
   /// the one that was heard first owns it.
@@ -62,18 +65,19 @@ class NeighbourRecord {
   /// Takes in a state, change or presence of this incarnation. Returns `known`, or why it was ignored (copied,
   /// elsewhere, leap) or doubted (contradiction).
   Hearing hear(const announcement::Announcement& announcement, const Arrival& arrival, std::vector<Change>& changes);
-  /// Takes in a goodbye of this incarnation. Returns whether it ends it at once (Hearing::goodbye). A goodbye of a
-  /// contested participant only shortens its deadline, so that it stays if it goes on speaking.
+  /// Takes in a goodbye of this incarnation. Returns Hearing::goodbye if it ends the incarnation at once. A goodbye of
+  /// a contested participant may be forged. It only shortens the deadline, so that a participant that goes on sending
+  /// stays.
   [[nodiscard]] Hearing hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival);
   /// Remembers the number of a goodbye on its way. A datagram with a higher number was sent after it.
   void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
     ways_.note_goodbye(announcement, arrival);
   }
-  /// The proof in a state of a participant that seemed to leave at `left`.
+  /// Whether a state proves that a participant lives that seemed to leave at `left`.
   enum class Proof : std::uint8_t {
-    none,   ///< nothing: it is from elsewhere, or may be older than that
+    none,   ///< no proof: it comes from another address, or may be older than that instant
     echo,   ///< its number is known: it may be a copy
-    alive,  ///< it was sent after that
+    alive,  ///< it was sent after that instant
   };
   [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival, base::Instant left);
   /// Whether a datagram is new and from the address that its way belongs to.
@@ -81,24 +85,24 @@ class NeighbourRecord {
     const auto* way = ways_.find_bound(announcement, arrival);
     return way == nullptr ? ways_.all().empty() && arrival.source == source_ : !way->has(announcement.sequence);
   }
-  /// The time for which it is remembered when it seems to leave: long enough to hear it again if somebody has lied
-  /// about it.
+  /// The time for which it is remembered after it seemed to leave: long enough to hear it again if the goodbye was
+  /// forged.
   [[nodiscard]] base::Duration memory(base::Instant now) const;
-  /// Brings it back: somebody has lied in its name, and all that is known of it is to be told again.
+  /// Brings it back after a forged goodbye. Appends all that is known of it as changes.
   void come_back(base::Instant now, std::vector<Change>& changes);
-  /// Takes in that another incarnation speaks under this identifier. Returns whether this one gives way, because it has
+  /// Takes in that another incarnation sends under this identifier. Returns whether this one gives way, because it has
   /// been silent for too long.
   [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
 
-  /// Whether a datagram from there is a sign of life.
+  /// Whether a datagram from this source is a sign of life.
   [[nodiscard]] bool is_vouched(const Arrival& arrival) const {
     return arrival.is_sealed || ways_.is_vouched(arrival.source);
   }
 
-  /// Takes in what a relay testifies: that it spoke `passage.age` ago, and that its state is that of this revision (0:
-  /// not said). Counts for nothing while it is heard directly or is contested.
+  /// Takes in the testimony of a relay: this participant sent something `passage.age` ago, and its state has this
+  /// revision (0: not stated). Has no effect while it is heard directly or is contested.
   void hear_of(const Passage& passage, std::uint64_t revision, base::Instant now);
-  /// Whether we hear it ourselves: it spoke to us within hold_intervals.
+  /// Whether this host itself has heard it within hold_intervals.
   [[nodiscard]] bool is_heard_directly(base::Instant now) const {
     return passage_.is_direct(announcement::hold_intervals * lasting_interval(now), now);
   }
@@ -107,17 +111,16 @@ class NeighbourRecord {
   /// Its ways, for a relay.
   [[nodiscard]] Reach reach() const;
 
-  /// Judges whether its address can be reached from here, where it is heard from afar alone: through relays, or by
-  /// datagrams to us alone.
+  /// Checks whether its address can be reached from here, if it is heard only through relays or by unicast.
   void judge_reach(const JudgeReach& judge, std::vector<Change>& changes);
 
   /// Looks up what others have testified about it.
   void ask_witnesses(base::Instant now);
-  /// Takes in that a participant of its name claims an identifier or is new, at the address of one of its ways: that
-  /// seems to be its next incarnation. Until this one shows that it lives it is doubted, and its deadline is near.
-  /// Counts once in contest_intervals.
+  /// Takes in that a participant of its name claims an identifier or is new, at the address of one of its ways:
+  /// probably its next incarnation. This one is doubted, with a near deadline, until it gives a sign of life. Has an
+  /// effect once in contest_intervals.
   void succeed(std::uint32_t lasting, const Arrival& arrival);
-  /// Takes in that our presence says that we doubt it.
+  /// Takes in that this host's presence has asked it for a sign of life.
   void ask(base::Instant now) { signs_.ask(now, answer_time(known_loss())); }
   [[nodiscard]] std::optional<base::Instant> succeeded() const { return signs_.succeeded(); }
   /// Takes over the losses on one way before the same incarnation was given up (FormerLosses).
@@ -131,7 +134,7 @@ class NeighbourRecord {
     const bool has_next_incarnation = succeeded && now - *succeeded < announcement::contest_intervals * interval();
     return standing_.span() >= sought_after && !has_next_incarnation;
   }
-  /// When we last heard it ourselves.
+  /// When this host itself last heard it.
   [[nodiscard]] base::Instant heard() const { return signs_.heard(); }
   [[nodiscard]] const std::string& name() const { return header_.value().name; }
   /// Whether its name, ontology or lasting identity has changed since the last call.
@@ -150,8 +153,8 @@ class NeighbourRecord {
   [[nodiscard]] std::uint64_t held_revision() const { return is_contested_ ? known_.revision() : known_.held(); }
   /// Whether its newest state is unknown or uncertain, or is unknown for one of its ways, or had no room.
   [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
-  /// Whether its newest state is to be asked for at once. While somebody goes on lying in its name, our next presence
-  /// is early enough.
+  /// Whether its newest state is to be asked for at once. While forged datagrams go on, the next presence is early
+  /// enough.
   [[nodiscard]] bool is_missed(base::Instant now) const {
     return is_state_lacking() && (!is_contested_ || now - contested_since_ < urgent_time);
   }
@@ -163,8 +166,7 @@ class NeighbourRecord {
   void postpone(base::Instant until);
   [[nodiscard]] const std::vector<NeighbourWay>& ways() const { return ways_.all(); }
 
-  /// Drops ways and services that have their deadline at or before `now`. The participant itself is dropped by the
-  /// table.
+  /// Drops ways and services that have their deadline at or before `now`. The table drops the participant itself.
   void expire(base::Instant now, std::vector<Change>& changes);
   void forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes);
 
@@ -212,19 +214,20 @@ class NeighbourRecord {
   void take_interval(const announcement::Announcement& announcement, base::Instant now);
   void take_revision(NeighbourWay& way, const announcement::Announcement& announcement, base::Instant now,
                      std::vector<Change>& changes);
-  /// Begins or prolongs the contest: somebody has lied in its name.
+  /// Begins or prolongs the contest after a contradiction.
   void contest(base::Instant now, std::vector<Change>& changes);
   void end_contest(base::Instant now);
   /// Takes in that a way has an address that it did not have.
   void meet(NeighbourWay& way, const Arrival& arrival);
-  /// Whether a state shows that its source is an address of its sender, since the sender moves there: from now on its
-  /// services are told there. So nobody can keep somebody else's services alive where they are.
+  /// Whether a state shows that its source is an address of its sender, because the sender moves there: from now on its
+  /// services have that address. So a forger cannot keep the services of another participant alive at their old
+  /// address.
   [[nodiscard]] bool introduces(const announcement::Announcement& state, const Arrival& arrival) const;
   void set_deadlines(NeighbourWay& way, bool is_sign, base::Instant now);
   /// Chooses the address for services without one.
   void choose_address();
 
-  /// The time for which something that was said stands against something else. An interval counts up to the time for
+  /// The time for which a statement counts as a contradiction of another one. An interval counts up to the time for
   /// which the participant is known.
   [[nodiscard]] base::Duration hold(base::Instant now) const;
   [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
