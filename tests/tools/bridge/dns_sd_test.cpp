@@ -38,10 +38,14 @@ class Avahi {
         << address()
         << "</listen><auth>EXTERNAL</auth><policy context=\"default\"><allow send_destination=\"*\"/><allow "
            "receive_sender=\"*\"/><allow own=\"*\"/><allow user=\"*\"/></policy></busconfig>";
-    std::ofstream(folder_ + "/avahi.conf")
-        << "[server]\nhost-name=host" << host << "\nuse-ipv6=no\n[publish]\npublish-hinfo=no\npublish-workstation=no\n";
+    configure();
     start_bus();
     start_avahi();
+  }
+  /// Holds from the next start. `server`: more lines of the section [server].
+  void configure(const std::string& server = "") {
+    std::ofstream(folder_ + "/avahi.conf") << "[server]\nhost-name=host" << host_ << "\nuse-ipv6=no\n"
+                                           << server << "[publish]\npublish-hinfo=no\npublish-workstation=no\n";
   }
   void start_bus() {
     std::filesystem::remove(folder_ + "/bus");
@@ -248,6 +252,20 @@ TEST_F(DnsSd, HealsWhenAvahiTheBusAndTheDaemonCameBack) {
   EXPECT_TRUE(others_see("geminga:Image", false));
   start_daemon();
   EXPECT_TRUE(knows({"dns:Printing"})) << bridge_->said();
+}
+
+TEST_F(DnsSd, AnnouncesAServiceThatAvahiRefusedOnceThereIsRoomForIt) {
+  bridge_.reset();
+  ours_->stop_avahi();
+  ours_->configure("objects-per-client-max=1\n");
+  ours_->start_avahi();
+  start_bridge({"--only", "out"});
+  module_->say("1 pub create mode=otm/stream text=first-lamp port=5000");
+  EXPECT_TRUE(others_see("first-lamp")) << bridge_->said();
+  module_->say("2 pub create mode=otm/stream text=second-lamp port=5001");
+  EXPECT_TRUE(bridge_->wait_for("services of ours that Avahi refused")) << bridge_->said();
+  module_->say("1 pub remove");
+  EXPECT_TRUE(others_see("second-lamp")) << bridge_->said();
 }
 
 TEST_F(DnsSd, TakesTheIpv4AddressOfAHostWhoseIpv6AddressOfTheLinkCameFirst) {

@@ -1,6 +1,5 @@
 #include "bridge/avahi/browsing.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -138,8 +137,7 @@ void Browsing::on_failure(Sighting& sighting) {
   tally_.count(has_other_address ? no_shareable_address : "services without an answer");
   // A host that has answered once may be slow; its service goes when Avahi says so.
   if (sighting.found) return;
-  ++sighting.failures;
-  sighting.pause = std::min(1U << std::min(sighting.failures, 6U), max_pause);
+  sighting.pause.fail();
   sighting.family = AVAHI_PROTO_UNSPEC;
   free_resolver(sighting);
   resolve_waiting();
@@ -152,9 +150,7 @@ void Browsing::free_resolver(Sighting& sighting) {
 }
 
 void Browsing::retry() {
-  for (const auto& [place, sighting] : sightings_) {
-    if (sighting->pause > 0) --sighting->pause;
-  }
+  for (const auto& [place, sighting] : sightings_) sighting->pause.pass();
   resolve_waiting();
 }
 
@@ -162,8 +158,8 @@ void Browsing::resolve_waiting() {
   while (client_ != nullptr && resolvers_ < max_resolved && resolvers_ < sightings_.size()) {
     Sighting* next = nullptr;
     for (const auto& [place, sighting] : sightings_) {
-      if (sighting->resolver == nullptr && sighting->pause == 0 &&
-          (next == nullptr || sighting->failures < next->failures)) {
+      if (sighting->resolver == nullptr && sighting->pause.is_over() &&
+          (next == nullptr || sighting->pause.failures() < next->pause.failures())) {
         next = sighting.get();
       }
     }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bridge/avahi/found_service.hpp"
+#include "bridge/avahi/retry_pause.hpp"
 #include "bridge/team/tally.hpp"
 
 namespace geminga::bridge {
@@ -58,8 +59,7 @@ class Browsing {
     /// first, which may be an IPv6 address of the link.
     AvahiProtocol family = AVAHI_PROTO_UNSPEC;
     std::optional<FoundService> found{};
-    unsigned failures = 0;  ///< attempts to resolve it that nobody has answered
-    unsigned pause = 0;     ///< calls of retry() that it waits for
+    RetryPause pause{};  ///< after an attempt to resolve it that nobody has answered
   };
 
   void on_type(AvahiBrowserEvent event, const char* type);

@@ -15,7 +15,8 @@ inline constexpr std::size_t max_types = 256;
 inline constexpr std::size_t max_resolved = 480;
 /// Sightings that wait to be resolved. One more is left out and counted.
 inline constexpr std::size_t max_unresolved = 4096;
-/// The longest pause of a sighting that nobody has answered, in calls of Browsing::retry().
+/// The longest pause of a sighting that nobody has answered, or of a service of ours that Avahi refused, in calls of
+/// retry().
 inline constexpr unsigned max_pause = 60;
 /// Our services that are announced at a time. More are left out and counted.
 inline constexpr std::size_t max_announced = 256;

@@ -12,6 +12,7 @@ namespace geminga::bridge {
 namespace {
 
 constexpr AvahiPublishFlags no_flags{};
+constexpr std::string_view refused_by_avahi = "services of ours that Avahi refused";
 
 struct FreeList {
   void operator()(AvahiStringList* list) const { avahi_string_list_free(list); }
@@ -41,10 +42,8 @@ void Publishing::set(const std::map<std::string, OwnService>& services) {
     if (const auto known = entries_.find(word); known != entries_.end()) {
       Entry& entry = *known->second;
       if (entry.service == service || update(entry, service)) continue;
-      free_group(entry);
       entry.service = service;
-      entry.label = service.label;
-      entry.names_tried = 1;
+      entry.pause = {};
       announce(entry);
       continue;
     }
@@ -52,7 +51,7 @@ void Publishing::set(const std::map<std::string, OwnService>& services) {
       tally_.count("services of ours over the limit");
       continue;
     }
-    auto entry = std::make_unique<Entry>(Entry{this, service, service.label});
+    auto entry = std::make_unique<Entry>(Entry{.owner = this, .service = service, .label = {}});
     announce(*entries_.emplace(word, std::move(entry)).first->second);
   }
 }
@@ -64,8 +63,18 @@ void Publishing::begin(AvahiClient* client) {
   }
 }
 
+void Publishing::retry() {
+  if (client_ == nullptr) return;
+  for (const auto& [word, entry] : entries_) {
+    if (entry->pause.pass()) announce(*entry);
+  }
+}
+
 void Publishing::end() {
-  for (const auto& [word, entry] : entries_) free_group(*entry);
+  for (const auto& [word, entry] : entries_) {
+    free_group(*entry);
+    entry->pause = {};  // what the next Avahi takes is its own affair
+  }
   client_ = nullptr;
 }
 
@@ -74,14 +83,22 @@ void Publishing::free_group(Entry& entry) {
 }
 
 void Publishing::announce(Entry& entry) {
+  free_group(entry);
+  entry.label = entry.service.label;
+  entry.names_tried = 1;
   if (client_ == nullptr) return;
   const auto on_state = [](AvahiEntryGroup* group, AvahiEntryGroupState state, void* user) {
     Entry& one = *static_cast<Entry*>(user);
     one.owner->on_state(one, group, state);
   };
   entry.group = avahi_entry_group_new(client_, on_state, &entry);
-  if (entry.group == nullptr) return tally_.count("services of ours that Avahi refused");
+  if (entry.group == nullptr) return refuse(entry, refused_by_avahi);
   fill(entry, entry.group);
+}
+
+void Publishing::refuse(Entry& entry, std::string_view reason) {
+  if (entry.pause.failures() == 0) tally_.count(reason);
+  entry.pause.fail();
 }
 
 void Publishing::fill(Entry& entry, AvahiEntryGroup* group) {
@@ -91,7 +108,7 @@ void Publishing::fill(Entry& entry, AvahiEntryGroup* group) {
   if (!host.empty()) {
     AvahiAddress address{};
     if (avahi_address_parse(service.address.c_str(), AVAHI_PROTO_UNSPEC, &address) == nullptr) {
-      return tally_.count("services of ours without an address that others can use");
+      return refuse(entry, "services of ours without an address that others can use");
     }
     result = avahi_entry_group_add_address(group, AVAHI_IF_UNSPEC, AVAHI_PROTO_UNSPEC, AVAHI_PUBLISH_NO_REVERSE,
                                            host.c_str(), &address);
@@ -104,11 +121,11 @@ void Publishing::fill(Entry& entry, AvahiEntryGroup* group) {
   }
   if (result == AVAHI_OK) result = avahi_entry_group_commit(group);
   if (result == AVAHI_ERR_COLLISION) return rename(entry, group);
-  if (result != AVAHI_OK) tally_.count("services of ours that Avahi refused");
+  if (result != AVAHI_OK) refuse(entry, refused_by_avahi);
 }
 
 void Publishing::rename(Entry& entry, AvahiEntryGroup* group) {
-  if (entry.names_tried++ >= max_names_tried) return tally_.count("services of ours whose names others have");
+  if (entry.names_tried++ >= max_names_tried) return refuse(entry, "services of ours whose names others have");
   char* const other = avahi_alternative_service_name(entry.label.c_str());
   entry.label = other;
   avahi_free(other);
@@ -118,7 +135,8 @@ void Publishing::rename(Entry& entry, AvahiEntryGroup* group) {
 
 void Publishing::on_state(Entry& entry, AvahiEntryGroup* group, AvahiEntryGroupState state) {
   if (state == AVAHI_ENTRY_GROUP_COLLISION) rename(entry, group);
-  if (state == AVAHI_ENTRY_GROUP_FAILURE) tally_.count("services of ours that Avahi refused");
+  if (state == AVAHI_ENTRY_GROUP_FAILURE) refuse(entry, refused_by_avahi);
+  if (state == AVAHI_ENTRY_GROUP_ESTABLISHED) entry.pause = {};
 }
 
 /// Changes the TXT record alone, if nothing else differs: consumers see no departure.
@@ -128,7 +146,7 @@ bool Publishing::update(Entry& entry, const OwnService& service) {
   changed.is_cut = entry.service.is_cut;
   if (changed != entry.service) return false;
   entry.service = service;
-  if (entry.group == nullptr) return true;
+  if (entry.group == nullptr || !entry.pause.is_over()) return true;  // announced with it later
   const StringList txt = list_of(service);
   return avahi_entry_group_update_service_txt_strlst(entry.group, AVAHI_IF_UNSPEC, AVAHI_PROTO_UNSPEC, no_flags,
                                                      entry.label.c_str(), service.type.c_str(), nullptr,

@@ -8,8 +8,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "bridge/avahi/own_service.hpp"
+#include "bridge/avahi/retry_pause.hpp"
 #include "bridge/team/tally.hpp"
 
 namespace geminga::bridge {
@@ -26,6 +28,9 @@ class Publishing {
   /// The services by their words (`PARTICIPANT/PEER/NUMBER`), in the place of the former ones.
   void set(const std::map<std::string, OwnService>& services);
   void begin(AvahiClient* client);
+  /// Announces again what was refused, each after a pause that doubles: Avahi may have room for it by now, or a name
+  /// may be free. Call once a second.
+  void retry();
   /// Frees what it has of the client; the services stay known for the next one.
   void end();
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
@@ -38,9 +43,13 @@ class Publishing {
     std::string label;  ///< under which it is announced
     AvahiEntryGroup* group = nullptr;
     int names_tried = 1;
+    RetryPause pause{};  ///< after it was refused
   };
 
+  /// Announces it anew, under its own label.
   void announce(Entry& entry);
+  /// It is not announced for now. Counted once for each service, not for each attempt.
+  void refuse(Entry& entry, std::string_view reason);
   void free_group(Entry& entry);
   void on_state(Entry& entry, AvahiEntryGroup* group, AvahiEntryGroupState state);
   /// Fills the group under the entry's label and commits it.

@@ -117,6 +117,7 @@ class DnsSd {
   void on_second() {
     timer_.set(reactor_.now() + look);
     browsing_.retry();
+    publishing_.retry();
     if (announces_) look_at_ours();
   }
   /// Our services as the daemon has them. Without a daemon there are none.
