@@ -82,6 +82,10 @@ std::string words_of(const CLI::ParseError& error) {
         replace_first(words, ": is ", " is ");
       return words;
     }
+    case CLI::ExitCodes::ConversionError:  // "Could not convert: --closure = x": a flag was given a value
+      replace_first(words, "Could not convert: ", "");
+      replace_first(words, " = ", " takes no value such as ");
+      return words;
     default:
       return words;
   }
@@ -119,14 +123,14 @@ std::string mistake(const CLI::App& app, const CLI::ParseError& error) {
                           : "did you mean " + meant + "? ") +
            see;
   }
-  const bool lacks_command = !commands.empty() && app.get_subcommands().empty() &&
-                             error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
-  if (lacks_command && flag == left.end())
+  // An argument may be missing because a flag is misspelt.
+  const bool lacks_something = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+  if (lacks_something && !commands.empty() && app.get_subcommands().empty() && flag == left.end())
     return "a command is missing: the commands are " + base::joined(commands, ", ") + ": " + see;
   const bool has_extras = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
   if (has_extras && flag == left.end() && word != left.end())
     return '\'' + base::printable(*word) + "' is one word too many: " + see;
-  if (flag == left.end() || (!has_extras && !lacks_command)) return words_of(error) + ": " + see;
+  if (flag == left.end() || (!has_extras && !lacks_something)) return words_of(error) + ": " + see;
   const std::string name = flag->substr(0, flag->find('='));
   const std::size_t dashes = name.find_first_not_of('-');
   const std::string meant = dashes == 2 ? nearest(name.substr(dashes), flags_of(app)) : std::string();

@@ -25,6 +25,7 @@ class Mistake : public testing::Test {
     cook->add_option("DISH", dishes_);
     cook->add_option("--salt", spoon_);
     cook->add_option("--recipe", spoon_)->check(CLI::ExistingFile);
+    cook->add_flag("--hot", is_hot_);
     cook->add_option("--pan", spoon_)->check([](const std::string&) { return std::string("is lost"); });
     CLI::App* wash = app_.add_subcommand("wash", "");
     wash->add_option("--water", spoon_)->check(CLI::IsMember({"cold", "hot"}));
@@ -47,6 +48,7 @@ class Mistake : public testing::Test {
   CLI::App app_{"", "kitchen"};
   std::string spoon_;
   int times_ = 0;
+  bool is_hot_ = false;
   std::vector<std::string> dishes_;
 };
 
@@ -68,9 +70,26 @@ TEST_F(Mistake, NamesWhatMayBeMeantOrWhatThereIs) {
       {{"wash", "--times", "10"}, "--times: 10 is not from 1 to 9: " + see},
       {{"cook", "--recipe", "/nowhere"}, "--recipe: there is no file /nowhere: " + see},
       {{"cook", "--pan", "x"}, "--pan is lost: " + see},
+      {{"cook", "--hot=x"}, "--hot takes no value such as x: " + see},
       {{"cook", "soup", "--salt", "1"}, ""},
   };
   for (const auto& [words, text] : cases) EXPECT_EQ(said(words), text) << testing::PrintToString(words);
+}
+
+TEST(MistakeInWhatIsRequired, IsTheFlagThatIsNone) {
+  CLI::App app{"", "kitchen"};
+  std::string dish;
+  app.add_subcommand("cook", "")->add_option("DISH", dish)->required();
+  const auto said = [&](const std::vector<const char*>& words) -> std::string {
+    try {
+      app.parse(static_cast<int>(words.size()), words.data());
+    } catch (const CLI::ParseError& error) {
+      return mistake(app, error);
+    }
+    return "";
+  };
+  EXPECT_EQ(said({"kitchen", "cook"}), "DISH is required: see kitchen --help");
+  EXPECT_EQ(said({"kitchen", "cook", "-soup"}), "'-soup' is no flag: see kitchen --help");
 }
 
 TEST_F(Mistake, IsAnEmptyText) {

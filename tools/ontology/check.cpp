@@ -81,7 +81,8 @@ std::string sources_as_text(const Sources& sources) {
   if (sources.triples) text += counted(*sources.triples, "triple", "triples") + ", ";
   text += counted(sources.classes, "class", "classes") + ", " + counted(sources.axioms, "axiom", "axioms") + '\n';
   for (const owl::LoadedFile& file : sources.files)
-    text += "  " + file.path + (file.ontology_iri.empty() ? "" : "  <" + file.ontology_iri + ">") + '\n';
+    text += "  " + base::printable(file.path, 4096) +
+            (file.ontology_iri.empty() ? "" : "  <" + file.ontology_iri + ">") + '\n';
   return text;
 }
 

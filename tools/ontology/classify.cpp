@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "ontology/command/options.hpp"
+#include "ontology/command/output.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 #include "ontology/findings/findings.hpp"
@@ -106,6 +107,9 @@ Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
                                                           .is_lenient = request.is_lenient,
                                                           .budget = &budget});
   if (!classified) return Exit::usage;
+  if (!request.stats.empty() &&
+      would_destroy_source(request.stats, request.files, classified->loaded.source, "--stats"))
+    return Exit::usage;
   if (!write_taxonomies(*classified, request) || !print("")) return say_unwritten();
   if (!request.stats.empty() && !write_stats(*classified, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");

@@ -20,6 +20,7 @@
 #include "ontology/loading/classified_files.hpp"
 #include "ontology/loading/entity_names.hpp"
 #include "reasoning/modules/signature_module.hpp"
+#include "reasoning/syntax/folders.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -80,7 +81,10 @@ Exit extract(const ExtractRequest& request, const WorkLimits&) {
   if (!format) return say_error(format.error());
   std::vector<std::string> files;
   std::vector<std::string> names = request.names;
-  for (const std::string& word : request.words) (std::filesystem::exists(word) ? files : names).push_back(word);
+  for (const std::string& word : request.words) {
+    const bool is_file = std::filesystem::exists(word) || syntax::is_ontology_name(word);  // perhaps a mistyped one
+    (is_file ? files : names).push_back(word);
+  }
   if (files.empty())
     return say_error("none of these words is a file or folder: name the files, and behind them the names");
   if (!request.names_file.empty()) {

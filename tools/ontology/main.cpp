@@ -1,5 +1,6 @@
 // geminga-ontology: checks, classifies, explains, draws and compiles ontologies; only serve and fetch need a daemon.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -95,6 +96,7 @@ extern "C" int __lsan_is_turned_off() { return 1; }  // NOLINT(bugprone-reserved
 #endif
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit of a file then fails as on a full disk, with a message
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -125,6 +125,7 @@ std::expected<FileBytes, LoadError> FileBytes::read_standard_input(const FileLim
 
 std::optional<FileBytes> FileBytes::copy_of(std::string_view text) {
   FileBytes bytes;
+  if (text.empty()) return bytes;
   char* const room = bytes.room_for(text.size());
   if (room == nullptr) return std::nullopt;
   std::ranges::copy(text, room);

@@ -1,6 +1,11 @@
 // Packed files, folders of folders, and names without their prefixes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+#include <iterator>
+#include <string>
 
 #include "program.hpp"
 #include "reasoning/syntax/rdf/packed.hpp"
@@ -121,6 +126,68 @@ TEST(Check, RemarksWhatCostsNoAxiom) {
               HasSubstr("Read otherwise than written:\n"
                         "  ObjectIntersectionOf of one operand, read as that operand: 1, first at a.ofn:1"));
   EXPECT_THAT(outcome.out, HasSubstr("Complete: "));
+}
+
+TEST(Graphs, OfSeveralFilesAreReadAsOne) {
+  const Program program;
+  std::filesystem::create_directories(program.folder() / "in" / "team");
+  const std::string sub = " <http://www.w3.org/2000/01/rdf-schema#subClassOf> ";
+  program.turtle("team/a.trig", ":g { :A rdfs:subClassOf :B }");
+  program.write("team/b.nq", "<http://e/B>" + sub + "<http://e/C> <http://e/g> .\n");
+  EXPECT_THAT(program.run({"classify", "--closure", "team"}).out, HasSubstr("http://e/A\thttp://e/C\n"));
+  const Outcome checked = program.run({"check", "team"});
+  EXPECT_THAT(checked.out, HasSubstr("graphs of TriG or N-Quads, read as one graph"));
+  EXPECT_EQ(program.run({"query", "team", "ASK { :A rdfs:subClassOf :C }"}).out, "yes\n");
+  EXPECT_EQ(program.run({"query", "--asserted", "team", "ASK { :A rdfs:subClassOf :B }"}).out, "yes\n");
+}
+
+TEST(Careless, OutputsSpareTheSources) {
+  const Program program;
+  program.turtle("a.ttl", ":A a owl:Class .");
+  const std::string before = program.read("a.ttl");
+  const Outcome outcome = program.run({"classify", "a.ttl", "--stats", "a.ttl"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "geminga-ontology: a.ttl is one of the sources: name another file behind --stats\n");
+  EXPECT_EQ(program.read("a.ttl"), before);
+}
+
+TEST(Careless, AFileThatIsNotThereIsNamedAndNoNameOfTheOntology) {
+  const Program program;
+  program.turtle("a.ttl", ":A a owl:Class .");
+  EXPECT_EQ(program.run({"extract", "nowhere.ttl", ":A", "-o", "o.ttl"}).err,
+            "geminga-ontology: nowhere.ttl: cannot be opened: No such file or directory\n");
+  EXPECT_THAT(program.run({"extract", "a.ttl", "nowhere.ttl", ":A", "-o", "o.ttl"}).err,
+              HasSubstr("nowhere.ttl: cannot be opened"));
+}
+
+TEST(Careless, AFileThatWouldBeTooLongIsNotWritten) {
+  const Program program;
+  std::string classes;
+  for (int number = 0; number < 100; ++number) classes += ":A" + std::to_string(number) + " a owl:Class .\n";
+  program.turtle("a.ttl", classes);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{1000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const Outcome outcome = program.run({"convert", "a.ttl", "-o", "b.ttl"});
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "geminga-ontology: b.ttl cannot be written: File too large\n");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(program.folder() / "in"), {}), 1) << "nothing is left";
+}
+
+TEST(Hostile, ANameWithTheEndOfALineStaysInItsLine) {
+  const Program program;
+  program.turtle("a\nb.ttl", ":A a owl:Class .");
+  EXPECT_THAT(program.run({"check", "a\nb.ttl"}).out, HasSubstr("\n  a?b.ttl\n"));
+}
+
+TEST(Hostile, AFileOfAMarkAloneIsEmpty) {
+  const Program program;
+  program.write("a.ttl", "\xff\xfe");
+  program.write("a.owl", "\xff\xfe");
+  EXPECT_EQ(program.run({"check", "a.ttl"}).status, 0);
+  EXPECT_EQ(program.run({"check", "a.owl"}).err, "geminga-ontology: a.owl: is empty\n");
 }
 
 }  // namespace

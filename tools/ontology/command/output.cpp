@@ -98,14 +98,15 @@ Exit put_pieces(const std::string& out, const std::function<std::optional<std::s
   return problem ? say_error(*problem) : Exit::yes;
 }
 
-bool would_destroy_source(const std::string& out, const std::vector<std::string>& files, const owl::Ontology& source) {
+bool would_destroy_source(const std::string& out, const std::vector<std::string>& files, const owl::Ontology& source,
+                          std::string_view flag) {
   const auto is_same = [&](const std::string& path) {
     std::error_code missing;
     return std::filesystem::equivalent(out, path, missing);
   };
   if (std::ranges::none_of(files, is_same) && std::ranges::none_of(source.files(), is_same, &owl::LoadedFile::path))
     return false;
-  say_error(out + " is one of the sources: name another file behind -o");
+  say_error(out + " is one of the sources: name another file behind " + std::string(flag));
   return true;
 }
 

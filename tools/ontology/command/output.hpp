@@ -28,9 +28,10 @@ using PutPiece = std::function<bool(std::string_view piece)>;
 [[nodiscard]] Exit put_pieces(const std::string& out,
                               const std::function<std::optional<std::string>(const PutPiece&)>& write);
 
-/// Says so and returns true where writing to `out` would destroy a file that was read, under whatever name.
+/// Says so and returns true where writing to `out` would destroy a file that was read, under whatever name. `flag` is
+/// the one behind which `out` stands.
 [[nodiscard]] bool would_destroy_source(const std::string& out, const std::vector<std::string>& files,
-                                        const owl::Ontology& source);
+                                        const owl::Ontology& source, std::string_view flag = "-o");
 
 }  // namespace geminga::ontology
 
