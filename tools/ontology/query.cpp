@@ -315,7 +315,7 @@ void add_query(CLI::App& program, Choice& choice) {
   command->add_option("--format", request->rows, "how rows are written: table, json, csv, tsv")
       ->type_name("table|json|csv|tsv");
   command->add_flag("--json", request->as_json, "the same as --format json");
-  command->add_option("--to", request->format, std::string("the syntax for CONSTRUCT: ") + format_names)
+  command->add_option("--to", request->format, std::string("the syntax for CONSTRUCT and DESCRIBE: ") + format_names)
       ->type_name(format_choices);
   command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
   add_lenient(*command, request->is_lenient);
@@ -326,9 +326,10 @@ void add_query(CLI::App& program, Choice& choice) {
   add_graph_limit(*command, choice.limits);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nSELECT, ASK and CONSTRUCT are answered; a query may stand in a file whose name ends in .rq. The prefixes\n"
-      "of the files need no declaration. Nothing is fetched from a network. FROM, SERVICE, DESCRIBE, EXISTS\n"
-      "(write MINUS) and property paths are refused.\n"
+      "\nSELECT, ASK, CONSTRUCT and DESCRIBE (the statements about a resource, with those of its blank nodes) are\n"
+      "answered; a query may stand in a file whose name ends in .rq. The prefixes of the files need no\n"
+      "declaration. Nothing is fetched from a network. FROM, SERVICE, property paths (write a triple for each\n"
+      "step) and EXISTS within an expression (write it as a filter of its own) are refused.\n"
       "The inferred graph has all relations between named classes and properties, and all types and facts of\n"
       "named individuals. A class expression as OWL writes it in RDF (?x a [ a owl:Restriction ; owl:onProperty\n"
       "... ]) finds the named individuals that are in it in every model, as geminga-ontology instances does; with\n"

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "reasoning/syntax/graph/existence.hpp"
+
 namespace geminga::graph {
 namespace {
 
@@ -22,7 +24,7 @@ std::vector<const rasqal_triple*> triples_of(rasqal_graph_pattern* basic) {
   for (int at = 0;; ++at) {
     const rasqal_triple* triple = rasqal_graph_pattern_get_triple(basic, at);
     if (triple == nullptr) return triples;
-    triples.push_back(triple);
+    if (!is_mark(*triple)) triples.push_back(triple);
   }
 }
 
@@ -166,7 +168,7 @@ void Patterns::take(rasqal_graph_pattern* part, Rows& rows) {
       return;
     }
     case RASQAL_GRAPH_PATTERN_OPERATOR_OPTIONAL:
-      rows = with_optional(rows, part);
+      if (!existence_of(part)) rows = with_optional(rows, part);
       return;
     case RASQAL_GRAPH_PATTERN_OPERATOR_MINUS:
       rows = without(rows, part);
@@ -193,10 +195,21 @@ void Patterns::take(rasqal_graph_pattern* part, Rows& rows) {
 
 void Patterns::keep_those_that_hold(const Parts& group, Rows& rows) {
   for (rasqal_graph_pattern* part : group) {
+    if (const auto is_wanted = existence_of(part))
+      std::erase_if(rows, [&](const Row& row) { return exists(group_below(part), row) != *is_wanted; });
     if (kind_of(part) != RASQAL_GRAPH_PATTERN_OPERATOR_FILTER) continue;
     const rasqal_expression* filter = rasqal_graph_pattern_get_filter_expression(part);
     std::erase_if(rows, [&](const Row& row) { return !formulas_.holds(*filter, row); });
   }
+}
+
+// The values of the row stand for its variables in the group (section 18.6).
+bool Patterns::exists(const Parts& group, const Row& row) {
+  const bool is_plain = group.size() == 1 && kind_of(group.front()) == RASQAL_GRAPH_PATTERN_OPERATOR_BASIC;
+  const std::size_t most = std::exchange(most_, is_plain ? 1 : 0);  // the first is enough
+  const bool has_one = !evaluate(group, row).empty();
+  most_ = most;
+  return has_one;
 }
 
 // The filters of an optional group see the variables of the outer one, too (section 18.2.2.6).
@@ -355,6 +368,9 @@ Patterns::VariableSet Patterns::certain(const Parts& group) {
       case RASQAL_GRAPH_PATTERN_OPERATOR_FILTER:
       case RASQAL_GRAPH_PATTERN_OPERATOR_VALUES:
       case RASQAL_GRAPH_PATTERN_OPERATOR_SELECT:
+        break;
+      case RASQAL_GRAPH_PATTERN_OPERATOR_OPTIONAL:
+        if (!existence_of(part)) return variables;
         break;
       case RASQAL_GRAPH_PATTERN_OPERATOR_UNION: {
         std::optional<VariableSet> in_all;

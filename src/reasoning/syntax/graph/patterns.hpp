@@ -47,6 +47,7 @@ class Patterns {
   /// Takes a part of a group to the rows so far.
   void take(rasqal_graph_pattern* part, Rows& rows);
   void keep_those_that_hold(const Parts& group, Rows& rows);
+  [[nodiscard]] bool exists(const Parts& group, const Row& row);
   [[nodiscard]] Rows with_optional(const Rows& rows, rasqal_graph_pattern* optional);
   [[nodiscard]] Rows without(const Rows& rows, rasqal_graph_pattern* minus);
   [[nodiscard]] Rows with_group(const Rows& rows, rasqal_graph_pattern* pattern);

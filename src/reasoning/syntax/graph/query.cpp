@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/graph/described.hpp"
+#include "reasoning/syntax/graph/existence.hpp"
 #include "reasoning/syntax/graph/patterns.hpp"
 #include "reasoning/syntax/graph/query_text.hpp"
 #include "reasoning/syntax/graph/selection.hpp"
@@ -136,6 +138,15 @@ std::optional<Node> made_node(rasqal_literal* literal, const Row& row, std::size
   return term == nullptr ? std::nullopt : std::optional(node_of(*term));
 }
 
+/// Sorts triples and writes them into the answer.
+std::optional<std::string> put_text(Statements& made, const Prefixes& prefixes, Format format, Answer& answer) {
+  made.sort();
+  auto text = write(made, format, prefixes);
+  if (!text) return text.error();
+  answer.text = std::move(*text);
+  return std::nullopt;
+}
+
 std::optional<std::string> write_triples(const ReadQuery& read, const Rows& rows, Terms& terms, Variables& variables,
                                          const Prefixes& prefixes, Format format, const GraphLimits& limits,
                                          Answer& answer) {
@@ -157,11 +168,17 @@ std::optional<std::string> write_triples(const ReadQuery& read, const Rows& rows
       if (!made.add(*subject, *predicate, *object)) return "memory is short";
     }
   }
-  made.sort();
-  auto text = write(made, format, prefixes);
-  if (!text) return text.error();
-  answer.text = std::move(*text);
-  return std::nullopt;
+  return put_text(made, prefixes, format, answer);
+}
+
+std::optional<std::string> write_description(const ReadQuery& read, const Rows& rows, Terms& terms,
+                                             Variables& variables, TripleIndex& index, const Prefixes& prefixes,
+                                             Format format, const GraphLimits& limits, Answer& answer) {
+  Statements made(terms.world());
+  const auto has_all = describe(read, rows, terms, variables, index, limits.rows, limits.query_octets, made);
+  if (!has_all) return has_all.error();
+  answer.is_cut = !*has_all;
+  return put_text(made, prefixes, format, answer);
 }
 
 }  // namespace
@@ -179,8 +196,8 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
     return refuse("the query is no text in UTF-8");
   World& world = graph.store().world;
   Terms terms(world);
-  const auto read =
-      ReadQuery::read(terms, with_prefixes(with_opaque_constants(with_spaced_signs(query)), prefixes) + '\n');
+  const auto read = ReadQuery::read(
+      terms, with_prefixes(with_opaque_constants(with_spaced_signs(with_marked_existence(query))), prefixes) + '\n');
   if (!read) return refuse(read.error());
   ClassExpressions expressions;
   if (auto refusal = expressions.find(world, **read, find_instances)) return refuse(std::move(*refusal));
@@ -199,6 +216,13 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
       answer.kind = Answer::Kind::triples;
       if (auto failed = write_triples(**read, rows, terms, variables, prefixes, format, limits, answer))
         return refuse(std::move(*failed));
+      break;
+    }
+    case RASQAL_QUERY_VERB_DESCRIBE: {
+      answer.kind = Answer::Kind::triples;
+      if (auto failed = write_description(**read, rows, terms, variables, index, prefixes, format, limits, answer))
+        return refuse(std::move(*failed));
+      if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
       break;
     }
     default:

@@ -21,7 +21,7 @@ struct Answer {
   std::vector<std::vector<std::optional<Node>>> rows;  ///< in the order that the query asks for
   bool is_true = false;
   bool is_cut = false;  ///< there are more rows, or triples, than the limit
-  std::string text;     ///< the triples of CONSTRUCT
+  std::string text;     ///< the triples of CONSTRUCT and DESCRIBE
 };
 
 /// Why there is no answer, in one line, and whether that is a limit.
@@ -30,12 +30,12 @@ struct AskError {
   bool is_limit = false;
 };
 
-/// Asks a sorted graph. SELECT, ASK and CONSTRUCT are answered. What would fetch or change something (SERVICE, FROM,
-/// LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares them. `budget`
-/// (null: no limit) counts the triples that are looked at, and the rows that are joined.
-/// Beyond a limit there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS).
-/// With `find_instances` a blank node of a class expression behind rdf:type (expressions.hpp) asks for the instances
-/// that it finds, before anything is looked at; without, for the triples of such a node.
+/// Asks a sorted graph. SELECT, ASK, CONSTRUCT and DESCRIBE are answered. What would fetch or change something
+/// (SERVICE, FROM, LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares
+/// them. `budget` (null: no limit) counts the triples that are looked at, and the rows that are joined. Beyond a limit
+/// there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS). With
+/// `find_instances` a blank node of a class expression behind rdf:type (expressions.hpp) asks for the instances that it
+/// finds, before anything is looked at; without, for the triples of such a node.
 [[nodiscard]] std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query,
                                                   const Prefixes& prefixes, Format format = Format::turtle,
                                                   const GraphLimits& limits = {}, base::Budget* budget = nullptr,

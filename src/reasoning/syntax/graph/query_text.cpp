@@ -57,15 +57,6 @@ bool is_name_character(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Whether a keyword, in small letters, stands here in a mask in small letters.
-bool is_keyword(std::string_view mask, std::size_t at, std::string_view keyword) {
-  if (mask.substr(at, keyword.size()) != keyword) return false;
-  const std::size_t end = at + keyword.size();
-  const bool ends = end == mask.size() || (!is_name_character(mask[end]) && mask[end] != ':');
-  return ends && (at == 0 || (!is_name_character(mask[at - 1]) &&
-                              std::string_view("?$:.@").find(mask[at - 1]) == std::string_view::npos));
-}
-
 /// Whether the word that ends here is a number or a variable, and no name that may have a - in it.
 bool is_number_before(std::string_view mask, std::size_t end) {
   std::size_t begin = end;
@@ -81,16 +72,6 @@ bool is_digits_before(std::string_view mask, std::size_t end) {
   while (begin > 0 && (mask[begin - 1] == '.' || (mask[begin - 1] >= '0' && mask[begin - 1] <= '9'))) --begin;
   return begin < end && (begin == 0 || !(is_name_character(mask[begin - 1]) ||
                                          std::string_view("?$:").find(mask[begin - 1]) != std::string_view::npos));
-}
-
-/// The place of the brace that closes the one that stands here, or the end.
-std::size_t closing(std::string_view mask, std::size_t open) {
-  std::size_t level = 0;
-  for (std::size_t at = open; at < mask.size(); ++at) {
-    if (mask[at] == '{') ++level;
-    if (mask[at] == '}' && --level == 0) return at;
-  }
-  return mask.size();
 }
 
 /// Reads a block of values from the text of a query.
@@ -214,6 +195,23 @@ std::size_t end_of_literal(std::string_view query, std::string_view mask, std::s
 
 }  // namespace
 
+bool is_keyword(std::string_view mask, std::size_t at, std::string_view keyword) {
+  if (mask.substr(at, keyword.size()) != keyword) return false;
+  const std::size_t end = at + keyword.size();
+  const bool ends = end == mask.size() || (!is_name_character(mask[end]) && mask[end] != ':');
+  return ends && (at == 0 || (!is_name_character(mask[at - 1]) &&
+                              std::string_view("?$:.@").find(mask[at - 1]) == std::string_view::npos));
+}
+
+std::size_t closing(std::string_view mask, std::size_t open) {
+  std::size_t level = 0;
+  for (std::size_t at = open; at < mask.size(); ++at) {
+    if (mask[at] == '{') ++level;
+    if (mask[at] == '}' && --level == 0) return at;
+  }
+  return mask.size();
+}
+
 std::string masked(std::string_view query) {
   std::string mask(query);
   for (std::size_t at = 0; at < query.size();) {
@@ -320,7 +318,7 @@ std::size_t levels_of(std::string_view mask) {
 std::string prologue_of(const std::string& query) {
   const std::string mask = base::in_lower_case(masked(query));
   for (std::size_t at = 0; at < mask.size(); ++at) {
-    for (const std::string_view verb : {"select", "ask", "construct"}) {
+    for (const std::string_view verb : {"select", "ask", "construct", "describe"}) {
       if (is_keyword(mask, at, verb)) return query.substr(0, at);
     }
   }

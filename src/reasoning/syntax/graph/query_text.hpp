@@ -15,6 +15,11 @@ namespace geminga::graph {
 /// The query with blanks in the place of each text, comment and IRI. As long as the query.
 [[nodiscard]] std::string masked(std::string_view query);
 
+/// Whether a keyword, in small letters, stands here in a mask in small letters.
+[[nodiscard]] bool is_keyword(std::string_view mask, std::size_t at, std::string_view keyword);
+/// The place of the brace that closes the one that stands here, or the end.
+[[nodiscard]] std::size_t closing(std::string_view mask, std::size_t open);
+
 /// The query with those prefixes that it does not declare itself, on its first line, so that the lines in errors stay
 /// right; behind BASE, if it begins with that.
 [[nodiscard]] std::string with_prefixes(const std::string& query, const Prefixes& prefixes);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/graph/existence.hpp"
 #include "reasoning/syntax/graph/formulas.hpp"
 #include "reasoning/syntax/graph/query_text.hpp"
 #include "reasoning/syntax/graph/selection.hpp"
@@ -12,15 +13,17 @@ namespace geminga::graph {
 namespace {
 
 constexpr const char* sparql = "sparql";
-constexpr std::string_view instead_of_exists = "write MINUS { ... } for what is not there";
 
 /// Names what rasqal does not know of SPARQL 1.1, where that may be why it cannot read this query. `error` is its own
 /// word, which ends with what it did not expect.
 std::string hint_for(const std::string& query, std::string_view error) {
   if (base::in_lower_case(masked(query)).find("exists") != std::string::npos)
-    return std::string("; rasqal does not know EXISTS: ").append(instead_of_exists);
+    return "; rasqal does not know EXISTS: write it as a filter of its own, FILTER EXISTS { ... } or FILTER NOT EXISTS "
+           "{ ... }";
   for (const std::string_view operation : {"'+'", "'*'", "'/'", "'^'", "'|'", "'!'", "'?'"}) {
-    if (error.ends_with(operation)) return "; rasqal does not know paths of properties: write a triple for each step";
+    if (error.ends_with(operation))
+      return "; rasqal does not know paths of properties: write a triple for each step, and rdfs:subClassOf for "
+             "rdfs:subClassOf*, since what follows is there, too";
   }
   return {};
 }
@@ -50,6 +53,19 @@ std::vector<T*> items_of(raptor_sequence* sequence) {
   return items;
 }
 
+/// Why a group of EXISTS is refused: what SPARQL 1.1 leaves open, and readers decide in several ways.
+std::optional<std::string> refusal_in_existence(rasqal_graph_pattern* existence) {
+  std::optional<std::string> refusal;
+  for_each_pattern(existence, [&](rasqal_graph_pattern* below) {
+    const auto kind = rasqal_graph_pattern_get_operator(below);
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_MINUS)
+      refusal = "MINUS within EXISTS: write FILTER NOT EXISTS instead of MINUS there";
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_SELECT) refusal = "SELECT within EXISTS: write its pattern alone";
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_LET) refusal = "BIND within EXISTS: write it before the filter";
+  });
+  return refusal;
+}
+
 /// Why a pattern is refused.
 std::optional<std::string> refusal_of_pattern(rasqal_graph_pattern* pattern) {
   switch (rasqal_graph_pattern_get_operator(pattern)) {
@@ -64,6 +80,8 @@ std::optional<std::string> refusal_of_pattern(rasqal_graph_pattern* pattern) {
                "that binds them";
       return refusal_of(filter);
     }
+    case RASQAL_GRAPH_PATTERN_OPERATOR_OPTIONAL:
+      return existence_of(pattern) ? refusal_in_existence(pattern) : std::nullopt;
     case RASQAL_GRAPH_PATTERN_OPERATOR_LET:
       return refusal_of(rasqal_graph_pattern_get_filter_expression(pattern));
     default:
@@ -89,10 +107,11 @@ std::optional<std::string> refusal_of_selection(rasqal_query* query) {
 /// Why a query that rasqal has read is refused.
 std::optional<std::string> refusal_of_query(rasqal_query* query, bool is_inner) {
   const rasqal_query_verb verb = rasqal_query_get_verb(query);
-  const bool is_known =
-      verb == RASQAL_QUERY_VERB_SELECT || verb == RASQAL_QUERY_VERB_ASK || verb == RASQAL_QUERY_VERB_CONSTRUCT;
+  const bool is_known = verb == RASQAL_QUERY_VERB_SELECT || verb == RASQAL_QUERY_VERB_ASK ||
+                        verb == RASQAL_QUERY_VERB_CONSTRUCT || verb == RASQAL_QUERY_VERB_DESCRIBE;
   if (!is_known)
-    return std::string(rasqal_query_verb_as_string(verb)) + " is not answered here: write SELECT, ASK or CONSTRUCT";
+    return std::string(rasqal_query_verb_as_string(verb)) +
+           " is not answered here: write SELECT, ASK, CONSTRUCT or DESCRIBE";
   if (is_inner && verb != RASQAL_QUERY_VERB_SELECT) return "a query within a query must be SELECT";
   raptor_sequence* sources = rasqal_query_get_data_graph_sequence(query);
   if (sources != nullptr && raptor_sequence_size(sources) > 0)
@@ -138,7 +157,44 @@ std::vector<rasqal_graph_pattern*> parts_of(rasqal_graph_pattern* pattern) {
 
 std::vector<const rasqal_variable*> selected(const ReadQuery& read) {
   const auto variables = items_of<rasqal_variable>(rasqal_query_get_bound_variable_sequence(read.query()));
-  return {variables.begin(), variables.end()};
+  std::vector<const rasqal_variable*> named(variables.begin(), variables.end());
+  if (rasqal_query_get_wildcard(read.query()) == 0) return named;
+  const auto visible = read.visible();
+  std::erase_if(named, [&](const rasqal_variable* variable) {
+    return !visible.contains(reinterpret_cast<const char*>(variable->name));
+  });
+  return named;
+}
+
+std::set<std::string, std::less<>> ReadQuery::visible() const {
+  std::set<std::string, std::less<>> names;
+  const auto take = [&](const rasqal_variable* variable) {
+    if (variable != nullptr) names.emplace(reinterpret_cast<const char*>(variable->name));
+  };
+  const std::function<void(rasqal_graph_pattern*)> walk = [&](rasqal_graph_pattern* pattern) {
+    const auto kind = rasqal_graph_pattern_get_operator(pattern);
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_MINUS || existence_of(pattern)) return;
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_SELECT) {
+      for (const rasqal_variable* variable : selected(inner(pattern))) take(variable);
+      return;
+    }
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_LET) take(rasqal_graph_pattern_get_variable(pattern));
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_VALUES) {
+      const auto& given = values(pattern).variables;
+      names.insert(given.begin(), given.end());
+    }
+    if (kind == RASQAL_GRAPH_PATTERN_OPERATOR_BASIC) {
+      for (int at = 0; const rasqal_triple* triple = rasqal_graph_pattern_get_triple(pattern, at); ++at) {
+        for (rasqal_literal* literal : {triple->subject, triple->predicate, triple->object}) {
+          if (blank_name(literal).empty()) take(rasqal_literal_as_variable(literal));
+        }
+      }
+    }
+    for (rasqal_graph_pattern* below : parts_of(pattern)) walk(below);
+  };
+  if (pattern() != nullptr) walk(pattern());
+  if (last_) names.insert(last_->variables.begin(), last_->variables.end());
+  return names;
 }
 
 const rasqal_expression* ReadQuery::formula_of(const rasqal_variable& variable) const {

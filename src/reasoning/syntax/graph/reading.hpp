@@ -6,8 +6,10 @@
 #define GEMINGA_REASONING_SYNTAX_GRAPH_READING_HPP
 
 #include <expected>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -49,6 +51,8 @@ class ReadQuery {
   /// The formula that computes a variable with AS; null for one that the pattern binds. rasqal has one variable for
   /// those of the same name in a query and in one within it.
   [[nodiscard]] const rasqal_expression* formula_of(const rasqal_variable& variable) const;
+  /// The variables that SELECT * gives out: those that its pattern binds, and not those of MINUS and EXISTS alone.
+  [[nodiscard]] std::set<std::string, std::less<>> visible() const;
   /// The triples of its pattern, without those of inner queries.
   [[nodiscard]] std::vector<rasqal_triple*> triples() const;
   /// The values of a VALUES within the pattern.

@@ -19,9 +19,9 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_plain(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.'; }
 
 /// Appends terms to a text, and remembers the first name that cannot be written.
-class Terms {
+class WrittenTerms {
  public:
-  explicit Terms(Pairs prefixes) : prefixes_(std::move(prefixes)) {}
+  explicit WrittenTerms(Pairs prefixes) : prefixes_(std::move(prefixes)) {}
 
   std::string text;
   std::optional<std::string> problem;
@@ -136,7 +136,7 @@ Pairs declared(const Prefixes& given) {
   for (const auto& [prefix, name] : given) {
     const bool is_prefix =
         prefix.empty() || (is_letter(prefix.front()) && prefix.back() != '.' && std::ranges::all_of(prefix, is_plain));
-    if (is_prefix && Terms::is_writable(name)) prefixes.emplace_back(prefix, name);
+    if (is_prefix && WrittenTerms::is_writable(name)) prefixes.emplace_back(prefix, name);
   }
   base::sort_unique(prefixes);
   Pairs single;
@@ -257,7 +257,7 @@ class Turtle {
 
   const std::string nil_ = std::string(syntax::rdf_namespace) + "nil";
   PlacedNodes nodes_;
-  Terms terms_;
+  WrittenTerms terms_;
 };
 
 }  // namespace
@@ -267,7 +267,7 @@ std::expected<std::string, std::string> write_turtle(Triples sorted, const Prefi
 }
 
 std::expected<std::string, std::string> write_n_triples(Triples sorted) {
-  Terms terms({});
+  WrittenTerms terms({});
   for (const raptor_statement* triple : sorted) {
     for (const raptor_term* term : {triple->subject, triple->predicate, triple->object}) {
       if (is_iri(*term)) {
