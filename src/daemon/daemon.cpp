@@ -68,7 +68,10 @@ std::expected<void, Lines> Daemon::check() {
   if (Lines missing = missing_files(configuration_.current()); !missing.empty())
     return std::unexpected(std::move(missing));
   ontology_.load_consistent(configuration_.current(), [this](OntologyInForce::Loaded loaded) {
-    if (!loaded) fail(std::move(loaded.error()));
+    if (!loaded) return fail(std::move(loaded.error()));
+    description_.check(configuration_.current(), [this](Lines faults) {
+      if (!faults.empty()) fail(std::move(faults));
+    });
   });
   return run_loop();
 }

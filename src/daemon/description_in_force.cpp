@@ -49,41 +49,55 @@ std::optional<std::string> line_in(const base::PrivateFile& output) {
 }  // namespace
 
 void DescriptionInForce::load(const Configuration& configuration, participant::Participant& participant) {
+  read(configuration, [this, &participant](std::expected<Described, std::vector<std::string>> described) {
+    if (!described) {
+      std::vector<std::string> marked;
+      for (const std::string& line : described.error()) marked.push_back("describe: " + line);
+      return log_.write_failed_reading(marked, kept_description);
+    }
+    for (const std::string& line : described->remarks) log_.write(LogLevel::warning, "describe: " + line);
+    log_.write(LogLevel::info, "describe: " + base::printable(file_) + " is in force, as an expression of " +
+                                   std::to_string(described->expression.size()) + " octets");
+    env_.event([&] { participant.describe(described->expression); });
+    after_event_();
+  });
+}
+
+void DescriptionInForce::check(const Configuration& configuration, std::function<void(std::vector<std::string>)> done) {
+  read(configuration, [done = std::move(done)](std::expected<Described, std::vector<std::string>> described) {
+    std::vector<std::string> faults;
+    if (!described) faults = std::move(described.error());
+    for (std::string& line : faults) line.insert(0, "describe: ");
+    done(std::move(faults));
+  });
+}
+
+void DescriptionInForce::read(const Configuration& configuration, Done done) {
   child_.reset();
   if (!configuration.describes_by_file()) return;
   file_ = configuration.description;
+  const auto fail = [&](std::string line) { done(std::unexpected(std::vector{std::move(line)})); };
   auto output = base::PrivateFile::in_memory();
-  if (!output) return fail({output.error()});
+  if (!output) return fail(output.error());
   output_ = std::make_unique<base::PrivateFile>(std::move(*output));
   const std::string program = find_compiler();
   auto started = Child::start(
       context_, program, describing_arguments(configuration), {},
-      [this, &participant](const ChildEnd& end) { finish(end, participant); }, output_->descriptor());
-  if (!started) return fail({"cannot start " + program + ": " + started.error()});
+      [this, done](const ChildEnd& end) { done(described_at(end)); }, output_->descriptor());
+  if (!started) return fail("cannot start " + program + ": " + started.error());
   child_ = std::move(*started);
 }
 
-void DescriptionInForce::finish(const ChildEnd& end, participant::Participant& participant) {
+std::expected<DescriptionInForce::Described, std::vector<std::string>> DescriptionInForce::described_at(
+    const ChildEnd& end) {
   std::vector<std::string> lines = compiler_lines(end.words);
   // The child is destroyed in an event of its own, since it is what calls.
   boost::asio::post(context_, [child = std::shared_ptr<Child>(std::move(child_))] {});
-  const auto expression = end.has_succeeded ? line_in(*output_) : std::nullopt;
+  auto expression = end.has_succeeded ? line_in(*output_) : std::nullopt;
   output_.reset();
-  if (!expression) {
-    if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back("geminga-ontology: " + end.how);
-    return fail(lines);
-  }
-  for (const std::string& line : lines) log_.write(LogLevel::warning, "describe: " + line);
-  log_.write(LogLevel::info, "describe: " + base::printable(file_) + " is in force, as an expression of " +
-                                 std::to_string(expression->size()) + " octets");
-  env_.event([&] { participant.describe(*expression); });
-  after_event_();
-}
-
-void DescriptionInForce::fail(const std::vector<std::string>& lines) {
-  std::vector<std::string> marked;
-  for (const std::string& line : lines) marked.push_back("describe: " + line);
-  log_.write_failed_reading(marked, kept_description);
+  if (expression) return Described{std::move(*expression), std::move(lines)};
+  if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back("geminga-ontology: " + end.how);
+  return std::unexpected(std::move(lines));
 }
 
 }  // namespace geminga::daemon

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DAEMON_DESCRIPTION_IN_FORCE_HPP
 #define GEMINGA_DAEMON_DESCRIPTION_IN_FORCE_HPP
 
+#include <expected>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,12 +27,22 @@ class DescriptionInForce {
   /// Has the file of this configuration read, and describes the participant by it. What cannot be read leaves the
   /// description as it is. A reading that is under way is given up. `participant` is borrowed until stop().
   void load(const Configuration& configuration, participant::Participant& participant);
+  /// Has it read, and says what is wrong with it, one fault a line; it comes into force nowhere. `done` is called on
+  /// the event loop, but not where the description is no file.
+  void check(const Configuration& configuration, std::function<void(std::vector<std::string>)> done);
   /// Changes nothing from now on.
   void stop() { child_.reset(); }
 
  private:
-  void finish(const ChildEnd& end, participant::Participant& participant);
-  void fail(const std::vector<std::string>& lines);
+  /// The expression and what the reader remarked on, or what is wrong.
+  struct Described {
+    std::string expression;
+    std::vector<std::string> remarks;
+  };
+  using Done = std::function<void(std::expected<Described, std::vector<std::string>>)>;
+
+  void read(const Configuration& configuration, Done done);
+  [[nodiscard]] std::expected<Described, std::vector<std::string>> described_at(const ChildEnd& end);
 
   boost::asio::io_context& context_;
   env::AsioEnv& env_;

@@ -49,6 +49,9 @@ TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
   const Ran without_facts = refused({"--describe", "/nowhere/robot.ttl", "--check-config"});
   EXPECT_EQ(without_facts.status, 2);
   EXPECT_THAT(without_facts.said, HasSubstr("/nowhere/robot.ttl: cannot be opened"));
+  const Ran broken_facts = refused({"--describe", broken, "--check-config"});
+  EXPECT_EQ(broken_facts.status, 2);
+  EXPECT_THAT(broken_facts.said, AllOf(HasSubstr("describe: "), HasSubstr(broken + ":1")));
 }
 
 TEST(Start, DescribesItselfByFactsAndServesThoseWhoAskForThat) {

@@ -94,6 +94,15 @@ TEST_F(Travel, BringsAnOntologyWholeFromWhoHasItAndNothingFromALiar) {
   EXPECT_THAT(lied.said, HasSubstr("no part of an ontology"));
   EXPECT_FALSE(fs::exists(folder_ / "lied"));
 
+  server.signal(SIGSTOP);  // it is still offered, and nothing comes
+  system::Ran late;
+  do late = system::run(start_of(1, "geminga-ontology", {"adopt", "--once", "--time-limit", "1"}));
+  while (late.status == 0);  // until the version is heard, there is nothing to fetch
+  EXPECT_EQ(late.status, 1);
+  EXPECT_THAT(late.said, HasSubstr("robot0: the ontology was not whole in time"));
+  EXPECT_FALSE(fs::exists(folder_ / "state" / "adopted" / "robot0"));
+  server.signal(SIGCONT);
+
   lab_.daemon(1).forget();
   EXPECT_EQ(adopt("7"), 0);
   EXPECT_EQ(content_of("state/adopted/robot0/7/team.ttl"), content_of("team/team.ttl"));
