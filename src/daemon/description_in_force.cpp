@@ -49,7 +49,7 @@ std::optional<std::string> line_in(const base::PrivateFile& output) {
 }  // namespace
 
 void DescriptionInForce::load(const Configuration& configuration, participant::Participant& participant) {
-  read(configuration, [this, &participant](std::expected<Described, std::vector<std::string>> described) {
+  read(configuration, [this, &participant](const std::expected<Described, std::vector<std::string>>& described) {
     if (!described) {
       std::vector<std::string> marked;
       for (const std::string& line : described.error()) marked.push_back("describe: " + line);
@@ -64,10 +64,11 @@ void DescriptionInForce::load(const Configuration& configuration, participant::P
 }
 
 void DescriptionInForce::check(const Configuration& configuration, std::function<void(std::vector<std::string>)> done) {
-  read(configuration, [done = std::move(done)](std::expected<Described, std::vector<std::string>> described) {
+  read(configuration, [done = std::move(done)](const std::expected<Described, std::vector<std::string>>& described) {
     std::vector<std::string> faults;
-    if (!described) faults = std::move(described.error());
-    for (std::string& line : faults) line.insert(0, "describe: ");
+    if (!described) {
+      for (const std::string& line : described.error()) faults.push_back("describe: " + line);
+    }
     done(std::move(faults));
   });
 }

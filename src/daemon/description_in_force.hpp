@@ -39,7 +39,7 @@ class DescriptionInForce {
     std::string expression;
     std::vector<std::string> remarks;
   };
-  using Done = std::function<void(std::expected<Described, std::vector<std::string>>)>;
+  using Done = std::function<void(const std::expected<Described, std::vector<std::string>>&)>;
 
   void read(const Configuration& configuration, Done done);
   [[nodiscard]] std::expected<Described, std::vector<std::string>> described_at(const ChildEnd& end);

@@ -12,8 +12,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const Prefixes prefixes{{"e", "http://e/"}};
-
 /// a knows b and c, b knows c; their ages are 1, 2 and 3; b has a blank node with a blank node.
 class Existence : public testing::Test {
  protected:
@@ -31,7 +29,7 @@ class Existence : public testing::Test {
   }
 
   [[nodiscard]] std::expected<Answer, AskError> ask(const std::string& query, const GraphLimits& limits = {}) const {
-    return graph::ask(graph_, query, prefixes, Format::n_triples, limits);
+    return graph::ask(graph_, query, {{"e", "http://e/"}}, Format::n_triples, limits);
   }
   /// The first column, names without their namespace and in order; or the refusal.
   [[nodiscard]] std::string found(const std::string& query) const {
@@ -106,10 +104,14 @@ TEST_F(Existence, BindsNoVariableOfSelectAll) {
 }
 
 TEST_F(Existence, EndsAtTheLimitOfAQuery) {
-  GraphLimits limits;
-  limits.query_steps = 10;
-  const auto answer =
-      ask("SELECT ?x { ?x e:age ?n FILTER NOT EXISTS { ?y ?p ?q . ?q ?r ?z FILTER(?z = ?n) } }", limits);
+  const std::string query = "SELECT ?x { ?x e:age ?n FILTER NOT EXISTS { ?y ?p ?q . ?q ?r ?z FILTER(?z = ?n) } }";
+  const auto asked = [&](base::Budget& budget) {
+    return graph::ask(graph_, query, {{"e", "http://e/"}}, Format::n_triples, {}, &budget);
+  };
+  base::Budget plenty;
+  ASSERT_TRUE(asked(plenty));
+  base::Budget scarce(plenty.spent() - 1);
+  const auto answer = asked(scarce);
   ASSERT_FALSE(answer);
   EXPECT_TRUE(answer.error().is_limit);
 }
