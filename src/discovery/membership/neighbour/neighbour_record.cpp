@@ -56,14 +56,20 @@ Reception NeighbourRecord::reception(Instant now) const {
   return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, interval), .delay = passage_.delay(interval)};
 }
 
-Moment NeighbourRecord::moment(Instant now, bool is_heard) const {
+Moment NeighbourRecord::moment(Instant now) const {
   return {.now = now,
           .deadline = now + service_intervals * lasting_interval(now),
           .hold = hold(now),
           .refresh = std::max(interval() / refreshes_per_interval, min_refresh_time),
-          .is_contested = is_contested_,
+          .is_contested = contest_.is_open(),
           .is_complete = known_.is_complete(),
-          .is_heard = is_heard};
+          .is_heard = false};
+}
+
+Moment NeighbourRecord::moment_of_hearing(Instant now) const {
+  Moment moment = this->moment(now);
+  moment.is_heard = true;
+  return moment;
 }
 
 Order NeighbourRecord::order(const NeighbourWay& way, const announcement::Announcement& announcement,
@@ -92,18 +98,18 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   auto* way = ways_.find(announcement, arrival);
   const bool is_where_it_was = way != nullptr && way->source() == arrival.source;
   if (way != nullptr) {
-    const auto origin = way->origin(announcement, arrival, is_contested_, hold(now));
+    const auto origin = way->origin(announcement, arrival, contest_.is_open(), hold(now));
     if (origin == NeighbourWay::Origin::copied) return Hearing::copied;
     if (origin == NeighbourWay::Origin::elsewhere) return Hearing::elsewhere;
     is_forged = origin == NeighbourWay::Origin::back;
     if (ways_.close_later(*way, arrival)) is_forged = true;
     way = ways_.find(announcement, arrival);
   } else {
-    way = ways_.open(announcement, arrival, hold(now), is_contested_);
+    way = ways_.open(announcement, arrival, hold(now), contest_.is_open());
     if (way == nullptr) return Hearing::elsewhere;
     way->deadline = now + patience(lasting_interval(now), {});
   }
-  if (!is_contested_ && way->leaps(announcement, known_.revision())) return Hearing::leap;
+  if (!contest_.is_open() && way->leaps(announcement, known_.revision())) return Hearing::leap;
   const auto order = is_forged ? Order::contradiction : this->order(*way, announcement, arrival);
   if (!is_where_it_was) meet(*way, arrival);
   if (arrival.passage != nullptr) {
@@ -117,7 +123,7 @@ Hearing NeighbourRecord::hear(const announcement::Announcement& announcement, co
   known_.set_suspected(false);
   rival_.reset();
   if (order == Order::contradiction) contest(now, changes);
-  if (order != Order::overtaken || is_contested_) take_in(*way, announcement, arrival, changes);
+  if (order != Order::overtaken || contest_.is_open()) take_in(*way, announcement, arrival, changes);
   const bool is_sign = way->is_vouched && !is_copy;
   if (is_sign) signs_.hear(arrival.passage != nullptr ? now - arrival.passage->age : now);
   set_deadlines(*way, is_sign, now);
@@ -128,8 +134,8 @@ void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcemen
                               std::vector<Change>& changes) {
   const auto now = arrival.now;
   if (announcement.kind == announcement::Kind::presence) {
-    way.affirm(announcement.revision, now, is_contested_);
-    if (announcement.revision == known_.said() && !is_contested_) header_.affirm(now);
+    way.affirm(announcement.revision, now, contest_.is_open());
+    if (announcement.revision == known_.said() && !contest_.is_open()) header_.affirm(now);
     take_interval(announcement, now);
     take_revision(way, announcement, now, changes);
   } else if (announcement.kind == announcement::Kind::change) {
@@ -137,9 +143,9 @@ void NeighbourRecord::take_in(NeighbourWay& way, const announcement::Announcemen
   } else {
     take_state(way, announcement, arrival);
     take_revision(way, announcement, now, changes);
-    services_.apply(announcement, moment(now, true), changes);
+    services_.apply(announcement, moment_of_hearing(now), changes);
   }
-  services_.tell(moment(now, true), changes);
+  services_.tell(moment_of_hearing(now), changes);
 }
 
 void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announcement& announcement,
@@ -150,26 +156,27 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
   auto header = header_of(announcement);
   if (header == header_.value()) {
     header_.affirm(now);
-  } else if (!is_contested_ || !header_.is_held(now, held)) {
+  } else if (!contest_.is_open() || !header_.is_held(now, held)) {
     header_.replace(std::move(header), now, held);
     is_anew_ = true;
     services_.set_name(header_.value().name);
   }
   take_interval(announcement, now);
-  if (!way.is_vouched && !is_contested_ && introduces(announcement, arrival)) {
+  if (!way.is_vouched && !contest_.is_open() && introduces(announcement, arrival)) {
     ways_.vouch(arrival.source);
     way.is_vouched = true;
   }
-  way.say(announcement, arrival, is_contested_, held);
+  way.say(announcement, arrival, contest_.is_open(), held);
   if (way.is_vouched) std::ranges::for_each(way.addresses(), [this](const auto& each) { ways_.vouch(each); });
   choose_address();
 }
 
 void NeighbourRecord::take_change(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
                                   std::vector<Change>& changes) {
-  const bool follows = !is_contested_ && announcement.since <= known_.said() && known_.said() <= announcement.revision;
+  const bool follows =
+      !contest_.is_open() && announcement.since <= known_.said() && known_.said() <= announcement.revision;
   const bool completes = follows && known_.is_complete() && announcement.since <= known_.revision();
-  way.advance(announcement.since, announcement.revision, now, is_contested_);
+  way.advance(announcement.since, announcement.revision, now, contest_.is_open());
   if (follows) {
     known_.say(announcement.revision);
     header_.affirm(now);
@@ -177,23 +184,23 @@ void NeighbourRecord::take_change(NeighbourWay& way, const announcement::Announc
   take_interval(announcement, now);
   take_revision(way, announcement, now, changes);
   if (completes && known_.complete_by(announcement)) known_.affirm(now);
-  services_.apply(announcement, moment(now, true), changes);
-  if (!is_contested_) services_.withdraw_removed(announcement, moment(now, true), changes);
+  services_.apply(announcement, moment_of_hearing(now), changes);
+  if (!contest_.is_open()) services_.withdraw_removed(announcement, moment_of_hearing(now), changes);
 }
 
 void NeighbourRecord::take_interval(const announcement::Announcement& announcement, Instant now) {
   interval_.say(announcement::stretched(header_.value().interval, announcement.doublings), now, hold(now),
-                is_contested_);
+                contest_.is_open());
 }
 
 void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
                                     std::vector<Change>& changes) {
   if (known_.believe(announcement.revision, now)) next_service_deadline_ = services_.earliest_deadline();
-  if (is_contested_) return;
+  if (contest_.is_open()) return;
   const bool is_state = announcement.kind == announcement::Kind::state;
   if (!known_.is_complete() && is_state && way.assemble(announcement)) {
     const auto& whole = known_.complete(way.assembled());
-    services_.withdraw_absent(whole, moment(now, true), changes);
+    services_.withdraw_absent(whole, moment_of_hearing(now), changes);
     ways_.forget_parts();
   }
   if (known_.is_complete()) known_.affirm(now);
@@ -212,12 +219,12 @@ void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now
   if (is_sign) signs_.renew(lasting_interval(now), reception(now));
   way.deadline = signs_.deadline();
   // A service that is not heard of until the next datagram keeps the deadline that it had.
-  next_service_deadline_ = std::min(next_service_deadline_, moment(now, false).deadline);
+  next_service_deadline_ = std::min(next_service_deadline_, moment(now).deadline);
 }
 
 void NeighbourRecord::succeed(std::uint32_t lasting, const Arrival& arrival) {
   const bool is_same = (lasting != 0 && lasting == this->lasting()) || ways_.is_from_one(arrival);
-  if (!is_same || is_contested_) return;
+  if (!is_same || contest_.is_open()) return;
   signs_.succeed(arrival.now, lasting_interval(arrival.now));
 }
 
@@ -227,12 +234,9 @@ void NeighbourRecord::postpone(Instant until) {
 }
 
 void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
-  const bool is_first = !is_contested_;
-  const auto at = moment(now, false);
-  is_contested_ = true;
-  contested_until_ = now + std::max(announcement::contest_intervals * interval_.lasting(now), at.hold);
-  if (!is_first) return;
-  contested_since_ = now;
+  const auto at = moment(now);
+  const auto until = now + std::max(announcement::contest_intervals * interval_.lasting(now), at.hold);
+  if (!contest_.begin(now, until)) return;
   services_.roll_back(known_.is_complete() ? known_.affirmed() : Instant::min(), at, changes);
   ways_.roll_back(now, at.hold);
   ways_.forget_parts();
@@ -243,15 +247,12 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   known_.forget();
   // Deadlines that the lie moved are moved back.
   ways_.shorten(now + patience(lasting_interval(now), {.loss = ways_.loss()}));
-  services_.shorten(moment(now, false).deadline);
+  services_.shorten(moment(now).deadline);
   next_service_deadline_ = services_.earliest_deadline();
-  next_lapse_ = now;
 }
 
 void NeighbourRecord::end_contest(Instant now) {
-  if (!is_contested_ || now < contested_until_) return;
-  is_contested_ = false;
-  next_lapse_ = base::never;
+  if (!contest_.end(now)) return;
   ways_.forget_parts();
   next_service_deadline_ = services_.earliest_deadline();
 }
@@ -259,9 +260,9 @@ void NeighbourRecord::end_contest(Instant now) {
 Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
   end_contest(arrival.now);
   if (arrival.passage == nullptr && ways_.find_bound(announcement, arrival) == nullptr) return Hearing::elsewhere;
-  if (!is_contested_) return Hearing::goodbye;
+  if (!contest_.is_open()) return Hearing::goodbye;
   signs_.shorten(arrival.now + hold(arrival.now));
-  contested_until_ = std::max(contested_until_, signs_.deadline());
+  contest_.prolong(signs_.deadline());
   return Hearing::contradiction;
 }
 
@@ -294,7 +295,7 @@ bool NeighbourRecord::yields_to(const announcement::Announcement& rival, const A
 }
 
 void NeighbourRecord::hear_of(const Passage& passage, std::uint64_t revision, Instant now) {
-  if (is_contested_ || is_heard_directly(now)) return;
+  if (contest_.is_open() || is_heard_directly(now)) return;
   passage_.hear_through(passage, now);
   ways_.set_relayed_loss(passage.loss);
   if (revision > known_.revision()) suspect();
@@ -311,7 +312,7 @@ void NeighbourRecord::hear_of(const Passage& passage, std::uint64_t revision, In
 Reach NeighbourRecord::reach() const {
   return {.id = id_,
           .revision = held_revision(),
-          .heard = is_contested_ ? signs_.heard() : std::max(signs_.heard(), witnesses_.seen(id_)),
+          .heard = contest_.is_open() ? signs_.heard() : std::max(signs_.heard(), witnesses_.seen(id_)),
           .interval = interval(),
           .loss = ways_.loss(),
           .hops = passage() ? passage()->hops : 0,
@@ -329,12 +330,12 @@ void NeighbourRecord::judge_reach(const JudgeReach& judge, std::vector<Change>& 
   if (reachability == reachability_) return;
   reachability_ = reachability;
   services_.set_reachable(reachability == Reachability::reachable);
-  services_.tell(moment(signs_.heard(), false), changes);
+  services_.tell(moment(signs_.heard()), changes);
 }
 
 void NeighbourRecord::ask_witnesses(Instant now) {
   // For a contested participant only its own datagrams count. Without a way we may not reach it, though others do.
-  if (is_contested_ || ways_.all().empty()) return;
+  if (contest_.is_open() || ways_.all().empty()) return;
   if (!signs_.witness(witnesses_.seen(id_), now, lasting_interval(now), reception(now))) return;
   // The way on which it was heard last is the best guess of how it can be reached.
   ways_.postpone_last(signs_.deadline());
@@ -350,19 +351,19 @@ void NeighbourRecord::choose_address() {
 void NeighbourRecord::expire(Instant now, std::vector<Change>& changes) {
   if (ways_.expire(now)) choose_address();
   if (standing_.is_confirmed) signs_.doubt(now, lasting_interval(now));
-  if (is_contested_ && next_lapse_ <= now) next_lapse_ = services_.lapse(moment(now, false), changes);
+  if (contest_.is_lapse_due(now)) contest_.set_next_lapse(services_.lapse(moment(now), changes));
   end_contest(now);
   if (!known_.is_complete() && next_service_deadline_ <= now) {
-    services_.expire(moment(now, false), changes);
+    services_.expire(moment(now), changes);
     next_service_deadline_ = services_.earliest_deadline();
   }
-  services_.tell(moment(now, false), changes);
+  services_.tell(moment(now), changes);
 }
 
 void NeighbourRecord::forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes) {
   if (!ways_.forget_interface(interface)) return;
   choose_address();
-  services_.tell(moment(signs_.heard(), false), changes);
+  services_.tell(moment(signs_.heard()), changes);
 }
 
 Instant NeighbourRecord::next_deadline() const {
@@ -371,8 +372,7 @@ Instant NeighbourRecord::next_deadline() const {
   if (standing_.is_confirmed && !signs_.is_doubted())
     next = std::min(next, signs_.doubt_due(lasting_interval(signs_.heard())));
   if (!known_.is_complete()) next = std::min(next, next_service_deadline_);
-  if (is_contested_) next = std::min({next, contested_until_, next_lapse_});
-  return next;
+  return std::min(next, contest_.next_deadline());
 }
 
 Neighbour NeighbourRecord::snapshot() const {

@@ -17,6 +17,7 @@
 #include "discovery/membership/neighbour/announced_interval.hpp"
 #include "discovery/membership/neighbour/arrival.hpp"
 #include "discovery/membership/neighbour/change.hpp"
+#include "discovery/membership/neighbour/contest.hpp"
 #include "discovery/membership/neighbour/hearing.hpp"
 #include "discovery/membership/neighbour/known_state.hpp"
 #include "discovery/membership/neighbour/last_passage.hpp"
@@ -148,15 +149,15 @@ class NeighbourRecord {
   /// The same, as far as it is believed: no single datagram makes deadlines shorter or longer.
   [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
   /// Takes in that somebody else seems to have a newer state of it: it is asked for until the participant speaks.
-  void suspect() { known_.set_suspected(known_.is_complete() && !is_contested_); }
+  void suspect() { known_.set_suspected(known_.is_complete() && !contest_.is_open()); }
   /// The last revision that is known in whole, or is believed while it is contested; 0: none.
-  [[nodiscard]] std::uint64_t held_revision() const { return is_contested_ ? known_.revision() : known_.held(); }
+  [[nodiscard]] std::uint64_t held_revision() const { return contest_.is_open() ? known_.revision() : known_.held(); }
   /// Whether its newest state is unknown or uncertain, or is unknown for one of its ways, or had no room.
   [[nodiscard]] bool is_lacking() const { return is_state_lacking() || services_.is_short(); }
   /// Whether its newest state is to be asked for at once. While forged datagrams go on, the next presence is early
   /// enough.
   [[nodiscard]] bool is_missed(base::Instant now) const {
-    return is_state_lacking() && (!is_contested_ || now - contested_since_ < urgent_time);
+    return is_state_lacking() && (!contest_.is_open() || now - contest_.since() < urgent_time);
   }
   /// Whether it gave no sign of life for so long that its deadline is near.
   [[nodiscard]] bool is_doubted() const { return signs_.is_doubted(); }
@@ -230,7 +231,9 @@ class NeighbourRecord {
   /// The time for which a statement counts as a contradiction of another one. An interval counts up to the time for
   /// which the participant is known.
   [[nodiscard]] base::Duration hold(base::Instant now) const;
-  [[nodiscard]] Moment moment(base::Instant now, bool is_heard) const;
+  [[nodiscard]] Moment moment(base::Instant now) const;
+  /// The moment at which it was heard.
+  [[nodiscard]] Moment moment_of_hearing(base::Instant now) const;
   [[nodiscard]] Reception reception(base::Instant now) const;
   /// The loss of its best way, or a bad one if too few datagrams were heard to tell.
   [[nodiscard]] double known_loss() const;
@@ -246,10 +249,7 @@ class NeighbourRecord {
   AnnouncedInterval interval_;  ///< the interval that it keeps: that of the header, stretched
   LifeSigns signs_;
   KnownState known_;
-  bool is_contested_ = false;
-  base::Instant contested_since_;
-  base::Instant contested_until_;
-  base::Instant next_lapse_ = base::never;  ///< while contested: the first instant at which a service may lapse
+  Contest contest_;
   base::Instant next_service_deadline_ = base::never;  ///< while not complete: no service has an earlier deadline
   base::Rare<Rival> rival_;
   LastPassage passage_;
