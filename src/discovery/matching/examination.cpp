@@ -13,7 +13,7 @@ using registry::StoredSubscription;
 using registry::SubscriptionEntry;
 
 std::shared_ptr<const Request> Examination::prepare(const SubscriptionEntry& asked) const {
-  return std::make_shared<const Request>(preparation_.prepare(asked, true));
+  return std::make_shared<const Request>(preparation_.prepare_to_explain(asked));
 }
 
 std::shared_ptr<const Request> Examination::prepare(const Subscription& asked) const {
@@ -49,7 +49,7 @@ Finding Examination::examine(const StoredSubscription& stored, const Offer& offe
   if (is_current && !may_overlap && !may_compare && !may_compare_on) {
     return judge_.examine(asked, known, offer, edition);
   }
-  Request anew = is_current ? known : preparation_.prepare(asked, false);
+  Request anew = is_current ? known : preparation_.prepare(asked);
   // Questions are those of the peer that examines, and take nothing of the consumer's share.
   if (may_overlap) {
     anew.asks.overlaps = [this, requested, classes = anew.classes](const vocabulary::Vocabulary&,
@@ -74,7 +74,7 @@ std::expected<Match, std::string> Examination::why(const SubscriptionEntry& aske
         "identity: the number is that of two different services, and connects neither with whoever states the number");
   }
   const Imagined imagined(offered, vocabulary(), preparation_.placing());
-  Request prepared = preparation_.prepare(asked, true);
+  Request prepared = preparation_.prepare_to_explain(asked);
   if (chains) prepared.asks.chains = chains;
   return explained(asked, prepared, imagined.offer, vocabulary());
 }

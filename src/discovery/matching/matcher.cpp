@@ -105,7 +105,7 @@ void Matcher::put(SubscriptionEntry entry, Telling telling) {
   }
   const Id32 number_before = known == nullptr ? id32(entry.subscription.identity) : known->identity;
   const bool is_new_identity = known == nullptr || known->entry.subscription.identity != entry.subscription.identity;
-  Request request = preparation_.prepare(entry, false);
+  Request request = preparation_.prepare(entry);
   Cause cause;
   if (known == nullptr) {
     known = &directory_.requests().add(std::move(entry), std::move(request));

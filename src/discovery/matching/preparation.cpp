@@ -1,6 +1,7 @@
 #include "discovery/matching/preparation.hpp"
 
 #include <memory>
+#include <utility>
 
 namespace geminga::matching {
 
@@ -8,27 +9,39 @@ Request Preparation::prepare(const Subscription& asked) const {
   return prepared(asked, editions_.in_force().vocabulary, placing_, {}, overlapping_, comparing_);
 }
 
-Request Preparation::prepare(const registry::SubscriptionEntry& entry, bool must_convert) const {
-  const Edition& edition = editions_.in_force();
-  Request request =
-      prepared(entry.subscription, edition.vocabulary, placing_, entry.key.participant, overlapping_, comparing_);
-  if (!request.classes.representation_class || (!must_convert && entry.subscription.convert == 0)) return request;
-  const auto asking = [&](std::shared_ptr<const Consumer> consumer) -> AskChain {
-    return [converters = edition.converters, consumer = std::move(consumer)](vocabulary::ClassNumber offered,
-                                                                             vocabulary::ClassNumber requested) {
-      return converters->chain(*consumer, offered, requested);
-    };
+Request Preparation::without_converters(const registry::SubscriptionEntry& entry) const {
+  return prepared(entry.subscription, editions_.in_force().vocabulary, placing_, entry.key.participant, overlapping_,
+                  comparing_);
+}
+
+AskChain Preparation::chains_to(std::shared_ptr<const Consumer> consumer) const {
+  return [converters = editions_.in_force().converters, consumer = std::move(consumer)](
+             vocabulary::ClassNumber offered, vocabulary::ClassNumber requested) {
+    return converters->chain(*consumer, offered, requested);
   };
-  const vocabulary::Units& declared = edition.vocabulary.units();
+}
+
+Request Preparation::prepare(const registry::SubscriptionEntry& entry) const {
+  Request request = without_converters(entry);
+  if (!request.classes.representation_class || entry.subscription.convert == 0) return request;
+  request.consumer = std::make_shared<const Consumer>(
+      Consumer{.entry = entry, .scope = request.scope, .declared = editions_.in_force().vocabulary.units()});
+  request.asks.chains = chains_to(request.consumer);
+  return request;
+}
+
+Request Preparation::prepare_to_explain(const registry::SubscriptionEntry& entry) const {
+  Request request = without_converters(entry);
+  if (!request.classes.representation_class) return request;
+  const vocabulary::Units& declared = editions_.in_force().vocabulary.units();
   request.consumer =
       std::make_shared<const Consumer>(Consumer{.entry = entry, .scope = request.scope, .declared = declared});
-  request.asks.chains = asking(request.consumer);
-  if (!must_convert) return request;
+  request.asks.chains = chains_to(request.consumer);
   registry::SubscriptionEntry of_all = entry;
   of_all.subscription.providers.clear();
   of_all.subscription.protocols.clear();
   request.chains_of_all =
-      asking(std::make_shared<const Consumer>(Consumer{.entry = of_all, .scope = Scope(), .declared = declared}));
+      chains_to(std::make_shared<const Consumer>(Consumer{.entry = of_all, .scope = Scope(), .declared = declared}));
   return request;
 }
 

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_DISCOVERY_MATCHING_PREPARATION_HPP
 #define GEMINGA_DISCOVERY_MATCHING_PREPARATION_HPP
 
+#include <memory>
 #include <utility>
 
 #include "discovery/matching/editions.hpp"
@@ -21,9 +22,11 @@ class Preparation {
   Preparation(const Preparation&) = delete;
   Preparation& operator=(const Preparation&) = delete;
 
-  /// The request of a consumer that takes part with converters. `must_convert`: also where the subscription accepts no
-  /// conversion, to say what one would cost.
-  [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry, bool must_convert) const;
+  /// The request of a consumer. It takes part with converters where the subscription accepts a conversion.
+  [[nodiscard]] Request prepare(const registry::SubscriptionEntry& entry) const;
+  /// The same to explain what stands between it and an offer: converters always take part, so that it can be said what
+  /// a conversion would cost.
+  [[nodiscard]] Request prepare_to_explain(const registry::SubscriptionEntry& entry) const;
   /// The request of no known consumer; no converter takes part.
   [[nodiscard]] Request prepare(const Subscription& asked) const;
 
@@ -41,6 +44,10 @@ class Preparation {
   [[nodiscard]] ComparisonAnswer compare(const Meaning& offered, const Meaning& requested) const;
 
  private:
+  [[nodiscard]] Request without_converters(const registry::SubscriptionEntry& entry) const;
+  /// Asks the converters of the vocabulary in force for chains to this consumer.
+  [[nodiscard]] AskChain chains_to(std::shared_ptr<const Consumer> consumer) const;
+
   const Editions& editions_;
   Placing placing_;
   Overlapping overlapping_;

@@ -91,7 +91,7 @@ std::size_t Search::add_narrower(vocabulary::ClassNumber concept_class, std::siz
 }
 
 bool Search::is_served(const SubscriptionEntry& subscription) const {
-  const Request request = preparation_.prepare(subscription, false);
+  const Request request = preparation_.prepare(subscription);
   bool is_served = false;
   directory_.visit_publications_for(subscription.subscription, request, [&](const StoredPublication& publication) {
     is_served = !directory_.offers().is_going(publication) &&

@@ -73,7 +73,7 @@ void VocabularyChange::catch_up(const ServiceKey& subscription) {
   const StoredSubscription* stored = directory_.requests().table().find(subscription);
   if (stored == nullptr || directory_.requests().edition_of(*stored).generation == editions_.in_force().generation)
     return;
-  rematch(*stored, preparation_.prepare(stored->entry, false));
+  rematch(*stored, preparation_.prepare(stored->entry));
 }
 
 bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Request& request) const {
@@ -89,7 +89,7 @@ bool VocabularyChange::asks_all(const StoredSubscription& subscription, const Re
 }
 
 bool VocabularyChange::rematch_if_answered(const StoredSubscription& subscription) {
-  Request request = preparation_.prepare(subscription.entry, false);
+  Request request = preparation_.prepare(subscription.entry);
   const bool may_wait = subscription.entry.is_local && !directory_.requests().is_going(subscription);
   if (may_wait && !asks_all(subscription, request)) return false;
   rematch(subscription, std::move(request));

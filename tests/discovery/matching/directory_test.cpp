@@ -38,7 +38,7 @@ TEST(Directory, GivesTheEntryAndTheRequestThatWereReplaced) {
   EXPECT_THAT(keys(owners.directory.subscriptions_for(offered)), ElementsAre(key(here, 1, 1)));
   auto next = request(key(here, 1, 1), semantic("Ball"));
   const Classes classes = owners.directory.requests().request(asked).classes;
-  const auto before = owners.directory.requests().replace(asked, next, owners.preparation.prepare(next, false));
+  const auto before = owners.directory.requests().replace(asked, next, owners.preparation.prepare(next));
   EXPECT_EQ(before.entry->subscription.identity, semantic("Robot"));
   EXPECT_EQ(before.request.classes.concept_class, classes.concept_class);
   EXPECT_THAT(owners.directory.subscriptions_for(offered), IsEmpty());
@@ -81,7 +81,7 @@ TEST(Directory, FilesByBothVocabulariesUntilTheFormerOneIsEmptied) {
             owners.directory.requests().edition_of(current).generation);
   EXPECT_THAT(keys(owners.directory.subscriptions_for(early)), ElementsAre(current.entry.key));
   owners.directory.requests().unfile(former);
-  owners.directory.requests().file(former, owners.preparation.prepare(former.entry, false));
+  owners.directory.requests().file(former, owners.preparation.prepare(former.entry));
   EXPECT_THAT(keys(owners.directory.subscriptions_for(early)), ElementsAre(former.entry.key, current.entry.key));
 }
 

@@ -33,7 +33,7 @@ struct Owners {
     return stored;
   }
   const registry::StoredSubscription& add(registry::SubscriptionEntry entry) {
-    Request request = preparation.prepare(entry, false);
+    Request request = preparation.prepare(entry);
     const auto& stored = directory.requests().add(std::move(entry), std::move(request));
     pairs.prepare(stored, nullptr);
     return stored;
