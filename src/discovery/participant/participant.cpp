@@ -190,7 +190,7 @@ void Participant::claimed() {
   if (all.phase == Phase::ready) {
     // All that our peers have stated leaves under the former identifier and returns under this one.
     knowledge.matcher.begin_departure(knowledge.self.id, matching::Reason::renamed);
-    all.clients.own().list_returning();
+    all.clients.reentry().list_returning();
   }
   knowledge.self.id = all.air.announcer().id();
   if (all.phase != Phase::ready) all.clients.own().begin_description(all.settings.description);
@@ -211,7 +211,7 @@ void Participant::fail() {
 }
 
 bool Participant::is_feed_due() const {
-  return owners_->knowledge.is_behind() || owners_->clients.own().has_returning();
+  return owners_->knowledge.is_behind() || owners_->clients.reentry().has_returning();
 }
 
 void Participant::feed() {
@@ -226,7 +226,7 @@ void Participant::proceed_feed() {
   Clients& clients = owners_->clients;
   while (is_feed_due() && knowledge.work.done() - owners_->before_event < work_in_turn) {
     knowledge.overlaps.begin_step();
-    if (!knowledge.matcher.take_step() && !clients.own().return_next()) knowledge.take_next_change();
+    if (!knowledge.matcher.take_step() && !clients.reentry().return_next()) knowledge.take_next_change();
     clients.telling().deliver_events();
     knowledge.work.add(cost_of_entry);
   }
@@ -246,13 +246,13 @@ void Participant::proceed_ontology_change() {
         all.air.announcer().changed();  // the digest is announced
         break;
       case OntologyChange::Due::list_all:
-        all.clients.own().list_for_restating(true);
+        all.clients.reentry().list_for_restating(true);
         break;
       case OntologyChange::Due::list_awaited:
-        all.clients.own().list_for_restating(false);
+        all.clients.reentry().list_for_restating(false);
         break;
       case OntologyChange::Due::restate_next:
-        if (!all.clients.own().restate_next()) change.end_restating();
+        if (!all.clients.reentry().restate_next()) change.end_restating();
         break;
     }
     all.clients.telling().deliver_events();

@@ -9,10 +9,13 @@
 #include "discovery/participant/clients/admission.hpp"
 #include "discovery/participant/clients/answering.hpp"
 #include "discovery/participant/clients/catch_up.hpp"
+#include "discovery/participant/clients/greeting.hpp"
 #include "discovery/participant/clients/key_telling.hpp"
 #include "discovery/participant/clients/limits.hpp"
 #include "discovery/participant/clients/own_services.hpp"
+#include "discovery/participant/clients/reentry.hpp"
 #include "discovery/participant/clients/sessions.hpp"
+#include "discovery/participant/clients/statement_names.hpp"
 #include "discovery/participant/clients/statements.hpp"
 #include "discovery/participant/clients/telling.hpp"
 #include "discovery/participant/clients/turns.hpp"
@@ -71,6 +74,8 @@ class Clients {
   [[nodiscard]] Telling& telling() { return telling_; }
   [[nodiscard]] OwnServices& own() { return own_; }
   [[nodiscard]] const OwnServices& own() const { return own_; }
+  [[nodiscard]] Reentry& reentry() { return reentry_; }
+  [[nodiscard]] const Reentry& reentry() const { return reentry_; }
   [[nodiscard]] Turns& turns() { return turns_; }
 
  private:
@@ -91,7 +96,10 @@ class Clients {
   Telling telling_;
   CatchUp catch_up_;
   OwnServices own_;
+  StatementNames names_;
+  Reentry reentry_;
   Admission admission_;
+  Greeting greeting_;
   Statements statements_;
   Turns turns_;
 };

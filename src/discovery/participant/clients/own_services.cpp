@@ -1,7 +1,6 @@
 #include "discovery/participant/clients/own_services.hpp"
 
-#include <algorithm>
-#include <type_traits>
+#include <utility>
 
 #include "discovery/announcement/announceable.hpp"
 
@@ -95,92 +94,6 @@ void OwnServices::rename_one(Session& session) {
   const std::uint32_t number = *session.to_rename.begin();
   session.to_rename.erase(session.to_rename.begin());
   session.services.with(number, [&](const auto& stated) { enter(session, number, stated); });
-}
-
-void OwnServices::list_returning() {
-  returning_.clear();
-  is_changed_ |= description_.enter();
-  for (const auto& [stream, session] : sessions_.all) {
-    session->services.for_each(
-        [&, at = stream](std::uint32_t number, const auto&) { returning_.push_back({at, number}); });
-  }
-  std::ranges::reverse(returning_);
-}
-
-bool OwnServices::return_next() {
-  if (returning_.empty()) return false;
-  const auto [stream, number] = returning_.back();
-  returning_.pop_back();
-  Session* session = sessions_.find(stream);
-  if (session == nullptr) return true;
-  work_.add(cost_of_statement);
-  telling_.tell_gone(*session, number, matching::Reason::renamed);
-  session->services.with(number, [&, id = number](const auto& stated) {
-    enter(*session, id, stated, matching::Matcher::Telling::providers);
-    if (stated.is_in_force) session->resyncs[id] = {};
-  });
-  return true;
-}
-
-void OwnServices::list_for_restating(bool is_of_all) {
-  restated_.clear();
-  is_changed_ |= description_.restate(is_of_all);
-  for (const auto& [stream, session] : sessions_.all) {
-    session->services.for_each([&, at = stream](std::uint32_t number, const auto& stated) {
-      if (is_of_all || stated.is_awaited) restated_.push_back({at, number});
-    });
-  }
-  std::ranges::reverse(restated_);
-}
-
-bool OwnServices::restate_next() {
-  if (restated_.empty()) return false;
-  const auto [stream, number] = restated_.back();
-  restated_.pop_back();
-  Session* session = sessions_.find(stream);
-  if (session == nullptr) return true;
-  work_.add(cost_of_statement);
-  session->services.with(number, [&, id = number](auto& stated) {
-    const bool is_known = resolve_again(*session, id, stated);
-    if (!self_.is_claimed()) return;
-    if (is_known) {
-      enter(*session, id, stated);
-    } else {
-      withdraw(*session, id, stated, matching::Reason::changed);
-    }
-  });
-  return true;
-}
-
-/// Sets the identity that the ontology gives to the names. False where it does not know them, or is not prepared for
-/// them yet; then the peer was told.
-template <typename Stated>
-bool OwnServices::resolve_again(Session& session, std::uint32_t number, Stated& stated) {
-  const bool must_tell = stated.is_in_force || stated.is_awaited;
-  auto identity = resolver_.resolve(stated.named);
-  Refusal refusal;
-  if (identity) {
-    stated.service.identity = std::move(*identity);
-    if constexpr (std::is_same_v<Stated, StatedSubscription>) {
-      const auto on = stated.service.on.empty() ? "" : resolver_.resolve_on(stated.service.on);
-      if (on) stated.service.on = *on;
-      if (!on) refusal = on.error();
-    }
-    if (!refusal) refusal = announcement::check(stated.service);  // full IRIs may be longer than what can be announced
-    if (!refusal) refusal = resolver_.check_conditions(stated.service);
-  } else {
-    refusal = identity.error();
-  }
-  stated.is_in_force = !refusal;
-  stated.is_awaited = is_awaited(refusal);
-  if (refusal && must_tell) {
-    telling_.tell_gone(session, number, matching::Reason::changed);
-    if (!stated.is_awaited) {
-      sessions_.refuse(session, number, *refusal);
-      work_.add(cost_of_unknown_name);
-    }
-  }
-  return stated.is_in_force;
 }
 
 std::vector<announcement::PeerState> OwnServices::announced() const {

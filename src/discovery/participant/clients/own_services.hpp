@@ -14,7 +14,6 @@
 #include "discovery/participant/clients/telling.hpp"
 #include "discovery/participant/knowledge/resolver.hpp"
 #include "discovery/participant/knowledge/self.hpp"
-#include "discovery/participant/knowledge/work.hpp"
 #include "env/env.hpp"
 
 namespace geminga::participant {
@@ -29,16 +28,14 @@ inline constexpr std::size_t max_pairs_at_once = 1024;
 /// the sessions.
 class OwnServices {
  public:
-  /// Borrows all for its life.
+  /// Borrows all for its life. Only the description needs the resolver.
   OwnServices(const env::Env& env, const Self& self, matching::Matcher& matcher, Resolver& resolver, Sessions& sessions,
-              Telling& telling, WorkMeter& work)
+              Telling& telling)
       : env_(env),
         self_(self),
         matcher_(matcher),
-        resolver_(resolver),
         sessions_(sessions),
         telling_(telling),
-        work_(work),
         description_(env, self, matcher, resolver) {}
 
   /// Enters a statement that is in force, or its change, into the registry. `telling` is about a subscription.
@@ -50,6 +47,10 @@ class OwnServices {
   /// gone, and keeps its request.
   template <typename Stated>
   void suspend(Session& session, std::uint32_t number, const Stated& stated);
+  /// Takes a statement out of the registry. It stays in its session.
+  void withdraw(const Session& session, std::uint32_t number, const StatedPublication& stated, matching::Reason reason);
+  void withdraw(const Session& session, std::uint32_t number, const StatedSubscription& stated,
+                matching::Reason reason);
   /// Withdraws a service, and forgets all that is known of it here.
   void forget(Session& session, std::uint32_t number);
 
@@ -65,19 +66,6 @@ class OwnServices {
   /// Enters the next service of a peer under its new name; there must be one.
   void rename_one(Session& session);
 
-  /// Has all that our peers have stated return under the identifier that is held now, request by request.
-  void list_returning();
-  [[nodiscard]] bool has_returning() const { return !returning_.empty(); }
-  /// Enters one request again: its peer is told that all it was told of for this request is gone, and then what there
-  /// is. False: none was left.
-  bool return_next();
-
-  /// Lists the statements whose names are to be resolved by the ontology in force: all, or those that wait for one.
-  void list_for_restating(bool is_of_all);
-  /// Resolves the names of one listed statement. What the ontology does not know is withdrawn and told to its peer;
-  /// what an earlier one did not know comes back. False: none was left.
-  bool restate_next();
-
   /// Changes the description of this participant as OwnDescription::change() does.
   [[nodiscard]] Refusal describe(const gcnp::Describe& change) { return noting(description_.change(change)); }
   /// Sets or takes back the description that the owner of the participant has given.
@@ -87,6 +75,10 @@ class OwnServices {
     is_changed_ |=
         description_.count() == 0 && !concept_name.empty() ? description_.set(concept_name) : description_.enter();
   }
+  /// Enters the description under the identifier that is held now.
+  void enter_description() { is_changed_ |= description_.enter(); }
+  /// Resolves its names by the ontology in force, as OwnDescription::restate() does.
+  void restate_description(bool is_always) { is_changed_ |= description_.restate(is_always); }
   [[nodiscard]] const OwnDescription& description() const { return description_; }
 
   /// Notes that the announced state has changed.
@@ -97,33 +89,19 @@ class OwnServices {
   [[nodiscard]] std::vector<announcement::PeerState> announced() const;
 
  private:
-  struct Statement {
-    env::StreamId stream{};
-    std::uint32_t number = 0;
-  };
-
   [[nodiscard]] ServiceKey key_of(const Session& session, std::uint32_t number) const;
   [[nodiscard]] Refusal noting(Refusal refusal) {
     is_changed_ |= !refusal;
     return refusal;
   }
-  void withdraw(const Session& session, std::uint32_t number, const StatedPublication& stated, matching::Reason reason);
-  void withdraw(const Session& session, std::uint32_t number, const StatedSubscription& stated,
-                matching::Reason reason);
-  template <typename Stated>
-  [[nodiscard]] bool resolve_again(Session& session, std::uint32_t number, Stated& stated);
 
   const env::Env& env_;
   const Self& self_;
   matching::Matcher& matcher_;
-  Resolver& resolver_;
   Sessions& sessions_;
   Telling& telling_;
-  WorkMeter& work_;
   OwnDescription description_;
   bool is_changed_ = false;
-  std::vector<Statement> returning_;  ///< the next one last
-  std::vector<Statement> restated_;   ///< the next one last
 };
 
 }  // namespace geminga::participant

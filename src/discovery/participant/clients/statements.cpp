@@ -6,9 +6,6 @@
 #include "base/text.hpp"
 #include "discovery/announcement/announceable.hpp"
 #include "discovery/announcement/limits.hpp"
-#include "discovery/gcnp/version.hpp"
-#include "discovery/matching/conditions/scope.hpp"
-#include "discovery/matching/conversions/converter.hpp"
 #include "discovery/participant/knowledge/naming.hpp"
 
 namespace geminga::participant {
@@ -99,21 +96,7 @@ Refusal Statements::on(Session& session, std::uint32_t, const gcnp::Hello& hello
     session.name = *hello.name;
     own_.rename(session);
   }
-  gcnp::Statement answer{.id = 0,
-                         .command = "msg",
-                         .subcommand = "hello",
-                         .parameters = {{"version", std::to_string(gcnp::gcnp_version)},
-                                        {"participant", to_string(self_.id)},
-                                        {"peer", std::to_string(static_cast<std::uint32_t>(session.peer()))},
-                                        {"name", session.name},
-                                        {"ontology", digest_word(editions_.vocabulary().digest())},
-                                        {"participant_name", self_.name()}}};
-  if (hello.keys && keys_.ask(session, *hello.keys) && *hello.keys) {
-    answer.parameters.push_back({"keys", "yes"});
-    answer.parameters.push_back({"sealing", keys_.mode()});
-  }
-  if (session.services.room > 0) answer.parameters.push_back({"room", std::to_string(session.services.room)});
-  session.say(answer);
+  session.say(greeting_.answer(session, hello));
   return std::nullopt;
 }
 
@@ -123,40 +106,12 @@ Refusal Statements::on(Session&, std::uint32_t, const gcnp::Describe& describe) 
   return own_.describe(describe);
 }
 
-/// Resolves the names of a statement, and checks what its text cannot say by itself. A statement that only waits for
-/// the first ontology is not refused: it is out of force until then.
-template <typename Stated>
-Refusal Statements::resolve_and_check(Stated& stated) {
-  constexpr bool is_offer = std::is_same_v<Stated, StatedPublication>;
-  auto identity = resolver_.resolve(stated.named);
-  stated.is_awaited = resolver_.is_awaited(identity);
-  if (!identity && !stated.is_awaited) return identity.error();
-  if (identity) stated.service.identity = std::move(*identity);
-  if constexpr (!is_offer) {
-    if (!stated.service.on.empty()) {
-      auto on = resolver_.resolve_on(stated.service.on);
-      if (!on && !resolver_.is_awaited(on.error())) return on.error();
-      stated.is_awaited |= !on;
-      if (on) stated.service.on = std::move(*on);
-    }
-  }
-  if (auto refusal = announcement::check(stated.service)) return refusal;
-  if (auto refusal = matching::check_scope(stated.service.scope)) return refusal;
-  if constexpr (is_offer) {
-    if (auto refusal = matching::check_conversion(stated.service.attributes, editions_.vocabulary())) return refusal;
-  }
-  auto refusal = resolver_.check_conditions(stated.service);
-  stated.is_awaited |= is_awaited(refusal);
-  stated.is_in_force = !stated.is_awaited;
-  return is_awaited(refusal) ? std::nullopt : refusal;
-}
-
 Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubCreate& create) {
   if (auto refusal = Admission::check_new(session, id)) return refusal;
   if (auto refusal = admission_.check_publications(session)) return refusal;
   StatedPublication stated{.named = create.publication.identity,
                            .service = gcnp::with_identity(create.publication, {})};
-  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (auto refusal = names_.resolve(stated)) return refusal;
   if (auto refusal = admission_.make_room(session)) return refusal;
   const StatedPublication& entered = session.services.publications.emplace(id, std::move(stated)).first->second;
   keys_.tell(session, id, entered.service.attributes);
@@ -171,7 +126,7 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::PubModify
   StatedPublication stated = found->second;
   gcnp::apply(modify, stated.service);
   if (auto refusal = change_names(modify, stated)) return refusal;
-  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (auto refusal = names_.resolve(stated)) return refusal;
   if (stated.is_awaited) own_.suspend(session, id, found->second);
   found->second = std::move(stated);
   keys_.tell(session, id, found->second.service.attributes);
@@ -194,7 +149,7 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubCreate
                             .service = gcnp::with_identity(create.subscription, {}),
                             .has_limit = create.subscription.limit.has_value(),
                             .is_quiet = takes_room};
-  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (auto refusal = names_.resolve(stated)) return refusal;
   if (auto refusal = takes_room ? std::nullopt : admission_.make_room(session)) return refusal;
   session.services.quiet += takes_room ? 1 : 0;
   // All that it is given is told piece by piece, however much that is.
@@ -214,7 +169,7 @@ Refusal Statements::on(Session& session, std::uint32_t id, const gcnp::SubModify
   stated.has_limit |= modify.limit.has_value();
   if (!stated.has_limit) stated.service.limit = default_limit(stated.service.mode);
   if (auto refusal = change_names(modify, stated)) return refusal;
-  if (auto refusal = resolve_and_check(stated)) return refusal;
+  if (auto refusal = names_.resolve(stated)) return refusal;
   if (stated.is_quiet && !is_quiet(session, stated.service.mode)) {
     if (auto refusal = admission_.check_subscriptions(session, false)) return refusal;
     if (auto refusal = admission_.make_room(session)) return refusal;

@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "discovery/gcnp/request.hpp"
-#include "discovery/matching/editions.hpp"
 #include "discovery/participant/clients/admission.hpp"
 #include "discovery/participant/clients/answering.hpp"
+#include "discovery/participant/clients/greeting.hpp"
 #include "discovery/participant/clients/key_telling.hpp"
 #include "discovery/participant/clients/own_services.hpp"
 #include "discovery/participant/clients/sessions.hpp"
+#include "discovery/participant/clients/statement_names.hpp"
 #include "discovery/participant/knowledge/resolver.hpp"
-#include "discovery/participant/knowledge/self.hpp"
 #include "discovery/participant/knowledge/work.hpp"
 
 namespace geminga::participant {
@@ -21,11 +21,10 @@ namespace geminga::participant {
 class Statements {
  public:
   /// Borrows all but `ask` for its life.
-  Statements(const Self& self, const matching::Editions& editions, Resolver& resolver, Admission& admission,
-             OwnServices& own, KeyTelling& keys, WorkMeter& work, Ask ask)
-      : self_(self),
-        editions_(editions),
-        resolver_(resolver),
+  Statements(Greeting& greeting, StatementNames& names, Admission& admission, OwnServices& own, KeyTelling& keys,
+             WorkMeter& work, Ask ask)
+      : greeting_(greeting),
+        names_(names),
         admission_(admission),
         own_(own),
         keys_(keys),
@@ -44,12 +43,9 @@ class Statements {
   [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::SubCreate& create);
   [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::SubModify& modify);
   [[nodiscard]] Refusal on(Session& session, std::uint32_t id, const gcnp::SubRemove& remove);
-  template <typename Stated>
-  [[nodiscard]] Refusal resolve_and_check(Stated& stated);
 
-  const Self& self_;
-  const matching::Editions& editions_;
-  Resolver& resolver_;
+  Greeting& greeting_;
+  StatementNames& names_;
   Admission& admission_;
   OwnServices& own_;
   KeyTelling& keys_;
