@@ -25,22 +25,22 @@ void Client::say(std::string_view line) {
 }
 
 void Client::send_bytes(std::string bytes) {
-  if (host_ != nullptr) host_->from_client(stream_, std::move(bytes));
+  if (host_ != nullptr) host_->connections().from_client(stream_, std::move(bytes));
 }
 
 void Client::set_reading(bool is_reading) {
-  if (host_ != nullptr) host_->set_reading(stream_, is_reading);
+  if (host_ != nullptr) host_->connections().set_reading(stream_, is_reading);
 }
 
 void Client::read(std::size_t octets) {
-  if (host_ != nullptr) host_->read(stream_, octets);
+  if (host_ != nullptr) host_->connections().read(stream_, octets);
 }
 
 std::size_t Client::unread() const { return host_ == nullptr ? 0 : host_->unsent(stream_); }
 
 void Client::hang_up() {
   if (host_ == nullptr) return;
-  host_->client_closed(stream_);
+  host_->connections().client_closed(stream_);
   host_ = nullptr;
 }
 

@@ -61,7 +61,7 @@ void Host::crash() {
   wake_ = base::never;
   world_.trace(name_, "crash");
   participant_.reset();
-  drop_clients();
+  connections_.drop();
 }
 
 void Host::pause(Pause how) {
@@ -80,11 +80,7 @@ void Host::resume() {
   resumed_ = world_.now();
   if (!waiting_.empty()) world_.old_words_read = resumed_;
   for (const Waiting& one : std::exchange(waiting_, {})) receive(one.interface, one.source, one.datagram, one.is_alone);
-  for (const auto& [stream, one] : streams_) {
-    world_.after(base::Duration(0), [this, id = stream, incarnation = incarnation_] {
-      if (incarnation == incarnation_) hear(id);
-    });
-  }
+  connections_.resume();
   armed_ = base::never;
   arm();
   if (world_.on_reach_changed) world_.on_reach_changed();
@@ -141,18 +137,14 @@ void Host::reload(const vocabulary::Vocabulary& another) {
 }
 
 void Host::end_of_event() {
-  flush();
+  connections_.flush();
   arm();
   if (participant_ != nullptr) prepare();
   if (!is_stopping_ || participant_ == nullptr || !participant_->is_stopped()) return;
   ++incarnation_;
   wake_ = base::never;
   participant_.reset();
-  drop_clients();
-}
-
-void Host::drop_clients() {
-  for (const auto& [stream, one] : std::exchange(streams_, {})) one.client->connection_lost();
+  connections_.drop();
 }
 
 void Host::attach(const std::string& interface, std::uint32_t segment, bool is_loopback) {
@@ -219,82 +211,15 @@ void Host::receive(env::InterfaceIndex interface, const std::string& source, std
 }
 
 void Host::connect(Client& client) {
-  const auto stream = env::StreamId(next_stream_++);
+  const auto stream = connections_.next();
   client.connected(*this, stream);
   if (!is_on()) {
     client.connection_lost();
     return;
   }
-  streams_.emplace(stream, Stream{.client = &client});
+  connections_.open(stream, client);
   participant_->on_stream_opened(stream, client.user);
   end_of_event();
-}
-
-void Host::from_client(env::StreamId stream, std::string bytes) {
-  world_.after(base::Duration(0), [this, stream, bytes = std::move(bytes), incarnation = incarnation_] {
-    if (incarnation != incarnation_ || !streams_.contains(stream)) return;
-    streams_.at(stream).unheard += bytes;
-    hear(stream);
-  });
-}
-
-void Host::client_closed(env::StreamId stream) {
-  world_.after(base::Duration(0), [this, stream, incarnation = incarnation_] {
-    if (incarnation != incarnation_ || !streams_.contains(stream)) return;
-    streams_.at(stream).has_hung_up = true;
-    hear(stream);
-  });
-}
-
-/// As a socket is read: in pieces, while the participant wants more, and the end last.
-void Host::hear(env::StreamId stream) {
-  constexpr std::size_t piece = std::size_t{16} * 1024;
-  const auto found = streams_.find(stream);
-  if (found == streams_.end() || !found->second.is_wanted || pause_ != Pause::none) return;
-  Stream& one = found->second;
-  if (!one.unheard.empty()) {
-    const std::string bytes = one.unheard.substr(0, piece);
-    one.unheard.erase(0, piece);
-    participant_->on_stream_bytes(stream, bytes);
-    world_.after(base::Duration(0), [this, stream, incarnation = incarnation_] {
-      if (incarnation == incarnation_) hear(stream);
-    });
-  } else if (one.has_hung_up) {
-    streams_.erase(found);
-    participant_->on_stream_closed(stream);
-  } else {
-    return;
-  }
-  end_of_event();
-}
-
-void Host::set_reading(env::StreamId stream, bool is_reading) {
-  const auto found = streams_.find(stream);
-  if (found == streams_.end()) return;
-  found->second.is_reading = is_reading;
-  flush();
-}
-
-void Host::read(env::StreamId stream, std::size_t octets) {
-  const auto found = streams_.find(stream);
-  if (found == streams_.end()) return;
-  std::string& unsent = found->second.unsent;
-  give(stream, unsent.substr(0, octets));
-  unsent.erase(0, octets);
-}
-
-/// As the real one does: what was written goes at the end of the event, and who has heard that it waits is told so.
-void Host::flush() {
-  for (auto& [stream, one] : streams_) {
-    if (!one.is_reading || one.unsent.empty()) continue;
-    give(stream, std::exchange(one.unsent, {}));
-    if (!std::exchange(one.is_behind, false)) continue;
-    world_.after(base::Duration(0), [this, id = stream, incarnation = incarnation_] {
-      if (incarnation != incarnation_ || !streams_.contains(id)) return;
-      participant_->on_stream_drained(id);
-      end_of_event();
-    });
-  }
 }
 
 base::Instant Host::now() const { return clock_.local(world_.now()); }
@@ -351,44 +276,6 @@ void Host::answer_sender(base::Duration time) {
 std::uint64_t Host::datagrams_sent_on(std::uint32_t segment) const {
   const auto found = sent_on_.find(segment);
   return found == sent_on_.end() ? 0 : found->second;
-}
-
-void Host::write(env::StreamId stream, std::string_view bytes) {
-  const auto found = streams_.find(stream);
-  if (found == streams_.end()) return;
-  world_.trace(name_, bytes);
-  found->second.unsent += bytes;
-}
-
-/// Through the queue, so that what a client does about a line is an event of its own.
-void Host::give(env::StreamId stream, std::string bytes) {
-  world_.after(base::Duration(0), [client = streams_.at(stream).client, stream, text = std::move(bytes)] {
-    client->receive(stream, text);
-  });
-}
-
-std::size_t Host::unsent(env::StreamId stream) const {
-  const auto found = streams_.find(stream);
-  if (found == streams_.end()) return 0;
-  if (!found->second.unsent.empty()) found->second.is_behind = true;
-  return found->second.unsent.size();
-}
-
-void Host::want(env::StreamId stream, bool is_wanted) {
-  const auto found = streams_.find(stream);
-  if (found == streams_.end()) return;
-  found->second.is_wanted = is_wanted;
-  world_.after(base::Duration(0), [this, stream, incarnation = incarnation_] {
-    if (incarnation == incarnation_) hear(stream);
-  });
-}
-
-void Host::close(env::StreamId stream) {
-  const auto found = streams_.find(stream);
-  if (found == streams_.end()) return;
-  if (!found->second.unsent.empty()) give(stream, std::exchange(found->second.unsent, {}));
-  world_.after(base::Duration(0), [client = found->second.client, stream] { client->closed_by_host(stream); });
-  streams_.erase(found);
 }
 
 base::LogSink& Host::log() { return *log_; }

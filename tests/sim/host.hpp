@@ -13,6 +13,7 @@
 #include "env/env.hpp"
 #include "sim/client.hpp"
 #include "sim/clock.hpp"
+#include "sim/connections.hpp"
 #include "sim/world.hpp"
 
 namespace geminga::sim {
@@ -115,19 +116,12 @@ class Host final : public env::Env {
 
   /// Connects a client to the participant that is running; the client may outlive it.
   void connect(Client& client);
+  [[nodiscard]] Connections& connections() { return connections_; }
   /// The datagrams and octets that it has sent since it was made.
   [[nodiscard]] std::uint64_t datagrams_sent() const { return datagrams_sent_; }
   [[nodiscard]] std::uint64_t octets_sent() const { return octets_sent_; }
   /// The datagrams among them that went out over this network.
   [[nodiscard]] std::uint64_t datagrams_sent_on(std::uint32_t segment) const;
-
-  /// The client's side of a connection.
-  void from_client(env::StreamId stream, std::string bytes);
-  void client_closed(env::StreamId stream);
-  /// Whether the client reads what it is told; what it does not read waits here, all of it.
-  void set_reading(env::StreamId stream, bool is_reading);
-  /// A client that does not read otherwise reads so many octets of what waits for it.
-  void read(env::StreamId stream, std::size_t octets);
 
   [[nodiscard]] base::Instant now() const override;
   void wake_at(base::Instant instant) override;
@@ -144,10 +138,10 @@ class Host final : public env::Env {
     return hears_strangers_alone || (alone_from_ && !names_others);
   }
   void answer_sender(base::Duration time) override;
-  void write(env::StreamId stream, std::string_view bytes) override;
-  [[nodiscard]] std::size_t unsent(env::StreamId stream) const override;
-  void want(env::StreamId stream, bool is_wanted) override;
-  void close(env::StreamId stream) override;
+  void write(env::StreamId stream, std::string_view bytes) override { connections_.write(stream, bytes); }
+  [[nodiscard]] std::size_t unsent(env::StreamId stream) const override { return connections_.unsent(stream); }
+  void want(env::StreamId stream, bool is_wanted) override { connections_.want(stream, is_wanted); }
+  void close(env::StreamId stream) override { connections_.close(stream); }
   [[nodiscard]] base::LogSink& log() override;
 
  private:
@@ -157,7 +151,6 @@ class Host final : public env::Env {
   void arm();
   void prepare();
   void prepare_for(std::function<void()> then);
-  void drop_clients();
 
   World& world_;
   std::string name_;
@@ -189,27 +182,12 @@ class Host final : public env::Env {
   std::uint64_t octets_sent_ = 0;
   std::map<std::uint32_t, std::uint64_t> sent_on_;
   std::uint16_t next_port_ = 5000;
-  std::uint64_t next_stream_ = 1;
   std::uint32_t next_interface_ = 2;
   int island_ = 0;
   Routes routes_;  ///< empty: it does not tell
   std::vector<Port> ports_;
   std::vector<env::Interface> interfaces_;
-  /// One connection: what waits in either direction.
-  struct Stream {
-    Client* client = nullptr;
-    bool is_reading = true;  ///< the client
-    bool is_wanted = true;   ///< by the participant
-    bool has_hung_up = false;
-    mutable bool is_behind = false;  ///< the participant knows that something waits
-    std::string unsent{};
-    std::string unheard{};
-  };
-  void flush();
-  void give(env::StreamId stream, std::string bytes);
-  void hear(env::StreamId stream);
-
-  std::map<env::StreamId, Stream> streams_;
+  Connections connections_{*this};
   std::uint64_t preparing_ = 0;  ///< counts, so that one that is given up brings nothing
   bool is_preparing_ = false;
 };
