@@ -27,7 +27,7 @@ bool Reentry::return_next() {
   const auto [session, number] = take(returning_);
   if (session == nullptr) return true;
   telling_.tell_gone(*session, number, matching::Reason::renamed);
-  session->services.with(number, [&, session = session, number = number](const auto& stated) {
+  session->services.with(number, [&](const auto& stated) {
     own_.enter(*session, number, stated, matching::Matcher::Telling::providers);
     if (stated.is_in_force) session->resyncs[number] = {};
   });
@@ -49,7 +49,7 @@ bool Reentry::restate_next() {
   if (restated_.empty()) return false;
   const auto [session, number] = take(restated_);
   if (session == nullptr) return true;
-  session->services.with(number, [&, session = session, number = number](auto& stated) {
+  session->services.with(number, [&](auto& stated) {
     const bool is_known = resolve_again(*session, number, stated);
     if (!self_.is_claimed()) return;
     if (is_known) {
