@@ -22,7 +22,7 @@ class XmlScan {
     while (place_ < bytes_.size() && !problem_) step();
     if (problem_) return std::unexpected(std::move(*problem_));
     // Below such an element the roles of elements are exchanged.
-    if (bytes_.find("parseType=\"Resource\"") == std::string_view::npos)
+    if (!element_repairs_.empty() && bytes_.find("parseType=\"Resource\"") == std::string_view::npos)
       repairs_.insert(repairs_.end(), element_repairs_.begin(), element_repairs_.end());
     return Layout{.pieces = std::move(pieces_),
                   .has_collections = has_collections_,
@@ -43,32 +43,47 @@ class XmlScan {
     const std::size_t open = std::min(bytes_.find('<', place_), bytes_.size());
     text(place_, open);
     place_ = open;
+    if (place_ == bytes_.size()) return;
+    switch (place_ + 1 < bytes_.size() ? bytes_[place_ + 1] : '\0') {
+      case '/':
+        return end_tag();
+      case '?':
+        return skip_behind("?>", 2, "a processing instruction");
+      case '!':
+        return declaration();
+      default:
+        return start_tag();
+    }
+  }
+
+  /// A comment, a CDATA section or a DOCTYPE.
+  void declaration() {
     const std::string_view rest = bytes_.substr(place_, 9);
     if (rest.starts_with("<!--")) {
       comment();
-    } else if (rest.starts_with("<![CDATA[")) {
+    } else if (rest == "<![CDATA[") {
       const std::size_t begin = place_;
       skip_behind("]]>", 9, "a CDATA section");
       add_text(place_ - begin);
       if (!open_.empty()) open_.back().has_text = true;
-    } else if (rest.starts_with("<?")) {
-      skip_behind("?>", 2, "a processing instruction");
     } else if (rest == "<!DOCTYPE") {
       doctype();
-    } else if (rest.starts_with("</")) {
-      const std::size_t begin = place_;
-      if (!open_.empty()) {
-        if (open_.back().has_text && open_.back().has_elements) note_markup(open_.back());
-        open_.pop_back();
-        --depth_;
-      }
-      if (depth_ < literal_depth_) literal_depth_ = 0;
-      skip_behind(">", 2, "a tag");
-      end_of_tag(begin);
-      if (depth_ == 1 && pieces_.wants(place_)) pieces_.cut({place_, line_here(), 0});
-    } else if (!rest.empty()) {
+    } else {
       start_tag();
     }
+  }
+
+  void end_tag() {
+    const std::size_t begin = place_;
+    if (!open_.empty()) {
+      if (open_.back().has_text && open_.back().has_elements) note_markup(open_.back());
+      open_.pop_back();
+      --depth_;
+    }
+    if (depth_ < literal_depth_) literal_depth_ = 0;
+    skip_behind(">", 2, "a tag");
+    end_of_tag(begin);
+    if (depth_ == 1 && pieces_.wants(place_)) pieces_.cut({place_, line_here(), 0});
   }
 
   void skip_behind(std::string_view end, std::size_t from, const char* what) {
