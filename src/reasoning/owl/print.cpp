@@ -359,9 +359,10 @@ std::string shorten(std::string_view iri, std::span<const std::pair<std::string_
   const std::pair<std::string_view, std::string_view>* best = nullptr;
   for (std::size_t at = 0; at < prefixes.size(); ++at) {
     const auto& prefix = prefixes[at];
+    if (prefix.second.empty() || !iri.starts_with(prefix.second)) continue;
     const bool is_shared = (at > 0 && prefixes[at - 1].first == prefix.first) ||
                            (at + 1 < prefixes.size() && prefixes[at + 1].first == prefix.first);
-    if (is_shared || prefix.second.empty() || !iri.starts_with(prefix.second)) continue;
+    if (is_shared) continue;
     if (!is_plain_local_name(iri.substr(prefix.second.size()))) continue;
     // A named prefix is preferred to the empty one, which means something else in every file.
     const bool is_better = best == nullptr || prefix.second.size() > best->second.size() ||
@@ -369,7 +370,9 @@ std::string shorten(std::string_view iri, std::span<const std::pair<std::string_
     if (is_better) best = &prefix;
   }
   if (best == nullptr) return "<" + std::string(iri) + ">";
-  return std::string(best->first) + ":" + std::string(iri.substr(best->second.size()));
+  std::string name;
+  name.reserve(best->first.size() + 1 + iri.size() - best->second.size());
+  return name.append(best->first).append(":").append(iri.substr(best->second.size()));
 }
 
 }  // namespace geminga::owl

@@ -15,6 +15,8 @@ class Writer {
     buffer_.append(a).append(separator).append(b) += '\n';
     return buffer_.size() < 65536 || flush();
   }
+  /// The next octets of a line that line() ends.
+  std::string& open_line() { return buffer_; }
   bool flush() {
     const bool is_written = sink_(buffer_);
     buffer_.clear();
@@ -105,11 +107,12 @@ bool write_tree(const Hierarchy& hierarchy, const std::function<std::string(std:
   for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number) {
     for (const std::uint32_t parent : hierarchy.parents_of(number)) children[parent].push_back(number);
   }
-  const auto name_of = [&](std::uint32_t node) {
-    std::string name;
-    for (const std::uint32_t member : hierarchy.members[node])
-      name += (name.empty() ? "" : " = ") + short_name(hierarchy.iris[member]);
-    return name;
+  const auto add_names = [&](std::uint32_t node) {
+    std::string_view separator;
+    for (const std::uint32_t member : hierarchy.members[node]) {
+      writer.open_line().append(separator).append(short_name(hierarchy.iris[member]));
+      separator = " = ";
+    }
   };
   const std::uint32_t bottom = hierarchy.representative[hierarchy.bottom];
   std::vector<bool> is_written(hierarchy.iris.size(), false);
@@ -119,7 +122,9 @@ bool write_tree(const Hierarchy& hierarchy, const std::function<std::string(std:
     stack.pop_back();
     const bool is_repeated = is_written[node] && !children[node].empty();
     is_written[node] = true;
-    if (!writer.line(std::string(level * 2, ' ') + name_of(node), is_repeated ? " ..." : "", "")) return false;
+    writer.open_line().append(level * 2, ' ');
+    add_names(node);
+    if (!writer.line(is_repeated ? " ..." : "", "", "")) return false;
     if (is_repeated) continue;
     for (auto child = children[node].rbegin(); child != children[node].rend(); ++child) {
       if (*child != bottom) stack.emplace_back(*child, level + 1);
@@ -127,7 +132,10 @@ bool write_tree(const Hierarchy& hierarchy, const std::function<std::string(std:
   }
   // Where everything is empty, the node of the bottom is that of the top.
   const bool is_left = hierarchy.members[bottom].size() > 1 && !is_written[bottom];
-  if (is_left && !writer.line(name_of(bottom), "", "")) return false;
+  if (is_left) {
+    add_names(bottom);
+    if (!writer.line("", "", "")) return false;
+  }
   return writer.flush();
 }
 
