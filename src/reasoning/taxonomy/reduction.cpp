@@ -46,7 +46,8 @@ class Reduction {
 };
 
 void Reduction::close_top() {
-  // A node above the top is equivalent to the top.
+  // A node above the top is equivalent to the top. Mostly there is none.
+  if (std::ranges::find(graph_.edges, graph_.top, &Edges::value_type::first) == graph_.edges.end()) return;
   const base::Rows<std::uint32_t> up(graph_.node_count, graph_.edges);
   std::vector<bool> seen(graph_.node_count, false);
   std::vector<std::uint32_t> stack = {graph_.top};

@@ -145,18 +145,19 @@ void IndexedOntology::flatten_told() {
   is_told_bottom_.assign(exprs_.size(), false);
   is_told_bottom_[number(bottom_expr)] = true;
   find_universal_targets();
+  std::vector<ExprId> stack;
   // Link targets add atoms, and what is told of them, while this runs.
   for (std::size_t at = 0; at < told_.size(); ++at) {
     const auto [sub, super] = told_[at];
-    flatten_one(sub, super);
+    flatten_one(sub, super, stack);
   }
   told_.clear();
   told_.shrink_to_fit();
   is_told_bottom_.resize(exprs_.size(), false);
 }
 
-void IndexedOntology::flatten_one(ExprId sub, ExprId super) {
-  std::vector<ExprId> stack = {super};
+void IndexedOntology::flatten_one(ExprId sub, ExprId super, std::vector<ExprId>& stack) {
+  stack.push_back(super);
   while (!stack.empty()) {
     const ExprId id = stack.back();
     stack.pop_back();
@@ -192,7 +193,8 @@ void IndexedOntology::flatten_one(ExprId sub, ExprId super) {
 
 ExprId IndexedOntology::link_target(RoleId role, ExprId filler) {
   // Ranges in EL (Baader, Brandt, Lutz 2008): what R leads to is in the range of R and of all its super roles, too.
-  return atom_of(conjunction({filler, range_of(role)}));
+  const ExprId range = range_of(role);
+  return atom_of(range == top_expr ? filler : conjunction({filler, range}));
 }
 
 ExprId IndexedOntology::atom_of(ExprId target) {

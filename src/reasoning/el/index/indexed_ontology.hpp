@@ -185,7 +185,8 @@ class IndexedOntology {
   ExprId intern(const Expr& expr);
   void inherit_ranges();
   void flatten_told();
-  void flatten_one(ExprId sub, ExprId super);
+  /// Takes apart what is right of one told inclusion. `stack` is empty before and after.
+  void flatten_one(ExprId sub, ExprId super, std::vector<ExprId>& stack);
   ExprId link_target(RoleId role, ExprId filler);
   ExprId atom_of(ExprId expr);
   void find_universal_targets();
