@@ -52,9 +52,12 @@ TEST_F(Extract, TakesNamesFromAFile) {
 }
 
 TEST_F(Extract, SaysEachNameThatItDoesNotKnow) {
-  const Outcome outcome = program_.run({"extract", "a.ofn", ":A", ":Nix", "nowhere.ttl", "-o", "m.ofn"});
+  const Outcome outcome = program_.run({"extract", "a.ofn", ":A", ":Nix", "nowhere", "-o", "m.ofn"});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr(":Nix is no class"), HasSubstr("nowhere.ttl is no class")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr(":Nix is no class"), HasSubstr("nowhere is no class")));
+  const Outcome mistyped = program_.run({"extract", "a.ofn", ":A", "nowhere.ttl", "-o", "m.ofn"});
+  EXPECT_EQ(mistyped.status, 2);
+  EXPECT_THAT(mistyped.err, HasSubstr("nowhere.ttl: cannot be opened"));
   EXPECT_FALSE(std::filesystem::exists(program_.folder() / "m.ofn"));
   EXPECT_EQ(program_.run({"extract", "a.ofn", "-o", "m.ofn"}).status, 2);
   EXPECT_EQ(program_.run({"extract", ":A", "-o", "m.ofn"}).status, 2);

@@ -25,9 +25,6 @@ std::vector<TermNumber> resources_of(const ReadQuery& read, const Rows& rows, Te
       resources.push_back(terms.number_of(std::optional(node_of(*term))));
     }
   }
-  if (count == 0) {  // DESCRIBE *
-    for (const std::string& name : read.visible()) columns.push_back(variables.number_of(name));
-  }
   std::set<TermNumber> seen(resources.begin(), resources.end());
   for (const Row& row : rows) {
     for (const std::size_t column : columns) {

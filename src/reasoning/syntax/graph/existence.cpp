@@ -41,6 +41,17 @@ class Words {
   std::size_t at_;
 };
 
+/// Whether the filter from `begin` to `end` is all that a group within the pattern has. rasqal takes such a group for
+/// its only part, so that the filter would move into the group around it.
+bool is_alone_in_group(std::string_view mask, std::size_t begin, std::size_t end) {
+  const std::size_t before = begin == 0 ? std::string_view::npos : mask.find_last_not_of(white, begin - 1);
+  const std::size_t after = mask.find_first_not_of(white, end);
+  if (before == std::string_view::npos || after == std::string_view::npos) return false;
+  const std::string_view outside = mask.substr(0, before);
+  return mask[before] == '{' && mask[after] == '}' &&
+         std::ranges::count(outside, '{') > std::ranges::count(outside, '}');
+}
+
 std::string_view subject_of(const rasqal_triple& triple) {
   if (triple.subject == nullptr || triple.subject->type != RASQAL_LITERAL_URI) return {};
   return reinterpret_cast<const char*>(raptor_uri_as_string(triple.subject->value.uri));
@@ -57,11 +68,14 @@ std::string with_marked_existence(const std::string& query) {
     const bool has_parenthesis = words.take("(");
     const bool is_not = words.take("not");
     if (!words.take("exists") || !words.take("{")) continue;
+    std::size_t end = std::min(closing(mask, words.place() - 1) + 1, mask.size());
+    const std::size_t close = mask.find_first_not_of(white, end);
     if (has_parenthesis) {
-      const std::size_t close = mask.find_first_not_of(white, closing(mask, words.place() - 1) + 1);
       if (close == std::string::npos || mask[close] != ')') continue;
-      edits.push_back({close, close + 1, " "});
+      end = close + 1;
     }
+    if (is_alone_in_group(mask, at, end)) continue;
+    if (has_parenthesis) edits.push_back({close, end, " "});
     std::string text = "OPTIONAL { <";
     text.append(is_not ? not_exists_mark : exists_mark)
         .append("> <urn:geminga:query#mark> <urn:geminga:query#mark> . ");

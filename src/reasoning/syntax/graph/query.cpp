@@ -194,6 +194,7 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
                   " levels, for which it would take too long: ask in several queries");
   if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos)
     return refuse("the query is no text in UTF-8");
+  if (describes_all(query)) return refuse("DESCRIBE * is not answered here: name the variables");
   World& world = graph.store().world;
   Terms terms(world);
   const auto read = ReadQuery::read(

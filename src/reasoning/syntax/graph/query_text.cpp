@@ -315,6 +315,17 @@ std::size_t levels_of(std::string_view mask) {
   return deepest;
 }
 
+bool describes_all(const std::string& query) {
+  const std::string mask = base::in_lower_case(masked(query));
+  constexpr std::string_view describe = "describe";
+  for (std::size_t at = 0; at < mask.size(); ++at) {
+    if (!is_keyword(mask, at, describe)) continue;
+    const std::size_t next = mask.find_first_not_of(" \t\r\n", at + describe.size());
+    return next != std::string::npos && mask[next] == '*';
+  }
+  return false;
+}
+
 std::string prologue_of(const std::string& query) {
   const std::string mask = base::in_lower_case(masked(query));
   for (std::size_t at = 0; at < mask.size(); ++at) {

@@ -35,6 +35,8 @@ namespace geminga::graph {
 /// How deep the braces of a masked query nest.
 [[nodiscard]] std::size_t levels_of(std::string_view mask);
 
+/// Whether the query is DESCRIBE *, over which rasqal complains on standard error.
+[[nodiscard]] bool describes_all(const std::string& query);
 /// The part of a query before its verb: its own prefixes and base.
 [[nodiscard]] std::string prologue_of(const std::string& query);
 

@@ -19,7 +19,7 @@ constexpr const char* sparql = "sparql";
 std::string hint_for(const std::string& query, std::string_view error) {
   if (base::in_lower_case(masked(query)).find("exists") != std::string::npos)
     return "; rasqal does not know EXISTS: write it as a filter of its own, FILTER EXISTS { ... } or FILTER NOT EXISTS "
-           "{ ... }";
+           "{ ... }, beside the triples of its group";
   for (const std::string_view operation : {"'+'", "'*'", "'/'", "'^'", "'|'", "'!'", "'?'"}) {
     if (error.ends_with(operation))
       return "; rasqal does not know paths of properties: write a triple for each step, and rdfs:subClassOf for "
