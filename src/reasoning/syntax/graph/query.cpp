@@ -88,7 +88,7 @@ class Asking {
 
 /// The octets of a row, about.
 std::size_t octets_of(const std::vector<std::optional<Node>>& row) {
-  std::size_t octets = sizeof row + row.size() * sizeof row.front();
+  std::size_t octets = sizeof(std::vector<std::optional<Node>>) + row.size() * sizeof(std::optional<Node>);
   for (const auto& node : row) octets += node ? node->text.size() + node->datatype.size() + node->language.size() : 0;
   return octets;
 }
