@@ -45,8 +45,7 @@ TEST(Cause, IsNoModificationWhereOnlyTheOwnHostJudgesByWhatChanged) {
   auto next = asked.entry;
   next.subscription.where = "rate > 1";
   Cause of_request;
-  of_request.replace(asked, owners.directory.requests().replace(asked, next, owners.preparation.prepare(next)),
-                     true);
+  of_request.replace(asked, owners.directory.requests().replace(asked, next, owners.preparation.prepare(next)), true);
   EXPECT_TRUE(of_request.replaces(asked));
   EXPECT_FALSE(of_request.modifies(asked));
   ASSERT_NE(of_request.replaced_subscription(), nullptr);
