@@ -46,16 +46,19 @@ std::optional<std::string> line_in(const base::PrivateFile& output) {
   return text;
 }
 
+/// The lines as lines about the key `describe`.
+std::vector<std::string> marked(const std::vector<std::string>& lines) {
+  std::vector<std::string> all;
+  for (const std::string& line : lines) all.push_back("describe: " + line);
+  return all;
+}
+
 }  // namespace
 
 void DescriptionInForce::load(const Configuration& configuration, participant::Participant& participant) {
   read(configuration, [this, &participant](const std::expected<Described, std::vector<std::string>>& described) {
-    if (!described) {
-      std::vector<std::string> marked;
-      for (const std::string& line : described.error()) marked.push_back("describe: " + line);
-      return log_.write_failed_reading(marked, kept_description);
-    }
-    for (const std::string& line : described->remarks) log_.write(LogLevel::warning, "describe: " + line);
+    if (!described) return log_.write_failed_reading(marked(described.error()), kept_description);
+    for (const std::string& line : marked(described->remarks)) log_.write(LogLevel::warning, line);
     log_.write(LogLevel::info, "describe: " + base::printable(file_) + " is in force, as an expression of " +
                                    std::to_string(described->expression.size()) + " octets");
     env_.event([&] { participant.describe(described->expression); });
@@ -65,11 +68,7 @@ void DescriptionInForce::load(const Configuration& configuration, participant::P
 
 void DescriptionInForce::check(const Configuration& configuration, std::function<void(std::vector<std::string>)> done) {
   read(configuration, [done = std::move(done)](const std::expected<Described, std::vector<std::string>>& described) {
-    std::vector<std::string> faults;
-    if (!described) {
-      for (const std::string& line : described.error()) faults.push_back("describe: " + line);
-    }
-    done(std::move(faults));
+    done(described ? std::vector<std::string>() : marked(described.error()));
   });
 }
 

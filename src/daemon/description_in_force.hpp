@@ -27,8 +27,8 @@ class DescriptionInForce {
   /// Has the file of this configuration read, and describes the participant by it. What cannot be read leaves the
   /// description as it is. A reading that is under way is given up. `participant` is borrowed until stop().
   void load(const Configuration& configuration, participant::Participant& participant);
-  /// Has it read, and says what is wrong with it, one fault a line; it comes into force nowhere. `done` is called on
-  /// the event loop, but not where the description is no file.
+  /// Has it read without bringing it into force. `done` gets its faults, one a line; it is not called where the
+  /// description is no file.
   void check(const Configuration& configuration, std::function<void(std::vector<std::string>)> done);
   /// Changes nothing from now on.
   void stop() { child_.reset(); }

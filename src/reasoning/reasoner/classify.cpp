@@ -37,8 +37,8 @@ void leave_all_undecided(Classified& result) {
 
 /// Where there are alternatives or nominals, models may be found in less time than deriving takes, or deriving may end
 /// soon after a limit where models take long. Neither is known before. So both get a first limit, in turn, and after
-/// each turn one that is several times as large. What a turn settles is not asked again, and the faster of the two
-/// costs some times what it would cost alone.
+/// each turn one that is several times as large. What a turn settles is not asked again. Together they take a few
+/// times as long as the faster of the two alone.
 constexpr std::size_t first_derived = 20'000;
 constexpr std::size_t first_derived_per_axiom = 15;
 constexpr std::size_t growth_a_turn = 4;

@@ -125,7 +125,6 @@ std::expected<FileBytes, LoadError> FileBytes::read_standard_input(const FileLim
 
 std::optional<FileBytes> FileBytes::copy_of(std::string_view text) {
   FileBytes bytes;
-  if (text.empty()) return bytes;
   char* const room = bytes.room_for(text.size());
   if (room == nullptr) return std::nullopt;
   std::ranges::copy(text, room);
@@ -136,7 +135,7 @@ std::optional<FileBytes> FileBytes::copy_of(std::string_view text) {
 
 char* FileBytes::room_for(std::size_t count) {
   constexpr std::size_t step = std::size_t{1} << 20;
-  if (mapped_ - size_ >= count) return data_ + size_;
+  if (mapped_ != 0 && mapped_ - size_ >= count) return data_ + size_;
   const std::size_t wanted = (std::max(size_ + count, mapped_ + mapped_ / 2) + step - 1) / step * step;
   void* memory = mapped_ == 0 ? mmap(nullptr, wanted, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
                               : mremap(data_, mapped_, wanted, MREMAP_MAYMOVE);

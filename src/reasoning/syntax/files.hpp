@@ -38,7 +38,7 @@ class FileBytes {
   /// Returns the end of what was released. Several threads may release what only they read.
   std::size_t release(std::size_t begin, std::size_t end);
 
-  /// Room for this many octets behind the content, which may move. nullptr if there is no memory.
+  /// Room for this many octets, which may be none, behind the content, which may move. nullptr if there is no memory.
   [[nodiscard]] char* room_for(std::size_t count);
   /// Adds the first `count` octets of that room to the file, and returns them.
   std::string_view take_room(std::size_t count);

@@ -73,7 +73,7 @@ void Publishing::retry() {
 void Publishing::end() {
   for (const auto& [word, entry] : entries_) {
     free_group(*entry);
-    entry->pause = {};  // what the next Avahi takes is its own affair
+    entry->pause = {};  // the next Avahi may take it at once
   }
   client_ = nullptr;
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "reasoning/syntax/graph/graph.hpp"
-#include "reasoning/syntax/graph/limits.hpp"
 #include "reasoning/syntax/graph/literals.hpp"
 
 namespace geminga::graph {
@@ -38,7 +37,7 @@ std::vector<TermNumber> resources_of(const ReadQuery& read, const Rows& rows, Te
 }  // namespace
 
 std::expected<bool, std::string> describe(const ReadQuery& read, const Rows& rows, Terms& terms, Variables& variables,
-                                          TripleIndex& index, std::size_t most, std::size_t octets, Statements& made) {
+                                          TripleIndex& index, const GraphLimits& limits, Statements& made) {
   std::vector<TermNumber> open = resources_of(read, rows, terms, variables);
   std::set<TermNumber> seen(open.begin(), open.end());
   std::size_t taken = 0;
@@ -52,7 +51,7 @@ std::expected<bool, std::string> describe(const ReadQuery& read, const Rows& row
       if (!fits(*candidate, asked)) continue;
       taken += triple_octets + octets_of(*candidate->subject) + octets_of(*candidate->predicate) +
                octets_of(*candidate->object);
-      if (made.size() >= most || taken > octets) return false;
+      if (made.size() >= limits.rows || taken > limits.query_octets) return false;
       if (!made.add_copy(candidate)) return std::unexpected("memory is short");
       if (candidate->object->type != RAPTOR_TERM_TYPE_BLANK) continue;
       const TermNumber object = terms.number_of(*candidate->object);

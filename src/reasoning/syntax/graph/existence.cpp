@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::string_view exists_mark = "urn:geminga:query#exists";
 constexpr std::string_view not_exists_mark = "urn:geminga:query#not-exists";
-constexpr std::string_view white = " \t\r\n";
 
 /// Another text for a stretch of the query.
 struct Edit {
@@ -28,7 +27,7 @@ class Words {
   Words(std::string_view mask, std::size_t at) : mask_(mask), at_(at) {}
 
   bool take(std::string_view word) {
-    const std::size_t next = std::min(mask_.find_first_not_of(white, at_), mask_.size());
+    const std::size_t next = std::min(mask_.find_first_not_of(space, at_), mask_.size());
     const bool is_sign = word == "(" || word == "{";
     if (is_sign ? mask_.substr(next, 1) != word : !is_keyword(mask_, next, word)) return false;
     at_ = next + word.size();
@@ -44,8 +43,8 @@ class Words {
 /// Whether the filter from `begin` to `end` is all that a group within the pattern has. rasqal takes such a group for
 /// its only part, so that the filter would move into the group around it.
 bool is_alone_in_group(std::string_view mask, std::size_t begin, std::size_t end) {
-  const std::size_t before = begin == 0 ? std::string_view::npos : mask.find_last_not_of(white, begin - 1);
-  const std::size_t after = mask.find_first_not_of(white, end);
+  const std::size_t before = begin == 0 ? std::string_view::npos : mask.find_last_not_of(space, begin - 1);
+  const std::size_t after = mask.find_first_not_of(" \t\r\n.", end);  // a dot may stand behind a filter
   if (before == std::string_view::npos || after == std::string_view::npos) return false;
   const std::string_view outside = mask.substr(0, before);
   return mask[before] == '{' && mask[after] == '}' &&
@@ -69,7 +68,7 @@ std::string with_marked_existence(const std::string& query) {
     const bool is_not = words.take("not");
     if (!words.take("exists") || !words.take("{")) continue;
     std::size_t end = std::min(closing(mask, words.place() - 1) + 1, mask.size());
-    const std::size_t close = mask.find_first_not_of(white, end);
+    const std::size_t close = mask.find_first_not_of(space, end);
     if (has_parenthesis) {
       if (close == std::string::npos || mask[close] != ')') continue;
       end = close + 1;

@@ -72,11 +72,13 @@ class Asking {
   Rows inner_rows(const ReadQuery& inner, Variables& outer) {
     Variables own;
     const Rows found = rows(inner, own, 0);
+    std::vector<std::pair<std::size_t, std::size_t>> numbers;  // outside and within
+    for (const rasqal_variable* variable : selected(inner))
+      numbers.emplace_back(outer.number_of(*variable), own.number_of(*variable));
     Rows renamed;
     for (const Row& row : found) {
       Row& with = renamed.emplace_back();
-      for (const rasqal_variable* variable : selected(inner))
-        set_in(with, outer.number_of(*variable), value_in(row, own.number_of(*variable)));
+      for (const auto& [outside, within] : numbers) set_in(with, outside, value_in(row, within));
     }
     return renamed;
   }
@@ -175,7 +177,7 @@ std::optional<std::string> write_description(const ReadQuery& read, const Rows& 
                                              Variables& variables, TripleIndex& index, const Prefixes& prefixes,
                                              Format format, const GraphLimits& limits, Answer& answer) {
   Statements made(terms.world());
-  const auto has_all = describe(read, rows, terms, variables, index, limits.rows, limits.query_octets, made);
+  const auto has_all = describe(read, rows, terms, variables, index, limits, made);
   if (!has_all) return has_all.error();
   answer.is_cut = !*has_all;
   return put_text(made, prefixes, format, answer);

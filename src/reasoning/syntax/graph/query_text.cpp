@@ -9,8 +9,6 @@
 namespace geminga::graph {
 namespace {
 
-constexpr std::string_view space = " \t\r\n";
-
 /// Whether the query itself declares the prefix.
 bool declares(std::string_view query, std::string_view prefix) {
   const std::string word = std::string(prefix) + ':';
@@ -320,7 +318,7 @@ bool describes_all(const std::string& query) {
   constexpr std::string_view describe = "describe";
   for (std::size_t at = 0; at < mask.size(); ++at) {
     if (!is_keyword(mask, at, describe)) continue;
-    const std::size_t next = mask.find_first_not_of(" \t\r\n", at + describe.size());
+    const std::size_t next = mask.find_first_not_of(space, at + describe.size());
     return next != std::string::npos && mask[next] == '*';
   }
   return false;

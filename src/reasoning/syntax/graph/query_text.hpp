@@ -15,6 +15,9 @@ namespace geminga::graph {
 /// The query with blanks in the place of each text, comment and IRI. As long as the query.
 [[nodiscard]] std::string masked(std::string_view query);
 
+/// The characters between words of a query.
+inline constexpr std::string_view space = " \t\r\n";
+
 /// Whether a keyword, in small letters, stands here in a mask in small letters.
 [[nodiscard]] bool is_keyword(std::string_view mask, std::size_t at, std::string_view keyword);
 /// The place of the brace that closes the one that stands here, or the end.

@@ -91,9 +91,18 @@ TEST_F(Existence, IsRefusedWhereItsMeaningIsOpenOrRasqalCannotHoldIt) {
   EXPECT_THAT(found("SELECT * { ?s ?p ?o FILTER EXISTS { BIND(1 AS ?o) } }"), HasSubstr("BIND within"));
 }
 
+TEST_F(Existence, SeesOnlyWhatIsBoundInItsGroupBesideAnother) {
+  EXPECT_EQ(
+      found("SELECT ?x { ?x e:age ?n { FILTER EXISTS { ?x e:knows e:b } FILTER NOT EXISTS { ?x e:knows e:d } } }"),
+      "abc")
+      << "nothing is bound in the inner group, so that both hold for every row";
+  EXPECT_EQ(found("SELECT ?x { ?x e:age ?n { BIND(1 AS ?b) FILTER NOT EXISTS { ?x e:knows ?y } } }"), "");
+}
+
 TEST_F(Existence, IsRefusedAloneInAGroupThatRasqalWouldDissolve) {
-  for (const char* alone : {"{ FILTER NOT EXISTS { ?x e:knows ?y } }", "OPTIONAL {filter ( exists { ?x e:knows ?y } )}",
-                            "{ ?x e:age 1 } UNION { FILTER EXISTS { ?x e:knows ?y } }"})
+  for (const char* alone :
+       {"{ FILTER NOT EXISTS { ?x e:knows ?y } }", "{ FILTER NOT EXISTS { ?x e:knows ?y } . }",
+        "OPTIONAL {filter ( exists { ?x e:knows ?y } )}", "{ ?x e:age 1 } UNION { FILTER EXISTS { ?x e:knows ?y } }"})
     EXPECT_THAT(found(std::string("SELECT ?x { ?x e:age ?n ") + alone + " }"), HasSubstr("beside the triples"));
 }
 

@@ -116,7 +116,6 @@ std::expected<syntax::FileBytes, syntax::LoadError> decoded(const std::string& p
       chunk.replace(declared.begin, declared.size, declared.size, ' ');
     }
     is_first = false;
-    if (chunk.empty()) break;  // the file is a mark alone
     char* const room = text.room_for(chunk.size());
     if (room == nullptr) return refuse(0, "is too large for the memory");
     std::ranges::copy(chunk, room);

@@ -1,10 +1,5 @@
 #include "reasoning/syntax/rdf/tolerant/tolerant.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <string_view>
-#include <utility>
-
 #include "base/text.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/inflate.hpp"
@@ -19,15 +14,6 @@ using syntax::FileBytes;
 using syntax::LoadError;
 using syntax::Syntax;
 
-std::optional<FileBytes> bytes_of(std::string_view text) {
-  FileBytes bytes;
-  char* room = bytes.room_for(std::max<std::size_t>(text.size(), 1));
-  if (room == nullptr) return std::nullopt;
-  std::ranges::copy(text, room);
-  bytes.take_room(text.size());
-  return bytes;
-}
-
 /// One try at a text; an error that is_unreadable is one that no repair of names can help.
 std::optional<LoadError> parse(const std::string& path, Syntax syntax, std::string_view text,
                                const syntax::FileLimits& limits, Graph& graph) {
@@ -35,7 +21,7 @@ std::optional<LoadError> parse(const std::string& path, Syntax syntax, std::stri
   in_one_piece.piece_bytes = std::numeric_limits<std::size_t>::max();
   const auto layout = scan(syntax, text, in_one_piece);
   if (!layout) return LoadError{base::printable(path, 4096), layout.error().line, layout.error().text, true};
-  auto bytes = bytes_of(text);
+  auto bytes = FileBytes::copy_of(text);
   if (!bytes) return LoadError{base::printable(path, 4096), 0, "needs more memory than there is", true};
   Redland redland(limits, 1);
   return redland.read(path, syntax, *bytes, *layout, graph);
