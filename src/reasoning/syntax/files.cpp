@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 20;
 
-std::unexpected<LoadError> refuse(std::string file, std::string text) {
+std::unexpected<LoadError> refuse(const std::string& file, std::string text) {
   return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text), true});
 }
 
@@ -136,7 +136,8 @@ std::optional<FileBytes> FileBytes::copy_of(std::string_view text) {
 char* FileBytes::room_for(std::size_t count) {
   constexpr std::size_t step = std::size_t{1} << 20;
   if (mapped_ != 0 && mapped_ - size_ >= count) return data_ + size_;
-  const std::size_t wanted = (std::max(size_ + count, mapped_ + mapped_ / 2) + step - 1) / step * step;
+  const std::size_t wanted =
+      (std::max({size_ + count, mapped_ + mapped_ / 2, std::size_t{1}}) + step - 1) / step * step;
   void* memory = mapped_ == 0 ? mmap(nullptr, wanted, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
                               : mremap(data_, mapped_, wanted, MREMAP_MAYMOVE);
   if (memory == MAP_FAILED) return nullptr;
