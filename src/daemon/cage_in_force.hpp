@@ -5,8 +5,8 @@
 #include <expected>
 #include <string>
 
-#include "daemon/configuration.hpp"
-#include "daemon/log.hpp"
+#include "daemon/configuration/configuration.hpp"
+#include "daemon/log/log.hpp"
 #include "env/cage/cage.hpp"
 
 namespace geminga::daemon {

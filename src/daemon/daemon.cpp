@@ -1,7 +1,5 @@
 #include "daemon/daemon.hpp"
 
-#include <malloc.h>
-
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -31,9 +29,6 @@ constexpr std::chrono::milliseconds max_stop_wait{400};
 /// The wait at the start for the ontology. After it the daemon serves without one.
 constexpr std::chrono::milliseconds max_start_wait{500};
 
-/// The time between two looks at the memory in use, and between two attempts to keep some back again.
-constexpr std::chrono::seconds memory_look_interval{1};
-
 /// One line for each file or folder that the configuration names and that does not exist. They end the start, so that a
 /// mistyped flag is seen at once.
 Lines missing_files(const Configuration& configuration) {
@@ -49,6 +44,20 @@ Lines missing_files(const Configuration& configuration) {
   return lines;
 }
 
+participant::Settings settings_of(const Configuration& configuration, std::uint32_t lasting) {
+  participant::Settings settings;
+  settings.name = configuration.name;
+  settings.group = configuration.group;
+  settings.interval = configuration.interval;
+  settings.sealing = configuration.sealing;
+  settings.relay = configuration.relay;
+  settings.diagnoses = configuration.diagnoses;
+  settings.version = GEMINGA_VERSION;
+  settings.lasting = lasting;
+  if (!configuration.describes_by_file()) settings.description = configuration.description;
+  return settings;
+}
+
 }  // namespace
 
 Daemon::Daemon(Configuration configuration, ConfigurationInForce::Reader read, const Supervisor& supervisor, Log& log)
@@ -56,9 +65,9 @@ Daemon::Daemon(Configuration configuration, ConfigurationInForce::Reader read, c
       supervisor_(supervisor),
       log_(log),
       signals_(context_, SIGTERM, SIGINT, SIGHUP),
-      start_patience_(context_),
-      stop_patience_(context_),
-      watchdog_(context_),
+      patience_(context_),
+      watchdog_(context_, supervisor),
+      readiness_(supervisor, log, [this] { return ready_line(configuration_.current(), env_, ontology_); }),
       env_(context_, log),
       ontology_(context_, env_, log, [this] { after_event(); }),
       adoption_(context_, [this] { adopt(); }),
@@ -106,12 +115,12 @@ void Daemon::fail(Lines lines) {
 void Daemon::open() {
   const Configuration& configuration = configuration_.current();
   if (const auto listening = listen(); !listening) return fail({listening.error()});
-  keep_watchdog();
+  watchdog_.start();
   lasting_ = lasting();
   // Before any other thread begins, which the cage would not hold.
   if (const auto closed = cage_.close(configuration, log_); !closed) return fail({closed.error()});
-  start_patience_.expires_after(max_start_wait);
-  start_patience_.async_wait([this](const boost::system::error_code& error) {
+  patience_.expires_after(max_start_wait);
+  patience_.async_wait([this](const boost::system::error_code& error) {
     if (!error && participant_ == nullptr) begin();
   });
   adoption_.watch(configuration.adopted);
@@ -132,31 +141,12 @@ std::expected<void, std::string> Daemon::listen() {
   return env_.listen(configuration.gcnp_socket);
 }
 
-void Daemon::keep_watchdog() {
-  const auto time = supervisor_.watchdog();
-  if (!time) return;
-  supervisor_.say_alive();
-  watchdog_.expires_after(*time / 2);
-  watchdog_.async_wait([this](const boost::system::error_code& error) {
-    if (!error) keep_watchdog();
-  });
-}
-
 /// Serves, with the ontology or without.
 void Daemon::begin() {
-  start_patience_.cancel();
+  patience_.cancel();
   const Configuration& configuration = configuration_.current();
   env_.open_air(configuration.air);
-  participant::Settings settings;
-  settings.name = configuration.name;
-  settings.group = configuration.group;
-  settings.interval = configuration.interval;
-  settings.sealing = configuration.sealing;
-  settings.relay = configuration.relay;
-  settings.diagnoses = configuration.diagnoses;
-  settings.version = GEMINGA_VERSION;
-  settings.lasting = lasting_;
-  if (!configuration.describes_by_file()) settings.description = configuration.description;
+  const participant::Settings settings = settings_of(configuration, lasting_);
   env_.event([&] {
     participant_ = std::make_unique<participant::Participant>(env_, settings, ontology_.vocabulary());
     participant_->set_status_source([this, started = wall_clock()] {
@@ -206,41 +196,17 @@ void Daemon::on_stream_bytes(env::StreamId stream, std::string_view bytes) {
   after_event();
 }
 
-void Daemon::tell_ready() {
-  const bool is_new = !is_announced_ && participant_->is_ready();
-  is_announced_ = is_announced_ || is_new;
-  const bool has_reloaded = is_reloading_ && is_announced_ && !ontology_.is_loading();
-  if (!is_new && !has_reloaded) return;
-  is_reloading_ = is_reloading_ && !has_reloaded;
-  const std::string line = ready_line(configuration_.current(), env_, ontology_);
-  if (is_new) log_.write(LogLevel::info, line);
-  supervisor_.say_ready(line);
-}
+void Daemon::update_readiness() { readiness_.update(participant_->is_ready(), ontology_.is_loading()); }
 
 /// Tells that the participant is ready, and leaves the loop when it has stopped.
 void Daemon::after_event() {
   log_.catch_up();
-  watch_memory();
+  if (memory_.is_short(env_.now())) env_.event([this] { participant_->shed(); });
   ontology_.prepare_if_wanted();
-  tell_ready();
+  update_readiness();
   if (!participant_->is_stopped()) return;
   if (!is_stopping_) return fail({participant_->failure()});
-  if (!env_.is_writing()) context_.stop();  // the clients have their last lines; else stop_patience_ bounds the wait
-}
-
-void Daemon::watch_memory() {
-  bool must_shed = MemoryReserve::take_shortage();
-  is_memory_short_ = is_memory_short_ || must_shed;
-  if (env_.now() >= next_memory_look_) {
-    next_memory_look_ = env_.now() + memory_look_interval;
-    // Seven eighths: the kernel ends a process at its limit without a word.
-    if (memory_of_group_ && memory_in_use() > *memory_of_group_ / 8 * 7) must_shed = true;
-    if (is_memory_short_ || must_shed) {
-      ::malloc_trim(0);
-      is_memory_short_ = !reserve_.refill();
-    }
-  }
-  if (must_shed) env_.event([this] { participant_->shed(); });
+  if (!env_.is_writing()) context_.stop();  // the clients have their last lines; else patience_ bounds the wait
 }
 
 void Daemon::await_signal() {
@@ -263,8 +229,8 @@ void Daemon::stop() {
   log_.write(LogLevel::info, "stopping: saying goodbye");
   supervisor_.say_stopping();
   env_.stop_listening();
-  stop_patience_.expires_after(max_stop_wait);
-  stop_patience_.async_wait([this](const boost::system::error_code& error) {
+  patience_.expires_after(max_stop_wait);
+  patience_.async_wait([this](const boost::system::error_code& error) {
     if (!error) context_.stop();
   });
   env_.event([&] { participant_->stop(); });
@@ -275,12 +241,11 @@ void Daemon::reload() {
   must_reload_ = participant_ == nullptr;  // begin() reloads then
   if (must_reload_ || is_stopping_) return;
   log_.write(LogLevel::info, "reading configuration and ontologies again");
-  env_.event([&] { supervisor_.say_reloading(env_.now()); });
-  is_reloading_ = true;
+  env_.event([&] { readiness_.begin_reload(env_.now()); });
   const auto change = configuration_.reload();
   if (!change) {
     log_.write_failed_reading(change.error(), "the configuration in force is kept");
-    return tell_ready();
+    return update_readiness();
   }
   const Configuration& configuration = configuration_.current();
   log_.set(configuration.log_level, configuration.log_format);
@@ -299,7 +264,7 @@ void Daemon::reload() {
   description_.load(configuration, *participant_);
   adoption_.watch(configuration.adopted);
   ontology_.reload(configuration);
-  tell_ready();
+  update_readiness();
 }
 
 void Daemon::adopt() {

@@ -8,18 +8,19 @@
 #include <cstdint>
 #include <expected>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "daemon/adoption/adoption.hpp"
 #include "daemon/cage_in_force.hpp"
-#include "daemon/configuration_in_force.hpp"
+#include "daemon/configuration/configuration_in_force.hpp"
 #include "daemon/description_in_force.hpp"
-#include "daemon/log.hpp"
-#include "daemon/memory_reserve.hpp"
-#include "daemon/ontology_in_force.hpp"
-#include "daemon/supervisor.hpp"
+#include "daemon/log/log.hpp"
+#include "daemon/memory/memory_watch.hpp"
+#include "daemon/ontology/ontology_in_force.hpp"
+#include "daemon/readiness.hpp"
+#include "daemon/supervisor/supervisor.hpp"
+#include "daemon/supervisor/watchdog.hpp"
 #include "discovery/participant/participant.hpp"
 #include "env/asio/asio_env.hpp"
 #include "env/asio/event_sink.hpp"
@@ -54,14 +55,10 @@ class Daemon final : private env::EventSink {
   /// Listens where the supervisor and the configuration say. The error is a line for the user.
   [[nodiscard]] std::expected<void, std::string> listen();
   void begin();
-  /// Gives the supervisor signs of life from the turns of the event loop, twice in the time that it asks for.
-  void keep_watchdog();
-  /// Logs that the participant is ready, once, and tells the supervisor that a start or a reload is over.
-  void tell_ready();
+  /// Has the participant's state told, where the start or a reload is over.
+  void update_readiness();
   [[nodiscard]] std::uint32_t lasting();
   void after_event();
-  /// Has room made where memory was short in the last event, or where its control group has little left.
-  void watch_memory();
   void await_signal();
   void reload();
   /// Loads the ontologies again, with what the owner adopts.
@@ -83,19 +80,16 @@ class Daemon final : private env::EventSink {
   void on_stream_drained(env::StreamId stream) override { participant_->on_stream_drained(stream); }
   void on_stream_closed(env::StreamId stream) override { participant_->on_stream_closed(stream); }
 
-  MemoryReserve reserve_;
-  const std::optional<std::uint64_t> memory_of_group_ = memory_of_group();
-  base::Instant next_memory_look_{};
-  bool is_memory_short_ = false;  ///< the reserve has been used and is not whole yet
+  MemoryWatch memory_;
   ConfigurationInForce configuration_;
   const Supervisor& supervisor_;
   Log& log_;
   CageInForce cage_;
   boost::asio::io_context context_{1};
   boost::asio::signal_set signals_;
-  boost::asio::steady_timer start_patience_;
-  boost::asio::steady_timer stop_patience_;
-  boost::asio::steady_timer watchdog_;
+  boost::asio::steady_timer patience_;  ///< bounds the wait for the ontology at the start, and for clients at the end
+  Watchdog watchdog_;
+  Readiness readiness_;
   env::AsioEnv env_;
   std::unique_ptr<participant::Participant> participant_;  ///< null until begin()
   OntologyInForce ontology_;
@@ -103,8 +97,6 @@ class Daemon final : private env::EventSink {
   DescriptionInForce description_;
   std::uint32_t lasting_ = 0;         ///< the identity that the daemon keeps across restarts; 0: it keeps none
   std::vector<std::string> failure_;  ///< lines for the user
-  bool is_announced_ = false;         ///< the log says that the daemon is ready
-  bool is_reloading_ = false;         ///< the supervisor knows that a reload is under way
   bool is_stopping_ = false;
   bool must_reload_ = false;  ///< SIGHUP came before begin()
 };

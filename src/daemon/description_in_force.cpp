@@ -11,7 +11,7 @@
 
 #include "base/text.hpp"
 #include "daemon/adoption/adoption.hpp"
-#include "daemon/ontology_loader.hpp"
+#include "daemon/ontology/ontology_loader.hpp"
 
 namespace geminga::daemon {
 namespace {

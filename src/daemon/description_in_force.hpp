@@ -10,8 +10,8 @@
 
 #include "base/private_file.hpp"
 #include "daemon/child/child.hpp"
-#include "daemon/configuration.hpp"
-#include "daemon/log.hpp"
+#include "daemon/configuration/configuration.hpp"
+#include "daemon/log/log.hpp"
 #include "discovery/participant/participant.hpp"
 #include "env/asio/asio_env.hpp"
 

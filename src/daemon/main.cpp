@@ -13,15 +13,15 @@
 #include <string>
 
 #include "base/harmless.hpp"
-#include "daemon/configuration.hpp"
-#include "daemon/configuration_file.hpp"
+#include "daemon/configuration/configuration.hpp"
+#include "daemon/configuration/configuration_file.hpp"
+#include "daemon/configuration/flags.hpp"
+#include "daemon/configuration/key_files.hpp"
+#include "daemon/configuration/layer.hpp"
 #include "daemon/daemon.hpp"
-#include "daemon/flags.hpp"
-#include "daemon/key_files.hpp"
-#include "daemon/layer.hpp"
-#include "daemon/log.hpp"
-#include "daemon/memory_reserve.hpp"
-#include "daemon/supervisor.hpp"
+#include "daemon/log/log.hpp"
+#include "daemon/memory/process_limits.hpp"
+#include "daemon/supervisor/supervisor.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "base/text.hpp"
-#include "daemon/memory_reserve.hpp"
+#include "daemon/memory/memory_reserve.hpp"
 
 namespace geminga::daemon {
 namespace {

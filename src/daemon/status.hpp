@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "daemon/cage_in_force.hpp"
-#include "daemon/configuration_in_force.hpp"
-#include "daemon/log.hpp"
-#include "daemon/ontology_in_force.hpp"
+#include "daemon/configuration/configuration_in_force.hpp"
+#include "daemon/log/log.hpp"
+#include "daemon/ontology/ontology_in_force.hpp"
 #include "discovery/participant/participant.hpp"
 #include "env/asio/asio_env.hpp"
 

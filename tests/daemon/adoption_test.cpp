@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "daemon/configuration.hpp"
+#include "daemon/configuration/configuration.hpp"
 
 namespace geminga::daemon {
 namespace {

@@ -1,5 +1,5 @@
 // Reloads: settings that change at once, settings that await the next start, and errors.
-#include "daemon/configuration_in_force.hpp"
+#include "daemon/configuration/configuration_in_force.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "daemon/configuration.hpp"
+#include "daemon/configuration/configuration.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "daemon/configuration_file.hpp"
+#include "daemon/configuration/configuration_file.hpp"
 #include "discovery/announcement/limits.hpp"
 
 namespace geminga::daemon {

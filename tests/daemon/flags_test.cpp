@@ -1,4 +1,4 @@
-#include "daemon/flags.hpp"
+#include "daemon/configuration/flags.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "daemon/key_files.hpp"
+#include "daemon/configuration/key_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

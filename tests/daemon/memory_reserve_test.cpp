@@ -1,8 +1,10 @@
-#include "daemon/memory_reserve.hpp"
+#include "daemon/memory/memory_reserve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <new>
+
+#include "daemon/memory/process_limits.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -26,7 +28,7 @@ TEST(MemoryReserve, IsGivenBackOnceWhenMemoryIsShortAndTakenAnew) {
   EXPECT_EQ(MemoryReserve::size(), 0U);
 }
 
-TEST(MemoryReserve, KnowsTheMemoryInUse) {
+TEST(ProcessLimits, TellTheMemoryInUse) {
   EXPECT_GT(memory_in_use(), 0U);
   const auto most = memory_of_group();
   EXPECT_TRUE(!most || *most > memory_in_use());

@@ -1,5 +1,5 @@
 // The loader with shell scripts as compilers: arguments, failures, leftovers.
-#include "daemon/ontology_loader.hpp"
+#include "daemon/ontology/ontology_loader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // An ontology is prepared while the event loop reads it. A preparation that is given up has no result.
-#include "daemon/preparation.hpp"
+#include "daemon/ontology/preparation.hpp"
 
 #include <gtest/gtest.h>
 

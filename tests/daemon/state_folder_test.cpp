@@ -18,7 +18,7 @@
 #include <fstream>
 #include <functional>
 
-#include "daemon/layer.hpp"
+#include "daemon/configuration/layer.hpp"
 
 namespace geminga::daemon {
 namespace {
