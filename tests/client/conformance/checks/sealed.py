@@ -103,7 +103,7 @@ def _must_have_all(pair: Pair, channels: list[streams.Stream], count: int) -> No
         pair.pub.any(f"streamed {p}")
         counts = counted_until(pair.sub, s, lambda so_far: so_far["received"] + so_far["missed"] >= first + count)
         sequences = [int(found[1]) for found in pair.sub.all(f"message {s} [0-9a-f]+ ([0-9]+) .*")]
-        must(sequences[-count:] == list(range(first + 1, first + count + 1)), f"{what}: the stream has gaps: {counts}")
+        must(sequences[-count:] == list(range(first + 1, first + count + 1)), f"{what}: the stream has gaps: {counts}, of {counted(pair.pub, p)}")
 
 
 def rotation(pair: Pair) -> None:
