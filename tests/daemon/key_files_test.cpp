@@ -112,7 +112,7 @@ TEST_F(KeyFiles, InAFolderWhereOthersMayReplaceThemAreRefused) {
 
 TEST_F(KeyFiles, AreLookedForWhereTheirLinksLieAndWhereTheyPoint) {
   for (const char* name : {"links", "keys"}) std::filesystem::create_directory(folder / name);
-  const std::string file = made("keys/key");
+  ASSERT_TRUE(read_keys({made("keys/key")}));
   const std::string link = path("links/key");
   std::filesystem::create_symlink("../keys/key", link);
   EXPECT_TRUE(read_keys({link}));

@@ -139,7 +139,7 @@ std::expected<std::string, std::string> generate_key(const std::string& path) {
     if (errno != EINTR) return std::unexpected(name + ": no random bits: " + last_error());
   }
   SecretText text(sealing::write_key(secret));
-  const std::string id = to_string(sealing::Key(secret).id());
+  std::string id = to_string(sealing::Key(secret).id());
   ::explicit_bzero(secret.data(), secret.size());
   const env::Descriptor file(
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR));

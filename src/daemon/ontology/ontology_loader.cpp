@@ -84,9 +84,12 @@ Loaded map_output(const ChildEnd& end, const std::string& compiler, const base::
   std::vector<std::string> lines = compiler_lines(end.words);
   if (end.has_succeeded || end.exit_status == limit_reached) {
     auto mapped = map("/proc/self/fd/" + std::to_string(output.descriptor()), "the compiled ontology");
-    if (mapped) add_lines(std::move(lines), *mapped);
+    if (mapped) {
+      add_lines(std::move(lines), *mapped);
+      return mapped;
+    }
     // Where the limit came before there was any output, the compiler's words say more than that the output is empty.
-    if (mapped || end.has_succeeded) return mapped;
+    if (end.has_succeeded) return mapped;
   }
   if (lines.empty() || !end.how.starts_with("exit status")) lines.push_back(compiler + ": " + end.how);
   return std::unexpected(std::move(lines));
