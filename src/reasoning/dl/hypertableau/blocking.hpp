@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/blockers.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"

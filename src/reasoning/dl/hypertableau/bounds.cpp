@@ -15,6 +15,12 @@ void Bounds::restore(const Sizes& sizes) {
   suspects_.clear();
 }
 
+bool Bounds::contradicts(const Choice& restriction, DependencySet dependency) {
+  if (!numbers_.excludes(restriction, dependency)) return false;
+  facts_.clash(dependency);
+  return true;
+}
+
 void Bounds::note_role(std::uint32_t property, NodeId from, NodeId to, bool is_data) {
   for (const std::uint32_t bound :
        is_data ? program_.bounds_of_data_role(property) : program_.bounds_of_role(property)) {
@@ -38,13 +44,17 @@ void Bounds::note_concept(std::uint32_t id, NodeId node) {
     }
   }
   for (const std::uint32_t bound : program_.bounds_of_guard(id)) note({node, bound});
+  for (const std::uint32_t bound : program_.bounds_of_guard(id)) {
+    DependencySet reasons = no_dependency;
+    if (numbers_.is_exceeded(bound, node, reasons)) return facts_.clash(reasons);
+  }
 }
 
 void Bounds::check_last() {
   DependencySet dependency = no_dependency;
   const Suspect found = suspects_.back();
   suspects_.pop_back();
-  const Suspect suspect{graph_.current(found.node, sets_, dependency), found.bound};
+  const Suspect suspect{graph_.current(found.node, dependency), found.bound};
   if (!graph_.is_active(suspect.node)) return;
   if (!neighbours_.is_bound(suspect, dependency)) {
     if (!program_.conditional(suspect.bound).empty()) check_conditional(suspect);
@@ -126,7 +136,7 @@ void Bounds::check_conditional(const Suspect& suspect) {
 std::optional<Bounds::Demand> Bounds::next_demand() {
   while (next_demand_ < demands_.size()) {
     Demand demand{demands_[next_demand_++]};
-    demand.suspect.node = graph_.current(demand.suspect.node, sets_, demand.dependency);
+    demand.suspect.node = graph_.current(demand.suspect.node, demand.dependency);
     if (graph_.is_active(demand.suspect.node)) return demand;
   }
   return std::nullopt;

@@ -12,12 +12,13 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
-#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
-#include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/facts/neighbours.hpp"
+#include "reasoning/dl/hypertableau/facts/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
@@ -25,19 +26,23 @@ namespace geminga::hypertableau {
 /// Checks bounds that may be exceeded, and keeps those that only a choice can enforce.
 class Bounds {
  public:
-  Bounds(const Program& program, const Graph& graph, DependencySets& sets, Assertions& facts, Neighbours& neighbours,
+  Bounds(const Program& program, const Graph& graph, Assertions& facts, Neighbours& neighbours, const Numbers& numbers,
          Disjunctions& disjunctions)
       : program_(program),
         graph_(graph),
-        sets_(sets),
         facts_(facts),
         neighbours_(neighbours),
+        numbers_(numbers),
         disjunctions_(disjunctions) {}
+
+  /// Clashes if another number restriction of the node excludes this one, and returns whether one does.
+  bool contradicts(const Choice& restriction, DependencySet dependency);
 
   // Notes the bounds that a new fact may exceed. check_last() looks at them.
   void note(const Suspect& suspect) { suspects_.push_back(suspect); }
   void note_role(std::uint32_t property, NodeId from, NodeId to, bool is_data);
   void note_loop(std::uint32_t property, NodeId node);
+  /// Clashes if at-leasts of the node exceed a bound that the concept brings.
   void note_concept(std::uint32_t id, NodeId node);
 
   [[nodiscard]] bool has_suspects() const { return !suspects_.empty(); }
@@ -70,13 +75,13 @@ class Bounds {
   void add_introductions(const Suspect& suspect, NodeId foreign, std::vector<Choice>& alternatives);
   void add_equalities(const Bound& bound, std::span<const Neighbour> neighbours, std::vector<Choice>& alternatives,
                       DependencySet& reasons);
-  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return graph_.unite(first, second); }
 
   const Program& program_;
   const Graph& graph_;
-  DependencySets& sets_;
   Assertions& facts_;
   Neighbours& neighbours_;
+  const Numbers& numbers_;
   Disjunctions& disjunctions_;
   std::vector<Suspect> suspects_;
   std::vector<Suspect> demands_;

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
 
 namespace geminga::hypertableau {
 

@@ -131,49 +131,19 @@ void Disjunctions::open(const Disjunction& disjunction, Open& result) {
   for (std::uint32_t at = disjunction.begin; at < disjunction.end; ++at) {
     effort_.count_look();
     Choice choice = choices_[at];
-    choice.a = graph_.current(choice.a, sets_, result.dependency);
-    choice.b = graph_.current(choice.b, sets_, result.dependency);
-    result.is_done = !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || facts_.holds(choice) ||
-                     numbers_.implies(choice) || derive(choice);
+    choice.a = graph_.current(choice.a, result.dependency);
+    choice.b = graph_.current(choice.b, result.dependency);
+    result.is_done =
+        !graph_.is_active(choice.a) || !graph_.is_active(choice.b) || check_.holds(choice) || derive(choice);
     if (result.is_done) return;
-    if (!is_excluded(choice, result.dependency)) result.alternatives.push_back(choice);
+    if (!check_.is_excluded(choice, result.dependency)) result.alternatives.push_back(choice);
   }
-}
-
-bool Disjunctions::is_excluded(const Choice& choice, DependencySet& dependency) {
-  if (facts_.is_impossible(choice) || numbers_.excludes(choice, dependency)) return true;
-  if (choice.kind == ChoiceKind::equal) {
-    const auto difference = graph_.difference(choice.a, choice.b);
-    if (difference) dependency = unite(dependency, *difference);
-    return difference.has_value();
-  }
-  if (choice.kind == ChoiceKind::concept_of) return is_excluded(choice.predicate, choice.a, dependency);
-  if (choice.kind == ChoiceKind::at_most)
-    return neighbours_.exceeds(program_.bound(choice.predicate), neighbours_.counted({choice.a, choice.predicate}),
-                               dependency);
-  const bool is_data = choice.kind == ChoiceKind::data_at_least;
-  if (choice.kind != ChoiceKind::at_least && !is_data) return false;
-  const auto implied = is_data ? program_.domains().of_data_at_least(choice.predicate)
-                               : program_.domains().of_at_least(choice.predicate);
-  if (std::ranges::any_of(implied, [&](std::uint32_t of) { return is_excluded(of, choice.a, dependency); }))
-    return true;
-  return !is_data && is_excluded_by_neighbour(choice, dependency);
-}
-
-// If the property has at most one value, the neighbour in the graph would have to be in the filler.
-bool Disjunctions::is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency) {
-  const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
-  const auto neighbour = neighbours_.only(at_least.role, choice.a);
-  DependencySet reasons = neighbour ? neighbour->dependency : no_dependency;
-  if (!neighbour || !is_excluded(number(at_least.filler), neighbour->node, reasons)) return false;
-  dependency = unite(dependency, reasons);
-  return true;
 }
 
 // Derives a choice that follows from the facts: an at-least that a neighbour satisfies.
 bool Disjunctions::derive(const Choice& choice) {
   if (choice.kind != ChoiceKind::at_least || program_.needed(choice.predicate) > 1) return false;
-  const clauses::AtLeast& at_least = set_.at_leasts[choice.predicate];
+  const clauses::AtLeast& at_least = program_.at_least(choice.predicate);
   const bool is_inverse = at_least.role.is_inverse;
   for (FactId id = is_inverse ? graph_.node(choice.a).in : graph_.node(choice.a).out; id != none;
        id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
@@ -186,32 +156,12 @@ bool Disjunctions::derive(const Choice& choice) {
     if (at_least.filler != clauses::thing) {
       const FactId filler = graph_.find(FactKind::concept_of, number(at_least.filler), node);
       if (filler == none) continue;
-      dependency = unite(dependency, graph_.fact(filler).dependency);
+      dependency = graph_.unite(dependency, graph_.fact(filler).dependency);
     }
     facts_.add_fact(FactKind::at_least, choice.predicate, choice.a, 0, dependency);
     return true;
   }
   return false;
-}
-
-// Whether a bound that the concept implies is exceeded by neighbours, or by what at-leasts ask for.
-bool Disjunctions::is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency) {
-  return std::ranges::any_of(program_.bounds_of_guard(id), [&](std::uint32_t bound) {
-    return program_.brings(id, bound) &&
-           (numbers_.excludes({ChoiceKind::at_most, bound, node, node}, dependency) ||
-            neighbours_.exceeds(program_.bound(bound), neighbours_.counted({node, bound}), dependency));
-  });
-}
-
-bool Disjunctions::is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency) {
-  if (is_excluded_by_bound(id, node, dependency)) return true;
-  if (const FactId mark = facts_.find_mark_against(id, node); mark != none) {
-    dependency = unite(dependency, graph_.fact(mark).dependency);
-    return true;
-  }
-  const FactId fact = neighbours_.find_excluder(id, node);
-  if (fact != none) dependency = unite(dependency, graph_.fact(fact).dependency);
-  return fact != none;
 }
 
 }  // namespace geminga::hypertableau

@@ -7,14 +7,13 @@
 #include <variant>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
-#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/choice_check.hpp"
 #include "reasoning/dl/hypertableau/choice_records.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
-#include "reasoning/dl/hypertableau/neighbours.hpp"
-#include "reasoning/dl/hypertableau/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
@@ -24,18 +23,9 @@ namespace geminga::hypertableau {
 /// each failure known of them is next.
 class Disjunctions {
  public:
-  Disjunctions(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
-               Effort& effort, Assertions& facts, Neighbours& neighbours, const Numbers& numbers,
+  Disjunctions(const Program& program, const Graph& graph, Effort& effort, Assertions& facts, ChoiceCheck& check,
                ChoiceRecords& records)
-      : set_(set),
-        program_(program),
-        graph_(graph),
-        sets_(sets),
-        effort_(effort),
-        facts_(facts),
-        neighbours_(neighbours),
-        numbers_(numbers),
-        records_(records) {}
+      : program_(program), graph_(graph), effort_(effort), facts_(facts), check_(check), records_(records) {}
 
   /// Adds a disjunction, and removes alternatives that cannot hold. A single one left is asserted at once.
   void add(std::vector<Choice>& alternatives, DependencySet dependency);
@@ -88,21 +78,12 @@ class Disjunctions {
   [[nodiscard]] std::uint64_t state_of(const Disjunction& disjunction) const;
   void note_done(std::size_t disjunction);
   bool derive(const Choice& choice);
-  // Whether the facts exclude the choice, or the concept of the node. Unite the reasons into `dependency`.
-  bool is_excluded(const Choice& choice, DependencySet& dependency);
-  bool is_excluded(std::uint32_t id, NodeId node, DependencySet& dependency);
-  bool is_excluded_by_bound(std::uint32_t id, NodeId node, DependencySet& dependency);
-  bool is_excluded_by_neighbour(const Choice& choice, DependencySet& dependency);
-  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
 
-  const clauses::ClauseSet& set_;
   const Program& program_;
   const Graph& graph_;
-  DependencySets& sets_;
   Effort& effort_;
   Assertions& facts_;
-  Neighbours& neighbours_;
-  const Numbers& numbers_;
+  ChoiceCheck& check_;
   ChoiceRecords& records_;
   std::vector<Choice> choices_;
   std::vector<Disjunction> disjunctions_;

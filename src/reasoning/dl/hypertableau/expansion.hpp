@@ -8,18 +8,16 @@
 #include <cstdint>
 #include <optional>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/blocking.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/denial_witnesses.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
-#include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/new_neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
-#include "reasoning/dl/hypertableau/sharing.hpp"
 #include "reasoning/dl/hypertableau/witnesses.hpp"
 
 namespace geminga::hypertableau {
@@ -27,20 +25,15 @@ namespace geminga::hypertableau {
 /// Keeps the at-least restrictions, and makes the neighbours that they ask for.
 class Expansion {
  public:
-  Expansion(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, const Graph& graph,
-            DependencySets& sets, Effort& effort, Assertions& facts, Neighbours& neighbours, Blocking& blocking,
-            Witnesses& witnesses, Sharing& sharing)
-      : source_(source),
-        set_(set),
-        program_(program),
+  Expansion(const Program& program, const Graph& graph, Assertions& facts, Blocking& blocking, Witnesses& witnesses,
+            const DenialWitnesses& denial_witnesses, NewNeighbours& new_neighbours)
+      : program_(program),
         graph_(graph),
-        sets_(sets),
-        effort_(effort),
         facts_(facts),
-        neighbours_(neighbours),
         blocking_(blocking),
         witnesses_(witnesses),
-        sharing_(sharing) {}
+        denial_witnesses_(denial_witnesses),
+        new_neighbours_(new_neighbours) {}
 
   /// Adds an at-least that was asserted. If no new node is needed, satisfies it at once, so that a clash is found
   /// before more is guessed.
@@ -73,10 +66,7 @@ class Expansion {
     NodeId node = 0;
     std::uint32_t older = none;  ///< the next older one of the node
     bool is_done = false;
-    /// The neighbour that satisfied it when it was last looked at, and the versions of what was looked at.
-    NodeId witness = none;
-    NodeId blocker = none;  ///< of the witness
-    std::uint64_t version = 0;
+    DenialWitness witness = {};
     NodeId plain = none;  ///< the neighbour that was made for it without its filler
   };
 
@@ -97,34 +87,18 @@ class Expansion {
   [[nodiscard]] bool is_of_several(std::uint32_t at) const;
   enum class Way : std::uint8_t { expanded, satisfied, open };
   Way expand_several(std::uint32_t at, bool may_offer);
-  void add_edge(const Fact& at_least, NodeId node, DependencySet dependency);
-  void make_neighbours(const Fact& fact);
-  void add_neighbours(const Fact& fact, std::span<const NodeId> known, DependencySet dependency);
-  void expand_object(const Fact& fact);
   /// Whether the at-least asks for a denial, and no neighbour without a filler was made for one of its role and node.
   [[nodiscard]] bool needs_plain(const Fact& fact) const;
-  void make_plain(std::uint32_t at);
-  void expand_data(const Fact& fact);
-  [[nodiscard]] bool is_satisfied(const Fact& fact);
-  /// Whether some neighbour may be in the filler, because it is a denial (program/denials.hpp) that does not exclude
-  /// that neighbour. The answer holds until the neighbour changes, or what is around it.
-  bool has_witness(Existential& existential);
-  [[nodiscard]] NodeId find_witness(std::uint32_t at_least, NodeId node);
-  [[nodiscard]] bool may_be_witness(std::uint32_t denial, NodeId node, NodeId of) const;
-  [[nodiscard]] std::uint64_t version_of_witness(std::uint32_t denial, NodeId node, NodeId of) const;
-  bool give_to_neighbour(const Fact& fact);
+  [[nodiscard]] bool is_of_nominal(const Fact& at_least) const;
+  bool has_witness(std::uint32_t at);
 
-  const owl::Ontology& source_;
-  const clauses::ClauseSet& set_;
   const Program& program_;
   const Graph& graph_;
-  DependencySets& sets_;
-  Effort& effort_;
   Assertions& facts_;
-  Neighbours& neighbours_;
   Blocking& blocking_;
   Witnesses& witnesses_;
-  Sharing& sharing_;
+  const DenialWitnesses& denial_witnesses_;
+  NewNeighbours& new_neighbours_;
   std::vector<Existential> existentials_;
   std::vector<std::uint32_t> newest_;  ///< by node: its newest existential
   /// Existentials that expand() must look at: all that are not done and whose nodes are active and not blocked, and

@@ -17,7 +17,7 @@ void Keys::check() {
     const owl::TermId term = set_.individuals[at];
     if (term == clauses::no_term || source_.kind(term) != owl::TermKind::individual) continue;
     DependencySet ignored = no_dependency;
-    is_named_[graph_.current(individuals[at], sets_, ignored)] = true;
+    is_named_[graph_.current(individuals[at], ignored)] = true;
   }
   for (const clauses::Key& key : set_.keys) {
     std::vector<NodeId> members;
@@ -39,7 +39,7 @@ void Keys::check() {
 
 bool Keys::agree(const clauses::Key& key, NodeId first, NodeId second, DependencySet& dependency) {
   const auto add = [&](FactId id) {
-    if (id != none) dependency = sets_.unite(dependency, graph_.fact(id).dependency);
+    if (id != none) dependency = graph_.unite(dependency, graph_.fact(id).dependency);
     return id != none;
   };
   if (key.of != clauses::thing) {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 
@@ -15,9 +15,8 @@ namespace geminga::hypertableau {
 /// Finds named individuals that are equal because a key says so.
 class Keys {
  public:
-  Keys(const owl::Ontology& source, const clauses::ClauseSet& set, const Graph& graph, DependencySets& sets,
-       Assertions& facts)
-      : source_(source), set_(set), graph_(graph), sets_(sets), facts_(facts) {}
+  Keys(const owl::Ontology& source, const clauses::ClauseSet& set, const Graph& graph, Assertions& facts)
+      : source_(source), set_(set), graph_(graph), facts_(facts) {}
 
   /// Lets the first two that are found be merged.
   void check();
@@ -29,7 +28,6 @@ class Keys {
   const owl::Ontology& source_;
   const clauses::ClauseSet& set_;
   const Graph& graph_;
-  DependencySets& sets_;
   Assertions& facts_;
   std::vector<bool> is_named_;  ///< by node, as of the last check
 };

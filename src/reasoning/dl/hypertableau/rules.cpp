@@ -26,7 +26,7 @@ void Rules::refresh() {
   named_by_.assign(graph_.node_count(), no_dependency);
   for (std::size_t at = 0; at < facts_.individuals().size(); ++at) {
     DependencySet dependency = no_dependency;
-    const NodeId node = graph_.current(facts_.individuals()[at], sets_, dependency);
+    const NodeId node = graph_.current(facts_.individuals()[at], dependency);
     nodes.push_back(node);
     const owl::TermId term = set_.individuals[at];
     if (term == clauses::no_term || source_.kind(term) != owl::TermKind::individual || !graph_.is_active(node))
@@ -114,7 +114,7 @@ void Rules::start(const RulePlan& plan, const Fact& fact, FactId id) {
     if (first.kind != BoundKind::nothing && !(first == node)) return;
     const bool is_variable = atom.terms[0].kind == RuleTermKind::variable;
     if (is_variable) bounds_[atom.terms[0].number] = node;
-    match.dependency = sets_.unite(dependency, named_by_[fact.a]);
+    match.dependency = graph_.unite(dependency, named_by_[fact.a]);
     go_on_with(atom.terms[1], value, match);
   };
   if (fact.kind == FactKind::role) return second({BoundKind::node, fact.b});
@@ -144,7 +144,7 @@ void Rules::go_on(Holds holds, Match match) {
 void Rules::go_on_with(const RuleTerm& term, Bound bound, Match match) {
   if (bound.kind == BoundKind::node) {
     if (bound.number >= is_named_.size() || !is_named_[bound.number]) return;
-    match.dependency = sets_.unite(match.dependency, named_by_[bound.number]);
+    match.dependency = graph_.unite(match.dependency, named_by_[bound.number]);
   }
   const Bound before = this->bound(term, match.dependency);
   if (before.kind != BoundKind::nothing) {
@@ -159,7 +159,7 @@ void Rules::go_on_with(const RuleTerm& term, Bound bound, Match match) {
 Rules::Bound Rules::bound(const RuleTerm& term, DependencySet& dependency) {
   switch (term.kind) {
     case RuleTermKind::individual:
-      return {BoundKind::node, graph_.current(facts_.individuals()[term.number], sets_, dependency)};
+      return {BoundKind::node, graph_.current(facts_.individuals()[term.number], dependency)};
     case RuleTermKind::literal:
       return {BoundKind::literal, number(facts_.representative(owl::TermId{term.number}))};
     default:
@@ -188,7 +188,7 @@ void Rules::look_at(const RuleAtom& atom, Match match) {
       if (atom.kind == RuleAtomKind::concept_of) {
         const FactId found = graph_.find(FactKind::concept_of, atom.predicate, node.number);
         if (found == none || found > match.limit) return;
-        match.dependency = sets_.unite(match.dependency, graph_.fact(found).dependency);
+        match.dependency = graph_.unite(match.dependency, graph_.fact(found).dependency);
       }
       return go_on_with(atom.terms[0], node, match);
     }
@@ -222,7 +222,7 @@ void Rules::look_at_role(const RuleAtom& atom, Match match) {
   if (first.kind == BoundKind::node && second.kind == BoundKind::node) {
     const FactId found = graph_.find(FactKind::role, atom.predicate, first.number, second.number);
     if (found == none || found > match.limit) return;
-    match.dependency = sets_.unite(match.dependency, graph_.fact(found).dependency);
+    match.dependency = graph_.unite(match.dependency, graph_.fact(found).dependency);
     // Constants must be named, too.
     if (!is_named_[first.number]) return;
     return go_on_with(atom.terms[1], second, match);
@@ -236,7 +236,7 @@ void Rules::look_at_role(const RuleAtom& atom, Match match) {
     const NodeId to = is_forward ? fact.b : fact.a;
     if (id <= match.limit && fact.kind == FactKind::role && fact.predicate == atom.predicate && graph_.is_active(to)) {
       Match more = match;
-      more.dependency = sets_.unite(match.dependency, fact.dependency);
+      more.dependency = graph_.unite(match.dependency, fact.dependency);
       go_on_with(atom.terms[is_forward ? 1 : 0], {BoundKind::node, to}, more);
     }
     id = next;
@@ -252,7 +252,7 @@ void Rules::look_at_data_role(const RuleAtom& atom, Match match) {
     if (id <= match.limit && fact.kind == FactKind::data_role && fact.predicate == atom.predicate &&
         graph_.is_active(fact.b)) {
       Match more = match;
-      more.dependency = sets_.unite(match.dependency, fact.dependency);
+      more.dependency = graph_.unite(match.dependency, fact.dependency);
       const auto value = value_of(fact.b, more.dependency);
       if (value && (is_open_ || value->kind == BoundKind::literal)) {
         more.is_sure = more.is_sure && value->kind == BoundKind::literal;
@@ -294,7 +294,7 @@ void Rules::look_at_path(const RuleAtom& atom, Match match) {
         if (fact.kind != FactKind::role || fact.predicate != number(move.label.property) || !graph_.is_active(to))
           continue;
         if (!seen.insert({to, move.to}).second) continue;
-        open.push_back({to, move.to, sets_.unite(place.dependency, fact.dependency)});
+        open.push_back({to, move.to, graph_.unite(place.dependency, fact.dependency)});
       }
     }
   }

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/rules/built_ins.hpp"
@@ -22,12 +22,12 @@ namespace geminga::hypertableau {
 /// Matches rules with the facts of named individuals, each new fact with the older ones.
 class Rules {
  public:
-  Rules(const owl::Ontology& source, const clauses::ClauseSet& set, const Graph& graph, DependencySets& sets,
-        Effort& effort, Assertions& facts, Disjunctions& disjunctions)
+  Rules(const owl::Ontology& source, const clauses::ClauseSet& set, const Graph& graph, Effort& effort,
+        Assertions& facts, Disjunctions& disjunctions)
       : source_(source),
         set_(set),
         graph_(graph),
-        sets_(sets),
+
         effort_(effort),
         facts_(facts),
         disjunctions_(disjunctions),
@@ -88,7 +88,7 @@ class Rules {
   void look_at_built_in(const clauses::RuleAtom& atom, Match match);
   /// Goes on if it holds, or if it is unknown and is taken for true, or open matches are looked for.
   void go_on(Holds holds, Match match);
-  [[nodiscard]] bool is_over() const { return facts_.has_clash() || effort_.is_over_limit(); }
+  [[nodiscard]] bool is_over() { return facts_.must_stop(); }
 
   /// Binds a term for the rest of the match, and goes on with the next steps. A node must be named.
   void go_on_with(const clauses::RuleTerm& term, Bound bound, Match match);
@@ -110,7 +110,6 @@ class Rules {
   const owl::Ontology& source_;
   const clauses::ClauseSet& set_;
   const Graph& graph_;
-  DependencySets& sets_;
   Effort& effort_;
   Assertions& facts_;
   Disjunctions& disjunctions_;

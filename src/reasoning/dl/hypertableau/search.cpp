@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "reasoning/dl/hypertableau/told_facts.hpp"
+#include "reasoning/dl/hypertableau/facts/told_facts.hpp"
 #include "reasoning/dl/hypertableau/written_model.hpp"
 
 namespace geminga::hypertableau {
@@ -26,18 +26,22 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       program_(set, limits.counts),
       graph_(program_.backward_looks().directions()),
       effort_(limits, graph_),
-      facts_(source, set, program_, graph_, sets_, effort_),
-      neighbours_(program_, graph_, sets_, effort_, facts_),
-      numbers_(program_, graph_, sets_, effort_),
-      disjunctions_(set, program_, graph_, sets_, effort_, facts_, neighbours_, numbers_, records_),
-      bounds_(program_, graph_, sets_, facts_, neighbours_, disjunctions_),
+      facts_(source, set, program_, graph_, effort_),
+      neighbours_(program_, graph_, effort_, facts_),
+      numbers_(program_, graph_, effort_),
+      choice_check_(program_, graph_, facts_, neighbours_, numbers_),
+      disjunctions_(program_, graph_, effort_, facts_, choice_check_, records_),
+      bounds_(program_, graph_, facts_, neighbours_, numbers_, disjunctions_),
       blocking_(program_, graph_, effort_),
-      witnesses_(set, program_, graph_, effort_),
-      sharing_(set, program_, graph_, sets_, facts_, neighbours_, numbers_, records_),
-      expansion_(source, set, program_, graph_, sets_, effort_, facts_, neighbours_, blocking_, witnesses_, sharing_),
-      derivation_(set, program_, graph_, sets_, effort_, facts_, numbers_, disjunctions_, bounds_, expansion_),
-      keys_(source, set, graph_, sets_, facts_),
-      rules_(source, set, graph_, sets_, effort_, facts_, disjunctions_) {}
+      witnesses_(set, program_, graph_, effort_, facts_, neighbours_),
+      denial_witnesses_(program_, graph_, effort_, neighbours_, blocking_),
+      sharing_(program_, graph_, facts_, neighbours_, numbers_, records_),
+      new_neighbours_(program_, graph_, effort_, facts_, neighbours_, sharing_),
+      expansion_(program_, graph_, facts_, blocking_, witnesses_, denial_witnesses_, new_neighbours_),
+      matches_(program_, graph_, effort_, facts_, disjunctions_),
+      derivation_(program_, graph_, facts_, matches_, bounds_, expansion_),
+      keys_(source, set, graph_, facts_),
+      rules_(source, set, graph_, effort_, facts_, disjunctions_) {}
 
 void Search::begin(bool is_about_world) {
   is_open_for_rules_ = false;
@@ -88,9 +92,9 @@ Outcome Search::find_instance(std::vector<clauses::ConceptId> together, std::opt
 }
 
 void Search::suppose() {
-  const DependencySet dependency = sets_.single(0);
+  const DependencySet dependency = graph_.depending_on(0);
   const auto node_of = [&](clauses::IndividualId individual, DependencySet& merged_by) {
-    return graph_.current(facts_.individuals()[number(individual)], sets_, merged_by);
+    return graph_.current(facts_.individuals()[number(individual)], merged_by);
   };
   for (const clauses::ConceptFact& fact : supposed_.facts) {
     DependencySet reasons = dependency;
@@ -136,8 +140,7 @@ std::optional<owl::TermId> Search::known_value(NodeId node, bool is_certain) {
 }
 
 Model Search::model() {
-  return write_model(graph_, sets_, set_.concepts.size(), has_question_ ? question_node_ : none,
-                     base_ ? base_->mark : Mark{});
+  return write_model(graph_, set_.concepts.size(), has_question_ ? question_node_ : none, base_ ? base_->mark : Mark{});
 }
 
 void Search::keep() {
@@ -277,7 +280,7 @@ void Search::branch(Decision decision) {
   const Suspect suspect = decision.suspect;
   records_.note_try(first);
   branches_.push_back({sizes(), std::move(decision)});
-  apply(first, unite(dependency, sets_.single(number)));
+  apply(first, unite(dependency, graph_.depending_on(number)));
   note(suspect);
 }
 
@@ -285,13 +288,13 @@ void Search::branch(Decision decision) {
 bool Search::go_back() {
   const DependencySet clash = facts_.clash_dependency();
   if (clash == no_dependency) return false;
-  const std::uint32_t number = sets_.last(clash);
+  const std::uint32_t number = graph_.dependencies().last(clash);
   if (is_supposition(number)) return false;
   branches_.resize(number + 1);
   Branch& branch = branches_.back();
   const Decision& decision = branch.decision;
   restore(branch.sizes);
-  branch.failed = unite(branch.failed, sets_.without_last(clash));
+  branch.failed = unite(branch.failed, graph_.dependencies().without_last(clash));
   facts_.forget_clash();
   if (number < base_branches_) forget_base();
   records_.note_failure(decision.alternatives[branch.next]);
@@ -305,7 +308,7 @@ bool Search::go_back() {
   records_.note_try(choice);
   const Suspect suspect = decision.suspect;
   if (branch.next + 1 < decision.alternatives.size()) {
-    apply(choice, unite(decision.dependency, sets_.single(number)));
+    apply(choice, unite(decision.dependency, graph_.depending_on(number)));
   } else {
     // The last alternative does not depend on this choice. It depends on the reasons why the others failed.
     // That an at-least makes neighbours has no such reasons.
@@ -356,7 +359,7 @@ void Search::reset() {
   restore({});
   branches_.clear();
   before_choices_.reset();
-  sets_.clear();
+  graph_.forget_dependencies();
   forget_base();
   facts_.clear();
 }

@@ -10,21 +10,25 @@
 #include <string>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/blocking.hpp"
 #include "reasoning/dl/hypertableau/bounds.hpp"
-#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/choice_check.hpp"
 #include "reasoning/dl/hypertableau/choice_records.hpp"
+#include "reasoning/dl/hypertableau/clause_matches.hpp"
+#include "reasoning/dl/hypertableau/denial_witnesses.hpp"
 #include "reasoning/dl/hypertableau/derivation.hpp"
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/individuals.hpp"
 #include "reasoning/dl/hypertableau/keys.hpp"
-#include "reasoning/dl/hypertableau/neighbours.hpp"
-#include "reasoning/dl/hypertableau/numbers.hpp"
+#include "reasoning/dl/hypertableau/facts/neighbours.hpp"
+#include "reasoning/dl/hypertableau/new_neighbours.hpp"
+#include "reasoning/dl/hypertableau/facts/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/rules.hpp"
 #include "reasoning/dl/hypertableau/sharing.hpp"
@@ -140,24 +144,27 @@ class Search {
   [[nodiscard]] bool is_supposition(std::uint32_t branch) const { return is_about_facts_ && branch == 0; }
   [[nodiscard]] Sizes sizes() const;
   void restore(const Sizes& sizes);
-  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return graph_.unite(first, second); }
 
   const clauses::ClauseSet& set_;
   const bool is_about_facts_;
   Program program_;
   Graph graph_;
-  DependencySets sets_;
   Effort effort_;
   Assertions facts_;
   Neighbours neighbours_;
   Numbers numbers_;
   ChoiceRecords records_;
+  ChoiceCheck choice_check_;
   Disjunctions disjunctions_;
   Bounds bounds_;
   Blocking blocking_;
   Witnesses witnesses_;
+  DenialWitnesses denial_witnesses_;
   Sharing sharing_;
+  NewNeighbours new_neighbours_;
   Expansion expansion_;
+  ClauseMatches matches_;
   Derivation derivation_;
   Keys keys_;
   Rules rules_;

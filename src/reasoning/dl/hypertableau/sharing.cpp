@@ -16,7 +16,7 @@ constexpr std::size_t most_inequalities = 100'000;
 }  // namespace
 
 std::vector<NodeId> Sharing::find_different(const Fact& at_least, DependencySet& dependency) {
-  const clauses::AtLeast& one = set_.at_leasts[at_least.predicate];
+  const clauses::AtLeast& one = program_.at_least(at_least.predicate);
   const std::size_t needed = program_.needed(at_least.predicate);
   const bool is_inverse = one.role.is_inverse;
   std::vector<NodeId> found;
@@ -28,10 +28,10 @@ std::vector<NodeId> Sharing::find_different(const Fact& at_least, DependencySet&
     if (edge.kind != FactKind::role || edge.predicate != number(one.role.property) || !graph_.is_active(node)) continue;
     const auto membership = neighbours_.membership(number(one.filler), node);
     if (!membership) continue;
-    DependencySet reasons = sets_.unite(sets_.unite(dependency, edge.dependency), *membership);
+    DependencySet reasons = graph_.unite(graph_.unite(dependency, edge.dependency), *membership);
     const bool is_different = std::ranges::all_of(found, [&](NodeId other) {
       const auto difference = neighbours_.difference(node, other);
-      if (difference) reasons = sets_.unite(reasons, *difference);
+      if (difference) reasons = graph_.unite(reasons, *difference);
       return difference.has_value();
     });
     if (!is_different) continue;
@@ -63,7 +63,7 @@ std::vector<NodeId> Sharing::find_sharable(const Fact& at_least) {
 }
 
 void Sharing::add_members(const Fact& at_least, std::vector<NodeId>& found) const {
-  const clauses::AtLeast& one = set_.at_leasts[at_least.predicate];
+  const clauses::AtLeast& one = program_.at_least(at_least.predicate);
   const std::size_t needed = program_.needed(at_least.predicate);
   const bool is_inverse = one.role.is_inverse;
   for (FactId id = is_inverse ? graph_.node(at_least.a).in : graph_.node(at_least.a).out;
@@ -82,7 +82,7 @@ void Sharing::add_counted(const Fact& at_least, std::uint32_t bound, std::size_t
   if (!numbers_.is_in_force(bound, at_least.a, ignored)) return;
   const std::vector<Neighbour> counted = neighbours_.counted({at_least.a, bound});
   if (counted.size() + missing <= program_.bound(bound).count) return;
-  const std::uint32_t filler = number(set_.at_leasts[at_least.predicate].filler);
+  const std::uint32_t filler = number(program_.at_least(at_least.predicate).filler);
   for (const Neighbour& one : counted) {
     if (found.size() == needed) return;
     if (std::ranges::find(found, one.node) == found.end() && neighbours_.find_excluder(filler, one.node) == none)
@@ -91,7 +91,7 @@ void Sharing::add_counted(const Fact& at_least, std::uint32_t bound, std::size_t
 }
 
 std::vector<NodeId> Sharing::share(const Fact& at_least, DependencySet dependency) {
-  const clauses::AtLeast& one = set_.at_leasts[at_least.predicate];
+  const clauses::AtLeast& one = program_.at_least(at_least.predicate);
   std::vector<NodeId> shared = find_sharable(at_least);
   for (std::size_t at = 0; at < shared.size(); ++at) {
     const NodeId node = shared[at];

@@ -14,24 +14,22 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/choice_records.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
-#include "reasoning/dl/hypertableau/neighbours.hpp"
-#include "reasoning/dl/hypertableau/numbers.hpp"
+#include "reasoning/dl/hypertableau/facts/neighbours.hpp"
+#include "reasoning/dl/hypertableau/facts/numbers.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
 
 class Sharing {
  public:
-  Sharing(const clauses::ClauseSet& set, const Program& program, const Graph& graph, DependencySets& sets,
-          Assertions& facts, Neighbours& neighbours, const Numbers& numbers, const ChoiceRecords& records)
-      : set_(set),
-        program_(program),
+  Sharing(const Program& program, const Graph& graph, Assertions& facts, Neighbours& neighbours, const Numbers& numbers,
+          const ChoiceRecords& records)
+      : program_(program),
         graph_(graph),
-        sets_(sets),
         facts_(facts),
         neighbours_(neighbours),
         numbers_(numbers),
@@ -50,10 +48,8 @@ class Sharing {
   void add_members(const Fact& at_least, std::vector<NodeId>& found) const;
   void add_counted(const Fact& at_least, std::uint32_t bound, std::size_t missing, std::vector<NodeId>& found);
 
-  const clauses::ClauseSet& set_;
   const Program& program_;
   const Graph& graph_;
-  DependencySets& sets_;
   Assertions& facts_;
   Neighbours& neighbours_;
   const Numbers& numbers_;

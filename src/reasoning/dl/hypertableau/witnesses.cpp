@@ -30,14 +30,56 @@ bool any_neighbour(const Graph& graph, Effort& effort, clauses::Role role, NodeI
 
 }  // namespace
 
-Witnesses::Witnesses(const clauses::ClauseSet& set, const Program& program, const Graph& graph, Effort& effort)
-    : set_(set), program_(program), graph_(graph), effort_(effort) {
+Witnesses::Witnesses(const clauses::ClauseSet& set, const Program& program, const Graph& graph, Effort& effort,
+                     Assertions& facts, Neighbours& neighbours)
+    : set_(set), program_(program), graph_(graph), effort_(effort), facts_(facts), neighbours_(neighbours) {
   for (const clauses::AtLeast& one : set.at_leasts)
     is_composite_.push_back(program.counts() && set.roles.has_value() && !set.roles->is_simple(one.role));
 }
 
+bool Witnesses::satisfy(const Fact& at_least) {
+  if (at_least.kind == FactKind::data_at_least) return satisfy_data(at_least);
+  return program_.needed(at_least.predicate) == 1 ? satisfy(at_least.predicate, at_least.a, 0)
+                                                  : satisfy_several(at_least);
+}
+
+bool Witnesses::satisfy_several(const Fact& at_least) {
+  const clauses::AtLeast& one = program_.at_least(at_least.predicate);
+  const std::uint32_t filler = number(one.filler);
+  const std::uint32_t needed = program_.needed(at_least.predicate);
+  const bool is_inverse = one.role.is_inverse;
+  std::vector<NodeId> found;
+  for (FactId id = is_inverse ? graph_.node(at_least.a).in : graph_.node(at_least.a).out;
+       id != none && found.size() < needed; id = is_inverse ? graph_.fact(id).next_b : graph_.fact(id).next_a) {
+    const Fact& edge = graph_.fact(id);
+    const NodeId node = is_inverse ? edge.a : edge.b;
+    if (edge.kind != FactKind::role || edge.predicate != number(one.role.property) || !graph_.is_active(node)) continue;
+    const bool is_in = program_.counts() ? neighbours_.membership(filler, node).has_value()
+                                         : facts_.holds({ChoiceKind::concept_of, filler, node, node});
+    if (is_in && differs_from_all(node, found)) found.push_back(node);
+  }
+  return found.size() >= needed;
+}
+
+bool Witnesses::satisfy_data(const Fact& at_least) {
+  const clauses::DataAtLeast& one = program_.data_at_least(at_least.predicate);
+  std::vector<NodeId> found;
+  for (FactId id = graph_.node(at_least.a).out; id != none && found.size() < one.count; id = graph_.fact(id).next_a) {
+    const Fact& edge = graph_.fact(id);
+    if (edge.kind != FactKind::data_role || edge.predicate != number(one.property) || !graph_.is_active(edge.b))
+      continue;
+    const bool is_in = facts_.holds({ChoiceKind::data_range, number(one.range), edge.b, edge.b});
+    if (is_in && differs_from_all(edge.b, found)) found.push_back(edge.b);
+  }
+  return found.size() >= one.count;
+}
+
+bool Witnesses::differs_from_all(NodeId node, const std::vector<NodeId>& others) {
+  return std::ranges::all_of(others, [&](NodeId other) { return neighbours_.difference(node, other).has_value(); });
+}
+
 bool Witnesses::satisfy(std::uint32_t at_least, NodeId node, std::uint32_t depth) {
-  const clauses::AtLeast& one = set_.at_leasts[at_least];
+  const clauses::AtLeast& one = program_.at_least(at_least);
   const bool is_individual = graph_.node(node).kind == NodeKind::root;
   const auto is_witness = [&](NodeId other) {
     const bool may_be = depth == 0 || graph_.node(other).kind == NodeKind::root;

@@ -16,8 +16,10 @@
 #include <vector>
 
 #include "reasoning/dl/clauses/clause.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
+#include "reasoning/dl/hypertableau/facts/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {
@@ -25,12 +27,17 @@ namespace geminga::hypertableau {
 /// Looks for witnesses among the facts. It changes nothing. What it finds holds as long as the facts are there.
 class Witnesses {
  public:
-  Witnesses(const clauses::ClauseSet& set, const Program& program, const Graph& graph, Effort& effort);
+  Witnesses(const clauses::ClauseSet& set, const Program& program, const Graph& graph, Effort& effort,
+            Assertions& facts, Neighbours& neighbours);
 
-  /// Whether some node satisfies the at-least, which asks for one neighbour, of this node.
-  [[nodiscard]] bool satisfy(std::uint32_t at_least, NodeId node) { return satisfy(at_least, node, 0); }
+  /// Whether as many nodes, or values, as the at-least asks for satisfy it.
+  [[nodiscard]] bool satisfy(const Fact& at_least);
 
  private:
+  [[nodiscard]] bool satisfy_several(const Fact& at_least);
+  [[nodiscard]] bool satisfy_data(const Fact& at_least);
+  [[nodiscard]] bool differs_from_all(NodeId node, const std::vector<NodeId>& others);
+  /// Whether some node satisfies the at-least, which asks for one neighbour, of this node.
   [[nodiscard]] bool satisfy(std::uint32_t at_least, NodeId node, std::uint32_t depth);
   [[nodiscard]] bool has_path(const clauses::AtLeast& one, NodeId node, std::uint32_t depth);
   /// `looks_around`: what is around the node counts, if it is an individual.
@@ -40,6 +47,8 @@ class Witnesses {
   const Program& program_;
   const Graph& graph_;
   Effort& effort_;
+  Assertions& facts_;
+  Neighbours& neighbours_;
   std::vector<bool> is_composite_;  ///< by at-least: its property is not simple
 };
 

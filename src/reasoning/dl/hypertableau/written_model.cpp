@@ -19,12 +19,12 @@ std::vector<clauses::ConceptId> label_of(const Graph& graph, std::size_t concept
 }
 
 /// Concepts of the node that depend on no choice. A concept that came by an uncertain merge depends on that merge.
-std::vector<clauses::ConceptId> certain_label_of(const Graph& graph, DependencySets& sets, std::size_t concept_count,
-                                                 NodeId node, DependencySet merged_by) {
+std::vector<clauses::ConceptId> certain_label_of(const Graph& graph, std::size_t concept_count, NodeId node,
+                                                 DependencySet merged_by) {
   std::vector<clauses::ConceptId> label;
   for (FactId id = graph.node(node).labels; id != none; id = graph.fact(id).next_a) {
     const Fact& fact = graph.fact(id);
-    if (fact.predicate < concept_count && sets.unite(fact.dependency, merged_by) == no_dependency)
+    if (fact.predicate < concept_count && graph.unite(fact.dependency, merged_by) == no_dependency)
       label.push_back(clauses::ConceptId{fact.predicate});
   }
   std::ranges::sort(label);
@@ -44,14 +44,13 @@ std::vector<NodeId> find_changed(const Graph& graph, const Mark& before) {
 
 }  // namespace
 
-Model write_model(const Graph& graph, DependencySets& sets, std::size_t concept_count, NodeId asked,
-                  const Mark& before) {
+Model write_model(const Graph& graph, std::size_t concept_count, NodeId asked, const Mark& before) {
   Model model;
   if (asked != none) {
     DependencySet merged_by = no_dependency;
-    asked = graph.current(asked, sets, merged_by);
+    asked = graph.current(asked, merged_by);
     model.labels.push_back(label_of(graph, concept_count, asked));
-    model.certain = certain_label_of(graph, sets, concept_count, asked, merged_by);
+    model.certain = certain_label_of(graph, concept_count, asked, merged_by);
   }
   const auto write = [&](NodeId node) {
     const NodeKind kind = graph.node(node).kind;

@@ -14,8 +14,7 @@ namespace geminga::hypertableau {
 ///
 /// `asked` is the node that was made for the question, or none. Nodes older than `before` belong to earlier models, and
 /// are left out unless they have changed.
-[[nodiscard]] Model write_model(const Graph& graph, DependencySets& sets, std::size_t concept_count, NodeId asked,
-                                const Mark& before);
+[[nodiscard]] Model write_model(const Graph& graph, std::size_t concept_count, NodeId asked, const Mark& before);
 
 }  // namespace geminga::hypertableau
 

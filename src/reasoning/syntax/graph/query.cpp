@@ -140,47 +140,30 @@ std::optional<Node> made_node(rasqal_literal* literal, const Row& row, std::size
   return term == nullptr ? std::nullopt : std::optional(node_of(*term));
 }
 
-/// Sorts triples and writes them into the answer.
-std::optional<std::string> put_text(Statements& made, const Prefixes& prefixes, Format format, Answer& answer) {
-  made.sort();
-  auto text = write(made, format, prefixes);
-  if (!text) return text.error();
-  answer.text = std::move(*text);
-  return std::nullopt;
-}
-
-std::optional<std::string> write_triples(const ReadQuery& read, const Rows& rows, Terms& terms, Variables& variables,
-                                         const Prefixes& prefixes, Format format, const GraphLimits& limits,
-                                         Answer& answer) {
-  Statements made(terms.world());
+/// Makes the triples of CONSTRUCT. False: there are more of them than the limits allow.
+std::expected<bool, std::string> construct(const ReadQuery& read, const Rows& rows, Terms& terms, Variables& variables,
+                                           const GraphLimits& limits, Statements& made) {
   std::size_t octets = 0;
   const auto triples = made_triples(read.query());
-  for (std::size_t at = 0; at < rows.size() && !answer.is_cut; ++at) {
+  for (std::size_t at = 0; at < rows.size(); ++at) {
     for (const rasqal_triple* triple : triples) {
       const auto subject = made_node(triple->subject, rows[at], at, terms, variables);
       const auto predicate = made_node(triple->predicate, rows[at], at, terms, variables);
       const auto object = made_node(triple->object, rows[at], at, terms, variables);
       if (!subject || !predicate || !object) continue;  // section 16.2: what is no triple is left out
       if (subject->kind == Node::Kind::literal || predicate->kind != Node::Kind::iri) continue;
-      if (made.size() >= limits.rows || octets > limits.query_octets) {
-        answer.is_cut = true;
-        break;
-      }
+      if (made.size() >= limits.rows || octets > limits.query_octets) return false;
       octets += triple_octets + subject->text.size() + predicate->text.size() + object->text.size();
-      if (!made.add(*subject, *predicate, *object)) return "memory is short";
+      if (!made.add(*subject, *predicate, *object)) return std::unexpected("memory is short");
     }
   }
-  return put_text(made, prefixes, format, answer);
+  return true;
 }
 
-std::optional<std::string> write_description(const ReadQuery& read, const Rows& rows, Terms& terms,
-                                             Variables& variables, TripleIndex& index, const Prefixes& prefixes,
-                                             Format format, const GraphLimits& limits, Answer& answer) {
-  Statements made(terms.world());
-  const auto has_all = describe(read, rows, terms, variables, index, limits, made);
-  if (!has_all) return has_all.error();
-  answer.is_cut = !*has_all;
-  return put_text(made, prefixes, format, answer);
+/// Sorts triples and writes them.
+std::expected<std::string, std::string> sorted_text(Statements& made, const Prefixes& prefixes, Format format) {
+  made.sort();
+  return write(made, format, prefixes);
 }
 
 }  // namespace
@@ -210,22 +193,25 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
   Variables variables;
   const Rows rows = Asking(terms, index, expressions).rows(**read, variables, limits.rows + 1);
   if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
-  switch (rasqal_query_get_verb((*read)->query())) {
+  const rasqal_query_verb verb = rasqal_query_get_verb((*read)->query());
+  switch (verb) {
     case RASQAL_QUERY_VERB_ASK:
       answer.kind = Answer::Kind::truth;
       answer.is_true = !rows.empty();
       break;
-    case RASQAL_QUERY_VERB_CONSTRUCT: {
-      answer.kind = Answer::Kind::triples;
-      if (auto failed = write_triples(**read, rows, terms, variables, prefixes, format, limits, answer))
-        return refuse(std::move(*failed));
-      break;
-    }
+    case RASQAL_QUERY_VERB_CONSTRUCT:
     case RASQAL_QUERY_VERB_DESCRIBE: {
       answer.kind = Answer::Kind::triples;
-      if (auto failed = write_description(**read, rows, terms, variables, index, prefixes, format, limits, answer))
-        return refuse(std::move(*failed));
+      Statements made(terms.world());
+      const auto has_all = verb == RASQAL_QUERY_VERB_CONSTRUCT
+                               ? construct(**read, rows, terms, variables, limits, made)
+                               : describe(**read, rows, terms, variables, index, limits, made);
+      if (!has_all) return refuse(has_all.error());
       if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
+      answer.is_cut = !*has_all;
+      auto text = sorted_text(made, prefixes, format);
+      if (!text) return refuse(std::move(text.error()));
+      answer.text = std::move(*text);
       break;
     }
     default:

@@ -238,9 +238,9 @@ void Graph::merge(NodeId from, NodeId to, DependencySet by) {
   prune(from);
 }
 
-NodeId Graph::current(NodeId id, DependencySets& sets, DependencySet& dependency) const {
+NodeId Graph::current(NodeId id, DependencySet& dependency) const {
   while (nodes_[id].state == NodeState::merged) {
-    dependency = sets.unite(dependency, nodes_[id].merged_by);
+    dependency = sets_.unite(dependency, nodes_[id].merged_by);
     id = nodes_[id].merged_into;
   }
   return id;

@@ -133,12 +133,21 @@ class Graph {
   void merge(NodeId from, NodeId to, DependencySet by);
   void prune(NodeId node);
   /// The node that stands for this one after merges. Unites the reasons into `dependency`. It may be pruned.
-  [[nodiscard]] NodeId current(NodeId id, DependencySets& sets, DependencySet& dependency) const;
+  [[nodiscard]] NodeId current(NodeId id, DependencySet& dependency) const;
   /// The same without the reasons.
   [[nodiscard]] NodeId current(NodeId id) const {
     while (nodes_[id].state == NodeState::merged) id = nodes_[id].merged_into;
     return id;
   }
+
+  // The sets of branches that facts depend on. Each is stored once, so one more changes nothing that a reader sees.
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) const {
+    return sets_.unite(first, second);
+  }
+  [[nodiscard]] DependencySet depending_on(std::uint32_t branch) const { return sets_.single(branch); }
+  [[nodiscard]] const DependencySets& dependencies() const { return sets_; }
+  /// Requires that no node and no fact is left.
+  void forget_dependencies() { sets_.clear(); }
 
   [[nodiscard]] Mark mark() const { return {facts_.size(), nodes_.size(), trail_.size()}; }
   void cut(const Mark& mark);
@@ -186,6 +195,7 @@ class Graph {
   void note_surroundings(const Fact& fact);
 
   std::vector<bool> looks_back_;
+  mutable DependencySets sets_;
   std::vector<Node> nodes_;
   std::vector<LabelFilter> filters_;  ///< of nodes_; apart, because a look at a filter needs nothing else of its node
   std::vector<Fact> facts_;

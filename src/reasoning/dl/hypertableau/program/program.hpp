@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,6 +71,14 @@ class Program {
   }
   [[nodiscard]] std::span<const clauses::Atom> head(const Plan& plan) const {
     return std::span(heads_).subspan(plan.head_begin, plan.head_end - plan.head_begin);
+  }
+
+  [[nodiscard]] const clauses::AtLeast& at_least(std::uint32_t id) const { return set_.at_leasts[id]; }
+  [[nodiscard]] const clauses::DataAtLeast& data_at_least(std::uint32_t id) const { return set_.data_at_leasts[id]; }
+  /// The individual whose nominal the concept is; nothing if it is no nominal, or the mark of a question.
+  [[nodiscard]] std::optional<clauses::IndividualId> nominal(std::uint32_t id) const {
+    if (id >= set_.concepts.size() || set_.concepts[id].kind != clauses::ConceptKind::nominal) return std::nullopt;
+    return set_.concepts[id].individual;
   }
 
   [[nodiscard]] const Bound& bound(std::uint32_t id) const { return bounds_[id]; }

@@ -186,6 +186,13 @@ KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
   return set;
 }
 
+std::optional<TermId> ValueRanges::literal_of(std::uint32_t range) const {
+  // The first two are all values, and none.
+  const bool is_of_literal = range > 1 && is_literal(set_.data_ranges[range].term);
+  if (!is_of_literal || set_.data_ranges[range].is_complement) return std::nullopt;
+  return set_.data_ranges[range].term;
+}
+
 KnownSet ValueRanges::set_of_literal(TermId literal, bool is_complement) {
   if (const auto& one = value(literal)) {
     const ValueSet set = ValueSet::one(*one);

@@ -58,6 +58,8 @@ class ValueRanges {
   ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set);
 
   [[nodiscard]] const KnownSet& known_set(clauses::DataRangeId range);
+  /// The literal of a range of its one value; nothing of other ranges.
+  [[nodiscard]] std::optional<owl::TermId> literal_of(std::uint32_t range) const;
   /// Gives a value to a literal that is in no source.
   void set_value(owl::TermId literal, const Value& value) { literals_.insert_or_assign(literal, value); }
   /// The set of the value of a literal, or of all other values.

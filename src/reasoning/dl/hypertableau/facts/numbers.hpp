@@ -1,12 +1,12 @@
 // Number restrictions of a node, compared with each other without any neighbour (program/number_order.hpp).
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_NUMBERS_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_NUMBERS_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_NUMBERS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_NUMBERS_HPP
 
 #include <cstdint>
 #include <span>
 
-#include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
@@ -16,8 +16,8 @@ namespace geminga::hypertableau {
 /// Says what the number restrictions in the graph imply about others. It changes nothing.
 class Numbers {
  public:
-  Numbers(const Program& program, const Graph& graph, DependencySets& sets, Effort& effort)
-      : program_(program), graph_(graph), sets_(sets), effort_(effort) {}
+  Numbers(const Program& program, const Graph& graph, Effort& effort)
+      : program_(program), graph_(graph), effort_(effort) {}
 
   /// Whether another restriction of the node implies the choice. False of choices that are no number restrictions.
   [[nodiscard]] bool implies(const Choice& choice) const;
@@ -41,7 +41,6 @@ class Numbers {
 
   const Program& program_;
   const Graph& graph_;
-  DependencySets& sets_;
   Effort& effort_;
   mutable std::uint32_t bounds_looked_at_ = 0;
 };

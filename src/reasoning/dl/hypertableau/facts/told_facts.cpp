@@ -1,5 +1,5 @@
 // Individuals and their facts, equalities last.
-#include "reasoning/dl/hypertableau/told_facts.hpp"
+#include "reasoning/dl/hypertableau/facts/told_facts.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // The facts of a clause set, written into the model under construction.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_TOLD_FACTS_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_TOLD_FACTS_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_TOLD_FACTS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_TOLD_FACTS_HPP
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {

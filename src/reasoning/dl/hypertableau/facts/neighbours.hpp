@@ -1,14 +1,14 @@
 // The neighbours of a node that a bound counts.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_NEIGHBOURS_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_NEIGHBOURS_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_NEIGHBOURS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_NEIGHBOURS_HPP
 
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/assertions.hpp"
-#include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
@@ -23,8 +23,8 @@ struct Neighbour {
 /// Compares bounds with the neighbours in the graph. It changes nothing.
 class Neighbours {
  public:
-  Neighbours(const Program& program, const Graph& graph, DependencySets& sets, Effort& effort, Assertions& facts)
-      : program_(program), graph_(graph), sets_(sets), effort_(effort), facts_(facts) {}
+  Neighbours(const Program& program, const Graph& graph, Effort& effort, Assertions& facts)
+      : program_(program), graph_(graph), effort_(effort), facts_(facts) {}
 
   /// Whether the bound holds of the node; sets `dependency` to why.
   [[nodiscard]] bool is_bound(const Suspect& suspect, DependencySet& dependency) const;
@@ -63,11 +63,10 @@ class Neighbours {
     const bool is_plain = bound.filler == no_predicate && bound.unless == no_predicate && bound.count == 1;
     return is_plain && bound.is_inverse == role.is_inverse;
   }
-  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+  [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return graph_.unite(first, second); }
 
   const Program& program_;
   const Graph& graph_;
-  DependencySets& sets_;
   Effort& effort_;
   Assertions& facts_;
 };

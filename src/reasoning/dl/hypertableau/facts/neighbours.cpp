@@ -1,5 +1,5 @@
 // Bounds and the neighbours that are there.
-#include "reasoning/dl/hypertableau/neighbours.hpp"
+#include "reasoning/dl/hypertableau/facts/neighbours.hpp"
 
 #include <algorithm>
 

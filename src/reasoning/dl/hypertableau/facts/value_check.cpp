@@ -9,7 +9,7 @@
 // is all: let each node have a value so that this holds; then the set of the values of the nodes inside is a choice. If
 // one of two nodes has infinitely many values to choose from, they can differ without more ado, as the model has fewer
 // nodes with different values than there are values.
-#include "reasoning/dl/hypertableau/value_check.hpp"
+#include "reasoning/dl/hypertableau/facts/value_check.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -96,15 +96,15 @@ std::optional<owl::TermId> ValueCheck::made(const Value& value) {
   return literal;
 }
 
-std::optional<owl::TermId> ValueCheck::only_value(const Graph& graph, DependencySets& sets, NodeId node,
-                                                  DependencySet& dependency, bool& is_free) {
+std::optional<owl::TermId> ValueCheck::only_value(const Graph& graph, NodeId node, DependencySet& dependency,
+                                                  bool& is_free) {
   std::vector<std::uint32_t> ranges;
   DependencySet because = no_dependency;
   for (FactId id = graph.node(node).others; id != none; id = graph.next_other(id, node)) {
     const Fact& fact = graph.fact(id);
     if (fact.kind != FactKind::data_range) continue;
     ranges.push_back(fact.predicate);
-    because = sets.unite(because, fact.dependency);
+    because = graph.unite(because, fact.dependency);
   }
   std::ranges::sort(ranges);
   const Counted& counted = sets_[known_set(ranges, none)];
@@ -112,7 +112,7 @@ std::optional<owl::TermId> ValueCheck::only_value(const Graph& graph, Dependency
   if (counted.most != 1) return std::nullopt;
   const std::vector<Value> values = counted.set.most.list(1);
   if (values.empty()) return std::nullopt;
-  dependency = sets.unite(dependency, because);
+  dependency = graph.unite(dependency, because);
   return made(values.front());
 }
 
@@ -147,7 +147,7 @@ bool ValueCheck::needs_look(const Graph& graph, NodeId node) const {
   return is_there && !(last_looks_[node].is_free && is_unchanged(graph, node));
 }
 
-std::vector<ValueCheck::Variable> ValueCheck::variables_of(Graph& graph, DependencySets& sets) {
+std::vector<ValueCheck::Variable> ValueCheck::variables_of(Graph& graph) {
   std::vector<Variable> variables;
   std::vector<std::uint32_t> ranges;
   last_looks_.resize(graph.node_count());
@@ -170,7 +170,7 @@ std::vector<ValueCheck::Variable> ValueCheck::variables_of(Graph& graph, Depende
       is_free = false;
       if (fact.kind == FactKind::data_range) {
         ranges.push_back(fact.predicate);
-        variable.dependency = sets.unite(variable.dependency, fact.dependency);
+        variable.dependency = graph.unite(variable.dependency, fact.dependency);
       } else if (fact.kind == FactKind::unequal) {
         is_alone = false;
         const NodeId other = fact.a == node ? fact.b : fact.a;
@@ -242,9 +242,8 @@ std::string ValueCheck::separate_opaque(std::vector<Variable>& variables, bool h
   return {};
 }
 
-std::optional<DependencySet> ValueCheck::clash(Graph& graph, DependencySets& sets, std::string& unknown,
-                                               bool has_all_facts) {
-  std::vector<Variable> variables = variables_of(graph, sets);
+std::optional<DependencySet> ValueCheck::clash(Graph& graph, std::string& unknown, bool has_all_facts) {
+  std::vector<Variable> variables = variables_of(graph);
   const std::string unsaid = separate_opaque(variables, has_all_facts);
   if (!unsaid.empty()) unknown = unsaid;
   std::vector<bool> is_seen(variables.size(), false);
@@ -265,8 +264,8 @@ std::optional<DependencySet> ValueCheck::clash(Graph& graph, DependencySets& set
       for (const std::uint32_t at : group) {
         // An empty range is enough of a reason.
         if (sets_[variables[at].known].most == 0) return variables[at].dependency;
-        dependency = sets.unite(dependency, variables[at].dependency);
-        for (const DependencySet because : variables[at].because) dependency = sets.unite(dependency, because);
+        dependency = graph.unite(dependency, variables[at].dependency);
+        for (const DependencySet because : variables[at].because) dependency = graph.unite(dependency, because);
       }
       return dependency;
     }

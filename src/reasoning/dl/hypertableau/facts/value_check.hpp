@@ -1,6 +1,6 @@
 // Whether the values of a model under construction exist: constants, ranges, and which must differ.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_VALUE_CHECK_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_VALUE_CHECK_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_VALUE_CHECK_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_VALUE_CHECK_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +34,8 @@ class ValueCheck {
  public:
   ValueCheck(const owl::Ontology& source, const clauses::ClauseSet& set) : ranges_(source, set) {}
 
+  /// The literal of a range of its one value; nothing of other ranges.
+  [[nodiscard]] std::optional<owl::TermId> literal_of(std::uint32_t range) const { return ranges_.literal_of(range); }
   /// Whether a literal is in a data range; nothing where it cannot be known.
   [[nodiscard]] std::optional<bool> is_in(owl::TermId literal, std::uint32_t range);
   /// Whether two literals certainly have different values.
@@ -44,13 +46,12 @@ class ValueCheck {
   /// A literal with this value, which may stand in no ontology; nothing if max_made_values are made.
   [[nodiscard]] std::optional<owl::TermId> made(const Value& value);
   /// The only value that the ranges of a node allow, and the facts that say so. `is_free`: they allow infinitely many.
-  [[nodiscard]] std::optional<owl::TermId> only_value(const Graph& graph, DependencySets& sets, NodeId node,
-                                                      DependencySet& dependency, bool& is_free);
+  [[nodiscard]] std::optional<owl::TermId> only_value(const Graph& graph, NodeId node, DependencySet& dependency,
+                                                      bool& is_free);
   /// The facts because of which the values that are active cannot all exist; nothing where they can. `unknown` is set
   /// to a reason where that could not be found out. Where the facts of individuals are not in the graph, they may say
   /// of some of few values that they are in an opaque set, or not.
-  [[nodiscard]] std::optional<DependencySet> clash(Graph& graph, DependencySets& sets, std::string& unknown,
-                                                   bool has_all_facts);
+  [[nodiscard]] std::optional<DependencySet> clash(Graph& graph, std::string& unknown, bool has_all_facts);
   /// The values that clash() looked at since the last call: all but those that are free and have not changed.
   [[nodiscard]] std::size_t take_looked() { return std::exchange(looked_, 0); }
 
@@ -84,7 +85,7 @@ class ValueCheck {
   [[nodiscard]] bool is_unchanged(const Graph& graph, NodeId node) const;
   /// Whether the node is a value that is not known to be free. The node may be gone.
   [[nodiscard]] bool needs_look(const Graph& graph, NodeId node) const;
-  [[nodiscard]] std::vector<Variable> variables_of(Graph& graph, DependencySets& sets);
+  [[nodiscard]] std::vector<Variable> variables_of(Graph& graph);
   /// Lets the values in an opaque set differ from those outside of it. Returns why that is not all that opaque sets
   /// say; empty: it is.
   std::string separate_opaque(std::vector<Variable>& variables, bool has_all_facts) const;

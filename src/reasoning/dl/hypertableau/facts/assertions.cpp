@@ -3,7 +3,7 @@
 //   ~-rule:  x = y: the facts of one node are copied to the other. The subtree of the node that goes is pruned, because
 //            its at-least restrictions make it again.
 //   clash:   x = y and x != y
-#include "reasoning/dl/hypertableau/assertions.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -14,10 +14,9 @@ namespace geminga::hypertableau {
 using clauses::number;
 
 Assertions::Assertions(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, Graph& graph,
-                       DependencySets& sets, Effort& effort)
+                       Effort& effort)
     : program_(program),
       graph_(graph),
-      sets_(sets),
       effort_(effort),
       values_(source, set),
       has_individuals_(!set.individuals.empty()) {}
@@ -155,8 +154,8 @@ std::optional<bool> Assertions::is_constant_in(NodeId node, std::uint32_t range)
 }
 
 void Assertions::apply(Choice choice, DependencySet dependency) {
-  choice.a = graph_.current(choice.a, sets_, dependency);
-  choice.b = graph_.current(choice.b, sets_, dependency);
+  choice.a = graph_.current(choice.a, dependency);
+  choice.b = graph_.current(choice.b, dependency);
   if (!graph_.is_active(choice.a) || !graph_.is_active(choice.b)) return;
   switch (choice.kind) {
     case ChoiceKind::concept_of:
@@ -221,8 +220,8 @@ bool Assertions::is_kept(NodeId node, NodeId other) const {
 
 void Assertions::merge(const Merge& merge) {
   DependencySet dependency = merge.dependency;
-  NodeId to = graph_.current(merge.a, sets_, dependency);
-  NodeId from = graph_.current(merge.b, sets_, dependency);
+  NodeId to = graph_.current(merge.a, dependency);
+  NodeId from = graph_.current(merge.b, dependency);
   if (to == from || !graph_.is_active(to) || !graph_.is_active(from)) return;
   if (!is_kept(to, from)) std::swap(to, from);
   if (const auto difference = graph_.difference(to, from)) {
@@ -286,7 +285,7 @@ std::string Assertions::check_values() {
   std::string unknown;
   if (graph_.values().empty()) return unknown;
   const bool has_all_facts = !has_individuals_ || !individuals_.empty();
-  if (const auto dependency = values_.clash(graph_, sets_, unknown, has_all_facts)) clash(*dependency);
+  if (const auto dependency = values_.clash(graph_, unknown, has_all_facts)) clash(*dependency);
   constexpr std::size_t values_a_step = 4;
   constexpr std::size_t free_values_a_step = 64;
   effort_.count_steps(values_.take_looked() / values_a_step + graph_.values().size() / free_values_a_step);

@@ -1,5 +1,5 @@
 // From the heads of clauses to choices.
-#include "reasoning/dl/hypertableau/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
 
 namespace geminga::hypertableau {
 

@@ -1,5 +1,5 @@
 // The restrictions of a node are looked through one by one.
-#include "reasoning/dl/hypertableau/numbers.hpp"
+#include "reasoning/dl/hypertableau/facts/numbers.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -30,7 +30,7 @@ bool Numbers::is_in_force(std::uint32_t bound, NodeId node, DependencySet& depen
   if (++bounds_looked_at_ % bounds_a_look == 0) effort_.count_look();
   if (program_.is_global(bound)) return true;
   if (const FactId fact = graph_.find(FactKind::at_most, bound, node); fact != none) {
-    dependency = sets_.unite(dependency, graph_.fact(fact).dependency);
+    dependency = graph_.unite(dependency, graph_.fact(fact).dependency);
     return true;
   }
   return std::ranges::any_of(program_.conditional(bound), [&](const ConditionalBound& rule) {
@@ -41,7 +41,7 @@ bool Numbers::is_in_force(std::uint32_t bound, NodeId node, DependencySet& depen
       const FactId fact = is_role ? graph_.find(FactKind::role, atom.predicate, node, node)
                                   : graph_.find(FactKind::concept_of, atom.predicate, node);
       if (fact == none) return false;
-      reasons = sets_.unite(reasons, graph_.fact(fact).dependency);
+      reasons = graph_.unite(reasons, graph_.fact(fact).dependency);
     }
     dependency = reasons;
     return true;
@@ -84,7 +84,7 @@ bool Numbers::excludes(const Choice& choice, DependencySet& dependency) const {
     effort_.count_look();
     const Fact& fact = graph_.fact(id);
     if (!is_at_least(fact) || !numbers.excludes(id_of(fact), choice.predicate)) continue;
-    dependency = sets_.unite(dependency, fact.dependency);
+    dependency = graph_.unite(dependency, fact.dependency);
     return true;
   }
   return are_too_many(choice, dependency) || are_covered(choice, dependency);
@@ -147,7 +147,7 @@ bool Numbers::are_too_many(std::uint32_t bound, const Choice& choice, Dependency
       if (!std::ranges::all_of(taken, is_apart)) continue;
       taken.push_back(one.id);
       sum += one.count;
-      reasons = sets_.unite(reasons, one.dependency);
+      reasons = graph_.unite(reasons, one.dependency);
       if (sum > most) break;
     }
     if (sum > most) dependency = reasons;
@@ -172,7 +172,7 @@ bool Numbers::are_covered(const Choice& choice, DependencySet& dependency) const
     effort_.count_look();
     const Fact& fact = graph_.fact(id);
     if (fact.kind != FactKind::at_least || !is_covered(fact.predicate)) continue;
-    dependency = sets_.unite(dependency, fact.dependency);
+    dependency = graph_.unite(dependency, fact.dependency);
     return true;
   }
   return false;
@@ -207,7 +207,7 @@ bool Numbers::has_concepts(std::span<const std::uint32_t> concepts, NodeId node,
     effort_.count_look();
     const FactId fact = graph_.find(FactKind::concept_of, id, node);
     if (fact == none) return false;
-    reasons = sets_.unite(reasons, graph_.fact(fact).dependency);
+    reasons = graph_.unite(reasons, graph_.fact(fact).dependency);
   }
   dependency = reasons;
   return true;

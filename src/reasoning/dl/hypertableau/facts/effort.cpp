@@ -1,5 +1,5 @@
 // The limits of a question, one after the other.
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 
 namespace geminga::hypertableau {
 

@@ -1,6 +1,6 @@
 // Choices: facts and equalities that may be made true, alone or as one of several alternatives.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_CHOICE_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_CHOICE_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_CHOICE_HPP
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 // Writes nodes and facts into the model under construction, and merges nodes.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_ASSERTIONS_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_ASSERTIONS_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_ASSERTIONS_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_ASSERTIONS_HPP
 
 #include <cstdint>
 #include <optional>
@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/choice.hpp"
-#include "reasoning/dl/hypertableau/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
-#include "reasoning/dl/hypertableau/value_check.hpp"
+#include "reasoning/dl/hypertableau/facts/value_check.hpp"
 
 namespace geminga::hypertableau {
 
@@ -23,7 +23,7 @@ namespace geminga::hypertableau {
 class Assertions {
  public:
   Assertions(const owl::Ontology& source, const clauses::ClauseSet& set, const Program& program, Graph& graph,
-             DependencySets& sets, Effort& effort);
+             Effort& effort);
 
   // Nodes.
   NodeId add_node(NodeKind kind, NodeId parent, DependencySet dependency);
@@ -50,6 +50,8 @@ class Assertions {
   void clash(DependencySet dependency);
   [[nodiscard]] bool has_clash() const { return has_clash_; }
   [[nodiscard]] DependencySet clash_dependency() const { return clash_; }
+  /// Whether there is a clash, or a limit is passed.
+  [[nodiscard]] bool must_stop() { return has_clash_ || effort_.is_over_limit(); }
   void forget_clash() { has_clash_ = false; }
 
   // Merges.
@@ -74,6 +76,8 @@ class Assertions {
   [[nodiscard]] bool take_values_changed() { return std::exchange(have_values_changed_, false); }
   /// The first literal that was asked about with the same value.
   [[nodiscard]] owl::TermId representative(owl::TermId literal) { return values_.representative(literal); }
+  /// The literal of a range of its one value; nothing of other ranges.
+  [[nodiscard]] std::optional<owl::TermId> literal_of(std::uint32_t range) const { return values_.literal_of(range); }
   /// The value of a literal; nothing where it is not known.
   [[nodiscard]] const std::optional<Value>& value(owl::TermId literal) { return values_.value(literal); }
   /// The literal of a value that a rule has made; nothing if there are too many.
@@ -83,7 +87,7 @@ class Assertions {
   }
   /// The only value that the ranges of a node allow, and why. `is_free`: they allow infinitely many.
   [[nodiscard]] std::optional<owl::TermId> only_value(NodeId node, DependencySet& dependency, bool& is_free) {
-    return values_.only_value(graph_, sets_, node, dependency, is_free);
+    return values_.only_value(graph_, node, dependency, is_free);
   }
   /// Clashes if the values cannot all exist. Returns why this is unknown, or nothing.
   std::string check_values();
@@ -107,7 +111,7 @@ class Assertions {
     NodeId root = 0;
   };
 
-  DependencySet unite(DependencySet first, DependencySet second) { return sets_.unite(first, second); }
+  DependencySet unite(DependencySet first, DependencySet second) { return graph_.unite(first, second); }
   [[nodiscard]] std::optional<bool> is_constant_in(NodeId node, std::uint32_t range);
   void merge(const Merge& merge);
   [[nodiscard]] bool is_kept(NodeId node, NodeId other) const;
@@ -116,7 +120,6 @@ class Assertions {
 
   const Program& program_;
   Graph& graph_;
-  DependencySets& sets_;
   Effort& effort_;
   ValueCheck values_;
   const bool has_individuals_;  ///< of the ontology; they are in the graph where individuals_ has them

@@ -1,14 +1,14 @@
 // The cost of a question, and its limits.
-#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_EFFORT_HPP
-#define GEMINGA_REASONING_DL_HYPERTABLEAU_EFFORT_HPP
+#ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_EFFORT_HPP
+#define GEMINGA_REASONING_DL_HYPERTABLEAU_FACTS_EFFORT_HPP
 
 #include <cstddef>
 #include <string>
 #include <utility>
 
 #include "base/budget.hpp"
+#include "reasoning/dl/hypertableau/facts/question_limits.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
-#include "reasoning/dl/hypertableau/tableau.hpp"
 
 namespace geminga::hypertableau {
 
