@@ -10,8 +10,8 @@
 
 #include "reasoning/dl/hypertableau/blocking.hpp"
 #include "reasoning/dl/hypertableau/facts/effort.hpp"
-#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/facts/neighbours.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {

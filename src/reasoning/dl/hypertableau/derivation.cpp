@@ -1,4 +1,4 @@
-// What is done with a fact of each kind.
+// The treatment of a fact of each kind.
 #include "reasoning/dl/hypertableau/derivation.hpp"
 
 namespace geminga::hypertableau {

@@ -2,10 +2,10 @@
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_DERIVATION_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_DERIVATION_HPP
 
-#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/bounds.hpp"
 #include "reasoning/dl/hypertableau/clause_matches.hpp"
 #include "reasoning/dl/hypertableau/expansion.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 

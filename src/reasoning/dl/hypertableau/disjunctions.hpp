@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
+#include "reasoning/dl/hypertableau/choice_records.hpp"
 #include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/facts/choice.hpp"
 #include "reasoning/dl/hypertableau/facts/choice_check.hpp"
-#include "reasoning/dl/hypertableau/choice_records.hpp"
 #include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"

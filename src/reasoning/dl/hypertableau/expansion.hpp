@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/blocking.hpp"
 #include "reasoning/dl/hypertableau/denial_witnesses.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/new_neighbours.hpp"

@@ -6,9 +6,9 @@
 
 #include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/facts/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/neighbours.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
-#include "reasoning/dl/hypertableau/facts/neighbours.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/sharing.hpp"
 

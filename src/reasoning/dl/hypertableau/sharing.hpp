@@ -14,12 +14,12 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/choice_records.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
-#include "reasoning/dl/hypertableau/graph/graph.hpp"
+#include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/facts/neighbours.hpp"
 #include "reasoning/dl/hypertableau/facts/numbers.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {

@@ -12,10 +12,10 @@
 
 #include "reasoning/dl/hypertableau/facts/choice.hpp"
 #include "reasoning/dl/hypertableau/facts/effort.hpp"
+#include "reasoning/dl/hypertableau/facts/value_check.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
 #include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
-#include "reasoning/dl/hypertableau/facts/value_check.hpp"
 
 namespace geminga::hypertableau {
 

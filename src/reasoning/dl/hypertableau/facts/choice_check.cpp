@@ -1,4 +1,4 @@
-// What the facts exclude.
+// Reasons for which the facts exclude an alternative.
 #include "reasoning/dl/hypertableau/facts/choice_check.hpp"
 
 #include <algorithm>

@@ -6,10 +6,10 @@
 
 #include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/facts/choice.hpp"
-#include "reasoning/dl/hypertableau/graph/dependency.hpp"
-#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/facts/neighbours.hpp"
 #include "reasoning/dl/hypertableau/facts/numbers.hpp"
+#include "reasoning/dl/hypertableau/graph/dependency.hpp"
+#include "reasoning/dl/hypertableau/graph/graph.hpp"
 #include "reasoning/dl/hypertableau/program/program.hpp"
 
 namespace geminga::hypertableau {

@@ -194,7 +194,9 @@ bool Numbers::are_fewer(const Cover& cover, std::uint32_t count, const Choice& c
     const auto is_used = [&](const Limit& limit) { return std::ranges::find(used, limit.bound) != used.end(); };
     if (std::ranges::any_of(limits, is_used)) continue;
     const auto found = std::ranges::find_if(limits, is_limit);
-    if (found == limits.end() || (sum += found->count) >= count) return false;
+    if (found == limits.end()) return false;
+    sum += found->count;
+    if (sum >= count) return false;
     if (found->bound != no_predicate) used.push_back(found->bound);
   }
   dependency = reasons;
