@@ -160,6 +160,7 @@ void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl:
   RuleMapper(triples, types, ranges, expressions, axioms, ontology).map_all();
   AxiomMapper mapper(triples, types, ranges, expressions, axioms);
   for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
+    expressions.prefetch(triples.object_ahead(number));
     if (!triples.is_used(number)) mapper.map(number);
   }
   add_labels(types, expressions, graph, ontology);
