@@ -20,10 +20,10 @@ constexpr std::uint32_t max_range_nesting = 100;
 Mapped DataRangeMapper::data_range(NodeId node, std::uint32_t depth) {
   if (graph_.is_iri(node)) return ontology_.datatype(graph_.text(node));
   MappedOnce& mapped = ranges_[static_cast<std::uint32_t>(node)];
-  if (const auto known = mapped.known("a data range that contains itself")) return *known;
+  if (const auto known = mapped.known(obstacles_, "a data range that contains itself")) return *known;
   if (depth >= max_range_nesting) return std::unexpected("a data range nested too deep");
   mapped.begin();
-  return mapped.end(described_range(node, depth + 1));
+  return mapped.end(described_range(node, depth + 1), obstacles_);
 }
 
 Mapped DataRangeMapper::described_range(NodeId node, std::uint32_t depth) {

@@ -38,6 +38,7 @@ class DataRangeMapper {
   AxiomWriter& axioms_;
   owl::Ontology& ontology_;
   std::unordered_map<std::uint32_t, MappedOnce> ranges_;  ///< by blank node
+  Obstacles obstacles_;
 };
 
 }  // namespace geminga::rdf

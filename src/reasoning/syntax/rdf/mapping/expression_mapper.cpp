@@ -25,13 +25,13 @@ bool is_cardinality(Word word) { return word >= Word::owl_min_cardinality && wor
 
 Mapped ExpressionMapper::class_expression(NodeId node) {
   MappedOnce& mapped = classes_[static_cast<std::size_t>(node)];
-  if (const auto known = mapped.known("a class expression that contains itself")) return *known;
+  if (const auto known = mapped.known(obstacles_, "a class expression that contains itself")) return *known;
   if (depth_ >= max_depth) return std::unexpected("a class expression nested too deep");
   mapped.begin();
   ++depth_;
   const Mapped described = described_class(node);
   --depth_;
-  return mapped.end(described);
+  return mapped.end(described, obstacles_);
 }
 
 Mapped ExpressionMapper::described_class(NodeId node) {

@@ -71,7 +71,8 @@ class ExpressionMapper {
   AxiomWriter& axioms_;
   owl::Ontology& ontology_;
   std::vector<MappedOnce> classes_;  ///< by node
-  std::uint32_t depth_ = 0;          ///< class expressions around the node in hand
+  Obstacles obstacles_;
+  std::uint32_t depth_ = 0;  ///< class expressions around the node in hand
 };
 
 }  // namespace geminga::rdf
