@@ -81,15 +81,16 @@ void Agenda::take_some() {
 }
 
 void Agenda::judge(const StoredPublication& publication, std::unique_ptr<Cause> cause,
-                   std::vector<const StoredSubscription*> concerned, bool must_look_back) {
+                   std::vector<const StoredSubscription*> concerned, LookBack look_back) {
   if (concerned.size() <= max_passed_in_step) order_by_key(concerned);
   std::ranges::reverse(concerned);  // taken from the back
   if (cause != nullptr) pairs_.watch_takers(cause->modifies(publication) ? &publication : nullptr);
-  spreads_.push_back({.publication = &publication,
-                      .cause = std::move(cause),
-                      .left = std::move(concerned),
-                      .look_back = must_look_back ? std::optional<std::uint32_t>(0) : std::nullopt,
-                      .is_done = std::vector<bool>(directory_.requests().slots())});
+  spreads_.push_back(
+      {.publication = &publication,
+       .cause = std::move(cause),
+       .left = std::move(concerned),
+       .look_back = look_back == LookBack::at_candidates ? std::optional<std::uint32_t>(0) : std::nullopt,
+       .is_done = std::vector<bool>(directory_.requests().slots())});
 }
 
 Agenda::Review Agenda::review(const StoredSubscription& subscription, Review::Kind kind) const {
@@ -123,7 +124,7 @@ void Agenda::judge_anew(const std::vector<const StoredSubscription*>& subscripti
 
 void Agenda::relieve() {
   for (const auto* publication : pairs_.take_relieved()) {
-    judge(*publication, nullptr, directory_.subscriptions_found_for(*publication), false);
+    judge(*publication, nullptr, directory_.subscriptions_found_for(*publication), LookBack::none);
   }
 }
 

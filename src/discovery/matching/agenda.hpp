@@ -46,10 +46,12 @@ class Agenda {
     }
   }
 
-  /// Judges a publication with these subscriptions, which need not be in order, and settles each. `must_look_back`:
-  /// then with all that have it among their candidates, too, because its identity has changed.
+  /// Whether a publication is judged with all that have it among their candidates, too, because its identity has
+  /// changed.
+  enum class LookBack : std::uint8_t { none, at_candidates };
+  /// Judges a publication with these subscriptions, which need not be in order, and settles each.
   void judge(const registry::StoredPublication& publication, std::unique_ptr<Cause> cause,
-             std::vector<const registry::StoredSubscription*> concerned, bool must_look_back);
+             std::vector<const registry::StoredSubscription*> concerned, LookBack look_back);
   /// Judges a subscription with all that it may meet, and settles it. Without a cause nothing was replaced.
   void judge(const registry::StoredSubscription& subscription, std::unique_ptr<Cause> cause);
   /// Judges the services of a participant with the subscriptions that ask for what it is, because its description has

@@ -6,43 +6,47 @@
 
 namespace geminga::matching {
 
-FilingPlan::FilingPlan(std::optional<vocabulary::ClassNumber> own, bool is_below, const Edition& edition)
+FilingPlan::FilingPlan(std::optional<vocabulary::ClassNumber> own, const Edition& edition)
     : generation_(edition.generation) {
-  if (!own) return;
-  own_ = std::to_underlying(*own);
-  if (!is_below) return;
-  for (const vocabulary::ClassNumber number : edition.vocabulary.subsumers(*own))
-    below_.push_back(std::to_underlying(number));
+  if (own) own_ = std::to_underlying(*own);
 }
 
-FilingPlan::FilingPlan(const vocabulary::Place& place, bool is_below, const Edition& edition)
-    : generation_(edition.generation) {
+FilingPlan::FilingPlan(const vocabulary::Place& place, const Edition& edition) : generation_(edition.generation) {
   if (place.equivalent) {
     own_ = std::to_underlying(*place.equivalent);
   } else {
     for (const vocabulary::ClassNumber child : place.children) further_own_.push_back(std::to_underlying(child));
     further_own_.push_back(bucket_of_expressions(edition));
   }
-  if (!is_below) return;
-  for (const vocabulary::ClassNumber number : edition.vocabulary.subsumers(place)) {
-    below_.push_back(std::to_underlying(number));
-  }
+}
+
+void FilingPlan::file_below(const std::vector<vocabulary::ClassNumber>& subsumers) {
+  for (const vocabulary::ClassNumber number : subsumers) below_.push_back(std::to_underlying(number));
 }
 
 FilingPlan FilingPlan::of_publication(const Classes& classes, const Edition& edition) {
-  if (!classes.place) return {classes.concept_class, true, edition};
-  FilingPlan plan(classes.place->equivalent, false, edition);
-  if (!classes.place->equivalent) plan.own_ = bucket_of_expressions(edition);
-  for (const vocabulary::ClassNumber number : edition.vocabulary.subsumers(*classes.place)) {
-    plan.below_.push_back(std::to_underlying(number));
+  if (classes.place) {
+    FilingPlan plan(classes.place->equivalent, edition);
+    if (!classes.place->equivalent) plan.own_ = bucket_of_expressions(edition);
+    plan.file_below(edition.vocabulary.subsumers(*classes.place));
+    return plan;
   }
+  FilingPlan plan(classes.concept_class, edition);
+  if (classes.concept_class) plan.file_below(edition.vocabulary.subsumers(*classes.concept_class));
   return plan;
 }
 
 FilingPlan FilingPlan::of_subscription(const Classes& classes, Degree weakest, const Edition& edition) {
-  if (has_meaning(classes) && weakest == Degree::overlapping) return {edition.vocabulary.thing(), false, edition};
-  if (classes.place) return {*classes.place, accepts_broader(weakest), edition};
-  return {classes.concept_class, accepts_broader(weakest), edition};
+  if (has_meaning(classes) && weakest == Degree::overlapping) return {edition.vocabulary.thing(), edition};
+  if (classes.place) {
+    FilingPlan plan(*classes.place, edition);
+    if (accepts_broader(weakest)) plan.file_below(edition.vocabulary.subsumers(*classes.place));
+    return plan;
+  }
+  FilingPlan plan(classes.concept_class, edition);
+  if (classes.concept_class && accepts_broader(weakest))
+    plan.file_below(edition.vocabulary.subsumers(*classes.concept_class));
+  return plan;
 }
 
 void add_subscriptions_for(const registry::Subscriptions& subscriptions, const registry::StoredPublication& offer,

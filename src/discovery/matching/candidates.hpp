@@ -32,10 +32,12 @@ class FilingPlan {
   [[nodiscard]] std::size_t size() const { return below_.size() + further_own_.size() + (own_ ? 1 : 0); }
 
  private:
-  FilingPlan(std::optional<vocabulary::ClassNumber> own, bool is_below, const Edition& edition);
+  FilingPlan(std::optional<vocabulary::ClassNumber> own, const Edition& edition);
   /// The plan of a requested expression: under the classes right below it, because narrower offers are below these,
   /// and among the expressions.
-  FilingPlan(const vocabulary::Place& place, bool is_below, const Edition& edition);
+  FilingPlan(const vocabulary::Place& place, const Edition& edition);
+  /// Files it below these classes, too.
+  void file_below(const std::vector<vocabulary::ClassNumber>& subsumers);
 
   registry::Generation generation_;
   std::optional<registry::ClassIndex> own_;

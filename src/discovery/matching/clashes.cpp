@@ -33,7 +33,7 @@ bool Clashes::is_kept_apart(const Identity& offered, const Identity& requested) 
   return is_number_of(offered, requested) || is_number_of(requested, offered);
 }
 
-std::vector<const StoredSubscription*> Clashes::review(Id32 number, bool has_newcomer) {
+std::vector<const StoredSubscription*> Clashes::review(Id32 number, Change change) {
   std::vector<const Identity*> concepts;
   bool has_number = false;
   add_identities(publications_, number, concepts, has_number);
@@ -45,7 +45,7 @@ std::vector<const StoredSubscription*> Clashes::review(Id32 number, bool has_new
   const bool is_clash = concepts.size() > 1;
   const bool was_clash = numbers_.contains(number);
   if (!is_clash && !was_clash) return {};
-  if (is_clash && has_number && (!was_clash || has_newcomer)) tell(number, concepts);
+  if (is_clash && has_number && (!was_clash || change == Change::came)) tell(number, concepts);
   if (is_clash == was_clash) return {};
   if (is_clash) {
     numbers_.insert(number);
@@ -60,10 +60,10 @@ std::vector<const StoredSubscription*> Clashes::review(Id32 number, bool has_new
   return concerned;
 }
 
-std::vector<const StoredSubscription*> Clashes::review_change(Id32 before, Id32 now, bool has_newcomer) {
-  auto concerned = review(now, has_newcomer);
+std::vector<const StoredSubscription*> Clashes::review_change(Id32 before, Id32 now, Change change) {
+  auto concerned = review(now, change);
   if (before == now) return concerned;
-  const auto further = review(before, false);
+  const auto further = review(before, Change::went);
   concerned.insert(concerned.end(), further.begin(), further.end());
   return concerned;
 }

@@ -3,6 +3,7 @@
 #ifndef GEMINGA_DISCOVERY_MATCHING_CLASHES_HPP
 #define GEMINGA_DISCOVERY_MATCHING_CLASHES_HPP
 
+#include <cstdint>
 #include <set>
 #include <span>
 #include <string>
@@ -22,6 +23,9 @@ struct Clash {
 
 class Clashes {
  public:
+  /// The event of an entry with the number that is looked at.
+  enum class Change : std::uint8_t { came, stayed, went };
+
   Clashes(const registry::Publications& publications, const registry::Subscriptions& subscriptions)
       : publications_(publications), subscriptions_(subscriptions) {}
   Clashes(const Clashes&) = delete;
@@ -33,11 +37,11 @@ class Clashes {
 
   /// Finds out whether a number is that of two concepts, after an entry came or went. Gives the subscriptions that must
   /// be judged anew, in ascending order of key. All that have the number are told of it when the clash begins, and
-  /// again when an entry comes to have it (`has_newcomer`).
-  [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, bool has_newcomer);
-  /// The same after an entry with the number `before` came to have `now`, which may be the same.
-  [[nodiscard]] std::vector<const registry::StoredSubscription*> review_change(Id32 before, Id32 now,
-                                                                               bool has_newcomer);
+  /// again when an entry came to have it.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> review(Id32 number, Change change);
+  /// The same after an entry with the number `before` came to have `now`, which may be the same. `change`: whether the
+  /// entry came to have its identity, or stayed with it.
+  [[nodiscard]] std::vector<const registry::StoredSubscription*> review_change(Id32 before, Id32 now, Change change);
 
   /// The messages since the last call.
   [[nodiscard]] std::vector<Clash> take() { return std::exchange(messages_, {}); }

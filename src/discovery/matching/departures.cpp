@@ -42,7 +42,7 @@ void Departures::remove(const std::vector<const StoredPublication*>& publication
 
 void Departures::review(std::set<Id32>& numbers) {
   for (std::size_t count = 0; count < max_reviewed_in_step && !numbers.empty(); ++count) {
-    agenda_.judge_anew(clashes_.review(*numbers.begin(), false));
+    agenda_.judge_anew(clashes_.review(*numbers.begin(), Clashes::Change::went));
     numbers.erase(numbers.begin());
     ++passed_;
   }

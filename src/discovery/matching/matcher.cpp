@@ -70,13 +70,15 @@ void Matcher::put(PublicationEntry entry) {
     agenda_.supersede(*known);
     cause.replace(*known, directory_.offers().replace(*known, std::move(entry)));
   }
-  const auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
+  const auto anew = clashes_.review_change(number_before, known->identity,
+                                           is_new_identity ? Clashes::Change::came : Clashes::Change::stayed);
   auto concerned = directory_.subscriptions_found_for(*known);
   const ConsideredBy& considered_by = pairs_.considered_by(*known);
   const bool is_much = concerned.size() > max_judged_in_step || considered_by.size() > max_judged_in_step;
   if (!is_local && (is_much || !anew.empty())) {
     const bool must_look_back = is_new_identity || editions_.stage() != ChangeStage::none;
-    agenda_.judge(*known, std::make_unique<Cause>(std::move(cause)), std::move(concerned), must_look_back);
+    agenda_.judge(*known, std::make_unique<Cause>(std::move(cause)), std::move(concerned),
+                  must_look_back ? Agenda::LookBack::at_candidates : Agenda::LookBack::none);
     agenda_.judge_anew(anew);
   } else {
     for (const auto& [slot, rank] : considered_by) concerned.push_back(&directory_.requests().at(slot));
@@ -116,7 +118,8 @@ void Matcher::put(SubscriptionEntry entry, Telling telling) {
     cause.replace(*known, directory_.requests().replace(*known, std::move(entry), std::move(request)), was_clashing);
     pairs_.prepare(*known, &cause.replaced_subscription()->before.request);
   }
-  auto anew = clashes_.review_change(number_before, known->identity, is_new_identity);
+  auto anew = clashes_.review_change(number_before, known->identity,
+                                     is_new_identity ? Clashes::Change::came : Clashes::Change::stayed);
   std::erase(anew, known);
   // While the vocabulary changes, the request that was replaced may be one of an edition that goes before the last
   // step.

@@ -155,7 +155,7 @@ bool VocabularyChange::place_publications() {
   if (waiting == nullptr) return is_over;
   directory_.offers().file(*waiting, edition);
   if (directory_.offers().classes(*waiting, edition).place) {
-    agenda_.judge(*waiting, nullptr, directory_.subscriptions_found_for(*waiting), false);
+    agenda_.judge(*waiting, nullptr, directory_.subscriptions_found_for(*waiting), Agenda::LookBack::none);
     if (waiting->entry.publication.mode == ChannelMode::participant)
       agenda_.judge_services_of(waiting->entry.key.participant);
   }

@@ -29,9 +29,9 @@ void Presences::plan(Question& question, bool is_open, Duration spacing, Pace& p
   }
 }
 
-void Presences::ask(bool lacks, bool doubts, Pace& pace, Instant now) {
-  plan(lacks_, lacks, lack_spacing, pace, now);
-  plan(doubts_, doubts, ask_spacing, pace, now);
+void Presences::ask(Questions open, Pace& pace, Instant now) {
+  plan(lacks_, open.lacks, lack_spacing, pace, now);
+  plan(doubts_, open.doubts, ask_spacing, pace, now);
 }
 
 void Presences::challenge(bool is_open, Pace& pace, Instant now) { plan(challenges_, is_open, ask_spacing, pace, now); }

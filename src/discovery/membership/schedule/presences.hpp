@@ -45,6 +45,12 @@ inline constexpr base::Duration witness_delay = std::chrono::milliseconds(25);
 inline constexpr std::int64_t contest_capacity = 4;
 inline constexpr base::Duration contest_refill = std::chrono::milliseconds(60);
 
+/// The questions of our presence: whether we lack a state, and whether we doubt that a participant lives.
+struct Questions {
+  bool lacks = false;
+  bool doubts = false;
+};
+
 /// The reasons to say our presence, beside the interval and the copies of a change. One presence serves all that are
 /// due.
 class Presences {
@@ -52,9 +58,8 @@ class Presences {
   /// `interval`: the configured one.
   explicit Presences(base::Duration interval);
 
-  /// Tells whether we lack a state, and whether we doubt that a participant lives. While one holds, it is asked again
-  /// and again.
-  void ask(bool lacks, bool doubts, Pace& pace, base::Instant now);
+  /// Sets the questions that are open. While one is, it is asked again and again.
+  void ask(Questions open, Pace& pace, base::Instant now);
   /// Tells whether our presence carries a challenge or an answer of sealing, which is said again and again.
   void challenge(bool is_open, Pace& pace, base::Instant now);
   /// Tells that another participant doubts all that we doubt: our question can wait.

@@ -49,8 +49,8 @@ void Schedule::lacked_by_stranger(Instant now) {
   if (is_running_) answers_.lacked_by_stranger(after_state(), pace_, now);
 }
 
-void Schedule::ask(bool lacks, bool doubts, Instant now) {
-  if (is_running_) presences_.ask(lacks, doubts, pace_, now);
+void Schedule::ask(Questions open, Instant now) {
+  if (is_running_) presences_.ask(open, pace_, now);
 }
 
 void Schedule::challenge(bool is_open, Instant now) {

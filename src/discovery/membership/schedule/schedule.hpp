@@ -63,10 +63,9 @@ class Schedule {
   void seems_lacked(base::Instant now);
   /// Tells that a stranger, whose state we have not heard, lacks ours. A copy is due soon, of the budget for answers.
   void lacked_by_stranger(base::Instant now);
-  /// Tells whether we lack a state, and whether we doubt that a participant lives (NeighbourTable). While one holds,
-  /// our presence is due again and again. Each has its own budget, so that a forger of the one does not keep us from
-  /// the other.
-  void ask(bool lacks, bool doubts, base::Instant now);
+  /// Sets the questions that are open (NeighbourTable). While one is, our presence is due again and again. Each has its
+  /// own budget, so that a forger of the one does not keep us from the other.
+  void ask(Questions open, base::Instant now);
   /// Tells whether our presence carries a challenge or an answer of sealing (sealing::Seal). While it does, our
   /// presence is due again and again, with a budget of its own, because a replay of others' challenges makes us say it.
   void challenge(bool is_open, base::Instant now);

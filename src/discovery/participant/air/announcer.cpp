@@ -93,7 +93,7 @@ void Announcer::announce() {
   const std::uint8_t doublings = membership::doublings_for(means_.table.seasoned(), doublings_);
   if (doublings < doublings_ || !schedule_.is_slowing()) doublings_ = doublings;
   schedule_.set_doublings(doublings_, now);
-  schedule_.ask(means_.table.lacks_anybody(now), means_.table.doubts_anybody(), now);
+  schedule_.ask({.lacks = means_.table.lacks_anybody(now), .doubts = means_.table.doubts_anybody()}, now);
   if (means_.table.witnesses().is_unlike(now)) schedule_.differ(now);
   schedule_.search(search_.spacing(means_.table.neighbours().size(), interval(), now), now);
   be_silent_on_ipv6_sides();

@@ -31,14 +31,14 @@ TEST(Schedule, AsksAgainAndAgainForAsLongAsItHasAQuestionButEverMoreSlowly) {
   const auto begin = start + seconds(10);
   std::vector<base::Instant> asked;
   for (auto now = begin; now < begin + seconds(20); now += milliseconds(1)) {
-    schedule.ask(true, false, now);
+    schedule.ask({.lacks = true}, now);
     if (schedule.due() <= now && schedule.take(now) == Say::presence) asked.push_back(now);
   }
   ASSERT_GT(asked.size(), 30U);
   EXPECT_LE(asked[0], begin + max_ask_delay);
   for (std::size_t i = 1; i < asked.size(); ++i) EXPECT_GE(asked[i] - asked[i - 1], lack_spacing) << i;
   EXPECT_LE(asked.size(), static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
-  schedule.ask(false, false, begin + seconds(20));
+  schedule.ask({}, begin + seconds(20));
   EXPECT_GE(schedule.due(), asked.back() + milliseconds(1800));
 }
 
@@ -86,9 +86,9 @@ TEST(Schedule, SaysWhatSealingAsksOnABudgetOfItsOwn) {
   }
   EXPECT_GT(said, 30U);
   EXPECT_LE(said, static_cast<std::size_t>(ask_capacity) + 10 * (1 + asks_per_interval) + 1);
-  schedule.ask(true, false, now);
+  schedule.ask({.lacks = true}, now);
   EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
-  schedule.ask(false, false, now);
+  schedule.ask({}, now);
   schedule.challenge(false, now);
   EXPECT_GT(schedule.due(), now + ask_spacing + max_ask_delay);
 }
@@ -97,10 +97,10 @@ TEST(Schedule, DoubtsThoughWhatItMaySayOfTheLackedIsUsedUp) {
   auto schedule = running(17);
   auto now = start + seconds(10);
   for (const auto end = now + seconds(10); now < end; now += milliseconds(1)) {
-    schedule.ask(true, false, now);
+    schedule.ask({.lacks = true}, now);
     if (schedule.due() <= now) (void)schedule.take(now);
   }
-  schedule.ask(true, true, now);
+  schedule.ask({.lacks = true, .doubts = true}, now);
   EXPECT_LE(schedule.due(), now + ask_spacing + max_ask_delay);
   EXPECT_EQ(schedule.take(schedule.due()), Say::presence);
 }
