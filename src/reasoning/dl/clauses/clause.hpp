@@ -132,6 +132,7 @@ struct Key {
 enum class ConceptKind : std::uint8_t {
   named,     ///< term: the named class
   nominal,   ///< the one instance is `individual`; term: the individual
+  mark,      ///< stands for the nominal of `individual` where only bodies ask for it (body_nominals.hpp)
   auxiliary  ///< stands for a class expression, a state of a property's automaton, or a group of disjoint classes
 };
 struct Concept {

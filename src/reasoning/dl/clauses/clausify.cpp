@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/sorted.hpp"
+#include "reasoning/dl/clauses/body_nominals.hpp"
 #include "reasoning/dl/clauses/class_clauses.hpp"
 #include "reasoning/dl/clauses/fact_clauses.hpp"
 #include "reasoning/dl/clauses/property_clauses.hpp"
@@ -220,6 +221,7 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
   translator.define_names();
   if (translator.is_full()) return too_many_clauses();
   base::sort_unique(set_.clauses);
+  replace_body_nominals(set_);
   std::ranges::sort(set_.unused, {}, &Unused::axiom);
   set_.roles.emplace(std::move(roles));
   return std::move(set_);

@@ -106,7 +106,7 @@ const std::vector<Translated> cases = {
      {"r(x,y1), r(y1,x) -> false", "unused: owl:AsymmetricProperty of a property that is not simple"}},
     {"NegativeFact",
      "NegativeObjectPropertyAssertion(r i:a i:b)\nClassAssertion(A i:a)",
-     {"A of a", "{a}(x), {b}(y1), r(x,y1) -> false"}},
+     {"A of a", "mark of a of a", "mark of a(x), mark of b(y1), r(x,y1) -> false", "mark of b of b"}},
     {"DataRanges",
      "SubClassOf(A DataSomeValuesFrom(d:u x:integer))\nSubClassOf(DataHasValue(d:u \"1\"^x:integer) B)",
      {"A(x) -> >=1 u.integer(x)", "u(x,y1) -> B(x) or not \"1\"^^integer(y1)"}},

@@ -13,6 +13,7 @@ class Printer {
     const Concept& entry = set_.concepts[number(id)];
     if (entry.kind == ConceptKind::auxiliary) return "Q" + std::to_string(number(id));
     const std::string name = entry.term == no_term ? "?" : owl::print(source_, entry.term, short_name_);
+    if (entry.kind == ConceptKind::mark) return "mark of " + name;
     return entry.kind == ConceptKind::nominal ? "{" + name + "}" : name;
   }
 
