@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "reasoning/compiled/ontology.hpp"
 #include "tools/ontology/program.hpp"
@@ -83,6 +84,29 @@ TEST(Compile, SaysWhereItCannotWrite) {
   EXPECT_EQ(device.status, 2);
   EXPECT_THAT(device.err, HasSubstr("/dev/null is not a regular file"));
   EXPECT_THAT(files_in(program), testing::ElementsAre("a.ttl"));
+}
+
+TEST(Compile, KeepsASymbolicLinkAndReplacesTheFileBehindIt) {
+  const Program program;
+  const std::filesystem::path folder = program.folder() / "in";
+  program.turtle("a.ttl", ":A rdfs:subClassOf :B .\n");
+  program.write("releases/first.gmo", "");
+  std::filesystem::create_symlink("releases/first.gmo", folder / "current.gmo");
+  std::filesystem::create_symlink("current.gmo", folder / "robot.gmo");
+  std::filesystem::create_symlink("releases/next.gmo", folder / "dangling.gmo");
+  std::filesystem::create_symlink("circle.gmo", folder / "circle.gmo");
+  for (const auto& [link, file] :
+       {std::pair("robot.gmo", "releases/first.gmo"), {"dangling.gmo", "releases/next.gmo"}}) {
+    const Outcome outcome = program.run({"compile", "a.ttl", "-o", link});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / link)) << link;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "current.gmo"));
+    EXPECT_FALSE(std::filesystem::is_symlink(folder / file));
+    EXPECT_TRUE(compiled::Ontology::map((folder / file).string())) << file;
+  }
+  const Outcome circle = program.run({"compile", "a.ttl", "-o", "circle.gmo"});
+  EXPECT_EQ(circle.status, 2);
+  EXPECT_THAT(circle.err, HasSubstr("circle.gmo cannot be written: Too many levels of symbolic links"));
 }
 
 TEST(Compile, RemarksOnWhatAStarterShouldKnow) {

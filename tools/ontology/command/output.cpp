@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <expected>
 #include <filesystem>
 #include <system_error>
 
@@ -29,14 +30,29 @@ bool write_all(int file, std::span<const std::byte> bytes) {
   return true;
 }
 
+/// The file that the symbolic links at a path lead to, which need not be there; the path itself where it is no link.
+/// The error is that of a circle.
+std::expected<std::filesystem::path, std::error_code> behind_links(std::filesystem::path path) {
+  constexpr unsigned max_links = 40;  // as many as Linux follows
+  std::error_code error;
+  for (unsigned count = 0; count < max_links; ++count) {
+    const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+    if (error) return path;
+    path = path.parent_path() / next;
+  }
+  return std::unexpected(std::make_error_code(std::errc::too_many_symbolic_link_levels));
+}
+
 /// Writes beside the target and renames, so that at every instant the target is the old file or the whole new one. The
 /// file is not forced to the disk, which would take most of the time: a file that a power cut damaged fails its
-/// checksum.
+/// checksum. A symbolic link stays, and the file behind it is replaced.
 Exit replace(const std::string& target, const std::function<std::optional<std::string>(const PutPiece&)>& write) {
   struct stat status{};
   if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
     return say_error(target + " is not a regular file: name another one behind -o");
-  const std::filesystem::path folder = std::filesystem::path(target).parent_path();
+  const auto written = behind_links(target);
+  if (!written) return say_error(target + " cannot be written: " + written.error().message());
+  const std::filesystem::path folder = written->parent_path();
   std::string temporary;
   const auto refuse = [&](const std::string& why) {
     unlink(temporary.c_str());
@@ -68,7 +84,7 @@ Exit replace(const std::string& target, const std::function<std::optional<std::s
   }
   if (close(file) != 0 || !is_written) return fail(error);
   if (problem) return refuse(*problem);
-  if (std::rename(temporary.c_str(), target.c_str()) != 0) return fail(errno);
+  if (std::rename(temporary.c_str(), written->c_str()) != 0) return fail(errno);
   return Exit::yes;
 }
 
