@@ -133,7 +133,12 @@ class Examples : public testing::Test {
       // It polls: with inotify tail never reads a file that comes to be between its first look and its watch.
       const std::vector<std::string> words{"/usr/bin/tail", "---disable-inotify", "-s", "0.1", "-F", folder_ / name};
       Process reader({.words = words, .environment = {}, .before = {}});
-      EXPECT_TRUE(reader.wait_for("snapshot")) << example << '\n' << process->said();
+      const bool has_read = reader.wait_for("snapshot");
+      // The file is what counts: tail has missed its content once on a busy machine.
+      const std::string recorded = text_of(folder_ / name);
+      EXPECT_TRUE(has_read || recorded.contains("snapshot"))
+          << example << '\n'
+          << process->said() << reader.said() << recorded.size() << " octets: " << recorded.substr(0, 400);
     }
     process->signal(SIGTERM);
     EXPECT_EQ(process->wait(), 0) << example << '\n' << process->said();
