@@ -55,7 +55,7 @@ class Daemon final : private env::EventSink {
   /// Listens where the supervisor and the configuration say. The error is a line for the user.
   [[nodiscard]] std::expected<void, std::string> listen();
   void begin();
-  /// Has the participant's state told, where the start or a reload is over.
+  /// Tells the log and the supervisor where the start or a reload is over.
   void update_readiness();
   [[nodiscard]] std::uint32_t lasting();
   void after_event();

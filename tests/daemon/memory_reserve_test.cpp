@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <new>
 
+#include "base/time.hpp"
+#include "daemon/memory/memory_watch.hpp"
 #include "daemon/memory/process_limits.hpp"
 
 namespace geminga::daemon {
@@ -26,6 +29,19 @@ TEST(MemoryReserve, IsGivenBackOnceWhenMemoryIsShortAndTakenAnew) {
   }
   EXPECT_EQ(std::get_new_handler(), nullptr);
   EXPECT_EQ(MemoryReserve::size(), 0U);
+}
+
+TEST(MemoryWatch, TellsOnceThatMemoryWasShortAndMakesTheReserveWholeAgain) {
+  MemoryWatch watch;
+  base::Instant now{};
+  EXPECT_FALSE(watch.is_short(now));
+  std::get_new_handler()();
+  EXPECT_TRUE(watch.is_short(now)) << "between two looks at the system, too";
+  EXPECT_EQ(MemoryReserve::size(), 0U) << "there may be no memory for it so soon";
+  EXPECT_FALSE(watch.is_short(now));
+  now += std::chrono::seconds(1);
+  EXPECT_FALSE(watch.is_short(now));
+  EXPECT_EQ(MemoryReserve::size(), reserved_bytes);
 }
 
 TEST(ProcessLimits, TellTheMemoryInUse) {

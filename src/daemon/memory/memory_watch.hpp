@@ -11,7 +11,7 @@
 
 namespace geminga::daemon {
 
-/// Owns the reserve, and takes it anew when it was given back. One object a process, as the reserve is.
+/// Owns the reserve, and makes it whole again after it was used. One object a process, as the reserve is.
 class MemoryWatch {
  public:
   MemoryWatch() = default;
@@ -19,7 +19,7 @@ class MemoryWatch {
   MemoryWatch& operator=(const MemoryWatch&) = delete;
 
   /// Whether room must be made now: memory was short since the last call, or the control group has little left. Call
-  /// after each event; it asks the system once in memory_look_interval.
+  /// after each event; it asks the system once a second at most.
   [[nodiscard]] bool is_short(base::Instant now);
 
  private:
