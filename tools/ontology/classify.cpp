@@ -51,7 +51,7 @@ bool write_stats(const ClassifiedFiles& classified, unsigned threads, const std:
 /// One object for each node of equivalents: {"classes": [...], "parents": [...]}, a parent by its first name.
 boost::json::array nodes_of(const Hierarchy& hierarchy, std::string_view members_key) {
   boost::json::array nodes;
-  for (std::uint32_t node = 0; node < hierarchy.members.size(); ++node) {
+  for (std::uint32_t node = 0; node < hierarchy.members.row_count(); ++node) {
     if (hierarchy.members[node].empty()) continue;
     boost::json::array members;
     for (const std::uint32_t member : hierarchy.members[node]) members.emplace_back(hierarchy.iris[member]);

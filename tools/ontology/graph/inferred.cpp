@@ -32,7 +32,7 @@ class Writer {
   [[nodiscard]] bool is_spent() const { return is_spent_; }
 
   void write(const Hierarchy& hierarchy, const Predicates& words) {
-    for (std::uint32_t node = 0; node < hierarchy.members.size() && goes_on(); ++node) {
+    for (std::uint32_t node = 0; node < hierarchy.members.row_count() && goes_on(); ++node) {
       if (hierarchy.members[node].empty()) continue;
       if (node == hierarchy.representative[hierarchy.bottom]) {
         write_empty(hierarchy, words);

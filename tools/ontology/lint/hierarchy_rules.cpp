@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,6 @@
 
 namespace geminga::ontology {
 namespace {
-
-using taxonomy::ClassNumber;
 
 /// The most names that one finding lists.
 constexpr std::size_t max_named = 8;
@@ -46,7 +45,7 @@ class HierarchyRules {
  private:
   [[nodiscard]] std::string name(std::uint32_t number) const { return entities_.short_name(hierarchy_.iris[number]); }
 
-  [[nodiscard]] std::string listed(const std::vector<std::uint32_t>& numbers) const {
+  [[nodiscard]] std::string listed(std::span<const std::uint32_t> numbers) const {
     std::string text;
     for (std::size_t at = 0; at < std::min(numbers.size(), max_named); ++at)
       text += (at == 0 ? "" : ", ") + name(numbers[at]);
@@ -63,7 +62,8 @@ class HierarchyRules {
   }
 
   void check_equivalents() {
-    for (const auto& members : hierarchy_.members) {
+    for (std::uint32_t node = 0; node < hierarchy_.members.row_count(); ++node) {
+      const std::span members = hierarchy_.members[node];
       if (members.size() < 2 || hierarchy_.is_empty(members.front())) continue;
       const auto entity = classes_.find(hierarchy_.iris[members[1]]);
       if (entity != classes_.end()) findings_.add("synonyms", *entity->second, listed(members) + " are equivalent");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ranges>
 #include <utility>
 
 namespace geminga::ontology {
@@ -48,10 +49,22 @@ Hierarchy hierarchy_of(const owl::Ontology& source, const Taxonomy& taxonomy, co
   hierarchy.top = static_cast<std::uint32_t>(top);
   hierarchy.bottom = static_cast<std::uint32_t>(bottom);
   hierarchy.is_consistent = is_consistent;
-  hierarchy.members.resize(hierarchy.iris.size());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> members;
+  members.reserve(hierarchy.iris.size());
   for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number)
-    hierarchy.members[hierarchy.representative[number]].push_back(number);
+    members.emplace_back(hierarchy.representative[number], number);
+  hierarchy.members = base::Rows<std::uint32_t>(hierarchy.iris.size(), members);
   return hierarchy;
+}
+
+/// The nodes right below each node, ascending.
+base::Rows<std::uint32_t> children_of(const Hierarchy& hierarchy) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(hierarchy.parents.size());
+  for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number) {
+    for (const std::uint32_t parent : hierarchy.parents_of(number)) edges.emplace_back(parent, number);
+  }
+  return {hierarchy.iris.size(), edges};
 }
 
 }  // namespace
@@ -103,10 +116,7 @@ bool write_closure(const Hierarchy& hierarchy, const Sink& sink) {
 bool write_tree(const Hierarchy& hierarchy, const std::function<std::string(std::string_view)>& short_name,
                 const Sink& sink) {
   Writer writer(sink);
-  std::vector<std::vector<std::uint32_t>> children(hierarchy.iris.size());
-  for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number) {
-    for (const std::uint32_t parent : hierarchy.parents_of(number)) children[parent].push_back(number);
-  }
+  const base::Rows<std::uint32_t> children = children_of(hierarchy);
   const auto add_names = [&](std::uint32_t node) {
     std::string_view separator;
     for (const std::uint32_t member : hierarchy.members[node]) {
@@ -126,8 +136,10 @@ bool write_tree(const Hierarchy& hierarchy, const std::function<std::string(std:
     add_names(node);
     if (!writer.line(is_repeated ? " ..." : "", "", "")) return false;
     if (is_repeated) continue;
-    for (auto child = children[node].rbegin(); child != children[node].rend(); ++child) {
-      if (*child != bottom) stack.emplace_back(*child, level + 1);
+    for (const std::uint32_t child : children[node] | std::views::reverse) {
+      if (child == bottom) continue;
+      __builtin_prefetch(hierarchy.iris[child].data());  // the names lie all over the memory
+      stack.emplace_back(child, level + 1);
     }
   }
   // Where everything is empty, the node of the bottom is that of the top.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/rows.hpp"
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/taxonomy/classification.hpp"
 
@@ -19,9 +20,9 @@ using Sink = std::function<bool(std::string_view)>;
 
 /// A taxonomy of classes or of properties. Borrows from the source and the classification.
 struct Hierarchy {
-  std::vector<std::string_view> iris;               ///< ascending
-  std::vector<std::uint32_t> representative;        ///< of each
-  std::vector<std::vector<std::uint32_t>> members;  ///< of each representative, ascending; empty for others
+  std::vector<std::string_view> iris;         ///< ascending
+  std::vector<std::uint32_t> representative;  ///< of each
+  base::Rows<std::uint32_t> members;          ///< of each representative, ascending; empty for others
   std::span<const std::uint32_t> parent_begin;
   std::vector<std::uint32_t> parents;
   std::uint32_t top = 0;
