@@ -133,8 +133,7 @@ Exit align(const AlignRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   const LoadOptions options{.as_json = request.as_json,
                             .says_files = false,
-                            .keeps_annotations = true,
-                            .keeps_triple_annotations = true,
+                            .annotations = KeptAnnotations::all,
                             .is_lenient = request.is_lenient,
                             .budget = &budget};
   const auto one = classify_or_say({request.one}, options);

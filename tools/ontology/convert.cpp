@@ -47,9 +47,9 @@ Exit convert(const ConvertRequest& request, const WorkLimits&) {
   if (!format) return say_error(format.error());
   Progress progress(true);
   const auto* const syntax = std::get_if<syntax::Syntax>(&*format);
-  const auto loaded = load(
-      request.files, progress,
-      {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr, .is_lenient = request.is_lenient});
+  const auto loaded = load(request.files, progress,
+                           {.annotations = syntax == nullptr ? KeptAnnotations::of_owl_syntaxes : KeptAnnotations::all,
+                            .is_lenient = request.is_lenient});
   progress.clear();
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;

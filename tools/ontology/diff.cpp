@@ -192,8 +192,7 @@ std::optional<ClassifiedFiles> files_of(const std::string& path, const DiffReque
   files.insert(files.end(), request.with.begin(), request.with.end());
   const LoadOptions options{.as_json = request.as_json,
                             .says_files = false,
-                            .keeps_annotations = true,
-                            .keeps_triple_annotations = true,
+                            .annotations = KeptAnnotations::all,
                             .is_lenient = request.is_lenient,
                             .budget = &budget};
   auto loaded = load(files, progress, options);

@@ -36,7 +36,7 @@ struct ExtractRequest {
 };
 
 /// The most octets of a file of names.
-constexpr std::uintmax_t max_names_octets = 16U * 1024 * 1024;
+constexpr std::uintmax_t max_names_octets = std::uintmax_t{16} * 1024 * 1024;
 
 /// The names of a file, one a line; blank lines and those that begin with # say nothing. Says what is wrong with it.
 std::optional<std::vector<std::string>> names_in(const std::string& path) {
@@ -94,8 +94,7 @@ Exit extract(const ExtractRequest& request, const WorkLimits&) {
   }
   if (names.empty()) return say_error("no name is given: name classes or properties behind the files");
   Progress progress(true);
-  auto loaded = load(files, progress,
-                     {.keeps_annotations = true, .keeps_triple_annotations = true, .is_lenient = request.is_lenient});
+  auto loaded = load(files, progress, {.annotations = KeptAnnotations::all, .is_lenient = request.is_lenient});
   progress.clear();
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, files, loaded->source)) return Exit::usage;

@@ -59,9 +59,9 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   if (!format) return say_error(format.error());
   Progress progress(true);
   const auto* const syntax = std::get_if<syntax::Syntax>(&*format);
-  auto loaded = load(
-      request.files, progress,
-      {.keeps_annotations = true, .keeps_triple_annotations = syntax != nullptr, .is_lenient = request.is_lenient});
+  auto loaded = load(request.files, progress,
+                     {.annotations = syntax == nullptr ? KeptAnnotations::of_owl_syntaxes : KeptAnnotations::all,
+                      .is_lenient = request.is_lenient});
   if (!loaded) return say_error(loaded.error().text);
   if (would_destroy_source(request.out, request.files, loaded->source)) return Exit::usage;
   const graph::GraphLimits graph_limits{.octets = graph_octets(limits)};

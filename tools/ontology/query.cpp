@@ -217,7 +217,8 @@ struct Asked {
 Exit fill(const std::vector<std::string>& files, const QueryRequest& request, const WorkLimits& limits,
           base::Budget& budget, Asked& asked, std::optional<ClassifiedFiles>& classified) {
   Progress progress(!request.as_json);
-  auto loaded = load(files, progress, {.keeps_annotations = true, .is_lenient = request.is_lenient});
+  auto loaded =
+      load(files, progress, {.annotations = KeptAnnotations::of_owl_syntaxes, .is_lenient = request.is_lenient});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   if (const auto problem = add_asserted(*loaded, asked.graph))
     return say_failure(*problem, request.as_json, exit_of(asked.graph));

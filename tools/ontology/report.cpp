@@ -75,8 +75,7 @@ Exit lint(const ReportRequest& request, const WorkLimits& limits) {
   }
   base::Budget budget = budget_of(limits);
   const auto classified = classify_or_say(request.files, {.as_json = request.as_json,
-                                                          .keeps_annotations = true,
-                                                          .keeps_triple_annotations = true,
+                                                          .annotations = KeptAnnotations::all,
                                                           .is_lenient = request.is_lenient,
                                                           .budget = &budget});
   if (!classified) return Exit::usage;

@@ -46,8 +46,7 @@ std::uint64_t stated_version(const rdf::Loaded& loaded) {
 std::optional<Parcel> parcel_of(const ServeRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   const auto classified = classify_or_say(request.files, {.as_json = request.as_json,
-                                                          .keeps_annotations = true,
-                                                          .keeps_triple_annotations = true,
+                                                          .annotations = KeptAnnotations::all,
                                                           .is_lenient = request.is_lenient,
                                                           .budget = &budget});
   if (!classified) return std::nullopt;

@@ -78,7 +78,7 @@ Exit task(const TaskRequest& request, const WorkLimits&) {
   std::vector<std::string> files{request.task};
   files.insert(files.end(), request.files.begin(), request.files.end());
   Progress progress(true);
-  const LoadOptions options{.says_files = false, .keeps_annotations = true, .keeps_triple_annotations = true};
+  const LoadOptions options{.says_files = false, .annotations = KeptAnnotations::all};
   auto loaded = load(files, progress, options);
   const auto lacks_words = [&] {
     const auto file = task_file(loaded->source, request.task);

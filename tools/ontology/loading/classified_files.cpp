@@ -66,9 +66,9 @@ std::expected<rdf::Loaded, LoadFailure> load(const std::vector<std::string>& fil
                                              const LoadOptions& options) {
   const std::uintmax_t octets = size_of(files);
   progress.show("reading" + (octets >> 20U == 0 ? "" : ' ' + std::to_string(octets >> 20U) + " MiB"));
-  Readers readers(options.keeps_annotations, options.threads);
+  Readers readers(options.annotations != KeptAnnotations::none, options.threads);
   std::vector<syntax::LoadError> left_out;
-  const syntax::FileLimits limits{.keeps_annotations = options.keeps_triple_annotations,
+  const syntax::FileLimits limits{.keeps_annotations = options.annotations == KeptAnnotations::all,
                                   .is_lenient = options.is_lenient};
   auto loaded = rdf::load(files, limits, &readers, options.threads, options.leaves_out_refused ? &left_out : nullptr);
   progress.clear();

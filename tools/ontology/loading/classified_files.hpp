@@ -3,6 +3,7 @@
 #define GEMINGA_ONTOLOGY_LOADING_CLASSIFIED_FILES_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <filesystem>
 #include <functional>
@@ -33,12 +34,14 @@ struct LoadFailure {
   bool is_unreadable = false;
 };
 
+/// Which annotations are kept. Those of triples are not needed where the triples themselves are read again.
+enum class KeptAnnotations : std::uint8_t { none, of_owl_syntaxes, all };
+
 struct LoadOptions {
   unsigned threads = 1;
-  bool as_json = false;                   ///< errors are also printed as JSON, and no progress is shown
-  bool says_files = true;                 ///< says how many files the folders hold
-  bool keeps_annotations = false;         ///< of OWL's own syntaxes
-  bool keeps_triple_annotations = false;  ///< of triples, too
+  bool as_json = false;    ///< errors are also printed as JSON, and no progress is shown
+  bool says_files = true;  ///< says how many files the folders hold
+  KeptAnnotations annotations = KeptAnnotations::none;
   /// Leaves out files of folders that are refused, and says so on standard error in lines that begin with
   /// compiled::left_out_words.
   bool leaves_out_refused = false;
