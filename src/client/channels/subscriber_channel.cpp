@@ -1,11 +1,12 @@
 #include "client/channels/subscriber_channel.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "client/protocol/converter.hpp"
 #include "client/protocol/life.hpp"
+#include "client/protocol/limits.hpp"
 
 namespace geminga::client {
 namespace {
@@ -43,49 +44,61 @@ SubscriberChannel::SubscriberChannel(ChannelHost& host, ChannelNumber number, Li
       number_(number),
       sealer_(life, Direction::back),
       limit_(limit),
-      conversions_(std::move(conversions)),
+      keys_([this](Life publisher) { return counterparts_.find(publisher).has_value(); }),
+      delivery_(std::move(conversions)),
+      ended_(host.reactor(), [this](const ServiceEvent& event) { on_event(event); }),
       udp_(host, sealer_, told_by_udp()),
-      timer_(host.reactor(),
-             [this] {
-               for (const auto over : counterparts_.expired(now())) {
-                 if (is_paused_) counterparts_.go_on_finishing(over, now());  // it was not read
-                 if (counterparts_.at(over).until <= now()) remove(over, counterparts_.at(over).reason);
-               }
-               set_timer();
-             }),
-      place_timer_(host.reactor(), [this] { rotate_places(); }),
-      again_timer_(host.reactor(), [this] { return_to_ended(); }) {}
+      tcp_(host, sealer_, told_by_tcp()),
+      timer_(host.reactor(), [this] { expire(); }) {}
 
 UdpInlet::Told SubscriberChannel::told_by_udp() {
   UdpInlet::Told told;
   told.frame = [this](Number number, const Frame& frame, bool is_proved) { take_frame(number, frame, is_proved); };
   told.plain = [this](Number number, std::span<const std::byte> payload) {
-    deliver(number, {FrameKind::message, no_life, 0, payload}, false);
+    deliver(number, {FrameKind::message, no_life, 0, payload}, Delivery::Carrier::forgeable);
   };
-  told.dropped = [this] { ++count_.dropped; };
-  told.found = [this] { --count_.dropped; };
+  told.dropped = [this] { delivery_.count_dropped(); };
+  told.found = [this] { delivery_.uncount_dropped(); };
+  told.problem = [this](const std::string& text) { problem(text); };
+  return told;
+}
+
+TcpInlets::Told SubscriberChannel::told_by_tcp() {
+  TcpInlets::Told told;
+  told.frame = [this](Number number, const Frame& frame, bool is_proved) { take_frame(number, frame, is_proved); };
+  told.lost = [this](Number number) { return on_lost(number); };
+  told.dropped = [this] { delivery_.count_dropped(); };
   told.problem = [this](const std::string& text) { problem(text); };
   return told;
 }
 
 std::optional<Message> SubscriberChannel::take() {
-  auto message = inbox_.take();
-  if (message && is_paused_ && !inbox_.is_full()) pause(false);
+  auto message = delivery_.take();
+  if (message && tcp_.is_paused() && !delivery_.is_full()) tcp_.pause(false);
   return message;
 }
 
-void SubscriberChannel::pause(bool is_paused) {
-  if (is_paused_ == is_paused) return;
-  is_paused_ = is_paused;
-  // pause() gives the frames that a connection has read already, which may end it or fill the inbox again.
-  std::vector<Number> numbers;
-  for (const auto& [number, provider] : providers_) {
-    if (provider.connection) numbers.push_back(number);
+void SubscriberChannel::set_keys(Life publisher, const ChannelKeys& keys) {
+  keys_.put(publisher, keys);
+  use_keys(publisher);
+}
+
+void SubscriberChannel::on_daemon_keys(bool has_keys) {
+  keys_.on_daemon(has_keys);
+  if (has_keys) return;
+  std::vector<Life> lives;
+  for (const auto& [number, counterpart] : counterparts_.all()) {
+    if (counterpart.life != no_life) lives.push_back(counterpart.life);
   }
-  for (const auto number : numbers) {
-    const auto found = providers_.find(number);
-    if (found != providers_.end() && found->second.connection) found->second.connection->pause(is_paused_);
+  for (const Life life : lives) use_keys(life);
+}
+
+void SubscriberChannel::on_mode() {
+  std::vector<Number> lifeless;
+  for (const auto& [number, counterpart] : counterparts_.all()) {
+    if (counterpart.life == no_life) lifeless.push_back(number);
   }
+  for (const Number number : lifeless) wire(number);
 }
 
 void SubscriberChannel::on_event(const ServiceEvent& event) {
@@ -99,30 +112,30 @@ void SubscriberChannel::on_event(const ServiceEvent& event) {
 }
 
 void SubscriberChannel::on_del(const ServiceEvent& event) {
-  ended_.erase(event.service);
+  ended_.forget(event.service);
   const auto known = counterparts_.find(event.service);
   if (!known) return;
   const auto parted = counterparts_.del(event.service, event.reason, carrier_of(*known), now());
   const Provider& provider = providers_.at(parted.number);
   if (parted.parting == Counterparts::Parting::close) return remove(parted.number, event.reason);
   if (provider.way == Way::connection) return;
-  const bool has_said_end = provider.end_until > now();
-  const std::uint64_t last = provider.last_at_end;
+  const SaidEnd end = provider.said_end;
+  const bool has_said_end = end.until > now();
   if (parted.parting != Counterparts::Parting::finish && !has_said_end) return;
   udp_.read_all(parted.number);
   if (!counterparts_.contains(parted.number)) return;
-  if (has_said_end) count_missed_at_end(parted.number, last, false);
+  if (has_said_end) {
+    delivery_.count_missed_at_end(counterparts_.at(parted.number).life, end.last, Delivery::Carrier::forgeable);
+  }
   remove(parted.number, "withdrawn");
 }
 
 void SubscriberChannel::on_add(const ServiceEvent& event) {
   const auto known = counterparts_.find(event.service);
-  if (const auto ended = ended_.find(event.service); ended != ended_.end()) {
-    if (event.change == Change::modify) {
-      ended->second.event = event;
-    } else {
-      ended_.erase(ended);
-    }
+  if (event.change == Change::modify) {
+    ended_.modify(event);
+  } else {
+    ended_.forget(event.service);
   }
   // A provider that has ended comes back by an add only.
   if (event.change == Change::modify && !known) return;
@@ -134,21 +147,21 @@ void SubscriberChannel::on_add(const ServiceEvent& event) {
   }
   const auto added = counterparts_.add(life, event.service);
   if (added.is_new) {
-    providers_.emplace(added.number, Provider{event, Way::none, {}});
+    providers_.emplace(added.number, Provider{event});
     tell(ProviderChange::What::added, added.number, "");
   } else {
     Provider& provider = providers_.at(added.number);
     const bool was_same = is_same(provider.event, event);
     provider.event = event;
-    provider.end_until = {};  // it is there
+    provider.said_end = {};  // it is there
     if (!was_same) tell(ProviderChange::What::modified, added.number, "");
   }
-  wire(added.number, event);
+  wire(added.number);
 }
 
 void SubscriberChannel::on_daemon_gone() {
   counterparts_.doubt();
-  ended_.clear();
+  ended_.forget_all();
 }
 
 void SubscriberChannel::on_settled() {
@@ -164,6 +177,14 @@ void SubscriberChannel::on_refused() {
   set_timer();
 }
 
+void SubscriberChannel::expire() {
+  for (const auto over : counterparts_.expired(now())) {
+    if (tcp_.is_paused()) counterparts_.go_on_finishing(over, now());  // it was not read
+    if (counterparts_.at(over).until <= now()) remove(over, counterparts_.at(over).reason);
+  }
+  set_timer();
+}
+
 void SubscriberChannel::remove_superfluous() {
   for (const auto orphan : counterparts_.superfluous(limit_)) remove(orphan, counterparts_.at(orphan).reason);
 }
@@ -172,18 +193,17 @@ Counterparts::Carrier SubscriberChannel::carrier_of(Number number) const {
   const Provider& provider = providers_.at(number);
   if (provider.way == Way::none) return Counterparts::Carrier::no_connection;
   if (provider.way != Way::connection) return Counterparts::Carrier::datagrams;
-  return provider.connection && provider.connection->is_connected() ? Counterparts::Carrier::connection
-                                                                    : Counterparts::Carrier::no_connection;
+  return tcp_.is_connected(number) ? Counterparts::Carrier::connection : Counterparts::Carrier::no_connection;
 }
 
 void SubscriberChannel::remove(Number number, std::string_view reason) {
-  const auto found = providers_.find(number);
-  if (found == providers_.end()) return;
+  if (!providers_.contains(number)) return;
   const std::string kept(reason);  // it may belong to the counterpart, which is erased
-  sequence_.interrupt(counterparts_.at(number).life);
+  const Life life = counterparts_.at(number).life;
+  delivery_.interrupt(life);
   udp_.forget(number);
-  leave_place(number);
-  keep_keys(counterparts_.at(number).life);
+  tcp_.close(number);
+  keys_.leave(life);
   tell(ProviderChange::What::removed, number, kept);
   counterparts_.erase(number);
   providers_.erase(number);
@@ -216,18 +236,17 @@ SubscriberChannel::Way SubscriberChannel::way_of(Number number, const ServiceEve
   return Way::none;
 }
 
-void SubscriberChannel::wire(Number number, const ServiceEvent& event) {
+void SubscriberChannel::wire(Number number) {
   Provider& provider = providers_.at(number);
   const Life life = counterparts_.at(number).life;
-  const auto address = peer_address(event.publication.address, event.publication.port);
-  Way way = way_of(number, event, address);
-  const auto keys = life == no_life ? ChannelKeys() : keys_of(life);
+  const auto address = peer_address(provider.event.publication.address, provider.event.publication.port);
+  const auto keys = keys_.of(life);
+  Way way = way_of(number, provider.event, address);
   if (!keys) way = Way::none;  // until the daemon has told them
   if (way == provider.way && (way == Way::none || *address == provider.address)) return;
 
   udp_.forget(number);
-  leave_place(number);
-  provider.connection.reset();
+  tcp_.close(number);
   provider.way = way;
   provider.address = address.value_or(PeerAddress{});
   if (way == Way::datagrams || way == Way::hello) {
@@ -236,24 +255,17 @@ void SubscriberChannel::wire(Number number, const ServiceEvent& event) {
   } else if (way == Way::group) {
     udp_.join(number, life, provider.address, *keys);
   } else if (way == Way::connection) {
-    claim_place(number);
+    tcp_.open(number, life, provider.address, *keys);
   }
 }
 
-void SubscriberChannel::connect(Number number) {
-  Provider& provider = providers_.at(number);
-  const Life life = counterparts_.at(number).life;
-  TcpInlet::Told told;
-  told.frame = [this, number](const Frame& frame, bool is_proved) { return take_frame(number, frame, is_proved); };
-  told.lost = [this, number] { return on_lost(number); };
-  told.dropped = [this] { ++count_.dropped; };
-  told.full = [this, address = to_string(provider.address)] {
-    problem("the provider " + address + " has no place for another consumer");
-  };
-  provider.connection = std::make_unique<TcpInlet>(host_, provider.address, sealer_, life,
-                                                   keys_of(life).value_or(ChannelKeys()), std::move(told));
-  if (is_paused_) provider.connection->pause(true);
-  provider.connection->start();
+void SubscriberChannel::use_keys(Life publisher) {
+  const auto number = counterparts_.find(publisher);
+  const auto keys = keys_.of(publisher);
+  if (!number || !keys) return;
+  if (providers_.at(*number).way == Way::none) return wire(*number);
+  udp_.set_keys(*number, *keys);
+  tcp_.set_keys(*number, *keys);
 }
 
 bool SubscriberChannel::on_lost(Number number) {
@@ -268,72 +280,47 @@ bool SubscriberChannel::on_lost(Number number) {
   return false;
 }
 
-bool SubscriberChannel::take_frame(Number number, const Frame& frame, bool is_proved) {
+void SubscriberChannel::take_frame(Number number, const Frame& frame, bool is_proved) {
   counterparts_.go_on_finishing(number, now());
-  if (frame.kind == FrameKind::message) {
-    deliver(number, frame, is_proved);
-    return !is_paused_;
-  }
-  take_end(number, frame, is_proved);
+  const bool is_streamed = providers_.at(number).way == Way::connection;
+  const auto carrier = is_streamed ? Delivery::Carrier::stream
+                       : is_proved ? Delivery::Carrier::proved
+                                   : Delivery::Carrier::forgeable;
+  if (frame.kind == FrameKind::message) return deliver(number, frame, carrier);
+  take_end(number, frame, carrier);
   set_timer();
-  return true;
 }
 
-void SubscriberChannel::take_end(Number number, const Frame& frame, bool is_proved) {
+void SubscriberChannel::take_end(Number number, const Frame& frame, Delivery::Carrier carrier) {
   Provider& provider = providers_.at(number);
   const Counterparts::Counterpart& counterpart = counterparts_.at(number);
   const bool is_matched = counterpart.state == Counterparts::State::matched;
-  if (provider.way != Way::connection && !is_proved) {
-    // Anybody can forge it: it counts if the daemon says the same.
-    provider.last_at_end = frame.sequence;
-    provider.end_until = now() + end_patience;
+  if (carrier == Delivery::Carrier::forgeable) {
+    provider.said_end = {frame.sequence, now() + end_patience};
     if (is_matched || counterpart.state == Counterparts::State::doubted) return;
   }
   // No message of this life comes after its end, whatever the daemons say.
-  count_missed_at_end(number, frame.sequence, is_proved || provider.way == Way::connection);
-  if (is_matched && provider.way == Way::connection) {
-    ended_.insert_or_assign(counterpart.key, Ended{provider.event, now() + again_patience});
-    if (again_timer_.at() == base::never) again_timer_.set(now() + again_patience);
-  }
+  delivery_.count_missed_at_end(counterpart.life, frame.sequence, carrier);
+  if (is_matched && carrier == Delivery::Carrier::stream) ended_.keep(provider.event);
   remove(number, "withdrawn");
 }
 
-void SubscriberChannel::count_missed_at_end(Number number, std::uint64_t last, bool is_proved) {
-  const std::uint64_t missed = sequence_.missed_at_end(counterparts_.at(number).life, last);
-  if (is_proved || missed <= max_sequence_step) count_.missed += missed;
-}
-
-void SubscriberChannel::deliver(Number number, const Frame& frame, bool is_proved) {
+void SubscriberChannel::deliver(Number number, const Frame& frame, Delivery::Carrier carrier) {
   Provider& provider = providers_.at(number);
-  const Life life = frame.life;
-  const std::uint64_t sequence = frame.sequence;
-  const std::span<const std::byte> payload = frame.payload;
-  std::uint64_t missed = 0;
-  if (life != no_life) {
-    const auto gap = is_proved || provider.way == Way::connection ? sequence_.take(life, sequence)
-                                                                  : sequence_.take_unproved(life, sequence, now());
-    if (!gap) return;
-    missed = *gap;
-  }
-  if (provider.way == Way::connection && !std::exchange(provider.is_served, true)) places_.serve(number);
-  count_.missed += missed;
-  auto converted = convert(conversions_, provider.event.convert, payload, provider.event.via);
-  if (!converted) {
-    ++count_.dropped;
-    if (!std::exchange(provider.was_told_of_conversion, true)) problem(converted.error());
+  const bool was_empty = delivery_.is_empty();
+  const auto is_new = delivery_.deliver(frame, carrier, provider.event, now());
+  if (is_new && !*is_new) return;
+  if (carrier == Delivery::Carrier::stream) tcp_.serve(number);
+  if (!is_new) {
+    if (!std::exchange(provider.was_told_of_conversion, true)) problem(is_new.error());
     return;
   }
-  ++count_.received;
-  if (inbox_.is_empty()) host_.on_message(number_);
-  Message message{life, sequence, missed, std::move(*converted)};
-  if (provider.way == Way::connection) {
-    inbox_.put_streamed(std::move(message));
-  } else {
-    const std::size_t lost = inbox_.put_datagram(std::move(message));
-    count_.received -= lost;
-    count_.missed += lost;
-  }
-  if (inbox_.is_full()) pause(true);
+  if (was_empty) host_.on_message(number_);
+  if (delivery_.is_full()) tcp_.pause(true);
+}
+
+void SubscriberChannel::problem_of(Number number, const std::string& text) {
+  if (std::exchange(providers_.at(number).last_problem, text) != text) problem(text);
 }
 
 }  // namespace geminga::client

@@ -1,6 +1,8 @@
 // Streams and connections without a key, in floods (src/client/CHANNELS.md, Places).
 #include <gmock/gmock.h>
 
+#include <array>
+
 #include "client/channels/channel_rig.hpp"
 #include "client/channels/tcp_outlet.hpp"
 
@@ -263,6 +265,60 @@ TEST(PlainTcp, GivesThePlaceOfAProviderThatDoesNotConnectToOneThatWaits) {
   rig.now += stranger_patience;
   rig.settle();
   EXPECT_TRUE(accept(honest));
+}
+
+TEST(PlainTcp, SparesAProviderThatDeliversInItsSecondPlace) {
+  ChannelRig rig;
+  auto wish = rig_wish(ChannelMode::one_to_many_stream);
+  wish.protocols = {"tcp"};
+  auto subscriber = *SubscriberChannel::open(rig, 1, wish, {});
+  subscriber->on_daemon_keys(false);
+  Socket others = *open_listener({"127.0.0.2", 0});
+  Socket provider = *open_listener({"127.0.0.2", 0});
+  const std::uint16_t port = port_of(provider);
+  const auto event = [&](std::uint64_t life, const char* address, std::uint16_t at) {
+    auto offer = rig_offer(ChannelMode::one_to_many_stream, "tcp");
+    offer.address = address;
+    offer.port = at;
+    offer.attributes[std::string(channel_attribute)] = to_string(Life{life});
+    return provider_event(offer, static_cast<std::uint32_t>(life));
+  };
+  const auto deliver = [&](std::uint64_t sequence) {
+    rig.settle();
+    auto connection = accept(provider);
+    EXPECT_TRUE(connection) << sequence;
+    const auto octets = frame_bytes({FrameKind::message, Life{1}, sequence, {}});
+    EXPECT_GT(::send(connection->get(), octets.data(), octets.size(), MSG_NOSIGNAL), 0);
+    rig.settle();
+    return std::move(*connection);
+  };
+  subscriber->on_event(event(1, "127.0.0.2", port));
+  {
+    const Socket first = deliver(1);
+    std::vector<Socket> accepted;
+    for (std::uint64_t i = 2; i <= max_tcp_providers + 1; ++i) {
+      subscriber->on_event(event(i, "127.0.0.2", port_of(others)));
+      rig.settle();
+      while (auto socket = accept(others)) accepted.push_back(std::move(*socket));
+    }
+    EXPECT_EQ(accepted.size(), max_tcp_providers - 1);
+    provider.close();
+  }
+  rig.settle();
+  rig.pass(stranger_patience * 2);  // its place goes to the one that waits
+  provider = *open_listener({"127.0.0.2", port});
+  auto gone = event(2, "127.0.0.2", port_of(others));
+  gone.change = Change::del;
+  gone.reason = "outranked";
+  subscriber->on_event(gone);
+  const Socket second = deliver(2);
+  subscriber->on_event(event(10'000, "127.0.0.3", port_of(others)));
+  rig.settle();
+  EXPECT_THAT(received(*subscriber), ElementsAre("1:0", "2:0"));
+  std::array<std::byte, 256> said{};  // a hello
+  while (::recv(second.get(), said.data(), said.size(), MSG_DONTWAIT) > 0) continue;
+  EXPECT_EQ(::recv(second.get(), said.data(), said.size(), MSG_DONTWAIT), -1)
+      << "a provider that has delivered nothing in its place should have lost it instead";
 }
 
 TEST(PlainTcp, ConnectsAgainTenSecondsAfterAnEndIfTheMatchLasts) {
