@@ -147,14 +147,14 @@ void Search::keep() {
   base_ = sizes();
   base_branches_ = branches_.size();
   effort_.set_base(base_->mark);
+  facts_.settle_values(keeps_world() ? 0 : static_cast<NodeId>(base_->mark.nodes));
 }
 
 void Search::end_question(Outcome outcome) {
   has_question_ = false;
   facts_.forget_clash();
   if (!base_) return;
-  const bool has_values = !graph_.values().empty();
-  if (outcome == Outcome::model && !program_.has_nominals() && !has_values) {
+  if (outcome == Outcome::model && !program_.has_nominals() && facts_.has_values_apart()) {
     keep();
   } else {
     branches_.resize(base_branches_);
@@ -353,6 +353,7 @@ void Search::forget_base() {
   base_.reset();
   base_branches_ = is_about_facts_ && !branches_.empty() ? 1 : 0;
   effort_.set_base({});
+  facts_.settle_values(0);
 }
 
 void Search::reset() {

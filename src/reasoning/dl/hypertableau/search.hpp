@@ -93,8 +93,8 @@ class Search {
   void keep();
   [[nodiscard]] bool has_base() const { return base_.has_value(); }
   [[nodiscard]] std::size_t base_node_count() const { return base_ ? base_->mark.nodes : 0; }
-  /// To be called after find_instance(): keeps the model, or takes the question back. Models with values are not kept,
-  /// as models would share values.
+  /// To be called after find_instance(): keeps the model, or takes the question back. Models that share more of values
+  /// than literals are not kept (lemma 6 of README.md).
   void end_question(Outcome outcome);
 
   /// The same after find_supposing(). A model that was found outside of the base becomes the base. Whatever is still

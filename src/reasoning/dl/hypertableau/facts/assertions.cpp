@@ -288,7 +288,8 @@ std::string Assertions::check_values() {
   if (const auto dependency = values_.clash(graph_, unknown, has_all_facts)) clash(*dependency);
   constexpr std::size_t values_a_step = 4;
   constexpr std::size_t free_values_a_step = 64;
-  effort_.count_steps(values_.take_looked() / values_a_step + graph_.values().size() / free_values_a_step);
+  effort_.count_steps(values_.take_looked() / values_a_step +
+                      (graph_.values().size() - settled_values_) / free_values_a_step);
   return unknown;
 }
 

@@ -89,6 +89,13 @@ class Assertions {
   [[nodiscard]] std::optional<owl::TermId> only_value(NodeId node, DependencySet& dependency, bool& is_free) {
     return values_.only_value(graph_, node, dependency, is_free);
   }
+  /// Whether no fact about a value says anything of another node than its subject and the values of that one.
+  [[nodiscard]] bool has_values_apart() { return graph_.values().empty() || values_.knows_all_ranges(); }
+  /// Says that nothing about the values before this node changes any more, but for constants, which have new subjects.
+  void settle_values(NodeId first) {
+    values_.settle(graph_, first);
+    settled_values_ = first == 0 ? 0 : graph_.values().size();
+  }
   /// Clashes if the values cannot all exist. Returns why this is unknown, or nothing.
   std::string check_values();
 
@@ -129,6 +136,7 @@ class Assertions {
   bool has_clash_ = false;
   DependencySet clash_ = no_dependency;
   bool have_values_changed_ = false;
+  std::size_t settled_values_ = 0;
   std::vector<Merge> merges_;
   std::vector<Introduced> introduced_;
   std::vector<NodeId> individuals_;

@@ -144,7 +144,19 @@ bool ValueCheck::is_unchanged(const Graph& graph, NodeId node) const {
 
 bool ValueCheck::needs_look(const Graph& graph, NodeId node) const {
   const bool is_there = node < graph.node_count() && is_value(graph.node(node).kind) && graph.is_active(node);
+  if (is_there && node < settled_ && graph.node(node).kind != NodeKind::constant) return false;
   return is_there && !(last_looks_[node].is_free && is_unchanged(graph, node));
+}
+
+bool ValueCheck::knows_all_ranges() {
+  if (!knows_all_ranges_) knows_all_ranges_ = ranges_.are_all_known();
+  return *knows_all_ranges_;
+}
+
+void ValueCheck::settle(const Graph& graph, NodeId first) {
+  // Values that are not settled any more are looked at again.
+  if (first < settled_) looked_at_.insert(graph.values().begin(), graph.values().end());
+  settled_ = first;
 }
 
 std::vector<ValueCheck::Variable> ValueCheck::variables_of(Graph& graph) {

@@ -52,6 +52,10 @@ class ValueCheck {
   /// to a reason where that could not be found out. Where the facts of individuals are not in the graph, they may say
   /// of some of few values that they are in an opaque set, or not.
   [[nodiscard]] std::optional<DependencySet> clash(Graph& graph, std::string& unknown, bool has_all_facts);
+  /// Whether it is known of each value whether it is in each range of the set. Costs a look at each range, once.
+  [[nodiscard]] bool knows_all_ranges();
+  /// clash() looks at no more values before this node that are no constants: nothing about them changes any more.
+  void settle(const Graph& graph, NodeId first);
   /// The values that clash() looked at since the last call: all but those that are free and have not changed.
   [[nodiscard]] std::size_t take_looked() { return std::exchange(looked_, 0); }
 
@@ -101,6 +105,8 @@ class ValueCheck {
   std::set<NodeId> looked_at_;            ///< values that were not free at the last look, or have changed since
   std::vector<std::uint32_t> number_of_;  ///< by node: of its variable, while variables_of() runs; else none
   std::size_t looked_ = 0;
+  NodeId settled_ = 0;  ///< values before it that are no constants are not looked at
+  std::optional<bool> knows_all_ranges_;
   std::map<Value, owl::TermId> representative_;
   std::uint32_t made_ = 0;  ///< values that no literal names
 };

@@ -186,6 +186,14 @@ KnownSet ValueRanges::evaluate(TermId id, unsigned depth) {
   return set;
 }
 
+bool ValueRanges::are_all_known() {
+  for (std::uint32_t range = 0; range < set_.data_ranges.size(); ++range) {
+    const KnownSet& set = known_set(clauses::DataRangeId{range});
+    if (!set.reason.empty() || !set.opaque.empty()) return false;
+  }
+  return true;
+}
+
 std::optional<TermId> ValueRanges::literal_of(std::uint32_t range) const {
   // The first two are all values, and none.
   const bool is_of_literal = range > 1 && is_literal(set_.data_ranges[range].term);

@@ -58,6 +58,8 @@ class ValueRanges {
   ValueRanges(const owl::Ontology& source, const clauses::ClauseSet& set);
 
   [[nodiscard]] const KnownSet& known_set(clauses::DataRangeId range);
+  /// Whether all ranges of the set are known, of each value, and none is opaque.
+  [[nodiscard]] bool are_all_known();
   /// The literal of a range of its one value; nothing of other ranges.
   [[nodiscard]] std::optional<owl::TermId> literal_of(std::uint32_t range) const;
   /// Gives a value to a literal that is in no source.
