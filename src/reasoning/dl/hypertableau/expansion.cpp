@@ -11,6 +11,14 @@ namespace geminga::hypertableau {
 
 using clauses::number;
 
+namespace {
+
+/// Nodes that are deeper have no neighbours made before alternatives are chosen. 0 are individuals, and what is asked
+/// for.
+constexpr std::uint32_t deepest_certain = 1;
+
+}  // namespace
+
 void Expansion::restore(const Sizes& sizes) {
   while (done_.size() > sizes.done) {
     existentials_[done_.back()].is_done = false;
@@ -150,7 +158,9 @@ bool Expansion::is_of_several(std::uint32_t at) const {
   return program_.counts() && fact.kind == FactKind::at_least && program_.needed(fact.predicate) > 1;
 }
 
-// Each at-least is looked at once. Those of blocked nodes are left to expand().
+// Each at-least is looked at once. Those of blocked nodes are left to expand(), and so are those of nodes that are
+// deep: most of them are blocked as soon as their alternatives are chosen, and before that each would bring all
+// neighbours that its properties with one value ask for, and theirs.
 bool Expansion::expand_certain() {
   if (next_certain_ == existentials_.size()) return false;
   bool has_expanded = false;
@@ -160,7 +170,7 @@ bool Expansion::expand_certain() {
     const Fact fact = graph_.fact(existentials_[at].fact);
     if (existentials_[at].is_done || fact.kind != FactKind::at_least || !graph_.is_active(fact.a)) continue;
     const bool is_certain = program_.needed(fact.predicate) == 1 && is_of_nominal(fact);
-    if (!is_certain && !new_neighbours_.is_functional(fact)) continue;
+    if (!is_certain && (graph_.node(fact.a).depth > deepest_certain || !new_neighbours_.is_functional(fact))) continue;
     if (!has_looked) blocking_.update();
     has_looked = true;
     has_expanded = !graph_.node(fact.a).is_blocked && expand_one(at);

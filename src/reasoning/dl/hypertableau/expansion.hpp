@@ -39,8 +39,9 @@ class Expansion {
   /// before more is guessed.
   void add(const Fact& fact, FactId id);
 
-  /// Makes the neighbour of a node that may have one at most, and the edge to an individual that it asks for, before
-  /// anything is chosen, because their facts decide alternatives. Whether a node or a fact was added.
+  /// Makes the neighbour of a node that may have one at most, if the node is not deep, and the edge to an individual
+  /// that it asks for, before anything is chosen, because their facts decide alternatives. Whether a node or a fact was
+  /// added.
   bool expand_certain();
   /// Which nodes are expanded at a time: all, or a few of the oldest or of the newest ones.
   enum class Order : std::uint8_t { everything, oldest_first, newest_first };
