@@ -39,7 +39,10 @@ void apply_stated(const SubscriptionChange& change, Subscription& subscription) 
   subscription.weakest = change.weakest.value_or(subscription.weakest);
   subscription.providers = change.providers.value_or(subscription.providers);
   subscription.where = change.where.value_or(subscription.where);
-  if (change.limit) subscription.limit = *change.limit;
+  if (change.limit) {
+    const std::uint32_t limit = *change.limit;
+    subscription.limit = limit;
+  }
   subscription.protocols = change.protocols.value_or(subscription.protocols);
   subscription.favoured = change.favoured.value_or(subscription.favoured);
   subscription.prefer = change.prefer.value_or(subscription.prefer);

@@ -33,7 +33,7 @@ std::expected<Key, KeyFileError> read_line(std::string_view line, std::size_t nu
   const int decoded =
       sodium_base642bin(secret.data(), secret.size(), coded.data(), coded.size(), nullptr, &size, &end, codec);
   const bool is_whole = decoded == 0 && size == secret.size() && end == coded.data() + coded.size();
-  const Key key(secret);
+  Key key(secret);
   sodium_memzero(secret.data(), secret.size());
   if (!is_whole) {
     return failure(number, "the secret is not " + std::to_string(key_bytes) + " octets in base64");

@@ -37,8 +37,8 @@ std::vector<std::uint32_t> candidates_of(const Ontology& ontology, std::string_v
   std::vector<std::uint8_t> distances(count);
   std::array<std::size_t, 65> at_distance{};
   for (std::uint32_t of = 0; of < count; ++of) {
-    const std::uint64_t label = signatures[2 * of + 1];
-    int distance = std::popcount(by_name ^ signatures[2 * of]);
+    const std::uint64_t label = signatures[std::size_t{2} * of + 1];
+    int distance = std::popcount(by_name ^ signatures[std::size_t{2} * of]);
     if (label != 0) distance = std::min(distance, std::popcount(by_label ^ label));
     distances[of] = static_cast<std::uint8_t>(distance);
     ++at_distance[static_cast<std::size_t>(distance)];

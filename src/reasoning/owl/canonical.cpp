@@ -38,7 +38,8 @@ std::vector<std::uint64_t> words_of_units(const Ontology& source) {
   for (const UnitName& name : declared.names) {
     const DeclaredUnit& unit = declared.units[name.unit];
     std::string text = name.text + ' ' + (unit.alone ? declared.units[*unit.alone].iri : std::string());
-    for (const int exponent : unit.dimension) text.append(" ").append(std::to_string(exponent));
+    for (const std::int8_t exponent : unit.dimension)
+      text.append(" ").append(std::to_string(static_cast<int>(exponent)));
     const std::array<std::uint64_t, 3> whole{base::hash64(text), std::bit_cast<std::uint64_t>(unit.factor),
                                              std::bit_cast<std::uint64_t>(unit.offset)};
     words.push_back(base::hash64(base::octets_of(std::span(whole))));

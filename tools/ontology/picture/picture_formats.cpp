@@ -143,7 +143,8 @@ std::string as_dot(const Picture& picture) {
   }
   for (const Box& box : picture) {
     const std::string style = box.kind == BoxKind::hidden ? " [style=dotted, arrowhead=none]" : "";
-    for (const std::string& parent : box.parents) text += "  " + box.id + " -> " + parent + style + ";\n";
+    for (const std::string& parent : box.parents)
+      text.append("  ").append(box.id).append(" -> ").append(parent).append(style).append(";\n");
   }
   return text + "}\n";
 }

@@ -143,7 +143,7 @@ void NeighbourServices::forget_withdrawn() {
   }
 }
 
-NeighbourServices::Entries::iterator NeighbourServices::drop(Entries::iterator position) {
+NeighbourServices::Entries::iterator NeighbourServices::drop(const Entries::iterator& position) {
   if (position->second.offer.value()) {
     room_.give(present_--);
   } else {
@@ -159,8 +159,9 @@ void NeighbourServices::untell(ServiceNumber number, Entry& entry, Departure rea
   entry.told = Told::nothing;
 }
 
-NeighbourServices::Entries::iterator NeighbourServices::withdraw(Entries::iterator position, const Moment& moment,
-                                                                 Departure reason, std::vector<Change>& changes) {
+NeighbourServices::Entries::iterator NeighbourServices::withdraw(const Entries::iterator& position,
+                                                                 const Moment& moment, Departure reason,
+                                                                 std::vector<Change>& changes) {
   auto& [number, entry] = *position;
   untell(number, entry, reason, changes);
   if (!room_.remember_withdrawn()) return drop(position);

@@ -116,9 +116,9 @@ class NeighbourServices {
            const Moment& moment);
   [[nodiscard]] bool take_room();
   void untell(ServiceNumber number, Entry& entry, Departure reason, std::vector<Change>& changes) const;
-  Entries::iterator withdraw(Entries::iterator position, const Moment& moment, Departure reason,
+  Entries::iterator withdraw(const Entries::iterator& position, const Moment& moment, Departure reason,
                              std::vector<Change>& changes);
-  Entries::iterator drop(Entries::iterator position);
+  Entries::iterator drop(const Entries::iterator& position);
   void forget_withdrawn();
   void put(ServiceNumber number, Entry& entry, std::vector<Change>& changes) const;
   [[nodiscard]] std::string effective_address(const std::string& announced) const;

@@ -14,7 +14,9 @@ bool Pace::set_doublings(std::uint8_t doublings) {
 }
 
 void Pace::count_announcement() {
-  if (announced_until_slower_ > 0 && --announced_until_slower_ == 0) kept_ = said_interval();
+  if (announced_until_slower_ == 0) return;
+  --announced_until_slower_;
+  if (announced_until_slower_ == 0) kept_ = said_interval();
 }
 
 Duration Pace::spread(Duration time, double share) {

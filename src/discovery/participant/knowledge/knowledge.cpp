@@ -53,10 +53,10 @@ struct Feed {
 
 }  // namespace
 
-Knowledge::Knowledge(env::Env& env, std::string stated_name, vocabulary::Vocabulary vocabulary)
+Knowledge::Knowledge(env::Env& env, std::string stated_name, const vocabulary::Vocabulary& vocabulary)
     : self{.id = {}, .stated_name = std::move(stated_name)},
       matcher(
-          std::move(vocabulary),
+          vocabulary,
           [this](const vocabulary::Vocabulary& by, const std::string& expression, ParticipantId from) {
             return expressions.place(by, expression, other_participant(from), env_.now());
           },

@@ -26,7 +26,7 @@ namespace geminga::participant {
 class Knowledge {
  public:
   /// Borrows `env` for its life.
-  Knowledge(env::Env& env, std::string stated_name, vocabulary::Vocabulary vocabulary);
+  Knowledge(env::Env& env, std::string stated_name, const vocabulary::Vocabulary& vocabulary);
   Knowledge(const Knowledge&) = delete;
   Knowledge& operator=(const Knowledge&) = delete;
 

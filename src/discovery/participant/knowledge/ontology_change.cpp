@@ -20,7 +20,7 @@ void OntologyChange::give_up() {
 void OntologyChange::start(Next next) {
   from_reading_ = next.reading;
   left_out_ = std::move(next.left_out);
-  filing_.begin(std::move(next.vocabulary));
+  filing_.begin(next.vocabulary);
   stage_ = Stage::filing;
 }
 

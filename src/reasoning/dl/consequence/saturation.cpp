@@ -16,7 +16,7 @@ void Saturation::assert_existence(ContextKey&& key) {
 
 void Saturation::run(unsigned threads) {
   parallel::Crew crew(threads);
-  schedule_.set_threads(static_cast<unsigned>(crew.size()));
+  schedule_.set_threads(crew.size());
   crew.run(
       [this](unsigned thread) {
         const ArenaUse use(schedule_.arena(thread));
