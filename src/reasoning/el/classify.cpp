@@ -13,6 +13,7 @@
 #include "reasoning/el/closure/finished.hpp"
 #include "reasoning/el/closure/inheritance.hpp"
 #include "reasoning/el/closure/saturation.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/index/indexed_ontology.hpp"
 #include "reasoning/el/model/inverse_conclusions.hpp"
 #include "reasoning/el/model/model_check.hpp"
@@ -46,7 +47,7 @@ class Classifier {
                 .budget = options.budget},
         told_(std::move(told)),
         universals_(universals),
-        normaliser_(source, index_) {}
+        normaliser_(source, builder_) {}
 
   /// Superclasses of unions that the run found, for another classifier of the same source.
   [[nodiscard]] const Inclusions& shared() const { return shared_; }
@@ -57,11 +58,13 @@ class Classifier {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
     find_classes();
     add_axioms();
-    if (!index_.finish(max_closure_pairs)) {
+    auto index = builder_.finish(max_closure_pairs);
+    if (!index) {
       return std::unexpected(ClassifyError{"the closure of the properties has more than " +
                                            std::to_string(max_role_pairs) + " pairs, or that of the told classes " +
                                            std::to_string(max_closure_pairs)});
     }
+    index_ = std::move(*index);
     find_roots();
     if (options_.inherits && !may_settle_ && Inheritance::is_for(index_)) {
       if (!inherit()) return std::unexpected(too_large());
@@ -119,7 +122,7 @@ class Classifier {
       if (source_.axiom(axiom).kind != owl::AxiomKind::declaration) ++result_.counts.axioms;
     }
     for (const owl::TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
-    for (const auto& [sub, super] : told_) index_.add_told(sub, super);
+    for (const auto& [sub, super] : told_) builder_.add_told(sub, super);
     // Universals are left to another engine if that has to classify everything again.
     const bool is_more = normaliser_.open().is_more;
     const Universals universals = result_.unused.empty() ? universals_ : Universals::used;
@@ -347,8 +350,9 @@ class Classifier {
   Inclusions shared_;
   Universals universals_;
   bool needs_rules_ = false;
-  IndexedOntology index_;
+  IndexBuilder builder_;
   RuleNormaliser normaliser_;
+  IndexedOntology index_;
   std::vector<owl::TermId> classes_;
   std::vector<ExprId> exprs_;
   std::vector<ExprId> asked_;

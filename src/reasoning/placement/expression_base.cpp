@@ -5,6 +5,8 @@
 
 #include "base/hash.hpp"
 #include "base/sorted.hpp"
+#include "reasoning/el/index/index_builder.hpp"
+#include "reasoning/el/normaliser/rule_normaliser.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/literal_value.hpp"
 
@@ -129,21 +131,24 @@ std::optional<owl::TermId> ExpressionBase::find_term(owl::TermKind kind, std::st
 }
 
 std::optional<ExpressionError> ExpressionBase::saturate() {
-  normaliser_ = std::make_unique<el::RuleNormaliser>(source_, index_);
+  el::IndexBuilder builder;
+  el::RuleNormaliser normaliser(source_, builder);
   std::vector<std::string> unused;
   const auto note = [&](owl::Construct construct) {
     if (construct != owl::Construct::none) unused.emplace_back(to_string(construct));
   };
-  for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) note(normaliser_->add(axiom));
+  for (std::uint32_t axiom = 0; axiom < source_.axiom_count(); ++axiom) note(normaliser.add(axiom));
   exprs_.assign(source_.term_count(), el::top_expr);
   for (std::uint32_t id = 0; id < source_.term_count(); ++id) {
-    if (has_expression(source_.kind(owl::TermId{id}))) exprs_[id] = normaliser_->expression(owl::TermId{id});
+    if (has_expression(source_.kind(owl::TermId{id}))) exprs_[id] = normaliser.expression(owl::TermId{id});
   }
-  for (const auto& [axiom, construct] : normaliser_->finish()) note(construct);
+  for (const auto& [axiom, construct] : normaliser.finish()) note(construct);
   base::sort_unique(unused);
   gaps_ = std::move(unused);
-  index_.keep_link_targets();
-  if (!index_.finish(max_pairs)) return ExpressionError{"the ontology is too large for class expressions"};
+  builder.keep_link_targets();
+  auto index = builder.finish(max_pairs);
+  if (!index) return ExpressionError{"the ontology is too large for class expressions"};
+  index_ = std::move(*index);
   for (const auto& [property, some] : properties_) {
     // `bottom property some everything` is an existential, too, and an axiom says that it is empty.
     exprs_[static_cast<std::size_t>(property)] = el::ExprId{index_.expr(exprs_[static_cast<std::size_t>(some)]).first};

@@ -21,7 +21,6 @@
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/el/closure/saturation.hpp"
 #include "reasoning/el/index/indexed_ontology.hpp"
-#include "reasoning/el/normaliser/rule_normaliser.hpp"
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
 
@@ -128,7 +127,6 @@ class ExpressionBase {
   ExpressionLimits limits_;
   owl::Ontology source_;
   el::IndexedOntology index_;
-  std::unique_ptr<el::RuleNormaliser> normaliser_;
   std::unique_ptr<el::Saturation> saturation_;
   std::vector<std::string> gaps_;
   base::NumberTable term_table_;

@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "reasoning/el/index/index_builder.hpp"
+
 namespace geminga::el {
 namespace {
 
@@ -183,7 +185,8 @@ class Validator {
 }  // namespace
 
 Saturated::Saturated(const owl::Ontology& source, unsigned threads, const SaturationLimits& limits) {
-  RuleNormaliser normaliser(source, index);
+  IndexBuilder builder;
+  RuleNormaliser normaliser(source, builder);
   for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom) (void)normaliser.add(axiom);
   std::vector<ExprId> roots;
   for (std::uint32_t id = 0; id < source.term_count(); ++id) {
@@ -191,7 +194,7 @@ Saturated::Saturated(const owl::Ontology& source, unsigned threads, const Satura
       roots.push_back(normaliser.expression(owl::TermId{id}));
   }
   (void)normaliser.finish();
-  EXPECT_TRUE(index.finish(1 << 20));
+  index = *builder.finish(1 << 20);
   saturation = std::make_unique<Saturation>(index, limits);
   for (const ExprId root : roots) saturation->require(index.representative(root));
   for (const ExprId root : normaliser.individuals()) saturation->require(index.representative(root));

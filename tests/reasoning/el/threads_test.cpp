@@ -8,6 +8,7 @@
 #include "base/random.hpp"
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/el/closure/inheritance.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "saturated.hpp"
 #include "support/reference.hpp"
 #include "support/rounds.hpp"
@@ -131,14 +132,15 @@ TEST(Threads, AgreeOnWhatIsLargeEnoughToBeShared) {
 /// The start of a closure: the index of a source and the atoms that are asked for.
 struct Indexed {
   explicit Indexed(const owl::Ontology& source) {
-    RuleNormaliser normaliser(source, index);
+    IndexBuilder builder;
+    RuleNormaliser normaliser(source, builder);
     for (std::uint32_t axiom = 0; axiom < source.axiom_count(); ++axiom) (void)normaliser.add(axiom);
     for (std::uint32_t id = 0; id < source.term_count(); ++id) {
       if (source.kind(owl::TermId{id}) == owl::TermKind::named_class)
         asked.push_back(normaliser.expression(owl::TermId{id}));
     }
     (void)normaliser.finish();
-    EXPECT_TRUE(index.finish(1000000));
+    index = *builder.finish(1000000);
     for (ExprId& expr : asked) expr = index.representative(expr);
   }
   IndexedOntology index;

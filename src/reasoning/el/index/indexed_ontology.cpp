@@ -1,226 +1,51 @@
-// Expressions are interned, and rules are sorted to the expressions that trigger them.
+// Told equivalents are found, and rules are sorted to the expressions that trigger them.
 #include "reasoning/el/index/indexed_ontology.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "base/components.hpp"
-#include "base/sorted.hpp"
+#include "base/interner.hpp"
 
 namespace geminga::el {
-namespace {
 
-std::uint64_t hash_of(const Expr& expr) {
-  return base::mixed(base::mixed(static_cast<std::uint64_t>(expr.kind), expr.first), expr.second);
-}
-
-}  // namespace
-
-IndexedOntology::IndexedOntology() {
-  add({});  // T
-  add({});  // F
-}
-
-ExprId IndexedOntology::add(const Expr& expr) {
-  exprs_.push_back(expr);
-  is_negative_.push_back(false);
-  return ExprId{static_cast<std::uint32_t>(exprs_.size() - 1)};
-}
-
-ExprId IndexedOntology::add_nominal() { return add({ExprKind::nominal, 0, 0}); }
-
-ExprId IndexedOntology::intern(const Expr& expr) {
-  const std::uint64_t hash = hash_of(expr);
-  const std::uint32_t found = table_.find(hash, [&](std::uint32_t filed) {
-    return exprs_[filed].kind == expr.kind && exprs_[filed].first == expr.first && exprs_[filed].second == expr.second;
-  });
-  if (found != base::NumberTable::none) return ExprId{found};
-  const ExprId id = add(expr);
-  table_.insert(hash, number(id));
-  return id;
-}
-
-ExprId IndexedOntology::conjunction(std::vector<ExprId> parts) {
-  for (std::size_t at = 0; at < parts.size();) {
-    const Expr expr = exprs_[number(parts[at])];
-    if (expr.kind != ExprKind::conjunction) {
-      ++at;
-      continue;
-    }
-    parts[at] = ExprId{expr.first};
-    parts.push_back(ExprId{expr.second});
-  }
-  std::erase(parts, top_expr);
-  if (parts.empty()) return top_expr;
-  base::sort_unique(parts);
-  if (parts.front() == bottom_expr) return bottom_expr;
-  ExprId result = parts.front();
-  for (std::size_t at = 1; at < parts.size(); ++at) {
-    result = intern({ExprKind::conjunction, number(result), number(parts[at])});
-  }
-  return result;
-}
-
-ExprId IndexedOntology::existential(RoleId role, ExprId filler) {
-  if (filler == bottom_expr) return bottom_expr;
-  return intern({ExprKind::existential, static_cast<std::uint32_t>(role), number(filler)});
-}
-
-ExprId IndexedOntology::self(RoleId role) { return intern({ExprKind::self, static_cast<std::uint32_t>(role), 0}); }
-
-void IndexedOntology::add_told(ExprId sub, ExprId super) {
-  if (sub != super && super != top_expr && sub != bottom_expr) told_.emplace_back(sub, super);
-}
-
-void IndexedOntology::mark_negative(ExprId id) {
-  while (exprs_[number(id)].kind == ExprKind::conjunction && !is_negative_[number(id)]) {
-    is_negative_[number(id)] = true;
-    const ExprId last{exprs_[number(id)].second};
-    if (exprs_[number(last)].kind != ExprKind::conjunction) is_negative_[number(last)] = true;
-    id = ExprId{exprs_[number(id)].first};
-  }
-  is_negative_[number(id)] = true;
-}
-
-void IndexedOntology::add_disjoint(std::span<const ExprId> members) {
-  for (const ExprId member : members) {
-    disjoint_pairs_.emplace_back(number(member), static_cast<std::uint32_t>(disjointness_count_));
-  }
-  ++disjointness_count_;
-}
-
-void IndexedOntology::add_functional(ExprId id, RoleId role) { functional_pairs_.emplace_back(number(id), role); }
-
-ExprId IndexedOntology::range_atom(RoleId role) {
-  const auto index = static_cast<std::size_t>(role);
-  if (range_atoms_.size() <= index) range_atoms_.resize(index + 1, top_expr);
-  if (range_atoms_[index] == top_expr) range_atoms_[index] = add_atom();
-  return range_atoms_[index];
-}
-
-void IndexedOntology::mark_data(RoleId role) {
-  const auto place = static_cast<std::size_t>(role);
-  if (is_data_role_.size() <= place) is_data_role_.resize(place + 1, false);
-  is_data_role_[place] = true;
+std::optional<IndexedOntology> IndexedOntology::sorted(FlatRules rules, std::size_t max_pairs) {
+  IndexedOntology index;
+  index.roles_ = std::move(rules.roles);
+  index.exprs_ = std::move(rules.exprs);
+  index.is_told_bottom_ = std::move(rules.is_told_bottom);
+  index.range_atoms_ = std::move(rules.range_atoms);
+  index.disjointness_count_ = rules.disjointness_count;
+  index.keeps_link_targets_ = rules.keeps_link_targets;
+  const std::vector<std::uint32_t> supers_first = index.find_representatives(rules.atoms_above);
+  index.mark_representatives(rules.values);
+  index.sort_told(rules);
+  index.sort_negative(rules.is_negative);
+  index.find_functional(std::move(rules.functional));
+  index.find_nominals();
+  index.find_active(rules.watched);
+  if (!index.find_frontiers(supers_first, max_pairs)) return std::nullopt;
+  index.find_rule_bits();
+  index.find_link_roots();
+  return index;
 }
 
 ExprId IndexedOntology::range_of(RoleId role) const {
-  const auto index = static_cast<std::size_t>(role);
-  return index < range_atoms_.size() ? range_atoms_[index] : top_expr;
+  const auto place = static_cast<std::size_t>(role);
+  return place < range_atoms_.size() ? range_atoms_[place] : top_expr;
 }
 
 ExprId IndexedOntology::negative_self(RoleId role) const {
-  const auto index = static_cast<std::size_t>(role);
-  return index < negative_selfs_.size() ? negative_selfs_[index] : bottom_expr;
+  const auto place = static_cast<std::size_t>(role);
+  return place < negative_selfs_.size() ? negative_selfs_[place] : bottom_expr;
 }
 
-bool IndexedOntology::finish(std::size_t max_pairs) {
-  if (!roles_.close(std::min(max_pairs, max_role_pairs))) return false;
-  inherit_ranges();
-  flatten_told();
-  find_representatives();
-  sort_rules();
-  find_functional();
-  find_nominals();
-  find_active();
-  if (!find_frontiers(max_pairs)) return false;
-  find_rule_bits();
-  find_link_roots();
-  return true;
-}
-
-void IndexedOntology::inherit_ranges() {
-  if (range_atoms_.empty()) return;
-  range_atoms_.resize(roles_.count(), top_expr);
-  const std::vector<ExprId> own = range_atoms_;
-  for (std::uint32_t role = 0; role < roles_.count(); ++role) {
-    for (const RoleId super : roles_.supers(RoleId{role})) {
-      const ExprId inherited = own[static_cast<std::size_t>(super)];
-      if (super != RoleId{role} && inherited != top_expr) add_told(range_atom(RoleId{role}), inherited);
-    }
-  }
-}
-
-void IndexedOntology::flatten_told() {
-  is_told_bottom_.assign(exprs_.size(), false);
-  is_told_bottom_[number(bottom_expr)] = true;
-  find_universal_targets();
-  std::vector<ExprId> stack;
-  // Link targets add atoms, and what is told of them, while this runs.
-  for (std::size_t at = 0; at < told_.size(); ++at) {
-    const auto [sub, super] = told_[at];
-    flatten_one(sub, super, stack);
-  }
-  told_.clear();
-  told_.shrink_to_fit();
-  is_told_bottom_.resize(exprs_.size(), false);
-}
-
-void IndexedOntology::flatten_one(ExprId sub, ExprId super, std::vector<ExprId>& stack) {
-  stack.push_back(super);
-  while (!stack.empty()) {
-    const ExprId id = stack.back();
-    stack.pop_back();
-    const Expr expr = exprs_[number(id)];
-    switch (expr.kind) {
-      case ExprKind::atom:
-      case ExprKind::nominal:
-        if (id == bottom_expr) {
-          is_told_bottom_.resize(exprs_.size(), false);
-          is_told_bottom_[number(sub)] = true;
-        } else if (id != top_expr) {
-          atom_pairs_.emplace_back(number(sub), id);
-        }
-        break;
-      case ExprKind::conjunction:
-        stack.push_back(ExprId{expr.first});
-        stack.push_back(ExprId{expr.second});
-        break;
-      case ExprKind::existential: {
-        const RoleId role{expr.first};
-        const ExprId target = link_target(role, ExprId{expr.second});
-        link_pairs_.emplace_back(number(sub), LinkRule{role, target, {}});
-        const auto place = static_cast<std::size_t>(role);
-        if (target != top_expr && place < is_data_role_.size() && is_data_role_[place]) values_.push_back(target);
-        break;
-      }
-      case ExprKind::self:
-        self_pairs_.emplace_back(number(sub), RoleId{expr.first});
-        break;
-    }
-  }
-}
-
-ExprId IndexedOntology::link_target(RoleId role, ExprId filler) {
-  // Ranges in EL (Baader, Brandt, Lutz 2008): what R leads to is in the range of R and of all its super roles, too.
-  const ExprId range = range_of(role);
-  return atom_of(range == top_expr ? filler : conjunction({filler, range}));
-}
-
-ExprId IndexedOntology::atom_of(ExprId target) {
-  if (exprs_[number(target)].kind <= ExprKind::nominal) return target;
-  if (target_atoms_.size() <= number(target)) target_atoms_.resize(exprs_.size(), top_expr);
-  if (target_atoms_[number(target)] == top_expr) {
-    const ExprId atom = add_atom();
-    target_atoms_[number(target)] = atom;
-    told_.emplace_back(atom, target);
-  }
-  return target_atoms_[number(target)];
-}
-
-void IndexedOntology::find_universal_targets() {
-  for (auto& [atom, rule] : universals_told_) {
-    rule.target = atom_of(rule.target);
-    const auto place = static_cast<std::size_t>(rule.role);
-    if (place < is_data_role_.size() && is_data_role_[place]) values_.push_back(rule.target);
-  }
-}
-
-void IndexedOntology::find_representatives() {
+std::vector<std::uint32_t> IndexedOntology::find_representatives(const Pairs<ExprId>& atoms_above) {
   const auto count = static_cast<std::uint32_t>(exprs_.size());
-  std::vector<std::pair<std::uint32_t, ExprId>> edges;
-  edges.reserve(atom_pairs_.size());
-  for (const auto& pair : atom_pairs_) {
+  Pairs<ExprId> edges;
+  edges.reserve(atoms_above.size());
+  for (const auto& pair : atoms_above) {
     if (exprs_[pair.first].kind <= ExprKind::nominal) edges.push_back(pair);
   }
   const base::Rows<ExprId> up(count, edges);
@@ -232,43 +57,51 @@ void IndexedOntology::find_representatives() {
     if (first == base::NumberTable::none) first = id;
     representative_[id] = ExprId{first};
   }
-  supers_first_ = std::move(first_of);
-  is_value_rep_.assign(count, false);
-  for (const ExprId value : values_) is_value_rep_[number(representative_[number(value)])] = true;
-  is_nominal_rep_.assign(count, false);
-  for (std::uint32_t id = 0; id < count; ++id) {
-    if (exprs_[id].kind == ExprKind::nominal) is_nominal_rep_[number(representative_[id])] = true;
-    if (is_told_bottom_[id]) is_told_bottom_[number(representative_[id])] = true;
+  return first_of;
+}
+
+void IndexedOntology::mark_representatives(std::span<const ExprId> values) {
+  is_value_rep_.assign(exprs_.size(), false);
+  for (const ExprId value : values) is_value_rep_[number(representative(value))] = true;
+  is_nominal_rep_.assign(exprs_.size(), false);
+  for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
+    const std::uint32_t first = number(representative_[id]);
+    if (exprs_[id].kind == ExprKind::nominal) is_nominal_rep_[first] = true;
+    if (is_told_bottom_[id]) is_told_bottom_[first] = true;
   }
 }
 
 template <typename Item>
-base::Rows<Item> IndexedOntology::rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const {
+base::Rows<Item> IndexedOntology::rows_of(Pairs<Item> pairs) const {
   for (auto& [row, item] : pairs) row = number(representative_[row]);
-  base::Rows<Item> rows(exprs_.size(), pairs);
-  pairs.clear();
-  pairs.shrink_to_fit();
-  return rows;
+  return base::Rows<Item>(exprs_.size(), pairs);
 }
 // For indexed_ontology_merging.cpp.
-template base::Rows<RoleId> IndexedOntology::rows_of(std::vector<std::pair<std::uint32_t, RoleId>>& pairs) const;
+template base::Rows<RoleId> IndexedOntology::rows_of(Pairs<RoleId> pairs) const;
 
-void IndexedOntology::sort_rules() {
-  for (auto& [row, item] : atom_pairs_) item = representative_[number(item)];
-  std::erase_if(atom_pairs_, [&](const auto& pair) { return representative_[pair.first] == pair.second; });
-  told_atoms_ = rows_of(atom_pairs_);
+void IndexedOntology::sort_told(FlatRules& rules) {
+  for (auto& [row, item] : rules.atoms_above) item = representative(item);
+  std::erase_if(rules.atoms_above, [&](const auto& pair) { return representative_[pair.first] == pair.second; });
+  told_atoms_ = rows_of(std::move(rules.atoms_above));
   told_atoms_.sort_unique();
-  for (auto& [row, item] : link_pairs_) item.target = representative_[number(item.target)];
-  links_ = rows_of(link_pairs_);
+  for (auto& [row, item] : rules.links) item.target = representative(item.target);
+  links_ = rows_of(std::move(rules.links));
   links_.sort_unique();
-  selfs_ = rows_of(self_pairs_);
+  selfs_ = rows_of(std::move(rules.selfs));
   selfs_.sort_unique();
+  disjointness_ = rows_of(std::move(rules.disjoint));
+  if (rules.universals.empty()) return;  // no octet for them: most ontologies have none
+  for (auto& [row, item] : rules.universals) item.target = representative(item.target);
+  universals_ = rows_of(std::move(rules.universals));
+  universals_.sort_unique();
+}
 
-  std::vector<std::pair<std::uint32_t, ConjunctionRule>> conjunctions;
-  std::vector<std::pair<std::uint32_t, ExistentialRule>> existentials;
+void IndexedOntology::sort_negative(const std::vector<bool>& is_negative) {
+  Pairs<ConjunctionRule> conjunctions;
+  Pairs<ExistentialRule> existentials;
   negative_selfs_.assign(roles_.count(), bottom_expr);
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
-    if (!is_negative_[id]) continue;
+    if (!is_negative[id]) continue;
     const Expr& expr = exprs_[id];
     if (expr.kind == ExprKind::conjunction) {
       const ExprId first = representative_[expr.first];
@@ -283,19 +116,12 @@ void IndexedOntology::sort_rules() {
     }
   }
   std::ranges::sort(conjunctions, {}, [](const auto& pair) { return std::pair(pair.first, pair.second.partner); });
-  conjunctions_ = rows_of(conjunctions);
-  existentials_ = rows_of(existentials);
+  conjunctions_ = rows_of(std::move(conjunctions));
+  existentials_ = rows_of(std::move(existentials));
   existentials_.sort_unique();
-  disjointness_ = rows_of(disjoint_pairs_);
-  std::vector<std::pair<std::uint32_t, UniversalRule>> universals;
-  for (const auto& [atom, rule] : universals_told_) {
-    universals.push_back({number(atom), {rule.role, representative_[number(rule.target)]}});
-  }
-  if (!universals.empty()) universals_ = rows_of(universals);
-  universals_.sort_unique();
 }
 
-void IndexedOntology::find_active() {
+void IndexedOntology::find_active(std::span<const ExprId> watched) {
   is_active_.assign(exprs_.size(), false);
   for (std::uint32_t id = 0; id < exprs_.size(); ++id) {
     is_active_[id] = exprs_[id].kind > ExprKind::nominal || is_nominal_rep_[id] || is_told_bottom_[id] ||
@@ -303,7 +129,7 @@ void IndexedOntology::find_active() {
                      !existentials_[id].empty() || !disjointness_[id].empty() || !functional_roles_[id].empty() ||
                      !universals_[id].empty();
   }
-  for (const ExprId atom : watched_) is_active_[number(representative_[number(atom)])] = true;
+  for (const ExprId atom : watched) is_active_[number(representative(atom))] = true;
 }
 
 bool IndexedOntology::is_told_below(ExprId sub, ExprId super) const {
@@ -318,11 +144,11 @@ bool IndexedOntology::is_told_below(ExprId sub, ExprId super) const {
   return false;
 }
 
-bool IndexedOntology::find_frontiers(std::size_t max_items) {
+bool IndexedOntology::find_frontiers(std::span<const std::uint32_t> supers_first, std::size_t max_items) {
   frontier_begin_.assign(exprs_.size(), 0);
   frontier_count_.assign(exprs_.size(), 0);
   std::vector<std::uint32_t> seen_from(exprs_.size(), base::NumberTable::none);
-  for (const std::uint32_t id : supers_first_) {
+  for (const std::uint32_t id : supers_first) {
     if (exprs_[id].kind > ExprKind::nominal) continue;
     frontier_begin_[id] = static_cast<std::uint32_t>(frontier_items_.size());
     const auto reach = [&](ExprId super) {

@@ -1,68 +1,19 @@
 // The index of an ontology: interned EL expressions, each with the rules that its occurrences need.
-//
-// Legend: A atom, C D E expressions, R S roles, C < D for "C SubClassOf D", T owl:Thing, F owl:Nothing. An expression
-// occurs negatively left of <, where it must be recognised, and positively right of <, where it is asserted.
 #ifndef GEMINGA_REASONING_EL_INDEX_INDEXED_ONTOLOGY_HPP
 #define GEMINGA_REASONING_EL_INDEX_INDEXED_ONTOLOGY_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "base/interner.hpp"
 #include "base/rows.hpp"
+#include "reasoning/el/index/expressions.hpp"
+#include "reasoning/el/index/flat_rules.hpp"
 #include "reasoning/el/index/roles.hpp"
 
 namespace geminga::el {
-
-/// An interned expression. Dense; equal expressions have equal numbers.
-enum class ExprId : std::uint32_t {};
-inline constexpr ExprId top_expr{0};
-inline constexpr ExprId bottom_expr{1};
-
-[[nodiscard]] constexpr std::uint32_t number(ExprId id) { return static_cast<std::uint32_t>(id); }
-
-enum class ExprKind : std::uint8_t {
-  atom,         ///< a named class, owl:Thing, owl:Nothing, a data range, or a name for an expression without rules
-  nominal,      ///< an atom with one instance
-  conjunction,  ///< C and D
-  existential,  ///< R some C
-  self,         ///< R Self
-};
-
-struct Expr {
-  ExprKind kind = ExprKind::atom;
-  std::uint32_t first = 0;   ///< conjunct; role; for atoms unused
-  std::uint32_t second = 0;  ///< conjunct; filler
-};
-
-/// C and partner are recognised as `conjunction`.
-struct ConjunctionRule {
-  ExprId partner{};
-  ExprId conjunction{};
-};
-/// A link of `role` or a sub-role to something in the filler is recognised as `existential`.
-struct ExistentialRule {
-  RoleId role{};
-  ExprId existential{};
-  friend auto operator<=>(const ExistentialRule&, const ExistentialRule&) = default;
-};
-/// Each instance of the expression has a `role` successor in the atom `target`.
-struct LinkRule {
-  RoleId role{};
-  ExprId target{};
-  ExprId root{};  ///< the atom in whose context the link ends, which may be one above the target
-  friend auto operator<=>(const LinkRule&, const LinkRule&) = default;
-};
-
-/// Each instance of the expression has `role` successors in the atom `target` only.
-struct UniversalRule {
-  RoleId role{};
-  ExprId target{};
-  friend auto operator<=>(const UniversalRule&, const UniversalRule&) = default;
-};
 
 /// The kinds of rules of an expression, as bits. Most expressions have one or two kinds. Reading this octet first saves
 /// a cache miss for each table of rules.
@@ -77,50 +28,18 @@ enum class RuleBits : std::uint8_t {
   functional = 128,
 };
 
-/// The normaliser fills it, finish() is called once, and then any number of threads read it.
+/// Any number of threads read it. index_builder.hpp makes it.
 class IndexedOntology {
  public:
-  IndexedOntology();
-
-  // Building.
-  ExprId add_atom() { return add({ExprKind::atom, 0, 0}); }
-  ExprId add_nominal();
-  /// The conjunction of any number of parts, sorted, without doubles and without T: T if nothing is left, F if F is in
-  /// it.
-  ExprId conjunction(std::vector<ExprId> parts);
-  ExprId existential(RoleId role, ExprId filler);
-  ExprId self(RoleId role);
-  /// Adds C < D. Requires mark_negative(C) if C is complex.
-  void add_told(ExprId sub, ExprId super);
-  /// Lets the rules recognise the expression, and conjuncts in it, but not fillers.
-  void mark_negative(ExprId id);
-  /// Adds C and D < F for every two members.
-  void add_disjoint(std::span<const ExprId> members);
-  /// The atom of the range of a role: the end of each link of the role is in it.
-  ExprId range_atom(RoleId role);
-  /// States that the links of the role end in values. To be called before the role is used.
-  void mark_data(RoleId role);
-  /// States that each instance of the expression has at most one successor by the role. For T the role is functional.
-  void add_functional(ExprId id, RoleId role);
-  /// States that links of the role or a sub-role from an instance of the atom end in the filler. If the role leads to
-  /// values, the filler is an atom of its own, and no literal or datatype.
-  void add_universal(ExprId atom, RoleId role, ExprId filler) { universals_told_.push_back({atom, {role, filler}}); }
-  /// Lets contexts have the atom as a subsumer although it has no rules.
-  void watch(ExprId atom) { watched_.push_back(atom); }
-  Roles& roles() { return roles_; }
-
-  /// Lets every link end in the context of its own target, as expression_base.hpp needs it. Otherwise a link ends in
-  /// the nearest context that has rules.
-  void keep_link_targets() { keeps_link_targets_ = true; }
-
-  /// Closes roles, finds told equivalents, sorts rules to their expressions. False if a closure has more than
-  /// `max_pairs` pairs; then the index is of no use.
-  [[nodiscard]] bool finish(std::size_t max_pairs);
+  /// Of no expression.
+  IndexedOntology() = default;
+  /// Finds told equivalents, and sorts rules to the expressions that trigger them. Nothing if the closure of told atoms
+  /// without rules has more than `max_pairs` pairs.
+  [[nodiscard]] static std::optional<IndexedOntology> sorted(FlatRules rules, std::size_t max_pairs);
 
   /// Drops the rules of functional properties and universals, for an ontology that they take over a limit.
   void forget_merging();
 
-  // Reading, after finish().
   [[nodiscard]] std::size_t size() const { return exprs_.size(); }
   [[nodiscard]] const Expr& expr(ExprId id) const { return exprs_[number(id)]; }
   [[nodiscard]] bool is_atom(ExprId id) const { return expr(id).kind <= ExprKind::nominal; }
@@ -181,52 +100,39 @@ class IndexedOntology {
   [[nodiscard]] bool is_told_below(ExprId sub, ExprId super) const;
 
  private:
-  ExprId add(const Expr& expr);
-  ExprId intern(const Expr& expr);
-  void inherit_ranges();
-  void flatten_told();
-  /// Takes apart what is right of one told inclusion. `stack` is empty before and after.
-  void flatten_one(ExprId sub, ExprId super, std::vector<ExprId>& stack);
-  ExprId link_target(RoleId role, ExprId filler);
-  ExprId atom_of(ExprId expr);
-  void find_universal_targets();
-  void find_representatives();
-  void sort_rules();
-  void find_functional();
+  /// The result is the representatives, each behind those above it.
+  std::vector<std::uint32_t> find_representatives(const Pairs<ExprId>& atoms_above);
+  /// Marks the representatives of values, of nominals, and of what is below F.
+  void mark_representatives(std::span<const ExprId> values);
+  /// Takes what was told of expressions.
+  void sort_told(FlatRules& rules);
+  /// Finds the rules by which expressions are recognised.
+  void sort_negative(const std::vector<bool>& is_negative);
+  void find_functional(Pairs<RoleId> told);
   void find_nominals();
-  void find_active();
+  void find_active(std::span<const ExprId> watched);
+  [[nodiscard]] bool find_frontiers(std::span<const std::uint32_t> supers_first, std::size_t max_items);
   void find_rule_bits();
   void find_link_roots();
-  [[nodiscard]] bool find_frontiers(std::size_t max_items);
+  /// The items of each representative.
   template <typename Item>
-  base::Rows<Item> rows_of(std::vector<std::pair<std::uint32_t, Item>>& pairs) const;
+  base::Rows<Item> rows_of(Pairs<Item> pairs) const;
 
   Roles roles_;
   std::vector<Expr> exprs_;
-  base::NumberTable table_;
-  std::vector<bool> is_negative_;
-  std::vector<std::pair<ExprId, ExprId>> told_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint_pairs_;  ///< expression, number of the axiom
+  std::vector<ExprId> range_atoms_;  ///< by role; T: none
   std::size_t disjointness_count_ = 0;
-  std::vector<ExprId> watched_;
-  std::vector<std::pair<ExprId, UniversalRule>> universals_told_;  ///< the target is a filler
-  std::vector<ExprId> range_atoms_;                                ///< by role; T: none
   bool has_nominals_ = false;
   bool keeps_link_targets_ = false;
   bool has_negative_self_ = false;
 
-  std::vector<ExprId> target_atoms_;  ///< by complex expression: the atom that stands for it at the end of links
-  std::vector<std::pair<std::uint32_t, ExprId>> atom_pairs_;
-  std::vector<std::pair<std::uint32_t, LinkRule>> link_pairs_;
-  std::vector<std::pair<std::uint32_t, RoleId>> self_pairs_;
-  std::vector<bool> is_told_bottom_;
+  // By expression.
   std::vector<ExprId> representative_;
-  std::vector<std::uint32_t> supers_first_;  ///< representatives, each behind those above it
+  std::vector<bool> is_told_bottom_;
   std::vector<bool> is_nominal_rep_;
-  std::vector<bool> is_data_role_;  ///< by role, up to the last data role
-  std::vector<ExprId> values_;      ///< atoms at the end of links of data roles
   std::vector<bool> is_value_rep_;
   std::vector<bool> is_active_;
+  std::vector<std::uint8_t> rule_bits_;
   base::Rows<ExprId> told_atoms_;
   base::Rows<LinkRule> links_;
   base::Rows<RoleId> selfs_;
@@ -234,16 +140,16 @@ class IndexedOntology {
   base::Rows<ExistentialRule> existentials_;
   base::Rows<std::uint32_t> disjointness_;
   base::Rows<UniversalRule> universals_;
-  std::vector<ExprId> negative_selfs_;  ///< by role
-  std::vector<std::pair<std::uint32_t, RoleId>> functional_pairs_;
-  std::vector<bool> may_be_functional_;  ///< by role; empty: none is
-  std::vector<bool> is_functional_;
-  base::Rows<ExprId> functional_in_;
   base::Rows<RoleId> functional_roles_;
-  std::vector<ExprId> frontier_items_;
   std::vector<std::uint32_t> frontier_begin_;
   std::vector<std::uint32_t> frontier_count_;
-  std::vector<std::uint8_t> rule_bits_;
+  std::vector<ExprId> frontier_items_;
+
+  // By role.
+  std::vector<ExprId> negative_selfs_;
+  std::vector<bool> may_be_functional_;  ///< empty: none is
+  std::vector<bool> is_functional_;
+  base::Rows<ExprId> functional_in_;
 };
 
 }  // namespace geminga::el

@@ -1,16 +1,17 @@
 // The rules that may make two elements one: functional properties and nominals.
 #include <algorithm>
+#include <utility>
 
 #include "reasoning/el/index/indexed_ontology.hpp"
 
 namespace geminga::el {
 
-void IndexedOntology::find_functional() {
+void IndexedOntology::find_functional(Pairs<RoleId> told) {
   is_functional_.assign(roles_.count(), false);
-  if (functional_pairs_.empty()) return;
-  std::vector<std::pair<std::uint32_t, ExprId>> by_role;
+  if (told.empty()) return;
+  Pairs<ExprId> by_role;
   std::vector<bool> is_used(roles_.count(), false);
-  for (auto& [id, role] : functional_pairs_) {
+  for (const auto& [id, role] : told) {
     is_used[static_cast<std::size_t>(role)] = true;
     if (ExprId{id} == top_expr) {
       is_functional_[static_cast<std::size_t>(role)] = true;
@@ -18,9 +19,9 @@ void IndexedOntology::find_functional() {
       by_role.emplace_back(static_cast<std::uint32_t>(role), representative_[id]);
     }
   }
-  std::erase_if(functional_pairs_, [](const auto& pair) { return ExprId{pair.first} == top_expr; });
+  std::erase_if(told, [](const auto& pair) { return ExprId{pair.first} == top_expr; });
   functional_in_ = base::Rows<ExprId>(roles_.count(), by_role);
-  functional_roles_ = rows_of(functional_pairs_);
+  functional_roles_ = rows_of(std::move(told));
   may_be_functional_.assign(roles_.count(), false);
   for (std::uint32_t role = 0; role < roles_.count(); ++role) {
     may_be_functional_[role] = std::ranges::any_of(

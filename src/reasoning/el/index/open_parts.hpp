@@ -1,5 +1,5 @@
 // Open parts: the parts of axioms that the rules do not use, in a form that a model can be tested for
-// (model/model_check.hpp). Legend as in indexed_ontology.hpp; X stands for an expression that has no rules.
+// (model/model_check.hpp). Legend as in expressions.hpp; X stands for an expression that has no rules.
 #ifndef GEMINGA_REASONING_EL_INDEX_OPEN_PARTS_HPP
 #define GEMINGA_REASONING_EL_INDEX_OPEN_PARTS_HPP
 

@@ -1,6 +1,6 @@
 // Inverses of roles: the further links that a link implies, and the expressions that its ends learn of each other.
 //
-// Legend as in indexed_ontology.hpp. R(x,y) says S(y,x) where S is told to be an inverse of R or of a role above R. So
+// Legend as in expressions.hpp. R(x,y) says S(y,x) where S is told to be an inverse of R or of a role above R. So
 // a subsumer of x may put y into `S some D`, through words of S that go back along links. The automaton of S with
 // inverses says which (Horrocks, Kutz, Sattler: The Even More Irresistible SROIQ, 2006).
 #ifndef GEMINGA_REASONING_EL_MODEL_INVERSE_ROLES_HPP

@@ -1,4 +1,4 @@
-// Literals and datatypes as atoms. Legend as in indexed_ontology.hpp; u v are literals.
+// Literals and datatypes as atoms. Legend as in expressions.hpp; u v are literals.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_DATA_NORMALISER_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_DATA_NORMALISER_HPP
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"
@@ -20,7 +20,7 @@ namespace geminga::el {
 /// others.
 class DataNormaliser {
  public:
-  DataNormaliser(const owl::Ontology& source, IndexedOntology& index, PendingUses& pending)
+  DataNormaliser(const owl::Ontology& source, IndexBuilder& index, PendingUses& pending)
       : source_(source), index_(index), pending_(pending) {}
 
   ExprId make_datatype(const owl::Term& term);
@@ -55,7 +55,7 @@ class DataNormaliser {
   void exclude(ExprId one, ExprId other);
 
   const owl::Ontology& source_;
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   PendingUses& pending_;
   std::vector<std::pair<owl::Datatype, ExprId>> datatypes_;  ///< known datatypes
   std::vector<std::pair<owl::DataValue, ExprId>> values_;

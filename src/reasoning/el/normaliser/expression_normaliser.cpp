@@ -6,7 +6,7 @@
 
 namespace geminga::el {
 
-ExpressionNormaliser::ExpressionNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
+ExpressionNormaliser::ExpressionNormaliser(const owl::Ontology& source, IndexBuilder& index, TermExpressions& terms,
                                            DataNormaliser& data, UniversalNormaliser& universals, PendingUses& pending,
                                            OpenParts& open)
     : source_(source),

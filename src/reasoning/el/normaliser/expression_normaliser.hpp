@@ -1,6 +1,6 @@
 // The rules that an expression needs because it occurs left or right of SubClassOf.
 //
-// Legend as in indexed_ontology.hpp; X is the atom that stands for an expression without rules.
+// Legend as in expressions.hpp; X is the atom that stands for an expression without rules.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_EXPRESSION_NORMALISER_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_EXPRESSION_NORMALISER_HPP
 
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/el/normaliser/data_normaliser.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
@@ -23,8 +23,8 @@ namespace geminga::el {
 /// Adds, once for each term and side, the rules that recognise its expression or that draw its conclusions.
 class ExpressionNormaliser {
  public:
-  ExpressionNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
-                       DataNormaliser& data, UniversalNormaliser& universals, PendingUses& pending, OpenParts& open);
+  ExpressionNormaliser(const owl::Ontology& source, IndexBuilder& index, TermExpressions& terms, DataNormaliser& data,
+                       UniversalNormaliser& universals, PendingUses& pending, OpenParts& open);
 
   /// Recognises a term that stands left of SubClassOf. Returns the first construct in it without rules.
   owl::Construct use_left(owl::TermId term) { return use(term, Side::left); }
@@ -55,7 +55,7 @@ class ExpressionNormaliser {
   void leave_count_open(std::vector<OpenCount>& counts, const OpenCount& count);
 
   const owl::Ontology& source_;
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   TermExpressions& terms_;
   DataNormaliser& data_;
   UniversalNormaliser& universals_;

@@ -1,4 +1,4 @@
-// Keys as rules, one for each combination of values. Legend as in indexed_ontology.hpp; p are properties, x values.
+// Keys as rules, one for each combination of values. Legend as in expressions.hpp; p are properties, x values.
 #include "reasoning/el/normaliser/key_normaliser.hpp"
 
 #include <algorithm>

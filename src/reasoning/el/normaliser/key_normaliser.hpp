@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/normaliser/expression_normaliser.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"
@@ -21,7 +21,7 @@ inline constexpr std::size_t max_key_tuples = std::size_t{1} << 16;
 /// Collects keys, and writes out each for all values when these are known.
 class KeyNormaliser {
  public:
-  KeyNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
+  KeyNormaliser(const owl::Ontology& source, IndexBuilder& index, TermExpressions& terms,
                 ExpressionNormaliser& expressions, PendingUses& pending)
       : source_(source), index_(index), terms_(terms), expressions_(expressions), pending_(pending) {}
 
@@ -52,7 +52,7 @@ class KeyNormaliser {
                  const std::vector<ExprId>& literals);
 
   const owl::Ontology& source_;
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   TermExpressions& terms_;
   ExpressionNormaliser& expressions_;
   PendingUses& pending_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/interner.hpp"
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/owl/source.hpp"
 
 namespace geminga::el {
@@ -15,13 +15,13 @@ namespace geminga::el {
 /// Gives equal expressions without rules one atom, so that an expression is at least equal to itself.
 class OpaqueAtoms {
  public:
-  explicit OpaqueAtoms(IndexedOntology& index) : index_(index) {}
+  explicit OpaqueAtoms(IndexBuilder& index) : index_(index) {}
 
   /// The atom of the expression with this kind, count and operands, which `key` lists in the order of the kind.
   ExprId find(owl::TermKind kind, std::uint32_t count, std::vector<std::uint32_t> key);
 
  private:
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   std::vector<std::uint32_t> keys_;                             ///< all keys in a row
   std::vector<std::pair<std::uint32_t, std::uint32_t>> spans_;  ///< by entry: where its key begins, and its length
   std::vector<ExprId> atoms_;                                   ///< by entry

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/owl/construct.hpp"
 #include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/source.hpp"

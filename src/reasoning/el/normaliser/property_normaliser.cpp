@@ -1,4 +1,4 @@
-// One kind of axiom after the other. Legend as in indexed_ontology.hpp.
+// One kind of axiom after the other. Legend as in expressions.hpp.
 #include "reasoning/el/normaliser/property_normaliser.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace geminga::el {
 
-PropertyNormaliser::PropertyNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
+PropertyNormaliser::PropertyNormaliser(const owl::Ontology& source, IndexBuilder& index, TermExpressions& terms,
                                        ExpressionNormaliser& expressions, UniversalNormaliser& universals,
                                        PendingUses& pending, OpenParts& open)
     : source_(source),

@@ -1,10 +1,10 @@
-// Axioms of properties. Legend as in indexed_ontology.hpp.
+// Axioms of properties. Legend as in expressions.hpp.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_PROPERTY_NORMALISER_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_PROPERTY_NORMALISER_HPP
 
 #include <span>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/el/normaliser/expression_normaliser.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
@@ -20,7 +20,7 @@ namespace geminga::el {
 /// Adds the axioms of properties to the index: hierarchy, chains, domains, ranges and characteristics.
 class PropertyNormaliser {
  public:
-  PropertyNormaliser(const owl::Ontology& source, IndexedOntology& index, TermExpressions& terms,
+  PropertyNormaliser(const owl::Ontology& source, IndexBuilder& index, TermExpressions& terms,
                      ExpressionNormaliser& expressions, UniversalNormaliser& universals, PendingUses& pending,
                      OpenParts& open);
 
@@ -49,7 +49,7 @@ class PropertyNormaliser {
   owl::Construct leave_inverse_open(const Property& sub, const Property& super, owl::Construct construct);
 
   const owl::Ontology& source_;
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   TermExpressions& terms_;
   ExpressionNormaliser& expressions_;
   UniversalNormaliser& universals_;

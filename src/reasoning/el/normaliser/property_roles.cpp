@@ -17,7 +17,7 @@ bool is_in_owl(std::string_view iri, std::string_view local) {
 
 }  // namespace
 
-PropertyRoles::PropertyRoles(const owl::Ontology& source, IndexedOntology& index)
+PropertyRoles::PropertyRoles(const owl::Ontology& source, IndexBuilder& index)
     : source_(source), index_(index), roles_(source.term_count(), no_role) {}
 
 Property PropertyRoles::find(owl::TermId id) {

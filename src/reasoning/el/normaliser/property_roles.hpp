@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/owl/role.hpp"
 #include "reasoning/owl/source.hpp"
 
@@ -27,13 +27,13 @@ struct Property {
 /// Gives each property of an ontology its role, when it is first asked for.
 class PropertyRoles {
  public:
-  PropertyRoles(const owl::Ontology& source, IndexedOntology& index);
+  PropertyRoles(const owl::Ontology& source, IndexBuilder& index);
 
   Property find(owl::TermId property);
 
  private:
   const owl::Ontology& source_;
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   std::vector<std::uint32_t> roles_;  ///< by term
 };
 

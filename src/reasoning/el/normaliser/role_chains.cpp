@@ -1,4 +1,4 @@
-// The mirror image of a chain has the inverses of its roles in reverse order. Legend as in indexed_ontology.hpp.
+// The mirror image of a chain has the inverses of its roles in reverse order. Legend as in expressions.hpp.
 #include "reasoning/el/normaliser/role_chains.hpp"
 
 #include <algorithm>

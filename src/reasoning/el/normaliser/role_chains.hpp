@@ -1,11 +1,11 @@
-// Chains of properties, and their mirror images by inverses. Legend as in indexed_ontology.hpp.
+// Chains of properties, and their mirror images by inverses. Legend as in expressions.hpp.
 #ifndef GEMINGA_REASONING_EL_NORMALISER_ROLE_CHAINS_HPP
 #define GEMINGA_REASONING_EL_NORMALISER_ROLE_CHAINS_HPP
 
 #include <span>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/owl/role_box.hpp"
 
@@ -14,7 +14,7 @@ namespace geminga::el {
 /// Adds the chains of properties to the index, and the chains that follow of inverses.
 class RoleChains {
  public:
-  explicit RoleChains(IndexedOntology& index) : index_(index) {}
+  explicit RoleChains(IndexBuilder& index) : index_(index) {}
 
   /// Adds R1 o ... o Rn < R.
   void add(std::span<const RoleId> word, RoleId super);
@@ -26,7 +26,7 @@ class RoleChains {
   [[nodiscard]] bool mirror(std::span<const InverseInclusion> inverses);
 
  private:
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   std::vector<owl::RoleChain> chains_;
 };
 

@@ -1,4 +1,4 @@
-// One kind of axiom after the other. Legend as in indexed_ontology.hpp.
+// One kind of axiom after the other. Legend as in expressions.hpp.
 #include "reasoning/el/normaliser/rule_normaliser.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace geminga::el {
 
-RuleNormaliser::RuleNormaliser(const owl::Ontology& source, IndexedOntology& index)
+RuleNormaliser::RuleNormaliser(const owl::Ontology& source, IndexBuilder& index)
     : source_(source),
       index_(index),
       data_(source, index, pending_),

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/el/normaliser/data_normaliser.hpp"
 #include "reasoning/el/normaliser/expression_normaliser.hpp"
@@ -28,7 +28,7 @@ namespace geminga::el {
 /// members that are declared before it.
 class RuleNormaliser {
  public:
-  RuleNormaliser(const owl::Ontology& source, IndexedOntology& index);
+  RuleNormaliser(const owl::Ontology& source, IndexBuilder& index);
   RuleNormaliser(const RuleNormaliser&) = delete;
   RuleNormaliser& operator=(const RuleNormaliser&) = delete;
 
@@ -63,7 +63,7 @@ class RuleNormaliser {
 
   std::optional<bool> names_individuals_;
   const owl::Ontology& source_;
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   PendingUses pending_;
   OpenParts open_;
   DataNormaliser data_;

@@ -10,7 +10,7 @@
 
 namespace geminga::el {
 
-TermExpressions::TermExpressions(const owl::Ontology& source, IndexedOntology& index, DataNormaliser& data)
+TermExpressions::TermExpressions(const owl::Ontology& source, IndexBuilder& index, DataNormaliser& data)
     : source_(source),
       index_(index),
       data_(data),

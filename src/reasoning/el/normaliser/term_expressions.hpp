@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/interner.hpp"
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/normaliser/data_normaliser.hpp"
 #include "reasoning/el/normaliser/opaque_atoms.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"
@@ -19,7 +19,7 @@ namespace geminga::el {
 /// becomes an atom of its own.
 class TermExpressions {
  public:
-  TermExpressions(const owl::Ontology& source, IndexedOntology& index, DataNormaliser& data);
+  TermExpressions(const owl::Ontology& source, IndexBuilder& index, DataNormaliser& data);
 
   /// The expression of a class, a data range, an individual or a literal.
   ExprId expression(owl::TermId term) {
@@ -56,7 +56,7 @@ class TermExpressions {
   [[nodiscard]] std::vector<ExprId> expressions(std::span<const owl::TermId> terms);
 
   const owl::Ontology& source_;
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   DataNormaliser& data_;
   PropertyRoles roles_;
   OpaqueAtoms opaque_;

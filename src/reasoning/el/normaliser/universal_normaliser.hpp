@@ -1,4 +1,4 @@
-// Universals right of SubClassOf, and the ranges that OWL 2 EL does not allow. Legend as in indexed_ontology.hpp.
+// Universals right of SubClassOf, and the ranges that OWL 2 EL does not allow. Legend as in expressions.hpp.
 //
 // A range of R is a universal of everything, T < R only C. If the last property of each chain below R has the range,
 // too (OWL 2 profiles, section 2.2.6), it is enough that the fillers of existentials are in C (Baader, Brandt, Lutz:
@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "reasoning/el/index/indexed_ontology.hpp"
+#include "reasoning/el/index/index_builder.hpp"
 #include "reasoning/el/index/open_parts.hpp"
 #include "reasoning/el/normaliser/pending_uses.hpp"
 #include "reasoning/el/normaliser/property_roles.hpp"
@@ -31,7 +31,7 @@ enum class Universals : std::uint8_t {
 /// Collects universals and ranges, and makes rules of them when all chains are known.
 class UniversalNormaliser {
  public:
-  UniversalNormaliser(IndexedOntology& index, PendingUses& pending, OpenParts& open)
+  UniversalNormaliser(IndexBuilder& index, PendingUses& pending, OpenParts& open)
       : index_(index), pending_(pending), open_(open) {}
 
   /// Adds `restricting` < property only filler. Requires a property that is no inverse.
@@ -64,7 +64,7 @@ class UniversalNormaliser {
   void make_universal(const Universal& universal, const owl::RoleBox& box);
   void make_range_over_chains(RoleId role, std::span<const ExprId> ranges, const owl::RoleBox& box);
 
-  IndexedOntology& index_;
+  IndexBuilder& index_;
   PendingUses& pending_;
   OpenParts& open_;
   std::vector<Range> ranges_;
