@@ -295,7 +295,12 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
       return found;
     };
   progress.show("asking");
-  const auto answer = graph::ask(asked.graph, *text, asked.prefixes, *format, graph_limits, &asking, find_instances);
+  const auto answer = graph::ask(asked.graph, *text,
+                                 {.prefixes = asked.prefixes,
+                                  .format = *format,
+                                  .limits = graph_limits,
+                                  .budget = &asking,
+                                  .find_instances = find_instances});
   progress.clear();
   if (instances.open() && !classified->classification.is_cut_off) say_error("more may follow: " + *instances.open());
   if (!answer)

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "reasoning/syntax/graph/described.hpp"
 #include "reasoning/syntax/graph/existence.hpp"
+#include "reasoning/syntax/graph/made_triples.hpp"
 #include "reasoning/syntax/graph/patterns.hpp"
 #include "reasoning/syntax/graph/query_text.hpp"
 #include "reasoning/syntax/graph/selection.hpp"
@@ -95,6 +95,7 @@ std::size_t octets_of(const std::vector<std::optional<Node>>& row) {
   return octets;
 }
 
+/// Puts the values of the selected variables into the answer, up to the limits.
 void write_rows(const ReadQuery& read, const Rows& rows, const Terms& terms, Variables& variables,
                 const GraphLimits& limits, Answer& answer) {
   std::vector<std::size_t> numbers;
@@ -117,106 +118,62 @@ void write_rows(const ReadQuery& read, const Rows& rows, const Terms& terms, Var
   }
 }
 
-/// The triples that CONSTRUCT makes: those of its template, or of its pattern where it has none.
-std::vector<const rasqal_triple*> made_triples(rasqal_query* query) {
-  raptor_sequence* triples = rasqal_query_get_construct_triples_sequence(query);
-  if (triples == nullptr) triples = rasqal_query_get_triple_sequence(query);
-  std::vector<const rasqal_triple*> made;
-  for (int at = 0; triples != nullptr && at < raptor_sequence_size(triples); ++at)
-    made.push_back(static_cast<const rasqal_triple*>(raptor_sequence_get_at(triples, at)));
-  return made;
+/// Why a text is not even read as a query, in one line.
+std::optional<std::string> refusal_of_text(const std::string& query, const GraphLimits& limits) {
+  if (query.size() > limits.query_bytes)
+    return "the query has more than " + std::to_string(limits.query_bytes) + " bytes";
+  if (levels_of(masked(query)) > limits.query_levels)
+    return "the query nests groups deeper than " + std::to_string(limits.query_levels) +
+           " levels, for which it would take too long: ask in several queries";
+  if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos) return "the query is no text in UTF-8";
+  if (describes_all(query)) return "DESCRIBE * is not answered here: name the variables";
+  return std::nullopt;
 }
 
-/// The node that stands in a template for a row. A blank node is another one for each row.
-std::optional<Node> made_node(rasqal_literal* literal, const Row& row, std::size_t number, Terms& terms,
-                              Variables& variables) {
-  const rasqal_variable* variable = rasqal_literal_as_variable(literal);
-  const TermNumber value = variable == nullptr ? unbound : value_in(row, variables.number_of(*variable));
-  if (value != unbound) return terms.node(value);
-  if (const std::string_view label = blank_name(literal); !label.empty())
-    return blank("c" + std::to_string(number) + "u" + label_of(label));
-  if (variable != nullptr) return std::nullopt;
-  const OwnedTerm term = term_of(terms.world(), literal);
-  return term == nullptr ? std::nullopt : std::optional(node_of(*term));
-}
-
-/// Makes the triples of CONSTRUCT. False: there are more of them than the limits allow.
-std::expected<bool, std::string> construct(const ReadQuery& read, const Rows& rows, Terms& terms, Variables& variables,
-                                           const GraphLimits& limits, Statements& made) {
-  std::size_t octets = 0;
-  const auto triples = made_triples(read.query());
-  for (std::size_t at = 0; at < rows.size(); ++at) {
-    for (const rasqal_triple* triple : triples) {
-      const auto subject = made_node(triple->subject, rows[at], at, terms, variables);
-      const auto predicate = made_node(triple->predicate, rows[at], at, terms, variables);
-      const auto object = made_node(triple->object, rows[at], at, terms, variables);
-      if (!subject || !predicate || !object) continue;  // section 16.2: what is no triple is left out
-      if (subject->kind == Node::Kind::literal || predicate->kind != Node::Kind::iri) continue;
-      if (made.size() >= limits.rows || octets > limits.query_octets) return false;
-      octets += triple_octets + subject->text.size() + predicate->text.size() + object->text.size();
-      if (!made.add(*subject, *predicate, *object)) return std::unexpected("memory is short");
-    }
-  }
-  return true;
-}
-
-/// Sorts triples and writes them.
-std::expected<std::string, std::string> sorted_text(Statements& made, const Prefixes& prefixes, Format format) {
-  made.sort();
-  return write(made, format, prefixes);
+std::unexpected<AskError> refused(std::string text) { return std::unexpected(AskError{std::move(text)}); }
+std::unexpected<AskError> beyond_limit(const TripleIndex& index) {
+  return std::unexpected(AskError{*index.problem(), true});
 }
 
 }  // namespace
 
-std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query, const Prefixes& prefixes,
-                                    Format format, const GraphLimits& limits, base::Budget* budget,
-                                    const FindInstances& find_instances) {
-  const auto refuse = [](std::string text) { return std::unexpected(AskError{std::move(text)}); };
-  if (query.size() > limits.query_bytes)
-    return refuse("the query has more than " + std::to_string(limits.query_bytes) + " bytes");
-  if (levels_of(masked(query)) > limits.query_levels)
-    return refuse("the query nests groups deeper than " + std::to_string(limits.query_levels) +
-                  " levels, for which it would take too long: ask in several queries");
-  if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos)
-    return refuse("the query is no text in UTF-8");
-  if (describes_all(query)) return refuse("DESCRIBE * is not answered here: name the variables");
+std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query, const AskOptions& options) {
+  const GraphLimits& limits = options.limits;
+  if (auto refusal = refusal_of_text(query, limits)) return refused(std::move(*refusal));
   World& world = graph.store().world;
   Terms terms(world);
-  const auto read = ReadQuery::read(
-      terms, with_prefixes(with_opaque_constants(with_spaced_signs(with_marked_existence(query))), prefixes) + '\n');
-  if (!read) return refuse(read.error());
+  const std::string prepared = with_opaque_constants(with_spaced_signs(with_marked_existence(query)));
+  const auto read = ReadQuery::read(terms, with_prefixes(prepared, options.prefixes) + '\n');
+  if (!read) return refused(read.error());
   ClassExpressions expressions;
-  if (auto refusal = expressions.find(world, **read, find_instances)) return refuse(std::move(*refusal));
+  if (auto refusal = expressions.find(world, **read, options.find_instances)) return refused(std::move(*refusal));
 
-  Answer answer;
-  TripleIndex index(graph.store().statements.all(), limits, budget);
+  TripleIndex index(graph.store().statements.all(), limits, options.budget);
   Variables variables;
   const Rows rows = Asking(terms, index, expressions).rows(**read, variables, limits.rows + 1);
-  if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
+  if (index.problem()) return beyond_limit(index);
+  Answer answer;
   const rasqal_query_verb verb = rasqal_query_get_verb((*read)->query());
-  switch (verb) {
-    case RASQAL_QUERY_VERB_ASK:
-      answer.kind = Answer::Kind::truth;
-      answer.is_true = !rows.empty();
-      break;
-    case RASQAL_QUERY_VERB_CONSTRUCT:
-    case RASQAL_QUERY_VERB_DESCRIBE: {
-      answer.kind = Answer::Kind::triples;
-      Statements made(terms.world());
-      const auto has_all = verb == RASQAL_QUERY_VERB_CONSTRUCT
-                               ? construct(**read, rows, terms, variables, limits, made)
-                               : describe(**read, rows, terms, variables, index, limits, made);
-      if (!has_all) return refuse(has_all.error());
-      if (index.problem()) return std::unexpected(AskError{*index.problem(), true});
-      answer.is_cut = !*has_all;
-      auto text = sorted_text(made, prefixes, format);
-      if (!text) return refuse(std::move(text.error()));
-      answer.text = std::move(*text);
-      break;
-    }
-    default:
-      write_rows(**read, rows, terms, variables, limits, answer);
+  if (verb == RASQAL_QUERY_VERB_ASK) {
+    answer.kind = Answer::Kind::truth;
+    answer.is_true = !rows.empty();
+    return answer;
   }
+  if (verb != RASQAL_QUERY_VERB_CONSTRUCT && verb != RASQAL_QUERY_VERB_DESCRIBE) {
+    write_rows(**read, rows, terms, variables, limits, answer);
+    return answer;
+  }
+  MadeTriples made(world, limits);
+  const auto has_all = verb == RASQAL_QUERY_VERB_CONSTRUCT
+                           ? construct(**read, rows, terms, variables, made)
+                           : describe(resources_of(**read, rows, terms, variables), terms, index, made);
+  if (!has_all) return refused(has_all.error());
+  if (index.problem()) return beyond_limit(index);
+  auto text = made.sorted_text(options.format, options.prefixes);
+  if (!text) return refused(std::move(text.error()));
+  answer.kind = Answer::Kind::triples;
+  answer.is_cut = !*has_all;
+  answer.text = std::move(*text);
   return answer;
 }
 

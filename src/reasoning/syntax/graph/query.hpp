@@ -30,16 +30,22 @@ struct AskError {
   bool is_limit = false;
 };
 
+/// How a query is asked.
+struct AskOptions {
+  Prefixes prefixes{};             ///< unless the query declares them
+  Format format = Format::turtle;  ///< of the triples of CONSTRUCT and DESCRIBE
+  GraphLimits limits{};
+  base::Budget* budget = nullptr;  ///< of triples that are looked at and rows that are joined; null: no limit
+  /// Lets a blank node of a class expression behind rdf:type (expressions.hpp) ask for the instances that it finds,
+  /// before anything is looked at. Without it such a node asks for its triples.
+  FindInstances find_instances{};
+};
+
 /// Asks a sorted graph. SELECT, ASK, CONSTRUCT and DESCRIBE are answered. What would fetch or change something
-/// (SERVICE, FROM, LOAD, INSERT and others) is refused first. The given prefixes are used unless the query declares
-/// them. `budget` (null: no limit) counts the triples that are looked at, and the rows that are joined. Beyond a limit
-/// there is no answer, because what was not looked at may refute rows that were found (OPTIONAL, MINUS). With
-/// `find_instances` a blank node of a class expression behind rdf:type (expressions.hpp) asks for the instances that it
-/// finds, before anything is looked at; without, for the triples of such a node.
+/// (SERVICE, FROM, LOAD, INSERT and others) is refused first. Beyond a limit there is no answer, because what was not
+/// looked at may refute rows that were found (OPTIONAL, MINUS).
 [[nodiscard]] std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query,
-                                                  const Prefixes& prefixes, Format format = Format::turtle,
-                                                  const GraphLimits& limits = {}, base::Budget* budget = nullptr,
-                                                  const FindInstances& find_instances = {});
+                                                  const AskOptions& options);
 
 }  // namespace geminga::graph
 

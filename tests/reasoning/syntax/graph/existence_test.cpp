@@ -29,7 +29,7 @@ class Existence : public testing::Test {
   }
 
   [[nodiscard]] std::expected<Answer, AskError> ask(const std::string& query, const GraphLimits& limits = {}) const {
-    return graph::ask(graph_, query, {{"e", "http://e/"}}, Format::n_triples, limits);
+    return graph::ask(graph_, query, {.prefixes = {{"e", "http://e/"}}, .format = Format::n_triples, .limits = limits});
   }
   /// The first column, names without their namespace and in order; or the refusal.
   [[nodiscard]] std::string found(const std::string& query) const {
@@ -119,7 +119,8 @@ TEST_F(Existence, BindsNoVariableOfSelectAll) {
 TEST_F(Existence, EndsAtTheLimitOfAQuery) {
   const std::string query = "SELECT ?x { ?x e:age ?n FILTER NOT EXISTS { ?y ?p ?q . ?q ?r ?z FILTER(?z = ?n) } }";
   const auto asked = [&](base::Budget& budget) {
-    return graph::ask(graph_, query, {{"e", "http://e/"}}, Format::n_triples, {}, &budget);
+    return graph::ask(graph_, query,
+                      {.prefixes = {{"e", "http://e/"}}, .format = Format::n_triples, .budget = &budget});
   };
   base::Budget plenty;
   ASSERT_TRUE(asked(plenty));

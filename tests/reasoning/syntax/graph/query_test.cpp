@@ -26,7 +26,7 @@ class Query : public testing::Test {
   }
 
   [[nodiscard]] std::expected<Answer, AskError> ask(const std::string& query, const GraphLimits& limits = {}) const {
-    return graph::ask(graph_, query, prefixes, Format::n_triples, limits);
+    return graph::ask(graph_, query, {.prefixes = prefixes, .format = Format::n_triples, .limits = limits});
   }
   [[nodiscard]] std::string refusal(const std::string& query) const {
     const auto answer = ask(query);
@@ -70,7 +70,7 @@ TEST_F(Query, FindsATextOfXsdStringOnce) {
   graph.add(iri("http://e/a"), iri(rdfs_label), {Node::Kind::literal, "x", std::string(xsd_string), {}});
   graph.sort();
   for (const std::string wanted : {"?l", "\"x\"", "\"x\"^^<http://www.w3.org/2001/XMLSchema#string>"}) {
-    const auto answer = graph::ask(graph, "SELECT * { ?s ?p " + wanted + " }", prefixes);
+    const auto answer = graph::ask(graph, "SELECT * { ?s ?p " + wanted + " }", {.prefixes = prefixes});
     EXPECT_EQ(answer->rows.size(), 1U) << wanted;
   }
 }
@@ -122,7 +122,7 @@ std::string answered(const std::string& query) {
   add("c", "l", number("true", "boolean"));
   graph.sort();
   const Prefixes own{{"e", "http://e/"}, {"xsd", "http://www.w3.org/2001/XMLSchema#"}};
-  const auto answer = graph::ask(graph, query, own, Format::n_triples);
+  const auto answer = graph::ask(graph, query, {.prefixes = own, .format = Format::n_triples});
   if (!answer) return answer.error().text;
   if (answer->kind == Answer::Kind::triples) return answer->text;
   std::string text;
@@ -261,7 +261,7 @@ TEST_F(Query, FindsTriplesByEachOfTheirParts) {
 TEST_F(Query, EndsAtItsLimitOfSteps) {
   const std::string query = "SELECT * WHERE { ?x rdfs:subClassOf e:d . ?x rdfs:label ?l }";
   const auto asked = [&](base::Budget& budget) {
-    return graph::ask(graph_, query, prefixes, Format::n_triples, {}, &budget);
+    return graph::ask(graph_, query, {.prefixes = prefixes, .format = Format::n_triples, .budget = &budget});
   };
   base::Budget plenty;
   ASSERT_TRUE(asked(plenty));
@@ -315,8 +315,8 @@ TEST_F(Query, JoinsTheInstancesOfClassExpressionsWithTheGraph) {
   const std::string owl = "PREFIX owl: <http://www.w3.org/2002/07/owl#> ";
   const auto rows = [&](const std::string& pattern) {
     Finder finder;
-    const auto answer = graph::ask(graph_, owl + "SELECT ?x WHERE { " + pattern + " }", prefixes, Format::n_triples, {},
-                                   nullptr, finder.find);
+    const auto answer = graph::ask(graph_, owl + "SELECT ?x WHERE { " + pattern + " }",
+                                   {.prefixes = prefixes, .format = Format::n_triples, .find_instances = finder.find});
     std::string text = answer ? "" : answer.error().text;
     for (std::size_t at = 0; answer && at < answer->rows.size(); ++at)
       text += answer->rows[at][0] ? answer->rows[at][0]->text.substr(9) : "-";
@@ -341,7 +341,7 @@ TEST_F(Query, GivesAClassExpressionAsItsTriplesAlone) {
       graph_,
       "PREFIX owl: <http://www.w3.org/2002/07/owl#> SELECT ?x WHERE { ?x a [ a owl:Restriction ; owl:onProperty "
       "e:p ; owl:maxCardinality 1 ] ; rdfs:label ?l }",
-      prefixes, Format::n_triples, {}, nullptr, finder.find);
+      {.prefixes = prefixes, .format = Format::n_triples, .find_instances = finder.find});
   ASSERT_TRUE(answer) << answer.error().text;
   ASSERT_EQ(finder.asked.size(), 1U);
   const AskedExpression& asked = finder.asked.front();
@@ -355,8 +355,8 @@ TEST_F(Query, RefusesExpressionsThatItCannotAskFor) {
   const auto refusal_of = [&](const std::string& pattern) {
     Finder finder;
     const auto answer =
-        graph::ask(graph_, "PREFIX owl: <http://www.w3.org/2002/07/owl#> SELECT * WHERE { " + pattern + " }", prefixes,
-                   Format::n_triples, {}, nullptr, finder.find);
+        graph::ask(graph_, "PREFIX owl: <http://www.w3.org/2002/07/owl#> SELECT * WHERE { " + pattern + " }",
+                   {.prefixes = prefixes, .format = Format::n_triples, .find_instances = finder.find});
     return answer ? "answered" : answer.error().text;
   };
   EXPECT_THAT(refusal_of("?x a [ owl:onProperty ?p ; owl:someValuesFrom e:d ]"), HasSubstr("a variable stands in"));
