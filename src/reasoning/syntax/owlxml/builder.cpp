@@ -113,12 +113,13 @@ Listener::Refusal Builder::begin_prefix(std::span<const Attribute> attributes, s
   return refusal ? beyond_limit(std::move(*refusal)) : std::nullopt;
 }
 
-Listener::Refusal Builder::open_element(std::string_view name, std::span<const Attribute> attributes, Open& open) {
-  const bool is_top = open_.size() == 1;
-  if (name == "Prefix" && is_top) {
-    open.role = Role::prefix;
-    return begin_prefix(attributes, open.line);
-  }
+bool Builder::is_leaf(std::string_view name) {
+  constexpr auto leaves =
+      std::to_array<std::string_view>({"Literal", "FacetRestriction", "IRI", "AbbreviatedIRI", "AnonymousIndividual"});
+  return std::ranges::find(leaves, name) != leaves.end();
+}
+
+Listener::Refusal Builder::open_leaf(std::string_view name, std::span<const Attribute> attributes, Open& open) {
   if (name == "Literal") {
     open.role = Role::literal;
     literal_language_ = value_of(attributes, "lang", xml);
@@ -130,14 +131,21 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
     open.role = Role::facet;
     return full_iri(value_of(attributes, "facet"), facet_iri_);
   }
-  if (name == "IRI" || name == "AbbreviatedIRI") {
-    open.role = name == "IRI" ? Role::iri : Role::short_iri;
-    return std::nullopt;
-  }
   if (name == "AnonymousIndividual") {
     open.role = Role::blank;
     return blank(open, attributes);
   }
+  open.role = name == "IRI" ? Role::iri : Role::short_iri;
+  return std::nullopt;
+}
+
+Listener::Refusal Builder::open_element(std::string_view name, std::span<const Attribute> attributes, Open& open) {
+  const bool is_top = open_.size() == 1;
+  if (name == "Prefix" && is_top) {
+    open.role = Role::prefix;
+    return begin_prefix(attributes, open.line);
+  }
+  if (is_leaf(name)) return open_leaf(name, attributes, open);
   open.production = functional::find_production(name);
   const Form form = form_of(open);
   if (form == Form::document) return "<" + base::printable(name, 60) + "> is no element of OWL/XML";
@@ -150,7 +158,11 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
     names_.forget_cost();
     annotations_.begin();
   }
-  switch (form) {
+  return open_production(name, attributes, open);
+}
+
+Listener::Refusal Builder::open_production(std::string_view name, std::span<const Attribute> attributes, Open& open) {
+  switch (form_of(open)) {
     case Form::extension:
       open.role = Role::left_out;
       source_.leave_out(name, file_, open.line);
@@ -166,9 +178,11 @@ Listener::Refusal Builder::open_element(std::string_view name, std::span<const A
     case Form::entity:
       return entity(open, attributes);
     default:
-      break;
+      return open.production->is_counted ? cardinality(name, attributes, open) : std::nullopt;
   }
-  if (!open.production->is_counted) return std::nullopt;
+}
+
+Listener::Refusal Builder::cardinality(std::string_view name, std::span<const Attribute> attributes, Open& open) {
   std::string_view digits = value_of(attributes, "cardinality");
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
     return "expected a number as the cardinality of <" + std::string(name) + '>';

@@ -83,6 +83,12 @@ class Builder final : public Listener {
   Refusal begin_element(std::string_view space, std::string_view name, std::span<const Attribute> attributes,
                         Open& open);
   Refusal open_element(std::string_view name, std::span<const Attribute> attributes, Open& open);
+  /// Whether an element of this name is a literal, an IRI or part of one, which has no production.
+  static bool is_leaf(std::string_view name);
+  Refusal open_leaf(std::string_view name, std::span<const Attribute> attributes, Open& open);
+  /// Opens an element by its production, which says what it is.
+  Refusal open_production(std::string_view name, std::span<const Attribute> attributes, Open& open);
+  Refusal cardinality(std::string_view name, std::span<const Attribute> attributes, Open& open);
   Refusal close_element(const Open& open);
 
   // builder_faults.cpp: what is not as the grammar has it.
