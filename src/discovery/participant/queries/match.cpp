@@ -67,21 +67,21 @@ Line line_of(const Listed& by, const registry::PublicationEntry& entry, const Ne
   return line;
 }
 
+/// Makes the lines of an answer; nothing for an entry that is not to be told of.
+struct Lines {
+  std::function<std::optional<Line>(const registry::PublicationEntry& entry, const matching::Match& match,
+                                    const matching::Request& request)>
+      of_match;
+  std::function<std::optional<Line>(const registry::PublicationEntry& entry, const Near& near)> of_near;
+};
+
 /// Looks at all publications that may meet the request, ranks those that do, and tells them in that order.
 class Ranking {
  public:
-  /// Makes the line of an entry; nothing where it is not to be told of.
-  using LineOf = std::function<std::optional<Line>(const registry::PublicationEntry& entry,
-                                                   const matching::Match& match, const matching::Request& request)>;
-
-  /// The same for one that comes near.
-  using LineOfNear = std::function<std::optional<Line>(const registry::PublicationEntry& entry, const Near& near)>;
-
-  Ranking(const Listed& by, const Overlaps& overlaps, const Self& self, Subscription asked,
-          const gcnp::QueryMatch& query, LineOf line_of, LineOfNear line_of_near)
+  Ranking(const Listed& by, const Overlaps& overlaps, const Self& self, const gcnp::QueryMatch& query,
+          Subscription asked, Lines lines)
       : by_(by),
-        line_of_(std::move(line_of)),
-        line_of_near_(std::move(line_of_near)),
+        lines_(std::move(lines)),
         overlaps_(overlaps),
         asked_{.key = {.participant = self.id, .peer = {}},
                .subscription = std::move(asked),
@@ -111,7 +111,7 @@ class Ranking {
     while (next_ < found_.size() && !piece.is_full()) {
       const matching::Rank& one = found_[next_++];
       if (const auto* entry = by_.matcher.publications().find_entry(one.key)) {
-        if (auto line = line_of_(*entry, one.match, *request_)) piece.tell(std::move(*line));
+        if (auto line = lines_.of_match(*entry, one.match, *request_)) piece.tell(std::move(*line));
       }
     }
     if (next_ < found_.size()) return false;
@@ -186,7 +186,7 @@ class Ranking {
       if (piece.is_full()) return false;
       const Near& one = ranked_near_[told_near_];
       if (const auto* entry = by_.matcher.publications().find_entry(one.key)) {
-        if (auto line = line_of_near_(*entry, one)) piece.tell(std::move(*line));
+        if (auto line = lines_.of_near(*entry, one)) piece.tell(std::move(*line));
       }
     }
     return true;
@@ -196,8 +196,7 @@ class Ranking {
   static bool is_met(const vocabulary::NearMiss& way) { return way.contradicting_count + way.lacking_count == 0; }
 
   Listed by_;
-  LineOf line_of_;
-  LineOfNear line_of_near_;
+  Lines lines_;
   const Overlaps& overlaps_;
   registry::SubscriptionEntry asked_;  ///< as of a peer of this host that has no name
   std::shared_ptr<const matching::Request> request_;
@@ -217,9 +216,8 @@ class Ranking {
   std::size_t told_near_ = 0;
 };
 
-std::expected<Answering, Error> begin(std::string kind, const Listed& by, const Overlaps& overlaps, const Self& self,
-                                      const gcnp::QueryMatch& query, Ranking::LineOf line_of,
-                                      Ranking::LineOfNear line_of_near) {
+/// The subscription that the query stands for, without a mode.
+std::expected<Subscription, Error> asked_of(const Listed& by, const gcnp::QueryMatch& query) {
   if (!query.where.empty()) {
     if (auto error = matching::check_where(query.where, "where", by.matcher.editions().vocabulary().units()))
       return std::unexpected(std::move(*error));
@@ -243,21 +241,19 @@ std::expected<Answering, Error> begin(std::string kind, const Listed& by, const 
       if (const auto ready = by.resolver.require_expressions(); !ready) return std::unexpected(ready.error());
     }
   }
-  return Answering{
-      .kind = std::move(kind),
-      .proceed = Ranking(by, overlaps, self, std::move(asked), query, std::move(line_of), std::move(line_of_near))};
+  return asked;
 }
 
 }  // namespace
 
 std::expected<Answering, Error> begin_match(const Listed& by, const Overlaps& overlaps, const Self& self,
                                             const gcnp::QueryMatch& query) {
-  return begin(
-      "match", by, overlaps, self, query,
-      [by](const auto& entry, const auto& match, const auto& request) {
-        return std::optional(line_of(by, entry, match, request));
-      },
-      [by](const auto& entry, const auto& near) { return std::optional(line_of(by, entry, near)); });
+  auto asked = asked_of(by, query);
+  if (!asked) return std::unexpected(std::move(asked.error()));
+  Lines lines{.of_match = [by](const auto& entry, const auto& match,
+                               const auto& request) { return std::optional(line_of(by, entry, match, request)); },
+              .of_near = [by](const auto& entry, const auto& near) { return std::optional(line_of(by, entry, near)); }};
+  return Answering{.kind = "match", .proceed = Ranking(by, overlaps, self, query, std::move(*asked), std::move(lines))};
 }
 
 std::expected<Answering, Error> begin_participants(const Listed& by, const Overlaps& overlaps, const Self& self,
@@ -270,12 +266,15 @@ std::expected<Answering, Error> begin_participants(const Listed& by, const Overl
                                .where = query.where,
                                .limit = query.limit,
                                .missing = query.missing};
+  auto asked = asked_of(by, match);
+  if (!asked) return std::unexpected(std::move(asked.error()));
   const auto append_own = [](Line& line, const registry::PublicationEntry& entry) {
     for (const auto& [name, value] : entry.publication.attributes)
       append(line, std::string(attribute_prefix) + name, value);
   };
-  const auto described = [line_of, append_own](const registry::PublicationEntry& entry, const matching::Match& found,
-                                               const matching::Request&) {
+  Lines lines;
+  lines.of_match = [line_of, append_own](const registry::PublicationEntry& entry, const matching::Match& found,
+                                         const matching::Request&) {
     auto line = line_of(entry.key.participant);
     if (!line) return line;
     append(*line, "degree", std::string(to_string(found.degree)));
@@ -283,14 +282,15 @@ std::expected<Answering, Error> begin_participants(const Listed& by, const Overl
     append_own(*line, entry);
     return line;
   };
-  const auto near = [line_of, append_own](const registry::PublicationEntry& entry, const Near& one) {
+  lines.of_near = [line_of = std::move(line_of), append_own](const registry::PublicationEntry& entry, const Near& one) {
     auto line = line_of(entry.key.participant);
     if (!line) return line;
     append_missing(*line, one.near_misses);
     append_own(*line, entry);
     return line;
   };
-  return begin("participants", by, overlaps, self, match, described, near);
+  return Answering{.kind = "participants",
+                   .proceed = Ranking(by, overlaps, self, match, std::move(*asked), std::move(lines))};
 }
 
 }  // namespace geminga::participant

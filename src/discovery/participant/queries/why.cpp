@@ -24,6 +24,19 @@ using matching::Obstacle;
 using registry::PublicationEntry;
 using registry::SubscriptionEntry;
 
+/// The line of a request or an offer that answers the other side or comes near: who it is, and how it fits.
+template <typename Entry>
+Line line_of_party(const Entry& party, gcnp::Parameter identity, ChannelMode mode, const Check& check,
+                   const membership::Neighbours& neighbours) {
+  Line line;
+  append_party(line, party);
+  line.push_back(std::move(identity));
+  append(line, "mode", std::string(to_string(mode)));
+  append_check(line, check);
+  append_way(line, party, neighbours);
+  return line;
+}
+
 /// One request and one offer, aspect by aspect.
 class PairAnswer {
  public:
@@ -108,12 +121,17 @@ class RequestAnswer {
   bool operator()(Piece& piece) {
     if (!is_surveyed_) {
       if (!survey_.proceed(piece)) return false;
-      sort();
+      list();
       is_surveyed_ = true;
     }
     for (; told_ < list_.size(); ++told_) {
       if (piece.is_full()) return false;
-      if (const auto* offer = matcher_.publications().find_entry(list_[told_].key)) tell(piece, *offer, list_[told_]);
+      const auto* offer = matcher_.publications().find_entry(list_[told_].key);
+      if (offer == nullptr) continue;
+      const Check check = checked(piece, *offer, list_[told_]);
+      const Publication& offered = offer->publication;
+      piece.tell(line_of_party(*offer, {"offered", words(matcher_.editions().vocabulary(), offered.identity)},
+                               offered.mode, check, neighbours_));
     }
     if (piece.is_full()) return false;
     piece.conclude(end(piece));
@@ -130,55 +148,58 @@ class RequestAnswer {
   };
 
   /// Lists the offers that it is given, then the outranked ones, then the nearest; the best few of each.
-  void sort() {
-    const Asked& asked = survey_.asked();
+  void list() {
     std::vector<ServiceKey> ranked;
     for (const matching::Rank& rank : survey_.best()) ranked.push_back(rank.key);
-    const auto place_of = [&](const ServiceKey& key) {
-      const auto at = std::ranges::find(ranked, key);
-      return at == ranked.end() ? 0 : static_cast<std::size_t>(at - ranked.begin()) + 1;
-    };
-    chosen_ = asked.entry.subscription.chosen;  // as the consumer's host has announced
-    if (chosen_.empty() && asked.is_living) chosen_ = matcher_.choices().chosen(asked.entry.key);
-    if (chosen_.empty()) {  // asked by nobody, or at a host that is not asked whom it has chosen
-      const std::size_t limit = asked.entry.subscription.limit;
-      chosen_.assign(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(
-                                                          limit == 0 ? ranked.size() : std::min(limit, ranked.size())));
-    }
-    for (const ServiceKey& key : chosen_) {
-      if (list_.size() < max_told_matches) list_.push_back({.key = key, .is_chosen = true, .place = place_of(key)});
-    }
-    const std::size_t serving = list_.size();
-    const std::set<ServiceKey> chosen(chosen_.begin(), chosen_.end());
-    for (std::size_t i = 0; i < ranked.size() && list_.size() < serving + max_told_matches; ++i) {
-      if (chosen.contains(ranked[i])) continue;
-      list_.push_back(
-          {.key = ranked[i], .place = i + 1, .settled = std::max(i, chosen.size() + list_.size() - serving) + 1});
-    }
+    chosen_ = chosen_of(ranked);
+    list_chosen(ranked);
+    list_outranked(ranked);
     for (const Misfit& one : survey_.nearest().misfits)
       list_.push_back({.key = one.key, .misfit = one.finding.first()});
   }
 
-  void tell(Piece& piece, const PublicationEntry& offer, const Entry& entry) const {
+  /// The choice of the consumer's host. For a request of nobody, or of a host that is not asked whom it has chosen: the
+  /// best ones, as many as the request wants.
+  [[nodiscard]] std::vector<ServiceKey> chosen_of(const std::vector<ServiceKey>& ranked) const {
     const Asked& asked = survey_.asked();
-    Check check;
-    if (entry.misfit != Obstacle::none) {
-      check = misfit_of(matcher_, neighbours_, asked, offer, entry.misfit);
-    } else if (entry.is_chosen) {
-      check = checks_of(matcher_, neighbours_, asked, offer, Depth::search)[1];
-      if (!check.proof.empty()) piece.look_at(cost_of_proof);
-    } else {
-      const auto* rival = chosen_.empty() ? nullptr : matcher_.publications().find_entry(chosen_.back());
-      check = outranked(matcher_, asked, offer,
-                        {.place = entry.place, .settled = entry.settled, .candidates = survey_.matching()}, rival);
+    std::vector<ServiceKey> chosen = asked.entry.subscription.chosen;  // as the consumer's host has announced
+    if (chosen.empty() && asked.is_living) chosen = matcher_.choices().chosen(asked.entry.key);
+    if (!chosen.empty()) return chosen;
+    const std::size_t limit = asked.entry.subscription.limit;
+    const std::size_t count = limit == 0 ? ranked.size() : std::min(limit, ranked.size());
+    return {ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(count)};
+  }
+
+  void list_chosen(const std::vector<ServiceKey>& ranked) {
+    for (const ServiceKey& key : chosen_) {
+      if (list_.size() == max_told_matches) return;
+      const auto at = std::ranges::find(ranked, key);
+      const std::size_t place = at == ranked.end() ? 0 : static_cast<std::size_t>(at - ranked.begin()) + 1;
+      list_.push_back({.key = key, .is_chosen = true, .place = place});
     }
-    Line line;
-    append_party(line, offer);
-    append(line, "offered", words(matcher_.editions().vocabulary(), offer.publication.identity));
-    append(line, "mode", std::string(to_string(offer.publication.mode)));
-    append_check(line, check);
-    append_way(line, offer, neighbours_);
-    piece.tell(std::move(line));
+  }
+
+  void list_outranked(const std::vector<ServiceKey>& ranked) {
+    const std::set<ServiceKey> chosen(chosen_.begin(), chosen_.end());
+    std::size_t listed = 0;
+    for (std::size_t i = 0; i < ranked.size() && listed < max_told_matches; ++i) {
+      if (chosen.contains(ranked[i])) continue;
+      list_.push_back({.key = ranked[i], .place = i + 1, .settled = std::max(i, chosen.size() + listed) + 1});
+      ++listed;
+    }
+  }
+
+  [[nodiscard]] Check checked(Piece& piece, const PublicationEntry& offer, const Entry& entry) const {
+    const Asked& asked = survey_.asked();
+    if (entry.misfit != Obstacle::none) return misfit_of(matcher_, neighbours_, asked, offer, entry.misfit);
+    if (entry.is_chosen) {
+      Check check = checks_of(matcher_, neighbours_, asked, offer, Depth::search)[1];
+      if (!check.proof.empty()) piece.look_at(cost_of_proof);
+      return check;
+    }
+    const auto* rival = chosen_.empty() ? nullptr : matcher_.publications().find_entry(chosen_.back());
+    return outranked(matcher_, asked, offer,
+                     {.place = entry.place, .settled = entry.settled, .candidates = survey_.matching()}, rival);
   }
 
   [[nodiscard]] Line end(Piece& piece) const {
@@ -225,7 +246,9 @@ class OfferAnswer {
       if (request == nullptr) continue;
       auto check = checked(piece, *request, list_[told_]);
       if (!check) return false;
-      tell(piece, *request, *check);
+      const Subscription& asked = request->subscription;
+      piece.tell(line_of_party(*request, {"asked", words(matcher_.editions().vocabulary(), asked.identity)}, asked.mode,
+                               *check, neighbours_));
       if (list_[told_].is_meeting && !check->is_ok() && !outranked_) outranked_ = std::move(*check);
     }
     if (piece.is_full()) return false;
@@ -274,16 +297,6 @@ class OfferAnswer {
     survey_.reset();
     if (!check.is_ok()) check.mend = mend_by_provider(matcher_.examination(), asked, offer.entry, check);
     return check;
-  }
-
-  void tell(Piece& piece, const SubscriptionEntry& request, const Check& check) const {
-    Line line;
-    append_party(line, request);
-    append(line, "asked", words(matcher_.editions().vocabulary(), request.subscription.identity));
-    append(line, "mode", std::string(to_string(request.subscription.mode)));
-    append_check(line, check);
-    append_way(line, request, neighbours_);
-    piece.tell(std::move(line));
   }
 
   [[nodiscard]] Line end(Piece& piece) const {
