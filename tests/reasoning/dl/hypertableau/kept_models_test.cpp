@@ -81,13 +81,17 @@ std::size_t compare_answers(const owl::Ontology& source) {
     for (std::size_t at = 0; at < classes.size(); ++at) {
       SCOPED_TRACE("concept " + std::to_string(clauses::number(sub)) + " outside of class " + std::to_string(at));
       const Verdict alone = Tableau(source, *set, limits).is_satisfiable({sub, set->complements[at]}).verdict;
-      const Verdict beside = kept.is_satisfiable({sub, set->complements[at]}).verdict;
-      if (alone == Verdict::unknown || beside == Verdict::unknown) continue;
-      ++answers;
-      EXPECT_EQ(beside, alone);
+      if (alone == Verdict::unknown) continue;
+      // Within the limit of steps another order of guesses may find no answer.
+      const auto expect_the_same = [&](Verdict beside) {
+        if (beside == Verdict::unknown) return;
+        ++answers;
+        EXPECT_EQ(beside, alone);
+      };
+      expect_the_same(kept.is_satisfiable({sub, set->complements[at]}).verdict);
       const auto named = concept_of(*set, classes[at]);
       if (!named || classes[at] == owl::thing_term) continue;
-      EXPECT_EQ(kept.is_satisfiable({sub}, named).verdict, alone);
+      expect_the_same(kept.is_satisfiable({sub}, named).verdict);
       if (alone == Verdict::no || kept.is_satisfiable({sub}).verdict != Verdict::yes) continue;
       EXPECT_FALSE(std::ranges::binary_search(kept.model().certain, *named)) << "is certain, and does not follow";
     }
@@ -111,7 +115,7 @@ TEST(KeptModels, ChangeNoAnswerAboutRandomOntologies) {
       SCOPED_TRACE("profile " + std::string(to_string(profile)) + ", seed " + std::to_string(seed));
       answers += compare_answers(compare::random_ontology(profile, seed, 8 + seed % 16));
     }
-    EXPECT_GT(answers, test::rounds(20U));
+    EXPECT_TRUE(HasFailure() || answers > test::rounds(20U)) << answers;
   }
 }
 
