@@ -124,20 +124,32 @@ std::string problems_as_text(const Findings& findings) {
     for (const explanation::ExplainedAxiom& axiom : reason) text += "    because " + axiom_line(axiom) + '\n';
   };
   if (!findings.is_consistent) {
-    text += findings.contradiction.empty() ? "" : "These contradict each other, and no fewer of them do:\n";
+    text += findings.contradiction.empty() ? "Which axioms contradict each other was not found: geminga-ontology "
+                                             "explain --inconsistent looks longer.\n"
+                                           : "These contradict each other, and no fewer of them do:\n";
     add_reason(findings.contradiction);
   }
   if (!findings.unsatisfiable.empty())
     text += findings.is_consistent ? "Classes that can have no instance:\n"
                                    : "Classes that can have no instance even if all facts are left aside:\n";
   bool is_derived = false;
+  std::size_t unexplained = 0;
   for (const Unsatisfiable& found : findings.unsatisfiable) {
     if (found.root && !std::exchange(is_derived, true))
       text += "Classes that can have none because of these (mend those first, and check again):\n";
     text += "  " + found.name + '\n';
     if (found.root) text += "    depends on " + *found.root + '\n';
     add_reason(found.reason);
+    if (found.reason.empty()) ++unexplained;
   }
+  if (unexplained > 0)
+    text += "No reason was looked for or found for " + counted(unexplained, "class", "classes") +
+            " without a \"because\" (each may depend on others): geminga-ontology explain --super owl:Nothing looks "
+            "longer.\n";
+  if (!findings.is_searched_without_facts)
+    text +=
+        "There may be more classes that can have no instance even if all facts are left aside: check takes no more "
+        "steps to look for them.\n";
   if (!findings.collisions.found.empty())
     text += "Names with equal 32-bit identities (they never match by accident):\n";
   for (const Collision& collision : findings.collisions.found) {

@@ -21,8 +21,7 @@ enum class Patience : std::uint8_t {
 };
 
 /// Asks about one source, which must outlive it and may grow. Every yes is sound. After some questions that were too
-/// hard, holds() asks the rules only. Once the budget is spent, no question is asked and nothing is found to hold; one
-/// that is being asked then is answered first.
+/// hard, holds() asks the rules only. Once the budget is spent, nothing is found to hold.
 class Oracle {
  public:
   /// The budget is borrowed; null: no limit beside patience.
@@ -50,7 +49,7 @@ class Oracle {
   [[nodiscard]] bool is_spent() const { return budget_ != nullptr && budget_->is_spent(); }
 
  private:
-  [[nodiscard]] Decision decide_by_models(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
+  [[nodiscard]] Decision decide_beyond_rules(std::span<const std::uint32_t> axioms, owl::TermId sub, owl::TermId super);
 
   /// Counts the axioms of a question. False if the budget is spent.
   bool count(std::size_t work);
@@ -60,6 +59,7 @@ class Oracle {
   base::Budget* budget_;
   std::size_t work_ = 0;
   std::size_t undecided_ = 0;
+  std::size_t first_turn_ = 0;  ///< the first bound of the next question to the engines beyond the rules
 };
 
 }  // namespace geminga::explanation

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reasoning/explanation/allowance.hpp"
 #include "reasoning/explanation/explain.hpp"
 #include "reasoning/modules/module.hpp"
 
@@ -105,9 +106,12 @@ class Edges {
 /// The search over all unsatisfiable classes of one ontology.
 class Search {
  public:
-  Search(const compiled::Ontology& ontology, ClassNumber nothing, std::vector<ClassNumber> empty, base::Budget* budget,
-         Patience patience)
-      : ontology_(ontology), nothing_(nothing), budget_(budget), patience_(patience) {
+  Search(const compiled::Ontology& ontology, ClassNumber nothing, const std::vector<ClassNumber>& empty,
+         base::Budget* budget, Patience patience)
+      : ontology_(ontology),
+        nothing_(nothing),
+        allowance_(budget, steps_of_reasons(ontology.axiom_count())),
+        patience_(patience) {
     for (const ClassNumber number : empty) found_[number].number = number;
     edges_ = Edges(ontology, empty).find();
   }
@@ -166,11 +170,11 @@ class Search {
     for (const ClassNumber number : candidates()) {
       candidates_.push_back(number);
       if (was_hard || explained.size() == max_explained_classes) continue;
-      if (budget_ != nullptr && budget_->is_spent()) continue;
-      Candidate& one = explained.emplace_back(ontology_, number, nothing_, patience_, budget_);
+      if (allowance_.budget().is_spent()) continue;
+      Candidate& one = explained.emplace_back(ontology_, number, nothing_, patience_, &allowance_.budget());
       auto set = one.explainer.find_one();
       was_hard = one.explainer.oracle().undecided_count() > 0;
-      if (!set) {
+      if (!set || allowance_.budget().is_spent()) {  // a set that was not searched to the end need not be minimal
         explained.pop_back();
         continue;
       }
@@ -229,7 +233,7 @@ class Search {
 
   const compiled::Ontology& ontology_;
   ClassNumber nothing_;
-  base::Budget* budget_;
+  Allowance allowance_;
   Patience patience_;
   std::map<ClassNumber, Unsatisfiable> found_;
   std::vector<Edge> edges_;
@@ -247,7 +251,7 @@ std::vector<Unsatisfiable> find_unsatisfiable(const compiled::Ontology& ontology
     if (named != *nothing && !ontology.is_satisfiable(named)) empty.push_back(named);
   }
   if (empty.empty()) return {};
-  return Search(ontology, *nothing, std::move(empty), budget, patience).run();
+  return Search(ontology, *nothing, empty, budget, patience).run();
 }
 
 }  // namespace geminga::explanation

@@ -32,7 +32,8 @@ inline constexpr std::size_t max_explained_classes = 100;
 
 /// The unsatisfiable classes without owl:Nothing: roots first, each of both kinds ascending. Requires an ontology
 /// without a contradiction, and its axioms. A pass over the axioms, and a minimal set for each class that no axiom
-/// leads to another one: only easy sets are looked for, and none after a hard one, since the others would be hard, too.
+/// leads to another one: only easy sets are looked for, none after a hard one, since the others would be hard, too, and
+/// none once steps_of_reasons() are spent for all of them.
 [[nodiscard]] std::vector<Unsatisfiable> find_unsatisfiable(const compiled::Ontology& ontology, base::Budget* budget,
                                                             Patience patience = Patience::of_a_daemon);
 

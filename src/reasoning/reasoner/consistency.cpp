@@ -9,6 +9,8 @@
 namespace geminga::reasoner {
 namespace {
 
+/// Derived before a model is looked for: with many axioms a model may take long where few clauses decide.
+constexpr std::size_t first_clauses_of_the_world = 20'000;
 constexpr std::size_t max_clauses_of_the_world = 2'000'000;
 
 }  // namespace
@@ -22,13 +24,17 @@ Answer is_consistent(const owl::Ontology& source, base::Budget* budget) {
   }
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
-  hypertableau::Tableau tableau(source, *clauses, {.budget = budget});
-  Answer answer = tableau.is_consistent();
+  const auto derive = [&](std::size_t most) {
+    const consequence::Closure closure =
+        consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = most, .budget = budget});
+    if (!closure.is_consistent) return Verdict::no;
+    return closure.gaps.empty() ? Verdict::yes : Verdict::unknown;
+  };
+  Answer answer{derive(first_clauses_of_the_world), {}};
+  if (answer.verdict == Verdict::unknown)
+    answer = hypertableau::Tableau(source, *clauses, {.budget = budget}).is_consistent();
   if (answer.verdict == Verdict::unknown) {
-    const consequence::Closure closure = consequence::saturate(
-        source, *clauses, {}, {.threads = 1, .clauses = max_clauses_of_the_world, .budget = budget});
-    if (!closure.is_consistent) return {Verdict::no, {}};
-    if (closure.gaps.empty()) answer = {Verdict::yes, {}};
+    if (const Verdict derived = derive(max_clauses_of_the_world); derived != Verdict::unknown) answer = {derived, {}};
   }
   if (answer.verdict == Verdict::yes && !clauses->unused.empty())
     return {Verdict::unknown,

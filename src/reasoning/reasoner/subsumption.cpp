@@ -10,6 +10,10 @@
 namespace geminga::reasoner {
 namespace {
 
+using consequence::Derived;
+
+/// Derived before a model is looked for: with many axioms a model may take long where few clauses decide.
+constexpr std::size_t first_clauses_of_a_question = 20'000;
 constexpr std::size_t max_clauses_of_a_question = 500'000;
 constexpr std::uint32_t max_expression_levels = 500;  // as SourceLimits::nesting, of expressions that are in no axiom
 
@@ -32,20 +36,23 @@ Answer entails(const owl::Ontology& source, std::optional<std::span<const std::u
   if (is_subsumed_in_el(source, axioms, sub, super)) return {Verdict::yes, {}};
   const auto clauses = clauses::clausify(source, axioms, std::span(&sub, 1), std::span(&super, 1));
   if (!clauses) return {Verdict::unknown, clauses.error().text};
+  const auto answer = [&](bool is_entailed) -> Answer {
+    if (is_entailed) return {Verdict::yes, {}};
+    if (clauses->unused.empty()) return {Verdict::no, {}};
+    return {Verdict::unknown,
+            describe_unused(source, clauses->unused.front().axiom, clauses->unused.front().construct)};
+  };
+  const auto derive = [&](std::size_t most) {
+    return consequence::derives(source, *clauses, super, {.clauses = most, .budget = budget});
+  };
+  const auto is_decided = [](Derived derived) { return derived == Derived::yes || derived == Derived::no; };
+  const Derived first = derive(first_clauses_of_a_question);
+  if (is_decided(first)) return answer(first == Derived::yes);
   Answer counterexample = hypertableau::Tableau(source, *clauses, {.budget = budget})
                               .is_satisfiable({clauses->queries.front(), clauses->complements.front()});
-  switch (counterexample.verdict) {
-    case Verdict::no:
-      return {Verdict::yes, {}};
-    case Verdict::yes:
-      if (clauses->unused.empty()) return {Verdict::no, {}};
-      return {Verdict::unknown,
-              describe_unused(source, clauses->unused.front().axiom, clauses->unused.front().construct)};
-    case Verdict::unknown:
-      break;
-  }
-  if (consequence::derives(source, *clauses, super, {.clauses = max_clauses_of_a_question, .budget = budget}))
-    return {Verdict::yes, {}};
+  if (counterexample.verdict != Verdict::unknown) return answer(counterexample.verdict == Verdict::no);
+  if (first == Derived::open) return counterexample;
+  if (const Derived all = derive(max_clauses_of_a_question); is_decided(all)) return answer(all == Derived::yes);
   return counterexample;
 }
 

@@ -153,6 +153,18 @@ TEST(Check, ReportsCollidingNamesAndPrefixes) {
   EXPECT_THAT(outcome.out, HasSubstr("  e: is <http://e/>, not <http://f/>\n"));
 }
 
+TEST(Check, SaysForHowManyClassesNoReasonWasFound) {
+  const Program program;
+  std::string text = ":B owl:disjointWith :C .\n";
+  for (int number = 0; number < 103; ++number) text += ":A" + std::to_string(number) + " rdfs:subClassOf :B , :C .\n";
+  program.turtle("a.ttl", text);
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("No reason was looked for or found for 3 classes without a \"because\""));
+  program.turtle("a.ttl", ":B owl:disjointWith :C . :A rdfs:subClassOf :B , :C .\n");
+  EXPECT_THAT(program.run({"check", "a.ttl"}).out, Not(HasSubstr("No reason ")));
+}
+
 TEST(Check, AContradictionIsAProblem) {
   const Program program;
   program.turtle("a.ttl", ":i a :A, :B . :A owl:disjointWith :B .\n");

@@ -9,6 +9,7 @@
 #include "ontology/findings/touched_classes.hpp"
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
+#include "reasoning/explanation/allowance.hpp"
 #include "reasoning/explanation/explain_module.hpp"
 #include "reasoning/explanation/unsatisfiable.hpp"
 #include "reasoning/owl/prefixes/prefixes.hpp"
@@ -88,9 +89,11 @@ std::vector<explanation::ExplainedAxiom> contradiction_of(const compiled::Ontolo
   const auto thing = ontology.find_iri(owl::owl_thing);
   const auto nothing = ontology.find_iri(owl::owl_nothing);
   if (!thing || !nothing) return {};
-  explanation::Explainer explainer(ontology, *thing, *nothing, explanation::Patience::of_a_person, &budget);
+  explanation::Allowance allowance(&budget, explanation::steps_of_reasons(ontology.axiom_count()));
+  explanation::Explainer explainer(ontology, *thing, *nothing, explanation::Patience::of_a_person, &allowance.budget());
   const auto found = explainer.find_one();
-  return found ? explainer.explained(*found) : std::vector<explanation::ExplainedAxiom>();
+  if (!found || allowance.budget().is_spent()) return {};  // it need not be minimal
+  return explainer.explained(*found);
 }
 
 /// Requires an ontology without a contradiction.
@@ -125,8 +128,10 @@ void find_unsatisfiable_without_facts(const owl::Ontology& source, Findings& fin
   reasoner::Excerpt excerpt(source, terminology);
   const owl::Prefixes prefixes(source);
   for (const auto& [word, iri] : prefixes.all()) excerpt.source.add_prefix(word, iri);
-  const auto classified = reasoner::classify(excerpt.source, {.budget = &budget});
+  explanation::Allowance allowance(&budget, explanation::steps_of_reasons(terminology.size()));
+  const auto classified = reasoner::classify(excerpt.source, {.budget = &allowance.budget()});
   if (!classified || !classified->is_consistent) return;
+  findings.is_searched_without_facts = !classified->is_cut_off;
   const auto ontology = compiled::Ontology::from_bytes(compiled::compile(excerpt.source, *classified));
   if (ontology) findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
 }

@@ -7,6 +7,7 @@
 #include "reasoning/dl/consequence/rules/rules.hpp"
 #include "reasoning/dl/consequence/saturation.hpp"
 #include "reasoning/dl/consequence/settled_contexts.hpp"
+#include "reasoning/owl/source.hpp"
 
 namespace geminga::consequence {
 namespace {
@@ -85,14 +86,19 @@ Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
   return closure;
 }
 
-bool derives(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
-             const Options& options) {
+/// A closure without gaps has every named class above the query that is in a body; the complement of `super` puts it
+/// into one. Whether the facts have a model is among what it decides.
+Derived derives(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
+                const Options& options) {
   const Closure closure = saturate(source, clauses, clauses.queries, options);
-  if (!closure.is_consistent) return true;
-  return std::ranges::any_of(closure.subsumers.front(), [&](ConceptId above) {
+  if (!closure.is_consistent) return Derived::yes;
+  const bool follows = std::ranges::any_of(closure.subsumers.front(), [&](ConceptId above) {
     const clauses::Concept& found = clauses.concepts[clauses::number(above)];
     return above == clauses::nothing || (found.kind == clauses::ConceptKind::named && found.term == super);
   });
+  if (follows) return Derived::yes;
+  if (closure.is_cut_off) return Derived::cut_off;
+  return closure.gaps.empty() && source.kind(super) == owl::TermKind::named_class ? Derived::no : Derived::open;
 }
 
 }  // namespace geminga::consequence

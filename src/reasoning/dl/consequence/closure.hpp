@@ -62,10 +62,18 @@ struct Closure {
 [[nodiscard]] Closure saturate(const owl::Ontology& source, const clauses::ClauseSet& clauses,
                                std::span<const clauses::ConceptId> wanted, const Options& options = {});
 
+/// The answer to one question.
+enum class Derived : std::uint8_t {
+  yes,      ///< it follows
+  no,       ///< it does not follow from the clauses
+  cut_off,  ///< it was not derived before a limit was reached
+  open,     ///< it was not derived, and the closure has gaps at any limit, or `super` is no name
+};
+
 /// Whether `super` follows for the one concept that the clauses have a query of, which it also does where that can have
-/// no instance. A yes is certain; a no is none where the closure has gaps.
-[[nodiscard]] bool derives(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
-                           const Options& options);
+/// no instance. A no takes all that follows into account, so that it requires clauses with a complement of `super`.
+[[nodiscard]] Derived derives(const owl::Ontology& source, const clauses::ClauseSet& clauses, owl::TermId super,
+                              const Options& options);
 
 }  // namespace geminga::consequence
 
