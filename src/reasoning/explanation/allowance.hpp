@@ -10,9 +10,9 @@
 namespace geminga::explanation {
 
 /// The steps for the reasons of one problem of an ontology with so many axioms, unless somebody asks for more: they
-/// take some seconds at most. Questions are about subsets, so that they grow with the ontology.
+/// take half a minute at most. Questions are about subsets, so that they grow with the ontology.
 [[nodiscard]] constexpr std::uint64_t steps_of_reasons(std::size_t axioms) {
-  return 40'000'000 + 500 * static_cast<std::uint64_t>(axioms);
+  return 200'000'000 + 500 * static_cast<std::uint64_t>(axioms);
 }
 
 /// Steps of its own, for which a whole budget pays, too. Not thread-safe.

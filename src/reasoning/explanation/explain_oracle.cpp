@@ -63,8 +63,7 @@ Oracle::Decision Oracle::decide(std::span<const std::uint32_t> axioms, owl::Term
   return {.verdict = by_rules == el::Entailed::yes ? Verdict::yes : Verdict::no};
 }
 
-/// The next question is often alike. So deriving gets the bound that was enough for the last one, and a smaller one
-/// where a model came first.
+/// The next question is often alike. So the engine that decided the last one begins, with the bound that was enough.
 Oracle::Decision Oracle::decide_beyond_rules(std::span<const std::uint32_t> axioms, owl::TermId sub,
                                              owl::TermId super) {
   // These engines need about ten times as long as the rules.
@@ -94,13 +93,15 @@ Oracle::Decision Oracle::decide_beyond_rules(std::span<const std::uint32_t> axio
   };
   Verdict verdict = Verdict::unknown;
   for (std::size_t turn = std::max(first_clauses, first_turn_); verdict == Verdict::unknown; turn *= growth_a_turn) {
-    verdict = derive(turn);
     first_turn_ = turn;
+    verdict = derives_first_ ? derive(turn) : build(turn);
     if (verdict != Verdict::unknown) break;
-    verdict = build(turn);
-    first_turn_ = turn / growth_a_turn;
-    if (verdict == Verdict::unknown && (turn >= most.clauses || is_spent()))
+    verdict = derives_first_ ? build(turn) : derive(turn);
+    if (verdict != Verdict::unknown) {
+      derives_first_ = !derives_first_;
+    } else if (turn >= most.clauses || is_spent()) {
       return {.reason = std::move(reason), .is_too_hard = true};
+    }
   }
   if (verdict == Verdict::yes || clauses->unused.empty()) return {.verdict = verdict};
   return {.reason = "an axiom cannot be used because of " + std::string(clauses->unused.front().construct)};

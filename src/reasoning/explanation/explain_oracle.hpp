@@ -60,6 +60,7 @@ class Oracle {
   std::size_t work_ = 0;
   std::size_t undecided_ = 0;
   std::size_t first_turn_ = 0;  ///< the first bound of the next question to the engines beyond the rules
+  bool derives_first_ = false;  ///< in the next question; otherwise a model is built first
 };
 
 }  // namespace geminga::explanation
