@@ -24,9 +24,9 @@ Answer is_consistent(const owl::Ontology& source, base::Budget* budget) {
   }
   const auto clauses = clauses::clausify(source, std::nullopt, {});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
-  const auto derive = [&](std::size_t most) {
+  const auto derive = [&](std::size_t clause_limit) {
     const consequence::Closure closure =
-        consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = most, .budget = budget});
+        consequence::saturate(source, *clauses, {}, {.threads = 1, .clauses = clause_limit, .budget = budget});
     if (!closure.is_consistent) return Verdict::no;
     return closure.gaps.empty() ? Verdict::yes : Verdict::unknown;
   };

@@ -42,8 +42,8 @@ Answer entails(const owl::Ontology& source, std::optional<std::span<const std::u
     return {Verdict::unknown,
             describe_unused(source, clauses->unused.front().axiom, clauses->unused.front().construct)};
   };
-  const auto derive = [&](std::size_t most) {
-    return consequence::derives(source, *clauses, super, {.clauses = most, .budget = budget});
+  const auto derive = [&](std::size_t clause_limit) {
+    return consequence::derives(source, *clauses, super, {.clauses = clause_limit, .budget = budget});
   };
   const auto is_decided = [](Derived derived) { return derived == Derived::yes || derived == Derived::no; };
   const Derived first = derive(first_clauses_of_a_question);
