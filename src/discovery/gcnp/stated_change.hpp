@@ -40,7 +40,7 @@ void apply_stated(const SubscriptionChange& change, Subscription& subscription) 
   subscription.providers = change.providers.value_or(subscription.providers);
   subscription.where = change.where.value_or(subscription.where);
   if (change.limit) {
-    const std::uint32_t limit = *change.limit;
+    const std::uint32_t limit = *change.limit;  // that of some subscriptions may be missing, too, and of others not
     subscription.limit = limit;
   }
   subscription.protocols = change.protocols.value_or(subscription.protocols);

@@ -9,8 +9,9 @@
 
 namespace geminga::explanation {
 
-/// The steps for the reasons of one problem of an ontology with so many axioms, unless somebody asks for more: they
-/// take half a minute at most. Questions are about subsets, so that they grow with the ontology.
+/// The steps for the reasons of one problem of an ontology with so many axioms, unless somebody asks for more.
+/// Questions are about subsets, so that the steps grow with the ontology. How long they take: BENCHMARKS.md, "Reasons
+/// of check".
 [[nodiscard]] constexpr std::uint64_t steps_of_reasons(std::size_t axioms) {
   return 200'000'000 + 500 * static_cast<std::uint64_t>(axioms);
 }
