@@ -72,7 +72,7 @@ void Derivation::process_concept(const Fact& fact, FactId id) {
     if (node != fact.a) facts_.add_merge(fact.a, node, dependency);
   }
   // The mark and the concept that it excludes. Facts that came later wait for their own turn.
-  if (const FactId opposite = facts_.find_opposite(fact.predicate, fact.a); opposite < id) {
+  if (const FactId opposite = facts_.find_opposite(fact); opposite < id) {
     facts_.clash(graph_.unite(fact.dependency, graph_.fact(opposite).dependency));
     return;
   }

@@ -17,6 +17,10 @@ namespace {
 /// The number of wrong choices after which the search begins again with the records that it has.
 constexpr std::size_t first_patience = 64;
 
+/// The questions that may leave something in the base (lemma 8 of README.md). A supposition for each stands before all
+/// choices, whether it is used or not.
+constexpr std::uint32_t most_suppositions = 64;
+
 }  // namespace
 
 Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const QuestionLimits& limits,
@@ -41,7 +45,10 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       matches_(program_, graph_, effort_, facts_, disjunctions_),
       derivation_(program_, graph_, facts_, matches_, bounds_, expansion_),
       keys_(source, set, graph_, facts_),
-      rules_(source, set, graph_, effort_, facts_, disjunctions_) {}
+      rules_(source, set, graph_, effort_, facts_, disjunctions_),
+      supposition_count_(is_about_facts            ? 1
+                         : program_.has_nominals() ? most_suppositions
+                                                   : 0) {}
 
 void Search::begin(bool is_about_world) {
   is_open_for_rules_ = false;
@@ -54,10 +61,8 @@ void Search::begin(bool is_about_world) {
 Outcome Search::find_world() {
   begin(true);
   assert_told_facts(set_, program_, facts_);
-  if (is_about_facts_) {
-    branches_.push_back({sizes(), {}});
-    base_branches_ = 1;
-  }
+  branches_.assign(supposition_count_, Branch{sizes(), {}});
+  base_branches_ = supposition_count_;
   const Outcome outcome = run();
   if (is_about_facts_ && !before_choices_) before_choices_ = sizes();
   return outcome;
@@ -92,7 +97,7 @@ Outcome Search::find_instance(std::vector<clauses::ConceptId> together, std::opt
 }
 
 void Search::suppose() {
-  const DependencySet dependency = graph_.depending_on(0);
+  const DependencySet dependency = supposed();
   const auto node_of = [&](clauses::IndividualId individual, DependencySet& merged_by) {
     return graph_.current(facts_.individuals()[number(individual)], merged_by);
   };
@@ -115,14 +120,17 @@ void Search::ask() {
     suppose();
     return;
   }
-  question_node_ = facts_.add_node(NodeKind::root, none, no_dependency);
+  facts_.begin_question(question_branch_);
+  const DependencySet dependency = supposed();
+  question_node_ = facts_.add_node(NodeKind::root, none, dependency);
   if (!program_.needs_thing() && question_.empty()) {
     // So that cutting it off is seen.
-    facts_.add_fact(FactKind::concept_of, number(clauses::thing), question_node_, 0, no_dependency);
+    facts_.add_fact(FactKind::concept_of, number(clauses::thing), question_node_, 0, dependency);
   }
-  if (is_outside_) facts_.add_fact(FactKind::concept_of, program_.mark_of_question(), question_node_, 0, no_dependency);
+  if (is_outside_)
+    facts_.add_fact(FactKind::concept_of, program_.mark_of_question(), question_node_, question_branch_, dependency);
   for (const clauses::ConceptId id : question_) {
-    facts_.add_fact(FactKind::concept_of, number(id), question_node_, 0, no_dependency);
+    facts_.add_fact(FactKind::concept_of, number(id), question_node_, 0, dependency);
   }
 }
 
@@ -140,7 +148,8 @@ std::optional<owl::TermId> Search::known_value(NodeId node, bool is_certain) {
 }
 
 Model Search::model() {
-  return write_model(graph_, set_.concepts.size(), has_question_ ? question_node_ : none, base_ ? base_->mark : Mark{});
+  return write_model(graph_, set_.concepts.size(), has_question_ ? question_node_ : none, supposed(),
+                     base_ ? base_->mark : Mark{});
 }
 
 void Search::keep() {
@@ -153,7 +162,12 @@ void Search::keep() {
 void Search::end_question(Outcome outcome) {
   has_question_ = false;
   facts_.forget_clash();
-  if (!base_) return;
+  if (!base_) {
+    if (outcome != Outcome::model || question_branch_ + 1 >= supposition_count_) return;
+    ++question_branch_;
+    keep();
+    return;
+  }
   if (outcome == Outcome::model && !program_.has_nominals() && facts_.has_values_apart()) {
     keep();
   } else {
@@ -287,7 +301,8 @@ void Search::branch(Decision decision) {
 /// Takes the next alternative of the branch that is to blame. False: there is none, and no model.
 bool Search::go_back() {
   const DependencySet clash = facts_.clash_dependency();
-  if (clash == no_dependency) return false;
+  is_refuted_alone_ = clash == no_dependency || clash == supposed();
+  if (is_refuted_alone_) return false;
   const std::uint32_t number = graph_.dependencies().last(clash);
   if (is_supposition(number)) return false;
   branches_.resize(number + 1);
@@ -351,7 +366,7 @@ void Search::restore(const Sizes& sizes) {
 
 void Search::forget_base() {
   base_.reset();
-  base_branches_ = is_about_facts_ && !branches_.empty() ? 1 : 0;
+  base_branches_ = std::min<std::size_t>(supposition_count_, branches_.size());
   effort_.set_base({});
   facts_.settle_values(0);
 }
@@ -359,6 +374,8 @@ void Search::forget_base() {
 void Search::reset() {
   restore({});
   branches_.clear();
+  question_branch_ = 0;
+  has_question_ = false;
   before_choices_.reset();
   graph_.forget_dependencies();
   forget_base();

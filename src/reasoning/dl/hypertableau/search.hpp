@@ -92,9 +92,11 @@ class Search {
   /// so that a kept model does not change.
   void keep();
   [[nodiscard]] bool has_base() const { return base_.has_value(); }
+  void forget_base();
   [[nodiscard]] std::size_t base_node_count() const { return base_ ? base_->mark.nodes : 0; }
   /// To be called after find_instance(): keeps the model, or takes the question back. Models that share more of values
-  /// than literals are not kept (lemma 6 of README.md).
+  /// than literals are not kept (lemma 7 of README.md). With nominals the first models that leave the
+  /// model of the facts become the base (lemma 8).
   void end_question(Outcome outcome);
 
   /// The same after find_supposing(). A model that was found outside of the base becomes the base. Whatever is still
@@ -102,6 +104,10 @@ class Search {
   void end_supposing(Outcome outcome);
 
   [[nodiscard]] bool has_nominals() const { return program_.has_nominals(); }
+  /// Whether the last outcome, which was no_model, depends on nothing that former questions left in the base.
+  [[nodiscard]] bool is_refuted_alone() const { return is_refuted_alone_; }
+  /// Whether the base depends on former questions.
+  [[nodiscard]] bool has_tainted_base() const { return question_branch_ > 0; }
 
  private:
   /// Sizes of all stacks.
@@ -136,12 +142,15 @@ class Search {
   bool go_back();
   void begin_again();
   void note(const Suspect& suspect);
-  void forget_base();
   /// Whether the base is the model of the facts.
   [[nodiscard]] bool keeps_world() const { return is_about_facts_ || program_.has_nominals(); }
-  /// All that is supposed depends on this branch, which has no alternatives and is the first. A clash that depends on
-  /// nothing else refutes what is supposed. Being the first it stays among the reasons of later branches.
-  [[nodiscard]] bool is_supposition(std::uint32_t branch) const { return is_about_facts_ && branch == 0; }
+  /// All that is supposed, or asked beside the model of the facts, depends on such a branch, which has no alternatives.
+  /// They are the first, and so stay among the reasons of later branches. A clash that depends on nothing else refutes
+  /// what is supposed.
+  [[nodiscard]] bool is_supposition(std::uint32_t branch) const { return branch < supposition_count_; }
+  [[nodiscard]] DependencySet supposed() const {
+    return supposition_count_ == 0 ? no_dependency : graph_.depending_on(question_branch_);
+  }
   [[nodiscard]] Sizes sizes() const;
   void restore(const Sizes& sizes);
   [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return graph_.unite(first, second); }
@@ -180,6 +189,10 @@ class Search {
   Supposition supposed_;
   bool has_question_ = false;
   std::size_t question_mark_ = 0;  ///< facts that are older than it
+  const std::uint32_t supposition_count_;
+  /// Of the suppositions, that of the question. Those before are of former questions that the base has kept.
+  std::uint32_t question_branch_ = 0;
+  bool is_refuted_alone_ = false;
   NodeId question_node_ = none;
   /// With nominals the model of the facts; otherwise the models of the questions whose answer was yes.
   std::optional<Sizes> base_;

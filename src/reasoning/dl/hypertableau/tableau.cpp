@@ -95,7 +95,14 @@ Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together, std::op
   const World& world = find_world();
   if (world.answer.verdict != Verdict::yes) return world.answer;
   prepare_base();
-  const Outcome outcome = search_->find_instance(std::move(together), outside);
+  Outcome outcome = search_->find_instance(together, outside);
+  // A former question may be to blame.
+  const bool is_final = outcome == Outcome::model || (outcome == Outcome::no_model && search_->is_refuted_alone());
+  if (!is_final && search_->has_tainted_base()) {
+    search_->forget_base();
+    if (const World& pure = find_world(); pure.answer.verdict != Verdict::yes) return pure.answer;
+    outcome = search_->find_instance(std::move(together), outside);
+  }
   if (outcome == Outcome::model) model_ = search_->model();
   Answer answer = answer_of(outcome, search_->reason());
   if (!taken_for_true_.empty()) {

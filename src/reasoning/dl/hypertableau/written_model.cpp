@@ -18,13 +18,15 @@ std::vector<clauses::ConceptId> label_of(const Graph& graph, std::size_t concept
   return label;
 }
 
-/// Concepts of the node that depend on no choice. A concept that came by an uncertain merge depends on that merge.
+/// Concepts of the node that depend on no choice, and on no other question. A concept that came by an uncertain merge
+/// depends on that merge.
 std::vector<clauses::ConceptId> certain_label_of(const Graph& graph, std::size_t concept_count, NodeId node,
-                                                 DependencySet merged_by) {
+                                                 DependencySet merged_by, DependencySet supposed) {
   std::vector<clauses::ConceptId> label;
   for (FactId id = graph.node(node).labels; id != none; id = graph.fact(id).next_a) {
     const Fact& fact = graph.fact(id);
-    if (fact.predicate < concept_count && graph.unite(fact.dependency, merged_by) == no_dependency)
+    const DependencySet reasons = graph.unite(fact.dependency, merged_by);
+    if (fact.predicate < concept_count && (reasons == no_dependency || reasons == supposed))
       label.push_back(clauses::ConceptId{fact.predicate});
   }
   std::ranges::sort(label);
@@ -44,13 +46,14 @@ std::vector<NodeId> find_changed(const Graph& graph, const Mark& before) {
 
 }  // namespace
 
-Model write_model(const Graph& graph, std::size_t concept_count, NodeId asked, const Mark& before) {
+Model write_model(const Graph& graph, std::size_t concept_count, NodeId asked, DependencySet supposed,
+                  const Mark& before) {
   Model model;
   if (asked != none) {
     DependencySet merged_by = no_dependency;
     asked = graph.current(asked, merged_by);
     model.labels.push_back(label_of(graph, concept_count, asked));
-    model.certain = certain_label_of(graph, concept_count, asked, merged_by);
+    model.certain = certain_label_of(graph, concept_count, asked, merged_by, supposed);
   }
   const auto write = [&](NodeId node) {
     const NodeKind kind = graph.node(node).kind;

@@ -12,9 +12,10 @@ namespace geminga::hypertableau {
 
 /// The labels of the model that is in the graph, of concepts below `concept_count`.
 ///
-/// `asked` is the node that was made for the question, or none. Nodes older than `before` belong to earlier models, and
-/// are left out unless they have changed.
-[[nodiscard]] Model write_model(const Graph& graph, std::size_t concept_count, NodeId asked, const Mark& before);
+/// `asked` is the node that was made for the question, or none, and what is asked depends on `supposed`. Nodes older
+/// than `before` belong to earlier models, and are left out unless they have changed.
+[[nodiscard]] Model write_model(const Graph& graph, std::size_t concept_count, NodeId asked, DependencySet supposed,
+                                const Mark& before);
 
 }  // namespace geminga::hypertableau
 

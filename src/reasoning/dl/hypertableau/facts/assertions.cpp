@@ -103,15 +103,19 @@ void Assertions::set_outside(std::uint32_t concept_of_question) {
     std::ranges::for_each(program_.told_below(below_outside_[at]), add);
 }
 
-FactId Assertions::find_mark_against(std::uint32_t id, NodeId node) const {
-  if (outside_ == none || !is_below_outside_[id]) return none;
-  return graph_.find(FactKind::concept_of, program_.mark_of_question(), node);
+FactId Assertions::find_mark(NodeId node) const {
+  return graph_.find(FactKind::concept_of, program_.mark_of_question(), node, question_);
 }
 
-FactId Assertions::find_opposite(std::uint32_t predicate, NodeId node) const {
-  const std::uint32_t mark = program_.mark_of_question();
-  if (outside_ == none || (predicate != outside_ && predicate != mark)) return none;
-  return graph_.find(FactKind::concept_of, predicate == mark ? outside_ : mark, node);
+FactId Assertions::find_mark_against(std::uint32_t id, NodeId node) const {
+  return outside_ == none || !is_below_outside_[id] ? none : find_mark(node);
+}
+
+FactId Assertions::find_opposite(const Fact& fact) const {
+  if (outside_ == none) return none;
+  if (fact.predicate == outside_) return find_mark(fact.a);
+  if (fact.predicate != program_.mark_of_question() || fact.b != question_) return none;
+  return graph_.find(FactKind::concept_of, outside_, fact.a);
 }
 
 bool Assertions::holds(const Choice& choice) {

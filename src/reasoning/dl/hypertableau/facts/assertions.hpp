@@ -62,11 +62,13 @@ class Assertions {
   /// The individual of this number of those that the bound allows the node (NI-rule, bounds.hpp).
   NodeId introduced(NodeId node, std::uint32_t bound, std::uint32_t number);
 
+  /// Says which question is asked. The marks of others are other facts, and say nothing about this one.
+  void begin_question(std::uint32_t question) { question_ = question; }
   /// Says outside of which concept the node with the mark of the question is; none: of no concept.
   void set_outside(std::uint32_t concept_of_question);
   /// The fact of the mark if the concept is the one that the node with the mark is outside of, and the other way round;
   /// none where there is no such fact.
-  [[nodiscard]] FactId find_opposite(std::uint32_t predicate, NodeId node) const;
+  [[nodiscard]] FactId find_opposite(const Fact& fact) const;
   /// The fact of the mark if the concept is told to be below the one that the node with the mark is outside of, or is
   /// that one; none where there is no such fact.
   [[nodiscard]] FactId find_mark_against(std::uint32_t id, NodeId node) const;
@@ -120,6 +122,7 @@ class Assertions {
 
   DependencySet unite(DependencySet first, DependencySet second) { return graph_.unite(first, second); }
   [[nodiscard]] std::optional<bool> is_constant_in(NodeId node, std::uint32_t range);
+  [[nodiscard]] FactId find_mark(NodeId node) const;
   void merge(const Merge& merge);
   [[nodiscard]] bool is_kept(NodeId node, NodeId other) const;
   void copy_facts(NodeId from, NodeId to, DependencySet dependency);
@@ -133,6 +136,7 @@ class Assertions {
   std::uint32_t outside_ = none;
   std::vector<std::uint32_t> below_outside_;  ///< by what is told, itself included
   std::vector<bool> is_below_outside_;        ///< by concept
+  std::uint32_t question_ = 0;                ///< the second argument of its mark
   bool has_clash_ = false;
   DependencySet clash_ = no_dependency;
   bool have_values_changed_ = false;
