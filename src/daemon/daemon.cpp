@@ -78,9 +78,10 @@ std::expected<void, Lines> Daemon::check() {
     return std::unexpected(std::move(missing));
   ontology_.load_consistent(configuration_.current(), [this](OntologyInForce::Loaded loaded) {
     if (!loaded) return fail(std::move(loaded.error()));
-    description_.check(configuration_.current(), [this](Lines faults) {
-      if (!faults.empty()) fail(std::move(faults));
-    });
+    description_.check(configuration_.current(), participant::Participant::Vocabulary(std::move(loaded->ontology)),
+                       [this](Lines faults) {
+                         if (!faults.empty()) fail(std::move(faults));
+                       });
   });
   return run_loop();
 }

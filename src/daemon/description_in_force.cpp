@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "daemon/adoption/adoption.hpp"
 #include "daemon/ontology/ontology_loader.hpp"
+#include "discovery/participant/description_check.hpp"
 
 namespace geminga::daemon {
 namespace {
@@ -66,10 +67,19 @@ void DescriptionInForce::load(const Configuration& configuration, participant::P
   });
 }
 
-void DescriptionInForce::check(const Configuration& configuration, std::function<void(std::vector<std::string>)> done) {
-  read(configuration, [done = std::move(done)](const std::expected<Described, std::vector<std::string>>& described) {
-    done(described ? std::vector<std::string>() : marked(described.error()));
+void DescriptionInForce::check(const Configuration& configuration, participant::Participant::Vocabulary vocabulary,
+                               std::function<void(std::vector<std::string>)> done) {
+  if (!configuration.describes_by_file()) return done(faults_of(configuration.description, vocabulary));
+  read(configuration, [this, vocabulary = std::move(vocabulary),
+                       done = std::move(done)](const std::expected<Described, std::vector<std::string>>& described) {
+    done(described ? faults_of(described->expression, vocabulary) : marked(described.error()));
   });
+}
+
+std::vector<std::string> DescriptionInForce::faults_of(const std::string& expression,
+                                                       const participant::Participant::Vocabulary& vocabulary) const {
+  const auto fault = participant::check_description(env_, vocabulary, expression);
+  return fault ? marked({fault->text}) : std::vector<std::string>();
 }
 
 void DescriptionInForce::read(const Configuration& configuration, Done done) {

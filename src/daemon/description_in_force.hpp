@@ -27,9 +27,10 @@ class DescriptionInForce {
   /// Has the file of this configuration read, and describes the participant by it. What cannot be read leaves the
   /// description as it is. A reading that is under way is given up. `participant` is borrowed until stop().
   void load(const Configuration& configuration, participant::Participant& participant);
-  /// Has it read without bringing it into force. `done` gets its faults, one a line; it is not called where the
-  /// description is no file.
-  void check(const Configuration& configuration, std::function<void(std::vector<std::string>)> done);
+  /// Has it read without bringing it into force, and tries the expression with this vocabulary. `done` gets the faults
+  /// for which it would not come into force, one a line.
+  void check(const Configuration& configuration, participant::Participant::Vocabulary vocabulary,
+             std::function<void(std::vector<std::string>)> done);
   /// Changes nothing from now on.
   void stop() { child_.reset(); }
 
@@ -42,6 +43,8 @@ class DescriptionInForce {
   using Done = std::function<void(const std::expected<Described, std::vector<std::string>>&)>;
 
   void read(const Configuration& configuration, Done done);
+  [[nodiscard]] std::vector<std::string> faults_of(const std::string& expression,
+                                                   const participant::Participant::Vocabulary& vocabulary) const;
   [[nodiscard]] std::expected<Described, std::vector<std::string>> described_at(const ChildEnd& end);
 
   boost::asio::io_context& context_;

@@ -54,6 +54,37 @@ TEST(Start, ServesWithoutAnOntologyThatCannotBeRead) {
   EXPECT_THAT(broken_facts.said, AllOf(HasSubstr("describe: "), HasSubstr(broken + ":1")));
 }
 
+TEST(Start, ChecksADescriptionByTheGrammarAndByTheOntology) {
+  const Folder folder;
+  const std::string prefixes =
+      "@prefix : <http://zoo.example/#> . @prefix g: <https://geminga.example/core#> .\n"
+      "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n";
+  const std::string words = folder.write(
+      "words.ttl",
+      prefixes + ":has a owl:ObjectProperty . :Robot a owl:Class ; owl:disjointWith :Mast . :Mast a owl:Class .\n");
+  const auto check = [&](const std::string& description, bool has_ontology) {
+    std::vector<std::string> flags{"--describe", description, "--check-config"};
+    if (has_ontology) flags.insert(flags.end(), {"--ontology", words});
+    return refused(flags);
+  };
+  for (const bool has_ontology : {false, true}) {
+    EXPECT_EQ(check("Robot and has some Mast", has_ontology).status, 0) << has_ontology;
+    const Ran half = check("Robot and", has_ontology);
+    EXPECT_EQ(half.status, 2) << has_ontology;
+    EXPECT_THAT(half.said, HasSubstr("gemingad: describe: concept=Robot and: column 10: expected a class"))
+        << has_ontology;
+    const std::string file = folder.write("gemingad.toml", "describe = \"Robot and (has some\"\n");
+    EXPECT_EQ(refused({"--config", file, "--check-config"}).status, 2);
+  }
+  EXPECT_EQ(check("Rowboat", false).status, 0) << "an ontology may come that knows it";
+  EXPECT_THAT(check("Rowboat", true).said, HasSubstr("describe: concept=Rowboat: "));
+  EXPECT_EQ(check("Robot and Mast", true).status, 2) << "nothing can be both";
+  const std::string facts = folder.write("robot.ttl", prefixes + "g:self a :Robot , :Mast .\n");
+  EXPECT_EQ(check(facts, true).status, 2) << "the expression made of facts is tried, too";
+  folder.write("robot.ttl", prefixes + "g:self a :Robot ; :has [ a :Mast ] .\n");
+  EXPECT_EQ(check(facts, true).status, 0);
+}
+
 TEST(Start, DescribesItselfByFactsAndServesThoseWhoAskForThat) {
   const Folder folder;
   const std::string prefixes =

@@ -3,7 +3,9 @@
 #define GEMINGA_REASONING_VOCABULARY_EXPRESSION_HPP
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "reasoning/syntax/manchester/limits.hpp"
@@ -25,6 +27,10 @@ class Expression {
   explicit Expression(manchester::Expression parsed) : parsed_(std::move(parsed)) {}
   manchester::Expression parsed_;
 };
+
+/// The error, one line, of a text that cannot be read as an expression or as a name in any vocabulary. For where no
+/// ontology is loaded that could say more.
+[[nodiscard]] std::optional<std::string> check_grammar(std::string_view text);
 
 }  // namespace geminga::vocabulary
 

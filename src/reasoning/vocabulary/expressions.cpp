@@ -11,6 +11,12 @@ namespace geminga::vocabulary {
 
 std::string Expression::canonical() const { return manchester::canonical(parsed_.source, parsed_.term); }
 
+std::optional<std::string> check_grammar(std::string_view text) {
+  if (!manchester::is_compound(text)) return std::nullopt;
+  const auto error = manchester::check_grammar(text);
+  return error ? std::optional(manchester::to_string(*error)) : std::nullopt;
+}
+
 Vocabulary Vocabulary::with_expressions() const {
   GEMINGA_ASSERT(is_loaded());
   Vocabulary prepared = *this;

@@ -6,6 +6,13 @@
 
 namespace geminga::participant {
 
+Refusal identify(StatedPublication& stated, Resolver& resolver) {
+  auto identity = resolver.resolve(stated.named);
+  if (!identity) return identity.error();
+  stated.service.identity = std::move(*identity);
+  return announcement::check(stated.service);
+}
+
 Refusal OwnDescription::change(const gcnp::Describe& change) {
   const bool is_end = change.concept_name && change.concept_name->empty();
   StatedPublication stated = stated_ && !is_end ? *stated_ : StatedPublication{};
@@ -67,14 +74,8 @@ bool OwnDescription::restate(bool is_always) {
   return refusal ? withdraw() : enter();
 }
 
-/// Sets the identity that the ontology gives to the names.
 Refusal OwnDescription::resolve(StatedPublication& stated) {
-  auto identity = resolver_.resolve(stated.named);
-  Refusal refusal = identity ? std::nullopt : Refusal(identity.error());
-  if (identity) {
-    stated.service.identity = std::move(*identity);
-    refusal = announcement::check(stated.service);
-  }
+  const Refusal refusal = identify(stated, resolver_);
   stated.is_in_force = !refusal;
   stated.is_awaited = is_awaited(refusal);
   return refusal;

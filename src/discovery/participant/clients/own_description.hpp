@@ -21,6 +21,10 @@ namespace geminga::participant {
 /// Changes by clients in one second. Each is announced several times, and placed by every host of the team.
 inline constexpr std::size_t max_descriptions_per_second = 4;
 
+/// Sets the identity that the ontology gives to the names of a description. The error: there is none, or it cannot be
+/// announced.
+[[nodiscard]] Refusal identify(StatedPublication& stated, Resolver& resolver);
+
 /// Enters the description into the matcher under description_key(), and takes it out again. It belongs to the host and
 /// not to the client that stated it, so that it stays when that goes. A description that the ontology in force does not
 /// know is kept, and comes into force with one that does.

@@ -1,29 +1,21 @@
 // Parses a whole text.
 #include "reasoning/syntax/manchester/parse.hpp"
 
+#include <utility>
+
 #include "base/text.hpp"
-#include "reasoning/syntax/manchester/parser.hpp"
+#include "reasoning/syntax/manchester/text_parser.hpp"
 #include "reasoning/syntax/manchester/tokenizer.hpp"
 
 namespace geminga::manchester {
 namespace {
 
 /// The parser for an expression over a loaded ontology, which resolves the names.
-class ExpressionParser final : public Parser {
+class ExpressionParser final : public TextParser {
  public:
   ExpressionParser(std::string_view text, const owl::Names& names, const ExpressionLimits& limits,
                    owl::Ontology& source)
-      : Parser(Tokenizer(text), limits, source), names_(names) {}
-
-  /// description, then the end of the text.
-  owl::TermId read() {
-    const Term term = description();
-    if (tokens_.token().kind != TokenKind::end) return expected("'and', 'or' or the end");
-    return term;
-  }
-  [[nodiscard]] ParseError error() const {
-    return {problem()->kind, tokens_.column_of(problem()->octet), problem()->text};
-  }
+      : TextParser(text, limits, source), names_(names) {}
 
  private:
   std::expected<std::string, std::string> iri_of(owl::TermKind kind, const Token& token) override {
@@ -50,11 +42,7 @@ class ExpressionParser final : public Parser {
 
 std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names,
                                             const ExpressionLimits& limits) {
-  if (text.size() > limits.text_bytes) {
-    return std::unexpected(
-        ParseError{ParseError::Kind::too_large, 1, "more than " + std::to_string(limits.text_bytes) + " octets"});
-  }
-  if (!base::is_valid_utf8(text)) return std::unexpected(ParseError{ParseError::Kind::malformed, 1, "no UTF-8"});
+  if (auto error = error_of_octets(text, limits)) return std::unexpected(std::move(*error));
   Expression expression;
   ExpressionParser parser(text, names, limits, expression.source);
   expression.term = parser.read();

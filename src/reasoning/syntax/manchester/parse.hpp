@@ -8,6 +8,7 @@
 #define GEMINGA_REASONING_SYNTAX_MANCHESTER_PARSE_HPP
 
 #include <expected>
+#include <optional>
 #include <string_view>
 
 #include "reasoning/owl/names.hpp"
@@ -26,6 +27,10 @@ struct Expression {
 /// Reads a whole text. Any bytes may be given.
 [[nodiscard]] std::expected<Expression, ParseError> parse(std::string_view text, const owl::Names& names,
                                                           const ExpressionLimits& limits = {});
+
+/// The error of a text that is an expression in no ontology, whatever its names mean. Nothing: some ontology can have
+/// the names that make it one.
+[[nodiscard]] std::optional<ParseError> check_grammar(std::string_view text, const ExpressionLimits& limits = {});
 
 /// Whether a text is more than one name: it has a keyword, a bracket or a comma outside of quotation marks and IRIs.
 /// Any other text is better looked up as a name, because that error says more.

@@ -51,6 +51,38 @@ std::vector<std::pair<std::string, std::string>> examples(const std::string& nam
   return pairs;
 }
 
+/// The error by the grammar alone; empty: none.
+std::string grammar_error(std::string_view text) {
+  const auto error = check_grammar(text);
+  return error ? to_string(*error) : "";
+}
+
+TEST(Expression, IsCheckedByTheGrammarWithoutNames) {
+  for (const auto& [text, expected] : examples("canonical")) EXPECT_EQ(grammar_error(text), "") << text;
+  for (const char* text :
+       {"Robot", "'left eye' and p some (q only (A or not B))", "p value 5.0", "p value x", "p some D[>= 5.0]",
+        "p some (D or {5})", "p only (D and not {\"a\", true})", "p some (A or q some {5})", "p min 2", "p max 3 A",
+        "p exactly 1 D[length 3]", "p exactly 1 {4}", "inverse p some {x, y}", "p Self and q value \"x\"@en",
+        "p some (not (not (D[< 3])))", "p min 5 and q value \"x\"^^ns:type"}) {
+    EXPECT_EQ(grammar_error(text), "") << text;
+  }
+  EXPECT_EQ(grammar_error("Robot and"),
+            "column 10: expected a class, a property, 'not', 'inverse', '(' or '{', found the end");
+  for (const char* text :
+       {"((((", "A B", "p some", "p some (D or {5}", "p min x", "{5}", "p some (A or 5 and q some B)", "p value",
+        "p Self A", "A or ()", "p some D[5]", "p value \"a", "\xff"}) {
+    EXPECT_NE(grammar_error(text), "") << text;
+  }
+}
+
+TEST(Expression, IsCheckedByTheGrammarWithinItsLimits) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '(') + "A" + std::string(levels, ')'); };
+  const std::size_t most = ExpressionLimits{}.nesting;
+  EXPECT_EQ(grammar_error(nested(most)), "");
+  EXPECT_NE(grammar_error(nested(most + 1)), "");
+  EXPECT_NE(grammar_error(std::string(ExpressionLimits{}.text_bytes + 1, 'A')), "");
+}
+
 TEST(Expression, IsReadAsTheSpecificationShows) {
   const Asked asked(example());
   const auto pairs = examples("canonical");
