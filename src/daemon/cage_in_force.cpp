@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "base/text.hpp"
 #include "reasoning/compiled/mapped_file.hpp"
 
 namespace geminga::daemon {
@@ -44,6 +45,8 @@ std::expected<void, std::string> CageInForce::close(const Configuration& configu
     return {};
   }
   held_ = cage::close(freedom_to_serve(configuration));
+  if (!held_.fault.empty())
+    log.write(base::LogLevel::warning, "in its cage without a file: " + base::printable(held_.fault));
   const std::string missing = lacking(held_);
   if (missing.empty()) {
     log.write(base::LogLevel::info, "in its cage: system calls by seccomp, files by Landlock");

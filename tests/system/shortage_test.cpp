@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "discovery/announcement/codec.hpp"
 #include "support/lab.hpp"
+#include "system/folder.hpp"
 #include "system/stranger.hpp"
 
 namespace geminga::system {
@@ -105,6 +106,19 @@ TEST(Shortage, OfDescriptorsAtTheStartIsSaid) {
       EXPECT_THAT(ran.said, HasSubstr("may open " + std::to_string(count) + " files and sockets, and needs 32"));
     }
   }
+}
+
+TEST(Shortage, OfDescriptorsIsNoMissingPermission) {
+  const std::string file = shipped("core.ttl");
+  const auto before = [] {
+    const rlimit both{.rlim_cur = 4, .rlim_max = 4};
+    ::setrlimit(RLIMIT_NOFILE, &both);
+  };
+  const Ran ran = run({.words = {program("geminga-ontology"), "check", file}, .environment = {}, .before = before});
+  EXPECT_THAT(ran.said, testing::Not(HasSubstr("Permission denied")));
+  if (ran.status == 0) GTEST_SKIP() << "this kernel has no Landlock, whose rules take a descriptor";
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_THAT(ran.said, HasSubstr(": cannot be opened: Too many open files"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <utility>
 
 #include "env/cage/cage.hpp"
 #include "ontology/loading/compiled_form.hpp"
@@ -20,7 +21,7 @@ void add_sources(const std::string& file, std::vector<std::string>& readable) {
 
 }  // namespace
 
-void close_cage(const CLI::App& command, const Choice& choice) {
+std::expected<void, std::string> close_cage(const CLI::App& command, const Choice& choice) {
   cage::Freedom freedom;
   freedom.readable = choice.readable;
   freedom.readable.push_back(shipped_ontologies().string());
@@ -36,7 +37,9 @@ void close_cage(const CLI::App& command, const Choice& choice) {
   }
   freedom.may_talk = choice.may_talk;
   freedom.may_make_folders = choice.may_make_folders;
-  cage::close(freedom);
+  cage::Held held = cage::close(freedom);
+  if (!held.fault.empty()) return std::unexpected(std::move(held.fault));
+  return {};
 }
 
 }  // namespace geminga::ontology

@@ -83,7 +83,8 @@ int run(int argc, char** argv) {
   if (choice.prepare) {
     if (const Exit prepared = choice.prepare(); prepared != Exit::yes) return static_cast<int>(prepared);
   }
-  close_cage(*program.get_subcommands().front(), choice);
+  if (const auto closed = close_cage(*program.get_subcommands().front(), choice); !closed)
+    return static_cast<int>(say_error(closed.error()));
   return static_cast<int>(choice.run());
 }
 

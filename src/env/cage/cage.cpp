@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <utility>
 
 #include "env/cage/landlock.hpp"
 #include "env/cage/system_calls.hpp"
@@ -34,7 +35,9 @@ Held close(const Freedom& freedom) {
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   drop_capabilities(freedom);
   Held held;
-  held.by_paths = restrict_paths(freedom);
+  RestrictedPaths paths = restrict_paths(freedom);
+  held.by_paths = paths.hold;
+  held.fault = std::move(paths.fault);
   held.by_system_calls = restrict_system_calls(freedom);
   return held;
 }

@@ -18,8 +18,8 @@ inline constexpr bool is_sanitized = false;
 struct Freedom {
   /// Allows to become another program, which is then in this cage and can only make it narrower.
   bool may_become = false;
-  /// The files that may be opened for reading, and folders with all below them. A path that does not exist is passed
-  /// over. Landlock.
+  /// The files that may be opened for reading, and folders with all below them. A path that does not exist, or leads
+  /// nowhere, is passed over. Landlock.
   std::vector<std::string> readable;
   /// Does not restrict reading: for a process that does not know yet what its program needs to start.
   bool may_read_all = false;
@@ -46,6 +46,9 @@ struct Freedom {
 struct Held {
   bool by_system_calls = false;  ///< seccomp: no calls but those that the freedom needs
   bool by_paths = false;         ///< Landlock: of files, only those that are named
+  /// The first path that got no right although it may exist, with the reason of the system. What needs that path would
+  /// fail with EACCES, which is misleading. Empty: there is none.
+  std::string fault{};
 };
 
 /// Closes the cage: no new privileges, no capabilities except to read and write files as before (a server: to read

@@ -6,7 +6,10 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdint>
+#include <system_error>
+#include <utility>
 
 namespace geminga::cage {
 namespace {
@@ -61,21 +64,29 @@ constexpr std::uint64_t all_rights(long version) {
 class Rules {
  public:
   Rules(const Ruleset& ruleset, std::size_t size)
-      : handled_(ruleset.handled_fs), descriptor_(static_cast<int>(::syscall(create_ruleset, &ruleset, size, 0))) {}
+      : handled_(ruleset.handled_fs), descriptor_(static_cast<int>(::syscall(create_ruleset, &ruleset, size, 0))) {
+    if (descriptor_ < 0) blame("the rules of Landlock", errno);
+  }
   ~Rules() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
   Rules(const Rules&) = delete;
   Rules& operator=(const Rules&) = delete;
 
-  /// Allows these rights below a path. A path that does not exist needs none.
+  /// Allows these rights below a path. A path that leads nowhere needs none.
   void allow(const std::string& path, std::uint64_t rights) {
     const int place = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (place < 0) return;
+    if (place < 0) {
+      if (!is_of_path(errno)) blame(path, errno);
+      return;
+    }
     struct stat status{};
     const bool is_folder = ::fstat(place, &status) == 0 && S_ISDIR(status.st_mode);
     const PathBeneath rule{rights & handled_ & (is_folder ? ~std::uint64_t{0} : of_files), place};
-    if (rule.allowed != 0) ::syscall(add_rule, descriptor_, rule_path_beneath, &rule, 0);
+    // EBADFD: a pipe or a socket, which Landlock leaves open to everyone.
+    const bool has_failed =
+        rule.allowed != 0 && ::syscall(add_rule, descriptor_, rule_path_beneath, &rule, 0) != 0 && errno != EBADFD;
+    if (has_failed) blame(path, errno);
     ::close(place);
   }
 
@@ -85,18 +96,32 @@ class Rules {
     ::syscall(add_rule, descriptor_, rule_net_port, &rule, 0);
   }
 
-  [[nodiscard]] bool enforce() const { return descriptor_ >= 0 && ::syscall(restrict_self, descriptor_, 0) == 0; }
+  /// Puts the rules in force.
+  RestrictedPaths enforce() {
+    const bool hold = descriptor_ >= 0 && ::syscall(restrict_self, descriptor_, 0) == 0;
+    return {.hold = hold, .fault = std::move(fault_)};
+  }
 
  private:
+  /// Whether an error of open() is one of the path, which the process gets again when it needs that path. Any other
+  /// (EMFILE, ENFILE, ENOMEM, EIO) may be over by then.
+  static bool is_of_path(int error) {
+    return error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || error == ELOOP || error == EACCES;
+  }
+  void blame(const std::string& path, int error) {
+    if (fault_.empty()) fault_ = path + ": cannot be opened: " + std::generic_category().message(error);
+  }
+
   std::uint64_t handled_;
   int descriptor_;
+  std::string fault_;
 };
 
 }  // namespace
 
-bool restrict_paths(const Freedom& freedom) {
+RestrictedPaths restrict_paths(const Freedom& freedom) {
   const long version = ::syscall(create_ruleset, nullptr, 0, ask_version);
-  if (version < 1) return false;
+  if (version < 1) return {};
   Ruleset ruleset;
   ruleset.handled_fs = all_rights(version);
   if (freedom.may_read_all) ruleset.handled_fs &= ~(execute | read_file | read_dir);

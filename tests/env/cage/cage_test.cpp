@@ -22,6 +22,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -31,6 +32,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "env/cage/inside.hpp"
@@ -234,6 +237,48 @@ TEST(Cage, OpensOnlyWhatIsNamed) {
                                     fs::path("/proc/" + std::to_string(::getpid()) + "/mem")})
     EXPECT_EQ(open_error(forbidden, O_WRONLY | O_CREAT), EACCES) << forbidden;
   fs::remove_all(folder);
+}
+
+/// The fault of a cage in which this path may be read, in a process that may have so many descriptors beside those that
+/// it has; nothing where this kernel has no Landlock.
+std::optional<std::string> fault_with(const std::string& path, std::optional<rlim_t> descriptors = std::nullopt) {
+  std::array<int, 2> words{};
+  if (::pipe(words.data()) != 0) return "no pipe";
+  const int status = in_child([&] {
+    if (descriptors) {
+      const int free = ::dup(words[1]);
+      ::close(free);
+      const rlim_t most = static_cast<rlim_t>(free) + *descriptors;
+      const rlimit limit{most, most};
+      ::setrlimit(RLIMIT_NOFILE, &limit);
+    }
+    Freedom freedom;
+    freedom.readable = {path};
+    const Held held = close(freedom);
+    if (!held.by_paths && held.fault.empty()) return no_cage;
+    return ::write(words[1], held.fault.data(), held.fault.size()) < 0 ? 1 : 0;
+  });
+  ::close(words[1]);
+  std::string fault(1000, '\0');
+  fault.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(words[0], fault.data(), fault.size()), 0)));
+  ::close(words[0]);
+  return status == no_cage ? std::nullopt : std::optional(fault);
+}
+
+TEST(Cage, PassesOverPathsThatLeadNowhereAndNamesOneThatCannotBeOpenedNow) {
+  if (is_sanitized) GTEST_SKIP() << "a sanitizer needs /proc, too";
+  const auto fault = fault_with("/etc/passwd", 1);
+  if (!fault) GTEST_SKIP() << "this kernel has no Landlock";
+  EXPECT_EQ(*fault, "/etc/passwd: cannot be opened: Too many open files");
+  EXPECT_EQ(fault_with("/etc/passwd", 2), "");
+  EXPECT_EQ(fault_with("/etc/passwd", 0), "the rules of Landlock: cannot be opened: Too many open files");
+  const std::array<std::string, 4> nowhere{"/nowhere", "/etc/passwd/file", std::string(5000, 'a'), ""};
+  for (const std::string& path : nowhere) EXPECT_EQ(fault_with(path), "") << path;
+  EXPECT_EQ(fault_with("/dev/fd/0"), "");
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  EXPECT_EQ(fault_with("/dev/fd/" + std::to_string(pipe[0])), "") << "a pipe is nobody's file";
+  for (const int end : pipe) ::close(end);
 }
 
 TEST(Cage, CanOnlyBeMadeNarrower) {
