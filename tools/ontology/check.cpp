@@ -148,8 +148,8 @@ std::string problems_as_text(const Findings& findings) {
             "longer.\n";
   if (!findings.is_searched_without_facts)
     text +=
-        "There may be more classes that can have no instance even if all facts are left aside: check takes no more "
-        "steps to look for them.\n";
+        "There may be more classes that can have no instance even if all facts are left aside: check looked for no "
+        "more of them.\n";
   if (!findings.collisions.found.empty())
     text += "Names with equal 32-bit identities (they never match by accident):\n";
   for (const Collision& collision : findings.collisions.found) {
@@ -264,6 +264,9 @@ void add_check(CLI::App& program, Choice& choice) {
       "syntax. Exit status 4: a limit was reached; what is printed is right, and what is not decided is named.\n"
       "A single file that compile wrote is verified, and the findings in its sources are printed; exit status 1\n"
       "also if it is damaged or older than they are.\n"
+      "In the document of --json `unsatisfiable_is_whole` is false where the files contradict themselves and more\n"
+      "classes than those of `unsatisfiable` may have no instance even if all facts are left aside, and\n"
+      "`collisions_is_whole` is false where not all identities were compared.\n"
       "\nExamples:\n  geminga-ontology check my-team.ttl team/\n  geminga-ontology check team.geminga");
   run_when_named(*command, choice, request, check);
 }

@@ -125,15 +125,21 @@ void find_unsatisfiable_without_facts(const owl::Ontology& source, Findings& fin
     if (source.axiom(number).kind < owl::AxiomKind::same_individual) terminology.push_back(number);
   }
   if (terminology.size() == source.axiom_count()) return;
+  findings.is_searched_without_facts = false;
   reasoner::Excerpt excerpt(source, terminology);
   const owl::Prefixes prefixes(source);
   for (const auto& [word, iri] : prefixes.all()) excerpt.source.add_prefix(word, iri);
   explanation::Allowance allowance(&budget, explanation::steps_of_reasons(terminology.size()));
   const auto classified = reasoner::classify(excerpt.source, {.budget = &allowance.budget()});
-  if (!classified || !classified->is_consistent) return;
-  findings.is_searched_without_facts = !classified->is_cut_off;
+  if (!classified) return;
+  if (!classified->is_consistent) {
+    findings.is_searched_without_facts = true;  // each of them is one
+    return;
+  }
   const auto ontology = compiled::Ontology::from_bytes(compiled::compile(excerpt.source, *classified));
-  if (ontology) findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
+  if (!ontology) return;
+  findings.is_searched_without_facts = !classified->is_cut_off;
+  findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
 }
 
 /// Says which classes left-out axioms may matter to, where all that was left out are axioms.
@@ -187,6 +193,8 @@ Findings find(const compiled::Ontology& ontology, base::Budget& budget) {
   findings.left_out = group(ontology);
   findings.gaps = ontology.gaps();
   find_problems(ontology, findings, budget);
+  findings.is_searched_without_facts =
+      findings.is_consistent;  // the file keeps one classification, that with the facts
   find_touched(ontology, findings);
   return findings;
 }

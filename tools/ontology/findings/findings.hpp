@@ -67,7 +67,7 @@ struct Findings {
   /// Roots first. Where there is a contradiction, the classes that can have no instance even if all facts are left
   /// aside.
   std::vector<Unsatisfiable> unsatisfiable;
-  /// False: there may be more classes that can have no instance even if all facts are left aside.
+  /// False: there is a contradiction, and more classes may have no instance even if all facts are left aside.
   bool is_searched_without_facts = true;
   Collisions collisions;
   NameFindings names;  ///< of sources; a compiled ontology does not keep declarations

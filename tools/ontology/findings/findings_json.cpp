@@ -91,10 +91,12 @@ std::string as_json(const Findings& findings) {
     unsatisfiable.push_back(boost::json::object{{"class", found.name},
                                                 {"root", found.root ? boost::json::value(*found.root) : nullptr},
                                                 {"because", axiom_array(found.reason)}});
+  document["unsatisfiable_is_whole"] = findings.is_searched_without_facts;
   boost::json::array& collisions = document["collisions"].emplace_array();
   for (const Collision& collision : findings.collisions.found)
     collisions.push_back(
         boost::json::object{{"id", collision.id}, {"names", boost::json::value_from(collision.names)}});
+  document["collisions_is_whole"] = findings.collisions.is_whole;
   add_names(document, findings.names);
   return json_text(document) + '\n';
 }
