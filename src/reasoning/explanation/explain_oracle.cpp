@@ -63,7 +63,8 @@ Oracle::Decision Oracle::decide(std::span<const std::uint32_t> axioms, owl::Term
   return {.verdict = by_rules == el::Entailed::yes ? Verdict::yes : Verdict::no};
 }
 
-/// The next question is often alike. So the engine that decided the last one begins, with the bound that was enough.
+/// The next question is often alike. So the engine that decided the last one begins, with the bound that was enough. A
+/// question that was too hard says nothing of the next one, which begins small.
 Oracle::Decision Oracle::decide_beyond_rules(std::span<const std::uint32_t> axioms, owl::TermId sub,
                                              owl::TermId super) {
   // These engines need about ten times as long as the rules.
@@ -100,6 +101,7 @@ Oracle::Decision Oracle::decide_beyond_rules(std::span<const std::uint32_t> axio
     if (verdict != Verdict::unknown) {
       derives_first_ = !derives_first_;
     } else if (turn >= most.clauses || is_spent()) {
+      first_turn_ = 0;
       return {.reason = std::move(reason), .is_too_hard = true};
     }
   }

@@ -15,10 +15,11 @@ namespace {
 
 using hypertableau::Verdict;
 
-/// One more pigeon than holes, no two in one hole: a clash that is hard for every engine.
-std::string pigeonhole(int holes) {
+/// Pigeons in holes, no two in one hole, as a class P. With more pigeons than holes it is a clash that is hard for
+/// every engine. With as many, a model is soon built, and deriving looks at all ways.
+std::string pigeonhole(int pigeons, int holes) {
   std::string text;
-  for (int pigeon = 0; pigeon <= holes; ++pigeon) {
+  for (int pigeon = 0; pigeon < pigeons; ++pigeon) {
     text += "SubClassOf(P ObjectUnionOf(";
     for (int hole = 0; hole < holes; ++hole) text += " H" + std::to_string(pigeon) + "x" + std::to_string(hole);
     text += "))\n";
@@ -28,6 +29,19 @@ std::string pigeonhole(int holes) {
                 std::to_string(other) + "x" + std::to_string(hole) + ")\n";
       }
     }
+  }
+  return text;
+}
+
+/// A class C that is D by so many steps, each of which either of two ways takes. Deriving follows the steps. A model
+/// of C without D is looked for in all combinations of ways.
+std::string two_ways(int steps) {
+  std::string text = "SubClassOf(C S0)\nSubClassOf(S" + std::to_string(steps) + " D)\n";
+  for (int at = 0; at < steps; ++at) {
+    const std::string here = std::to_string(at);
+    const std::string next = std::to_string(at + 1);
+    text += "SubClassOf(S" + here + " ObjectUnionOf(L" + here + " R" + here + "))\n";
+    for (const char* way : {"L", "R"}) text += "SubClassOf(" + (way + here) + " S" + next + ")\n";
   }
   return text;
 }
@@ -67,8 +81,53 @@ TEST(Oracle, DecidesBothWaysWhatTheRulesDoNot) {
   }
 }
 
+/// Questions to one oracle about all axioms of one ontology, and the steps of each.
+class Questions {
+ public:
+  Questions(const std::string& text, Patience patience)
+      : source_(owl::written(text)), oracle_(source_, patience, &budget_) {}
+
+  /// The answer to whether the class is below D, or below nothing where there is no D.
+  Verdict ask(const std::string& sub, const std::string& super = "D") {
+    const std::uint64_t before = budget_.spent();
+    const owl::TermId below = source_.named_class("https://t.example/#" + sub);
+    const owl::TermId above = super.empty() ? owl::nothing_term : source_.named_class("https://t.example/#" + super);
+    const Verdict verdict = oracle_.decide(all_of(source_), below, above).verdict;
+    steps_ = budget_.spent() - before;
+    return verdict;
+  }
+  /// Of the last question.
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+ private:
+  owl::Ontology source_;
+  base::Budget budget_;
+  Oracle oracle_;
+  std::uint64_t steps_ = 0;
+};
+
+// Deriving alone takes 20'000'000 steps for P and leaves it open; so does a model with 3'000'000 for C.
+TEST(Oracle, TakesTurnsSoThatTheEngineForWhichAQuestionIsEasyDecidesIt) {
+  for (const bool begins_with_models : {true, false}) {
+    Questions questions(pigeonhole(5, 5) + two_ways(20), Patience::of_a_person);
+    for (int round = 0; round < 4; ++round) {
+      const bool is_for_models = begins_with_models == (round % 2 == 0);
+      EXPECT_EQ(questions.ask(is_for_models ? "P" : "C"), is_for_models ? Verdict::no : Verdict::yes);
+      EXPECT_LT(questions.steps(), 500'000U) << "question " << round << (is_for_models ? " for models" : " to derive");
+    }
+  }
+}
+
+TEST(Oracle, BeginsSmallAfterAQuestionThatWasTooHard) {
+  Questions questions(pigeonhole(9, 8) + two_ways(20), Patience::of_a_daemon);
+  EXPECT_EQ(questions.ask("P", ""), Verdict::unknown);
+  EXPECT_GT(questions.steps(), 200'000U) << "it is no longer hard";
+  EXPECT_EQ(questions.ask("C"), Verdict::yes);
+  EXPECT_LT(questions.steps(), 50'000U);
+}
+
 TEST(Oracle, AQuestionThatIsBeingAskedEndsSoonAfterTheBudget) {
-  owl::Ontology source = owl::written(pigeonhole(9));
+  owl::Ontology source = owl::written(pigeonhole(10, 9));
   const owl::TermId sub = source.named_class("https://t.example/#P");
   base::Budget budget(200'000);
   Oracle oracle(source, Patience::of_a_person, &budget);
