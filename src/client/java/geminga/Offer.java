@@ -4,11 +4,9 @@ import geminga.protocol.Words;
 import java.util.Map;
 
 /** The offer of a publisher, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another offer, and throws {@link IllegalArgumentException} for a value that cannot be stated. */
-public final class Offer {
-    private final Words words;
-
+public final class Offer extends Service {
     private Offer(Words words) {
-        this.words = words;
+        super(words);
     }
 
     /**
@@ -19,7 +17,7 @@ public final class Offer {
      * @return the offer
      */
     public static Offer of(Mode mode, Identity identity) {
-        return new Offer(IdentityWords.state(Words.offer(), mode, identity));
+        return new Offer(stated(Words.offer(), mode, identity));
     }
 
     /**
@@ -112,39 +110,9 @@ public final class Offer {
         return new Offer(words.withAttribute(name, value));
     }
 
-    /** {@return the mode} */
-    public Mode mode() {
-        return Mode.of(words.get("mode"));
-    }
-
-    /** {@return the identity of the service} */
-    public Identity identity() {
-        return IdentityWords.read(words);
-    }
-
-    /** {@return the port, 0 for any} */
-    public int port() {
-        return words.get("port").isEmpty() ? 0 : Integer.parseInt(words.get("port"));
-    }
-
-    /** {@return the address in numbers, empty for each interface's own} */
-    public String address() {
-        return words.get("address");
-    }
-
     /** {@return {@code udp} or {@code tcp}} */
     public String protocol() {
         return words.get("protocol").isEmpty() ? "udp" : words.get("protocol");
-    }
-
-    /** {@return the attributes by their names} */
-    public Map<String, String> attributes() {
-        return words.attributes();
-    }
-
-    /** {@return all of it as {@code pub create} states it, in the order of GCNP} */
-    public Map<String, String> parameters() {
-        return words.parameters();
     }
 
     /**
@@ -164,11 +132,6 @@ public final class Offer {
 
     @Override
     public int hashCode() {
-        return words.hashCode();
-    }
-
-    @Override
-    public String toString() {
-        return parameters().toString();
+        return super.hashCode();
     }
 }

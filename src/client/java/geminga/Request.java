@@ -6,12 +6,11 @@ import java.util.List;
 import java.util.Map;
 
 /** The request of a subscriber, in the words of GCNP (src/discovery/gcnp/GCNP.md). Immutable: each method gives another request, and throws {@link IllegalArgumentException} for a value that cannot be stated. */
-public final class Request {
-    private final Words words;
+public final class Request extends Service {
     private final Map<String, Conversion> conversions;
 
     private Request(Words words, Map<String, Conversion> conversions) {
-        this.words = words;
+        super(words);
         this.conversions = conversions;
     }
 
@@ -23,7 +22,7 @@ public final class Request {
      * @return the request
      */
     public static Request of(Mode mode, Identity identity) {
-        return new Request(IdentityWords.state(Words.request(), mode, identity), Map.of());
+        return new Request(stated(Words.request(), mode, identity), Map.of());
     }
 
     /**
@@ -221,26 +220,6 @@ public final class Request {
         return new Request(words.withAttribute(name, value), conversions);
     }
 
-    /** {@return the mode} */
-    public Mode mode() {
-        return Mode.of(words.get("mode"));
-    }
-
-    /** {@return the requested identity} */
-    public Identity identity() {
-        return IdentityWords.read(words);
-    }
-
-    /** {@return the port for messages over UDP, 0 for any} */
-    public int port() {
-        return words.get("port").isEmpty() ? 0 : Integer.parseInt(words.get("port"));
-    }
-
-    /** {@return the address in numbers, empty for each interface's own} */
-    public String address() {
-        return words.get("address");
-    }
-
     /** {@return the protocols over which messages may come} */
     public List<String> protocols() {
         return words.get("protocol").isEmpty() ? List.of("udp", "tcp") : List.of(words.get("protocol").split(","));
@@ -252,19 +231,9 @@ public final class Request {
         return Long.parseLong(words.get("limit"));
     }
 
-    /** {@return the attributes by their names} */
-    public Map<String, String> attributes() {
-        return words.attributes();
-    }
-
     /** {@return the functions by {@code FROM>TO}} */
     public Map<String, Conversion> conversions() {
         return conversions;
-    }
-
-    /** {@return all of it as {@code sub create} states it, in the order of GCNP} */
-    public Map<String, String> parameters() {
-        return words.parameters();
     }
 
     /**
@@ -284,12 +253,7 @@ public final class Request {
 
     @Override
     public int hashCode() {
-        return words.hashCode();
-    }
-
-    @Override
-    public String toString() {
-        return parameters().toString();
+        return super.hashCode();
     }
 
     private Request with(String key, String value) {
