@@ -3,7 +3,7 @@ package geminga;
 import geminga.protocol.Words;
 import java.util.Map;
 
-/** What an offer and a request state alike, in the words of GCNP. Functions that give another offer or request stand in each of the two, since a program that is compiled finds them by their result. */
+/** The words of GCNP that offers and requests have alike. Functions that give another offer or request stand in each of the two, since a program that is compiled finds them by their result. */
 abstract sealed class Service permits Offer, Request {
     final Words words;
 
