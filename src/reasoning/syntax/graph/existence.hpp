@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "reasoning/syntax/graph/terms.hpp"
+#include "reasoning/syntax/graph/terms/terms.hpp"
 
 namespace geminga::graph {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
-#include "reasoning/syntax/graph/literals.hpp"
+#include "reasoning/syntax/graph/terms/literals.hpp"
 
 namespace geminga::graph {
 namespace {

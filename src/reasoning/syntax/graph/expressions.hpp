@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "reasoning/syntax/graph/axioms/node.hpp"
-#include "reasoning/syntax/graph/statements.hpp"
-#include "reasoning/syntax/graph/world.hpp"
+#include "reasoning/syntax/graph/terms/statements.hpp"
+#include "reasoning/syntax/graph/terms/world.hpp"
 
 namespace geminga::graph {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "reasoning/syntax/graph/literals.hpp"
 #include "reasoning/syntax/graph/store.hpp"
+#include "reasoning/syntax/graph/terms/literals.hpp"
 
 namespace geminga::graph {
 namespace {

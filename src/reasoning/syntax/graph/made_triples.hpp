@@ -10,7 +10,7 @@
 #include "reasoning/syntax/graph/graph.hpp"
 #include "reasoning/syntax/graph/limits.hpp"
 #include "reasoning/syntax/graph/reading.hpp"
-#include "reasoning/syntax/graph/statements.hpp"
+#include "reasoning/syntax/graph/terms/statements.hpp"
 #include "reasoning/syntax/graph/triple_index.hpp"
 
 namespace geminga::graph {

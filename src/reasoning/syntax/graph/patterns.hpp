@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "reasoning/syntax/graph/expressions.hpp"
-#include "reasoning/syntax/graph/formulas.hpp"
+#include "reasoning/syntax/graph/formulas/formulas.hpp"
 #include "reasoning/syntax/graph/reading.hpp"
 #include "reasoning/syntax/graph/triple_index.hpp"
+#include "reasoning/syntax/graph/triple_matcher.hpp"
 
 namespace geminga::graph {
 
@@ -33,7 +34,6 @@ class Patterns {
  private:
   using Parts = std::vector<rasqal_graph_pattern*>;
   using VariableSet = std::set<std::size_t>;
-  using Triples = std::vector<const rasqal_triple*>;
 
   /// The parts of a group, or the pattern itself.
   [[nodiscard]] static Parts group_of(rasqal_graph_pattern* pattern);
@@ -52,25 +52,20 @@ class Patterns {
   [[nodiscard]] Rows without(const Rows& rows, rasqal_graph_pattern* minus);
   [[nodiscard]] Rows with_group(const Rows& rows, rasqal_graph_pattern* pattern);
   [[nodiscard]] Rows with_value(Rows rows, rasqal_graph_pattern* let);
-  void match(Triples triples, Row row, Rows& found);
 
   /// The variables that each row of a group binds before anything is optional. What a group is asked for with them is
   /// what it says of them (section 18.2: joins do not care for order).
   [[nodiscard]] VariableSet certain(const Parts& group);
   [[nodiscard]] static Row restricted(const Row& row, const VariableSet& to);
-  [[nodiscard]] std::size_t place_of_next(const Triples& triples, const Row& row);
-  /// The number of what stands in a triple; `unbound` for a variable without a value.
-  [[nodiscard]] TermNumber known(rasqal_literal* literal, const Row& row, bool is_of_expression);
 
   const ReadQuery& read_;
   Terms& terms_;
   Variables& variables_;
   Formulas& formulas_;
   TripleIndex& index_;
-  const Expressions& expressions_;
+  TripleMatcher matcher_;
   FindInner find_inner_;
   std::size_t most_ = 0;  ///< rows of the triples that are matched; 0: all
-  std::unordered_map<const rasqal_literal*, TermNumber> constants_;
 };
 
 }  // namespace geminga::graph

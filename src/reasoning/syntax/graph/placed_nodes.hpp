@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "reasoning/syntax/graph/statements.hpp"
+#include "reasoning/syntax/graph/terms/statements.hpp"
 
 namespace geminga::graph {
 

@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "reasoning/syntax/graph/existence.hpp"
-#include "reasoning/syntax/graph/formulas.hpp"
+#include "reasoning/syntax/graph/formulas/formulas.hpp"
 #include "reasoning/syntax/graph/query_text.hpp"
 #include "reasoning/syntax/graph/selection.hpp"
 

@@ -14,7 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "reasoning/syntax/graph/terms.hpp"
+#include "reasoning/syntax/graph/terms/terms.hpp"
 
 namespace geminga::graph {
 

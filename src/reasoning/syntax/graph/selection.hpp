@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reasoning/syntax/graph/formulas.hpp"
+#include "reasoning/syntax/graph/formulas/formulas.hpp"
 #include "reasoning/syntax/graph/reading.hpp"
 
 namespace geminga::graph {

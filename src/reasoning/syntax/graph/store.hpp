@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "reasoning/syntax/graph/graph.hpp"
-#include "reasoning/syntax/graph/statements.hpp"
-#include "reasoning/syntax/graph/world.hpp"
+#include "reasoning/syntax/graph/terms/statements.hpp"
+#include "reasoning/syntax/graph/terms/world.hpp"
 
 namespace geminga::graph {
 

@@ -11,7 +11,7 @@
 
 #include "base/budget.hpp"
 #include "reasoning/syntax/graph/limits.hpp"
-#include "reasoning/syntax/graph/world.hpp"
+#include "reasoning/syntax/graph/terms/world.hpp"
 
 namespace geminga::graph {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
-#include "reasoning/syntax/graph/formulas.hpp"
+#include "reasoning/syntax/graph/formulas/formulas.hpp"
 
 namespace geminga::graph {
 namespace {
