@@ -102,7 +102,7 @@ class Collected {
     return has_error_ ? Scalar() : node_of(total);
   }
   [[nodiscard]] Scalar average() const {
-    const Scalar total = sum();
+    Scalar total = sum();
     if (values_.empty() || !total) return total;
     const auto mean = calculate('/', *number_of(*total), *number_of(*count()));
     return mean ? Scalar(node_of(*mean)) : std::nullopt;
