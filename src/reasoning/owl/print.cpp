@@ -41,6 +41,39 @@ std::string variable_name(std::string_view iri) {
   return "?" + std::string(end == std::string_view::npos ? iri : iri.substr(end + 1));
 }
 
+/// The word of a restriction; empty for any other term.
+std::string_view word_of_restriction(TermKind kind) {
+  switch (kind) {
+    case TermKind::object_some_values_from:
+    case TermKind::data_some_values_from:
+      return "some";
+    case TermKind::object_all_values_from:
+    case TermKind::data_all_values_from:
+      return "only";
+    case TermKind::object_has_value:
+    case TermKind::data_has_value:
+      return "value";
+    case TermKind::object_has_self:
+      return "Self";
+    case TermKind::object_min_cardinality:
+    case TermKind::data_min_cardinality:
+      return "min";
+    case TermKind::object_max_cardinality:
+    case TermKind::data_max_cardinality:
+      return "max";
+    case TermKind::object_exact_cardinality:
+    case TermKind::data_exact_cardinality:
+      return "exactly";
+    default:
+      return {};
+  }
+}
+
+bool is_cardinality(TermKind kind) {
+  return (kind >= TermKind::object_min_cardinality && kind <= TermKind::object_exact_cardinality) ||
+         (kind >= TermKind::data_min_cardinality && kind <= TermKind::data_exact_cardinality);
+}
+
 std::string quoted_on_one_line(std::string_view written) {
   constexpr std::string_view controls = "\n\r\t";
   constexpr std::string_view control_letters = "nrt";
@@ -71,9 +104,12 @@ class Printer {
   std::string nested(TermId id);
   std::string joined(std::span<const TermId> terms, std::string_view between);
   std::string literal(const Term& literal);
-  std::string cardinality(const Term& term, std::string_view word);
+  /// And, or, not, and enumerations.
+  std::string combination(const Term& term);
+  std::string restriction(const Term& term, std::string_view word);
   std::string facet(const Term& term);
   std::string listed(const Axiom& axiom, std::string_view pair_word);
+  std::string atoms(std::span<const TermId> atoms);
   std::string atom(const Term& atom);
   std::string applied(std::string predicate, std::span<const TermId> arguments);
   std::string variable(std::string_view iri);
@@ -113,12 +149,6 @@ std::string Printer::literal(const Term& term) {
   return text + "^^" + short_name_(datatype);
 }
 
-std::string Printer::cardinality(const Term& term, std::string_view word) {
-  std::string text = nested(term.arguments[0]) + " " + std::string(word) + " " + std::to_string(term.number);
-  if (term.arguments.size() == 2) text += " " + nested(term.arguments[1]);
-  return text;
-}
-
 std::string Printer::facet(const Term& term) {
   const auto* const found =
       std::ranges::find(facets, source_.name(term.name), &std::pair<std::string_view, std::string_view>::first);
@@ -128,14 +158,9 @@ std::string Printer::facet(const Term& term) {
 
 std::string Printer::term(TermId id) {
   const Term term = source_.term(id);
-  const auto arguments = term.arguments;
   ++printed_;
   if (is_cut()) return "...";
-  const auto restriction = [&](std::string_view word) {
-    // Part by part: if there is not room for everything, the beginning is printed.
-    std::string text = nested(arguments[0]).append(" ").append(word).append(" ");
-    return text += nested(arguments[1]);
-  };
+  if (const std::string_view word = word_of_restriction(term.kind); !word.empty()) return restriction(term, word);
   switch (term.kind) {
     case TermKind::named_class:
     case TermKind::object_property:
@@ -152,9 +177,25 @@ std::string Printer::term(TermId id) {
     case TermKind::literal:
       return literal(term);
     case TermKind::object_inverse_of:
-      return "inverse " + nested(arguments[0]);
+      return "inverse " + nested(term.arguments[0]);
     case TermKind::object_property_chain:
-      return joined(arguments, " o ");
+      return joined(term.arguments, " o ");
+    case TermKind::datatype_restriction:
+      return nested(term.arguments[0]) + "[" + joined(term.arguments.subspan(1), ", ") + "]";
+    case TermKind::facet:
+      return facet(term);
+    case TermKind::variable:
+      return variable(source_.name(term.name));
+    case TermKind::atom_list:
+      return atoms(term.arguments);
+    default:
+      return term.kind < TermKind::variable ? combination(term) : atom(term);
+  }
+}
+
+std::string Printer::combination(const Term& term) {
+  const auto arguments = term.arguments;
+  switch (term.kind) {
     case TermKind::object_intersection_of:
       return arguments.empty() ? short_name_(owl_thing) : joined(arguments, " and ");
     case TermKind::object_union_of:
@@ -166,49 +207,19 @@ std::string Printer::term(TermId id) {
     case TermKind::object_complement_of:
     case TermKind::data_complement_of:
       return "not " + nested(arguments[0]);
-    case TermKind::object_one_of:
-    case TermKind::data_one_of:
+    default:  // an enumeration
       if (arguments.empty() && style_ == PrintStyle::document)
         return term.kind == TermKind::object_one_of ? short_name_(owl_nothing) : "not " + short_name_(every_value);
       return "{" + joined(arguments, ", ") + "}";
-    case TermKind::object_some_values_from:
-    case TermKind::data_some_values_from:
-      return restriction("some");
-    case TermKind::object_all_values_from:
-    case TermKind::data_all_values_from:
-      return restriction("only");
-    case TermKind::object_has_value:
-    case TermKind::data_has_value:
-      return restriction("value");
-    case TermKind::object_has_self:
-      return nested(arguments[0]) + " Self";
-    case TermKind::object_min_cardinality:
-    case TermKind::data_min_cardinality:
-      return cardinality(term, "min");
-    case TermKind::object_max_cardinality:
-    case TermKind::data_max_cardinality:
-      return cardinality(term, "max");
-    case TermKind::object_exact_cardinality:
-    case TermKind::data_exact_cardinality:
-      return cardinality(term, "exactly");
-    case TermKind::datatype_restriction:
-      return nested(arguments[0]) + "[" + joined(arguments.subspan(1), ", ") + "]";
-    case TermKind::facet:
-      return facet(term);
-    case TermKind::variable:
-      return variable(source_.name(term.name));
-    case TermKind::atom_list: {
-      std::string text;
-      for (const TermId atom : arguments) {
-        if (!text.empty()) text += ", ";
-        text += this->term(atom);
-        if (is_cut()) break;
-      }
-      return text;
-    }
-    default:
-      return atom(term);
   }
+}
+
+std::string Printer::restriction(const Term& term, std::string_view word) {
+  // Part by part: if there is not room for everything, the beginning is printed.
+  std::string text = nested(term.arguments[0]).append(" ").append(word);
+  if (is_cardinality(term.kind)) text.append(" ").append(std::to_string(term.number));
+  if (term.arguments.size() == 2) text.append(" ").append(nested(term.arguments[1]));
+  return text;
 }
 
 /// A document names a variable so that it is read as the same one again.
@@ -234,6 +245,16 @@ std::string Printer::applied(std::string predicate, std::span<const TermId> argu
     predicate += rule_argument(arguments[at]);
   }
   return predicate += ')';
+}
+
+std::string Printer::atoms(std::span<const TermId> atoms) {
+  std::string text;
+  for (const TermId atom : atoms) {
+    if (!text.empty()) text += ", ";
+    text += term(atom);
+    if (is_cut()) break;
+  }
+  return text;
 }
 
 std::string Printer::atom(const Term& atom) {

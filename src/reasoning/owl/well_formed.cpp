@@ -50,8 +50,10 @@ bool is_data_range(TermKind kind) {
 
 bool is_individual(TermKind kind) { return kind == TermKind::individual || kind == TermKind::anonymous_individual; }
 
-bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
-  const Shape shape(arguments);
+namespace {
+
+/// Entities, literals and language tags.
+bool is_well_formed_name(TermKind kind, const Shape& shape) {
   switch (kind) {
     case TermKind::named_class:
     case TermKind::object_property:
@@ -65,6 +67,14 @@ bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
     case TermKind::literal:
       return shape.at(0, is(TermKind::datatype)) &&
              (shape.has(1) || (shape.has(2) && shape.at(1, is(TermKind::language_tag))));
+    default:
+      return false;
+  }
+}
+
+/// Expressions of object properties, and of classes by them.
+bool is_well_formed_over_objects(TermKind kind, const Shape& shape) {
+  switch (kind) {
     case TermKind::object_inverse_of:
       return shape.has(1) && shape.at(0, is(TermKind::object_property));
     case TermKind::object_property_chain:
@@ -88,6 +98,14 @@ bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
     case TermKind::object_exact_cardinality:
       return shape.at(0, is_object_property_expression) &&
              (shape.has(1) || (shape.has(2) && shape.at(1, is_class_expression)));
+    default:
+      return false;
+  }
+}
+
+/// Class expressions by data properties, and data ranges.
+bool is_well_formed_over_values(TermKind kind, const Shape& shape) {
+  switch (kind) {
     case TermKind::data_some_values_from:
     case TermKind::data_all_values_from:
       return shape.has(2) && shape.at(0, is(TermKind::data_property)) && shape.at(1, is_data_range);
@@ -108,6 +126,14 @@ bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
       return shape.has_at_least(2) && shape.at(0, is(TermKind::datatype)) && shape.all(is(TermKind::facet), 1);
     case TermKind::facet:
       return shape.has(1) && shape.at(0, is(TermKind::literal));
+    default:
+      return false;
+  }
+}
+
+/// Variables and atoms.
+bool is_well_formed_in_rules(TermKind kind, const Shape& shape) {
+  switch (kind) {
     case TermKind::variable:
       return shape.has(0);
     case TermKind::class_atom:
@@ -126,15 +152,13 @@ bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
       return shape.all(is_value);
     case TermKind::atom_list:
       return shape.all([](TermKind atom) { return atom >= TermKind::class_atom && atom <= TermKind::built_in_atom; });
+    default:
+      return false;
   }
-  return false;
 }
 
-bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
-  const Shape shape(arguments);
-  const auto is_property = [](TermKind term) {
-    return is_object_property_expression(term) || term == TermKind::data_property;
-  };
+/// Declarations, and axioms that relate classes.
+bool is_well_formed_of_classes(AxiomKind kind, const Shape& shape) {
   switch (kind) {
     case AxiomKind::declaration:
       return shape.has(1) && shape.all([](TermKind term) { return term <= TermKind::individual; });
@@ -145,6 +169,14 @@ bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
       return shape.has_at_least(2) && shape.all(is_class_expression);
     case AxiomKind::disjoint_union:
       return shape.has_at_least(2) && shape.at(0, is(TermKind::named_class)) && shape.all(is_class_expression, 1);
+    default:
+      return false;
+  }
+}
+
+/// Axioms about object properties.
+bool is_well_formed_of_object_properties(AxiomKind kind, const Shape& shape) {
+  switch (kind) {
     case AxiomKind::sub_object_property_of:
       return shape.has(2) && shape.at(1, is_object_property_expression) && shape.at(0, [](TermKind term) {
         return is_object_property_expression(term) || term == TermKind::object_property_chain;
@@ -165,6 +197,14 @@ bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
     case AxiomKind::asymmetric_object_property:
     case AxiomKind::transitive_object_property:
       return shape.has(1) && shape.all(is_object_property_expression);
+    default:
+      return false;
+  }
+}
+
+/// Axioms about data properties and datatypes.
+bool is_well_formed_of_values(AxiomKind kind, const Shape& shape) {
+  switch (kind) {
     case AxiomKind::sub_data_property_of:
       return shape.has(2) && shape.all(is(TermKind::data_property));
     case AxiomKind::equivalent_data_properties:
@@ -178,6 +218,17 @@ bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
       return shape.has(1) && shape.all(is(TermKind::data_property));
     case AxiomKind::datatype_definition:
       return shape.has(2) && shape.at(0, is(TermKind::datatype)) && shape.at(1, is_data_range);
+    default:
+      return false;
+  }
+}
+
+/// Keys, facts and rules.
+bool is_well_formed_of_individuals(AxiomKind kind, const Shape& shape) {
+  const auto is_property = [](TermKind term) {
+    return is_object_property_expression(term) || term == TermKind::data_property;
+  };
+  switch (kind) {
     case AxiomKind::has_key:
       return shape.has_at_least(2) && shape.at(0, is_class_expression) && shape.all(is_property, 1);
     case AxiomKind::same_individual:
@@ -194,8 +245,29 @@ bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
              shape.at(2, is(TermKind::literal));
     case AxiomKind::dl_safe_rule:
       return shape.has(2) && shape.all(is(TermKind::atom_list));
+    default:
+      return false;
   }
-  return false;
+}
+
+}  // namespace
+
+// The kinds of a group stand together in their enumeration.
+
+bool is_well_formed(TermKind kind, std::span<const TermKind> arguments) {
+  const Shape shape(arguments);
+  if (kind <= TermKind::language_tag) return is_well_formed_name(kind, shape);
+  if (kind <= TermKind::object_exact_cardinality) return is_well_formed_over_objects(kind, shape);
+  if (kind <= TermKind::facet) return is_well_formed_over_values(kind, shape);
+  return is_well_formed_in_rules(kind, shape);
+}
+
+bool is_well_formed(AxiomKind kind, std::span<const TermKind> arguments) {
+  const Shape shape(arguments);
+  if (kind <= AxiomKind::disjoint_union) return is_well_formed_of_classes(kind, shape);
+  if (kind <= AxiomKind::transitive_object_property) return is_well_formed_of_object_properties(kind, shape);
+  if (kind <= AxiomKind::datatype_definition) return is_well_formed_of_values(kind, shape);
+  return is_well_formed_of_individuals(kind, shape);
 }
 
 }  // namespace geminga::owl
