@@ -19,7 +19,7 @@ void FormerIncarnations::remember(std::unique_ptr<NeighbourRecord> record, Insta
 }
 
 void FormerIncarnations::remember_expired(std::unique_ptr<NeighbourRecord> record, Instant now) {
-  const auto until = record->heard() + announcement::contest_intervals * record->lasting_interval(now);
+  const auto until = record->signs().heard() + announcement::contest_intervals * record->lasting_interval(now);
   if (until <= now || !record->standing().is_confirmed) return;
   add(Former{.record = std::move(record), .left = now, .until = until, .echo = {}, .is_expired = true});
 }
@@ -30,12 +30,12 @@ bool FormerIncarnations::is_expired(const announcement::Announcement& announceme
 }
 
 void FormerIncarnations::add(Former former) {
-  const Incarnation incarnation{former.record->services().owner().id, former.record->boot()};
+  const Incarnation incarnation{former.record->origin().id, former.record->origin().boot};
   if (const auto known = map_.find(incarnation); known != map_.end()) forget(known);
   order_.emplace(former.until, incarnation);
   map_.emplace(incarnation, std::move(former));
   if (map_.size() <= announcement::max_participants) return;
-  forget(std::ranges::max_element(map_, {}, [](const auto& each) { return each.second.record->since(); }));
+  forget(std::ranges::max_element(map_, {}, [](const auto& each) { return each.second.record->origin().since; }));
 }
 
 const NeighbourRecord* FormerIncarnations::find(const announcement::Announcement& announcement, Instant now) {
@@ -56,15 +56,15 @@ const NeighbourRecord* FormerIncarnations::find_alive(const announcement::Announ
   auto& former = found->second;
   // An expired participant has not said goodbye, so this state cannot have been overtaken by a goodbye.
   if (former.is_expired) return former.record->is_bound(announcement, arrival) ? former.record.get() : nullptr;
-  switch (former.record->proof(announcement, arrival, former.left)) {
-    case NeighbourRecord::Proof::none:
+  switch (former.record->ways().proof(announcement, arrival, former.left)) {
+    case NeighbourWays::Proof::none:
       return nullptr;
-    case NeighbourRecord::Proof::echo: {
+    case NeighbourWays::Proof::echo: {
       // Its numbers may have been forged before it used them itself; then the next number is greater.
       const auto before = std::exchange(former.echo, announcement.sequence);
       return before && announcement.sequence > *before ? former.record.get() : nullptr;
     }
-    case NeighbourRecord::Proof::alive:
+    case NeighbourWays::Proof::alive:
       return former.record.get();
   }
   return nullptr;
@@ -88,7 +88,7 @@ bool FormerIncarnations::give_way() {
   NeighbourRecord* youngest = nullptr;
   for (const auto& [incarnation, former] : map_) {
     if (former.record->services().size() <= announcement::reserved_services) continue;
-    if (youngest == nullptr || former.record->since() > youngest->since()) youngest = former.record.get();
+    if (youngest == nullptr || former.record->origin().since > youngest->origin().since) youngest = former.record.get();
   }
   if (youngest != nullptr) youngest->services().clear();
   return youngest != nullptr;

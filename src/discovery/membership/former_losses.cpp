@@ -5,11 +5,14 @@
 namespace geminga::membership {
 
 void FormerLosses::remember(ParticipantId id, const NeighbourRecord& record) {
-  for (const NeighbourWay& way : record.ways()) {
+  for (const NeighbourWay& way : record.ways().all()) {
     if (way.is_relayed()) continue;
     if (ways_.size() == max_former_losses) ways_.erase(ways_.begin());
-    ways_.push_back(
-        {.id = id, .boot = record.boot(), .interface = way.interface(), .link = way.link(), .losses = way.losses()});
+    ways_.push_back({.id = id,
+                     .boot = record.origin().boot,
+                     .interface = way.interface(),
+                     .link = way.link(),
+                     .losses = way.losses()});
   }
 }
 
@@ -24,7 +27,7 @@ void FormerLosses::hear(const announcement::Announcement& announcement, const Ar
 
 void FormerLosses::hand_to(ParticipantId id, NeighbourRecord& record) {
   std::erase_if(ways_, [&](const Way& way) {
-    if (way.id != id || way.boot != record.boot()) return false;
+    if (way.id != id || way.boot != record.origin().boot) return false;
     record.go_on_from(way.interface, way.link, way.losses);
     return true;
   });

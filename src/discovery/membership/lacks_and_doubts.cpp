@@ -23,8 +23,8 @@ void keep(std::set<ParticipantId>& set, ParticipantId id, bool is_in) {
 
 void LacksAndDoubts::update(ParticipantId id, const NeighbourRecord& record, base::Instant now) {
   keep(missed_, id, record.is_missed(now));
-  keep(doubted_, id, record.is_doubted());
-  keep(named_, id, record.is_lacking() || record.is_doubted());
+  keep(doubted_, id, record.signs().is_doubted());
+  keep(named_, id, record.is_lacking() || record.signs().is_doubted());
 }
 
 void LacksAndDoubts::forget(ParticipantId id) {
@@ -47,7 +47,7 @@ void LacksAndDoubts::name(Records& records, base::Instant now, Report& report) {
       return;
     }
     if (record.is_lacking()) report.lacks.push_back(*one);
-    if (record.is_doubted()) {
+    if (record.signs().is_doubted()) {
       report.doubts.push_back(*one);
       record.ask(now);
     }

@@ -49,7 +49,7 @@ std::size_t NeighbourTable::expire(Instant now) {
     if (++count > max_expired_at_once) break;
     const auto known = records_.find(id);
     known->second.record->ask_witnesses(now);
-    if (known->second.record->deadline() <= now) {
+    if (known->second.record->signs().deadline() <= now) {
       lost += known->second.record->is_sought(now) ? 1 : 0;
       former_losses_.remember(id, *known->second.record);
       former_.remember_expired(remove(known, Departure::expired), now);
@@ -102,7 +102,7 @@ bool NeighbourTable::hear_doubts(const std::vector<ParticipantId>& doubts, Insta
 void NeighbourTable::forget_interface(env::InterfaceIndex interface) {
   for (auto& known : records_) {
     known.second.record->forget_interface(interface, changes_);
-    update(known, known.second.record->heard());
+    update(known, known.second.record->signs().heard());
   }
 }
 
@@ -124,7 +124,7 @@ Difference NeighbourTable::compare(const announcement::Announcement& presence, I
 
 Hearing NeighbourTable::hear_short(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto holder = records_.find(announcement.participant);
-  if (holder == records_.end() || holder->second.record->boot() != announcement.boot) {
+  if (holder == records_.end() || holder->second.record->origin().boot != announcement.boot) {
     lacks_and_doubts_.hear_stranger(announcement.participant, arrival.now);
     former_losses_.hear(announcement, arrival);
     return Hearing::stranger;
@@ -156,15 +156,15 @@ Hearing NeighbourTable::hear_claim(const announcement::Announcement& announcemen
   // overtook the claim: a participant that did not claim an identifier cannot have had it before.
   const auto& record = *holder->second.record;
   const bool is_recent = arrival.now - record.standing().first < announcement::overtaken_time;
-  const bool is_own = record.boot() == announcement.boot && record.source() == arrival.source;
-  if (is_recent && !is_own) claims_.hear(announcement, arrival.source, arrival.now, record.since() - 1);
+  const bool is_own = record.origin().boot == announcement.boot && record.origin().source == arrival.source;
+  if (is_recent && !is_own) claims_.hear(announcement, arrival.source, arrival.now, record.origin().since - 1);
   return Hearing::claim;
 }
 
 void NeighbourTable::succeed(const announcement::Announcement& newcomer, const Arrival& arrival) {
   for (const auto id : namesakes_.find({newcomer.name, std::string(arrival.source)}, newcomer.lasting)) {
     auto& known = *records_.find(id);
-    if (known.second.record->boot() == newcomer.boot) continue;  // the same incarnation under another identifier
+    if (known.second.record->origin().boot == newcomer.boot) continue;  // the same incarnation under another identifier
     known.second.record->succeed(newcomer.lasting, arrival);
     update(known, arrival.now);
   }
@@ -173,7 +173,7 @@ void NeighbourTable::succeed(const announcement::Announcement& newcomer, const A
 Hearing NeighbourTable::hear_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
   if (former_.find(announcement, arrival.now) != nullptr) former_.hear_goodbye(announcement, arrival);
   const auto known = records_.find(announcement.participant);
-  if (known == records_.end() || known->second.record->boot() != announcement.boot) return Hearing::stale;
+  if (known == records_.end() || known->second.record->origin().boot != announcement.boot) return Hearing::stale;
   const auto hearing = known->second.record->hear_goodbye(announcement, arrival);
   if (hearing == Hearing::goodbye) {
     former_.remember(remove(known, Departure::left), arrival.now);
@@ -186,13 +186,13 @@ Hearing NeighbourTable::hear_goodbye(const announcement::Announcement& announcem
 
 Hearing NeighbourTable::hear_state(const announcement::Announcement& announcement, const Arrival& arrival) {
   const auto holder = records_.find(announcement.participant);
-  if (holder != records_.end() && holder->second.record->boot() == announcement.boot) {
+  if (holder != records_.end() && holder->second.record->origin().boot == announcement.boot) {
     return hear_holder(holder, announcement, arrival);
   }
   auto since = claims_.find(announcement, arrival.source, arrival.now);
   std::optional<Instant> succeeded;
   const auto* former = former_.find(announcement, arrival.now);
-  if (former != nullptr && since && *since < former->since()) {
+  if (former != nullptr && since && *since < former->origin().since) {
     // Somebody at another address used the claimant's identifier and boot nonce before its first state, and left.
     (void)former_.take(announcement);
     former = nullptr;
@@ -200,19 +200,19 @@ Hearing NeighbourTable::hear_state(const announcement::Announcement& announcemen
     const bool is_expired = former_.is_expired(announcement);
     former = former_.find_alive(announcement, arrival);
     if (former == nullptr && !is_expired) return Hearing::stale;
-    if (former != nullptr) since = former->since();
-    if (is_expired && !former_.find(announcement, arrival.now)->is_vouched(arrival)) return Hearing::elsewhere;
+    if (former != nullptr) since = former->origin().since;
+    if (is_expired && !former_.find(announcement, arrival.now)->ways().is_vouched(arrival)) return Hearing::elsewhere;
     if (is_expired) {
       // It begins anew, but keeps its right to the identifier. Its next incarnation is not looked for again so soon.
-      succeeded = former_.take(announcement)->succeeded();
+      succeeded = former_.take(announcement)->signs().succeeded();
       former = nullptr;
     }
   }
   if (holder != records_.end()) {
-    const bool is_first = since && *since < holder->second.record->since();
+    const bool is_first = since && *since < holder->second.record->origin().since;
     if (!is_first && !holder->second.record->yields_to(announcement, arrival)) return Hearing::rival;
   } else if (former != nullptr && records_.size() >= room(arrival.now)) {
-    const auto gives_way = admission_.decide_return(former->source(), former->standing(), arrival.now);
+    const auto gives_way = admission_.decide_return(former->origin().source, former->standing(), arrival.now);
     if (!gives_way) return Hearing::full;
     displace(*gives_way);
   }
@@ -234,7 +234,7 @@ Hearing NeighbourTable::hear_holder(Records::iterator holder, const announcement
   auto& record = *holder->second.record;
   const auto hearing = record.hear(announcement, arrival, changes_);
   const auto since = hearing == Hearing::known ? std::nullopt : claims_.find(announcement, arrival.source, arrival.now);
-  if (since && *since < record.since()) {
+  if (since && *since < record.origin().since) {
     // Somebody at another address used the claimant's identifier and boot nonce before its first state.
     (void)remove(holder, Departure::expired);
     return hear_newcomer(announcement, arrival, *since);
@@ -267,9 +267,9 @@ void NeighbourTable::add(std::unique_ptr<NeighbourRecord> one, const announcemen
   auto& record = *one;
   const auto known = records_.add(id, {.record = std::move(one),
                                        .slot = timetable_.take(id),
-                                       .member = &admission_.add(id, record.source(), record.standing())});
-  witnesses_.add(id, record.boot());
-  namesakes_.update(id, {record.name(), record.source()}, record.lasting());
+                                       .member = &admission_.add(id, record.origin().source, record.standing())});
+  witnesses_.add(id, record.origin().boot);
+  namesakes_.update(id, {record.header().name, record.origin().source}, record.header().lasting);
   (void)record.hear(announcement, arrival, changes_);
   former_losses_.hand_to(id, record);
   admission_.update(*known->second.member, record.standing());
@@ -278,7 +278,7 @@ void NeighbourTable::add(std::unique_ptr<NeighbourRecord> one, const announcemen
 
 void NeighbourTable::displace(ParticipantId id) {
   const auto record = remove(records_.find(id), Departure::expired);
-  admission_.remember(id, record->boot(), record->newest(), record->standing());
+  admission_.remember(id, record->origin().boot, record->ways().newest(), record->standing());
 }
 
 std::unique_ptr<NeighbourRecord> NeighbourTable::remove(Records::iterator known, Departure reason) {
@@ -297,10 +297,10 @@ void NeighbourTable::update(Records::value_type& known, Instant now) {
   auto& record = *known.second.record;
   lacks_and_doubts_.update(known.first, record, now);
   if (record.take_anew()) {
-    namesakes_.update(known.first, {record.name(), record.source()}, record.lasting());
+    namesakes_.update(known.first, {record.header().name, record.origin().source}, record.header().lasting);
     records_.note_change();
   }
-  witnesses_.update(known.first, record.heard(), record.lasting_interval(now), record.held_revision());
+  witnesses_.update(known.first, record.signs().heard(), record.lasting_interval(now), record.held_revision());
   if (judge_) record.judge_reach(judge_, changes_);
   records_.count(known.second);
   timetable_.set(known.second.slot, record.next_deadline());
@@ -313,7 +313,7 @@ bool NeighbourTable::make_room(ParticipantId asks) {
   if (known == records_.end() || !known->second.record->standing().is_confirmed) return false;
   auto* greediest = find_greediest(records_, admission_, *known->second.record);
   if (greediest == nullptr || !greediest->services().give_way(changes_)) return false;
-  lacks_and_doubts_.note_short(greediest->services().owner().id);
+  lacks_and_doubts_.note_short(greediest->origin().id);
   return true;
 }
 

@@ -42,7 +42,7 @@ void Records::erase(iterator one) {
 void Records::count(Known& known) {
   int heard = 0;
   int span = 0;
-  for (const auto& way : known.record->ways()) {
+  for (const auto& way : known.record->ways().all()) {
     if (way.is_relayed()) {  // A relay has said the loss, and counts as much as a full window.
       heard += static_cast<int>(std::lround(LossWindow::full_span * (1 - way.loss())));
       span += LossWindow::full_span;

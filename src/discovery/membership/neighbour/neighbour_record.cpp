@@ -19,24 +19,16 @@ constexpr Duration min_refresh_time = std::chrono::milliseconds(20);
 
 }  // namespace
 
-NeighbourRecord::Header NeighbourRecord::header_of(const announcement::Announcement& announcement) {
-  return {announcement.name.empty() ? to_string(announcement.participant) : announcement.name,
-          announcement.ontology_digest, announcement.interval, announcement.lasting};
-}
-
 NeighbourRecord::NeighbourRecord(const announcement::Announcement& first, const Arrival& arrival, Turn since,
                                  ServiceRoom& room, const Witnesses& witnesses)
-    : id_(first.participant),
-      boot_(first.boot),
-      source_(arrival.source),
-      since_(since),
+    : origin_{.id = first.participant, .boot = first.boot, .source = std::string(arrival.source), .since = since},
       standing_{arrival.now, arrival.now},
       header_(header_of(first), arrival.now),
       interval_(announcement::stretched(first.interval, first.doublings), arrival.now),
       signs_(arrival.passage == nullptr ? arrival.now : arrival.now - arrival.passage->age,
              std::min(interval_.value(), announcement::stranger_interval)),
       known_(first.revision, arrival.now),
-      services_(Owner{first.participant, header_.value().name, {}, {}}, room),
+      services_(Owner{first.participant, header().name, {}, {}}, room),
       witnesses_(witnesses) {}
 
 Duration NeighbourRecord::lasting_interval(Instant now) const {
@@ -53,7 +45,9 @@ double NeighbourRecord::known_loss() const { return ways_.is_loss_known() ? ways
 
 Reception NeighbourRecord::reception(Instant now) const {
   const auto interval = lasting_interval(now);
-  return {.loss = ways_.loss(), .witnesses = witnesses_.words(id_, now, interval), .delay = passage_.delay(interval)};
+  return {.loss = ways_.loss(),
+          .witnesses = witnesses_.words(origin_.id, now, interval),
+          .delay = passage_.delay(interval)};
 }
 
 Moment NeighbourRecord::moment(Instant now) const {
@@ -82,9 +76,8 @@ Order NeighbourRecord::order(const NeighbourWay& way, const announcement::Announ
   }
   if (announcement.revision > known_.said() || announcement.kind == announcement::Kind::presence) return order;
   const bool is_state = announcement.kind == announcement::Kind::state;
-  const bool is_denied =
-      (is_state && (header_of(announcement) != header_.value() || way.denies(announcement, arrival))) ||
-      services_.denies(announcement, known_.services());
+  const bool is_denied = (is_state && (header_of(announcement) != header() || way.denies(announcement, arrival))) ||
+                         services_.denies(announcement, known_.services());
   return is_denied ? Order::contradiction : order;
 }
 
@@ -153,14 +146,7 @@ void NeighbourRecord::take_state(NeighbourWay& way, const announcement::Announce
   const auto now = arrival.now;
   const auto held = hold(now);
   known_.say(announcement.revision);
-  auto header = header_of(announcement);
-  if (header == header_.value()) {
-    header_.affirm(now);
-  } else if (!contest_.is_open() || !header_.is_held(now, held)) {
-    header_.replace(std::move(header), now, held);
-    is_anew_ = true;
-    services_.set_name(header_.value().name);
-  }
+  if (header_.say(header_of(announcement), now, held, contest_.is_open())) services_.set_name(header().name);
   take_interval(announcement, now);
   if (!way.is_vouched && !contest_.is_open() && introduces(announcement, arrival)) {
     ways_.vouch(arrival.source);
@@ -189,8 +175,7 @@ void NeighbourRecord::take_change(NeighbourWay& way, const announcement::Announc
 }
 
 void NeighbourRecord::take_interval(const announcement::Announcement& announcement, Instant now) {
-  interval_.say(announcement::stretched(header_.value().interval, announcement.doublings), now, hold(now),
-                contest_.is_open());
+  interval_.say(announcement::stretched(header().interval, announcement.doublings), now, hold(now), contest_.is_open());
 }
 
 void NeighbourRecord::take_revision(NeighbourWay& way, const announcement::Announcement& announcement, Instant now,
@@ -223,7 +208,7 @@ void NeighbourRecord::set_deadlines(NeighbourWay& way, bool is_sign, Instant now
 }
 
 void NeighbourRecord::succeed(std::uint32_t lasting, const Arrival& arrival) {
-  const bool is_same = (lasting != 0 && lasting == this->lasting()) || ways_.is_from_one(arrival);
+  const bool is_same = (lasting != 0 && lasting == header().lasting) || ways_.is_from_one(arrival);
   if (!is_same || contest_.is_open()) return;
   signs_.succeed(arrival.now, lasting_interval(arrival.now));
 }
@@ -240,9 +225,9 @@ void NeighbourRecord::contest(Instant now, std::vector<Change>& changes) {
   services_.roll_back(known_.is_complete() ? known_.affirmed() : Instant::min(), at, changes);
   ways_.roll_back(now, at.hold);
   ways_.forget_parts();
-  is_anew_ |= header_.roll_back(now, at.hold);
+  header_.roll_back(now, at.hold);
   interval_.roll_back(now, at.hold);
-  services_.set_name(header_.value().name);
+  services_.set_name(header().name);
   choose_address();
   known_.forget();
   // Deadlines that the lie moved are moved back.
@@ -264,17 +249,6 @@ Hearing NeighbourRecord::hear_goodbye(const announcement::Announcement& announce
   signs_.shorten(arrival.now + hold(arrival.now));
   contest_.prolong(signs_.deadline());
   return Hearing::contradiction;
-}
-
-NeighbourRecord::Proof NeighbourRecord::proof(const announcement::Announcement& announcement, const Arrival& arrival,
-                                              Instant left) {
-  const auto* way = ways_.find_once_bound(announcement, arrival);
-  if (way == nullptr) return Proof::none;
-  const bool is_heard = way->has(announcement.sequence);
-  // A true goodbye has the highest number. A lower number may have been overtaken by it, but not for long.
-  const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye && !is_heard;
-  if (!is_after && arrival.now - left < announcement::overtaken_time) return Proof::none;
-  return is_heard ? Proof::echo : Proof::alive;
 }
 
 Duration NeighbourRecord::memory(Instant now) const { return std::max<Duration>(goodbye_memory, hold(now)); }
@@ -310,9 +284,9 @@ void NeighbourRecord::hear_of(const Passage& passage, std::uint64_t revision, In
 }
 
 Reach NeighbourRecord::reach() const {
-  return {.id = id_,
+  return {.id = origin_.id,
           .revision = held_revision(),
-          .heard = contest_.is_open() ? signs_.heard() : std::max(signs_.heard(), witnesses_.seen(id_)),
+          .heard = contest_.is_open() ? signs_.heard() : std::max(signs_.heard(), witnesses_.seen(origin_.id)),
           .interval = interval(),
           .loss = ways_.loss(),
           .hops = passage() ? passage()->hops : 0,
@@ -336,7 +310,7 @@ void NeighbourRecord::judge_reach(const JudgeReach& judge, std::vector<Change>& 
 void NeighbourRecord::ask_witnesses(Instant now) {
   // For a contested participant only its own datagrams count. Without a way we may not reach it, though others do.
   if (contest_.is_open() || ways_.all().empty()) return;
-  if (!signs_.witness(witnesses_.seen(id_), now, lasting_interval(now), reception(now))) return;
+  if (!signs_.witness(witnesses_.seen(origin_.id), now, lasting_interval(now), reception(now))) return;
   // The way on which it was heard last is the best guess of how it can be reached.
   ways_.postpone_last(signs_.deadline());
 }
@@ -377,10 +351,10 @@ Instant NeighbourRecord::next_deadline() const {
 
 Neighbour NeighbourRecord::snapshot() const {
   Neighbour neighbour;
-  neighbour.id = id_;
-  neighbour.boot = boot_;
-  neighbour.name = header_.value().name;
-  neighbour.ontology_digest = header_.value().ontology_digest;
+  neighbour.id = origin_.id;
+  neighbour.boot = origin_.boot;
+  neighbour.name = header().name;
+  neighbour.ontology_digest = header().ontology_digest;
   neighbour.interval = interval();
   neighbour.heard = signs_.heard();
   neighbour.deadline = signs_.deadline();
@@ -389,7 +363,7 @@ Neighbour NeighbourRecord::snapshot() const {
   neighbour.loss = ways_.loss();
   neighbour.publications = services_.publications();
   neighbour.subscriptions = services_.size() - neighbour.publications;
-  neighbour.is_deaf = witnesses_.is_surely_deaf_to_us(id_);
+  neighbour.is_deaf = witnesses_.is_surely_deaf_to_us(origin_.id);
   if (passage() != nullptr) neighbour.through = passage()->through;
   neighbour.is_complete = known_.is_complete();
   return neighbour;

@@ -13,9 +13,9 @@
 #include "base/rare.hpp"
 #include "base/time.hpp"
 #include "discovery/membership/admission/standing.hpp"
-#include "discovery/membership/claim/first_claims.hpp"
 #include "discovery/membership/neighbour/announced_interval.hpp"
 #include "discovery/membership/neighbour/arrival.hpp"
+#include "discovery/membership/neighbour/believed_header.hpp"
 #include "discovery/membership/neighbour/change.hpp"
 #include "discovery/membership/neighbour/contest.hpp"
 #include "discovery/membership/neighbour/hearing.hpp"
@@ -25,8 +25,8 @@
 #include "discovery/membership/neighbour/neighbour.hpp"
 #include "discovery/membership/neighbour/neighbour_services.hpp"
 #include "discovery/membership/neighbour/neighbour_ways.hpp"
+#include "discovery/membership/neighbour/origin.hpp"
 #include "discovery/membership/neighbour/reach.hpp"
-#include "discovery/membership/neighbour/revocable.hpp"
 #include "discovery/membership/neighbour/service_room.hpp"
 #include "discovery/membership/schedule/search.hpp"
 #include "discovery/membership/witnesses/witnesses.hpp"
@@ -54,12 +54,13 @@ class NeighbourRecord {
   NeighbourRecord(const NeighbourRecord&) = delete;
   NeighbourRecord& operator=(const NeighbourRecord&) = delete;
 
-  [[nodiscard]] announcement::BootNonce boot() const { return boot_; }
-  /// The source address that it was first heard from. It counts towards the limit of participants of that address.
-  [[nodiscard]] const std::string& source() const { return source_; }
-  /// When it was first heard under its identifier; a claim counts, too. Of several incarnations under one identifier
-  /// the one that was heard first owns it.
-  [[nodiscard]] Turn since() const { return since_; }
+  [[nodiscard]] const Origin& origin() const { return origin_; }
+  [[nodiscard]] const Header& header() const { return header_.value(); }
+  /// Whether the header has changed since the last call.
+  [[nodiscard]] bool take_anew() { return header_.take_anew(); }
+  /// When it was heard, and until when it is believed to live.
+  [[nodiscard]] const LifeSigns& signs() const { return signs_; }
+  [[nodiscard]] const NeighbourWays& ways() const { return ways_; }
   [[nodiscard]] const Standing& standing() const { return standing_; }
   void set_standing(const Standing& standing) { standing_ = standing; }
 
@@ -74,17 +75,10 @@ class NeighbourRecord {
   void note_goodbye(const announcement::Announcement& announcement, const Arrival& arrival) {
     ways_.note_goodbye(announcement, arrival);
   }
-  /// Whether a state proves that a participant lives that seemed to leave at `left`.
-  enum class Proof : std::uint8_t {
-    none,   ///< no proof: it comes from another address, or may be older than that instant
-    echo,   ///< its number is known: it may be a copy
-    alive,  ///< it was sent after that instant
-  };
-  [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival, base::Instant left);
   /// Whether a datagram is new and from the address that its way belongs to.
   [[nodiscard]] bool is_bound(const announcement::Announcement& announcement, const Arrival& arrival) const {
     const auto* way = ways_.find_bound(announcement, arrival);
-    return way == nullptr ? ways_.all().empty() && arrival.source == source_ : !way->has(announcement.sequence);
+    return way == nullptr ? ways_.all().empty() && arrival.source == origin_.source : !way->has(announcement.sequence);
   }
   /// The time for which it is remembered after it seemed to leave: long enough to hear it again if the goodbye was
   /// forged.
@@ -95,11 +89,6 @@ class NeighbourRecord {
   /// been silent for too long.
   [[nodiscard]] bool yields_to(const announcement::Announcement& rival, const Arrival& arrival);
 
-  /// Whether a datagram from this source is a sign of life.
-  [[nodiscard]] bool is_vouched(const Arrival& arrival) const {
-    return arrival.is_sealed || ways_.is_vouched(arrival.source);
-  }
-
   /// Takes in the testimony of a relay: this participant sent something `passage.age` ago, and its state has this
   /// revision (0: not stated). Has no effect while it is heard directly or is contested.
   void hear_of(const Passage& passage, std::uint64_t revision, base::Instant now);
@@ -107,8 +96,6 @@ class NeighbourRecord {
   [[nodiscard]] bool is_heard_directly(base::Instant now) const {
     return passage_.is_direct(announcement::hold_intervals * lasting_interval(now), now);
   }
-  /// The relays on the way to it; null: it was last heard directly.
-  [[nodiscard]] const Passage* passage() const { return passage_.relayed(); }
   /// Its ways, for a relay.
   [[nodiscard]] Reach reach() const;
 
@@ -123,7 +110,6 @@ class NeighbourRecord {
   void succeed(std::uint32_t lasting, const Arrival& arrival);
   /// Takes in that this host's presence has asked it for a sign of life.
   void ask(base::Instant now) { signs_.ask(now, answer_time(known_loss())); }
-  [[nodiscard]] std::optional<base::Instant> succeeded() const { return signs_.succeeded(); }
   /// Takes over the losses on one way before the same incarnation was given up (FormerLosses).
   void go_on_from(env::InterfaceIndex interface, std::uint32_t link, const LossWindow& former) {
     ways_.go_on_from(interface, link, former);
@@ -135,18 +121,10 @@ class NeighbourRecord {
     const bool has_next_incarnation = succeeded && now - *succeeded < announcement::contest_intervals * interval();
     return standing_.span() >= sought_after && !has_next_incarnation;
   }
-  /// When this host itself last heard it.
-  [[nodiscard]] base::Instant heard() const { return signs_.heard(); }
-  [[nodiscard]] const std::string& name() const { return header_.value().name; }
-  /// Whether its name, ontology or lasting identity has changed since the last call.
-  [[nodiscard]] bool take_anew() { return std::exchange(is_anew_, false); }
   /// When a datagram last proved that a complete revision still holds.
   [[nodiscard]] base::Instant affirmed() const { return known_.affirmed(); }
-  /// The lasting identity of all its incarnations; 0: it has none.
-  [[nodiscard]] std::uint32_t lasting() const { return header_.value().lasting; }
-  /// The time between two of its announcements, as it announces it.
-  [[nodiscard]] base::Duration interval() const { return interval_.value(); }
-  /// The same, as far as it is believed: no single datagram makes deadlines shorter or longer.
+  /// The time between two of its announcements, as far as it is believed: no single datagram makes deadlines shorter or
+  /// longer.
   [[nodiscard]] base::Duration lasting_interval(base::Instant now) const;
   /// Takes in that somebody else seems to have a newer state of it: it is asked for until the participant speaks.
   void suspect() { known_.set_suspected(known_.is_complete() && !contest_.is_open()); }
@@ -159,24 +137,18 @@ class NeighbourRecord {
   [[nodiscard]] bool is_missed(base::Instant now) const {
     return is_state_lacking() && (!contest_.is_open() || now - contest_.since() < urgent_time);
   }
-  /// Whether it gave no sign of life for so long that its deadline is near.
-  [[nodiscard]] bool is_doubted() const { return signs_.is_doubted(); }
   /// Asks for a sign of life at once.
   void doubt() { signs_.doubt(); }
   /// Moves every deadline before `until` to `until`.
   void postpone(base::Instant until);
-  [[nodiscard]] const std::vector<NeighbourWay>& ways() const { return ways_.all(); }
 
   /// Drops ways and services that have their deadline at or before `now`. The table drops the participant itself.
   void expire(base::Instant now, std::vector<Change>& changes);
   void forget_interface(env::InterfaceIndex interface, std::vector<Change>& changes);
 
-  [[nodiscard]] base::Instant deadline() const { return signs_.deadline(); }
   /// When expire() has something to do, or a little before. Its cost is constant.
   [[nodiscard]] base::Instant next_deadline() const;
   [[nodiscard]] Neighbour snapshot() const;
-  /// The highest sequence number that was heard on its first way.
-  [[nodiscard]] std::uint64_t newest() const { return ways().empty() ? 0 : ways().front().newest(); }
   [[nodiscard]] NeighbourServices& services() { return services_; }
   [[nodiscard]] const NeighbourServices& services() const { return services_; }
 
@@ -184,14 +156,6 @@ class NeighbourRecord {
   /// The time after the first lie in which its state is asked for at once.
   static constexpr base::Duration urgent_time = std::chrono::milliseconds(500);
 
-  /// The part of a state that is about the participant itself.
-  struct Header {
-    std::string name;
-    std::uint64_t ontology_digest = 0;
-    base::Duration interval{};
-    std::uint32_t lasting = 0;
-    friend bool operator==(const Header&, const Header&) = default;
-  };
   /// Another incarnation that wants this identifier.
   struct Rival {
     announcement::BootNonce boot{};
@@ -200,9 +164,12 @@ class NeighbourRecord {
   };
 
   [[nodiscard]] bool is_state_lacking() const {
-    return !known_.is_complete() || known_.is_suspected() || !std::ranges::all_of(ways(), &NeighbourWay::is_said);
+    return !known_.is_complete() || known_.is_suspected() || !std::ranges::all_of(ways_.all(), &NeighbourWay::is_said);
   }
-  static Header header_of(const announcement::Announcement& announcement);
+  /// The time between two of its announcements, as it announces it.
+  [[nodiscard]] base::Duration interval() const { return interval_.value(); }
+  /// The relays on the way to it; null: it was last heard directly.
+  [[nodiscard]] const Passage* passage() const { return passage_.relayed(); }
   [[nodiscard]] NeighbourWay::Order order(const NeighbourWay& way, const announcement::Announcement& announcement,
                                           const Arrival& arrival) const;
   void take_in(NeighbourWay& way, const announcement::Announcement& announcement, const Arrival& arrival,
@@ -238,14 +205,10 @@ class NeighbourRecord {
   /// The loss of its best way, or a bad one if too few datagrams were heard to tell.
   [[nodiscard]] double known_loss() const;
 
-  ParticipantId id_;
-  announcement::BootNonce boot_;
-  std::string source_;
-  Turn since_;
+  const Origin origin_;
   bool has_spoken_ = false;
   Standing standing_;
-  Revocable<Header> header_;
-  bool is_anew_ = false;        ///< the header has changed since take_anew()
+  BelievedHeader header_;
   AnnouncedInterval interval_;  ///< the interval that it keeps: that of the header, stretched
   LifeSigns signs_;
   KnownState known_;

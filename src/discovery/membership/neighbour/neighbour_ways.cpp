@@ -25,10 +25,21 @@ const NeighbourWay* NeighbourWays::find_bound(const announcement::Announcement& 
 }
 
 const NeighbourWay* NeighbourWays::find_once_bound(const announcement::Announcement& announcement,
-                                                   const Arrival& arrival) {
+                                                   const Arrival& arrival) const {
   if (const auto* way = find_bound(announcement, arrival)) return way;
-  const auto* way = find(announcement, arrival);
-  return way != nullptr && way->was_of(arrival.source) ? way : nullptr;
+  const auto way = std::ranges::find_if(ways_, [&](const auto& each) { return each.is_way_of(announcement, arrival); });
+  return way != ways_.end() && way->was_of(arrival.source) ? &*way : nullptr;
+}
+
+NeighbourWays::Proof NeighbourWays::proof(const announcement::Announcement& announcement, const Arrival& arrival,
+                                          Instant left) const {
+  const auto* way = find_once_bound(announcement, arrival);
+  if (way == nullptr) return Proof::none;
+  const bool is_heard = way->has(announcement.sequence);
+  // A true goodbye has the highest number. A lower number may have been overtaken by it, but not for long.
+  const bool is_after = way->goodbye && announcement.sequence >= *way->goodbye && !is_heard;
+  if (!is_after && arrival.now - left < announcement::overtaken_time) return Proof::none;
+  return is_heard ? Proof::echo : Proof::alive;
 }
 
 bool NeighbourWays::may_open(const announcement::Announcement& announcement, const Arrival& arrival, Duration hold,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/rare.hpp"
@@ -22,7 +23,17 @@ class NeighbourWays {
                                                const Arrival& arrival) const;
   /// The same, or the way that belonged to that address before somebody moved it; null: there is none.
   [[nodiscard]] const NeighbourWay* find_once_bound(const announcement::Announcement& announcement,
-                                                    const Arrival& arrival);
+                                                    const Arrival& arrival) const;
+  /// Whether a state proves that a participant lives that seemed to leave at an instant.
+  enum class Proof : std::uint8_t {
+    none,   ///< no proof: it comes from another address, or may be older than that instant
+    echo,   ///< its number is known: it may be a copy
+    alive,  ///< it was sent after that instant
+  };
+  [[nodiscard]] Proof proof(const announcement::Announcement& announcement, const Arrival& arrival,
+                            base::Instant left) const;
+  /// The highest sequence number that was heard on the first way; 0: there is none.
+  [[nodiscard]] std::uint64_t newest() const { return ways_.empty() ? 0 : ways_.front().newest(); }
   /// Opens a way for a datagram; null: it may not be opened, or there are max_paths. A way that was heard within `hold`
   /// is alive.
   [[nodiscard]] NeighbourWay* open(const announcement::Announcement& announcement, const Arrival& arrival,
@@ -60,6 +71,10 @@ class NeighbourWays {
 
   /// Whether words from this address are signs of life (ANNOUNCEMENT.md, "Whose words are signs of life").
   [[nodiscard]] bool is_vouched(std::string_view source) const;
+  /// Whether a datagram is a sign of life, by its seal or by its source.
+  [[nodiscard]] bool is_vouched(const Arrival& arrival) const {
+    return arrival.is_sealed || is_vouched(arrival.source);
+  }
   void vouch(std::string_view source);
   [[nodiscard]] static std::string_view without_zone(std::string_view address) {
     return address.substr(0, address.find('%'));
