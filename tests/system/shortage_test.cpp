@@ -1,7 +1,9 @@
 // Real daemons for which memory or descriptors end: they say so, shed strangers, and go on.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <linux/close_range.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <string>
@@ -111,6 +113,7 @@ TEST(Shortage, OfDescriptorsAtTheStartIsSaid) {
 TEST(Shortage, OfDescriptorsIsNoMissingPermission) {
   const std::string file = shipped("core.ttl");
   const auto before = [] {
+    ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // whatever the test has inherited
     const rlimit both{.rlim_cur = 4, .rlim_max = 4};
     ::setrlimit(RLIMIT_NOFILE, &both);
   };

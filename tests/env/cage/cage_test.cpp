@@ -239,24 +239,25 @@ TEST(Cage, OpensOnlyWhatIsNamed) {
   fs::remove_all(folder);
 }
 
-/// The fault of a cage in which this path may be read, in a process that may have so many descriptors beside those that
-/// it has; nothing where this kernel has no Landlock.
+/// The fault of a cage in which this path may be read, in a process that may have so many descriptors more (null: any);
+/// nothing where this kernel has no Landlock.
 std::optional<std::string> fault_with(const std::string& path, std::optional<rlim_t> descriptors = std::nullopt) {
   std::array<int, 2> words{};
   if (::pipe(words.data()) != 0) return "no pipe";
   const int status = in_child([&] {
+    int answer = words[1];
     if (descriptors) {
-      const int free = ::dup(words[1]);
-      ::close(free);
-      const rlim_t most = static_cast<rlim_t>(free) + *descriptors;
-      const rlimit limit{most, most};
+      constexpr int last = 3;  // whatever this process has inherited
+      answer = ::dup2(answer, last);
+      ::close_range(last + 1, ~0U, 0);
+      const rlimit limit{last + 1 + *descriptors, last + 1 + *descriptors};
       ::setrlimit(RLIMIT_NOFILE, &limit);
     }
     Freedom freedom;
     freedom.readable = {path};
     const Held held = close(freedom);
     if (!held.by_paths && held.fault.empty()) return no_cage;
-    return ::write(words[1], held.fault.data(), held.fault.size()) < 0 ? 1 : 0;
+    return ::write(answer, held.fault.data(), held.fault.size()) < 0 ? 1 : 0;
   });
   ::close(words[1]);
   std::string fault(1000, '\0');
