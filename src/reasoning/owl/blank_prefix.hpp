@@ -2,6 +2,7 @@
 #ifndef GEMINGA_REASONING_OWL_BLANK_PREFIX_HPP
 #define GEMINGA_REASONING_OWL_BLANK_PREFIX_HPP
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,8 @@ namespace geminga::owl {
 /// The prefix of the names of a file's blank nodes. It is made of the file's content, so that it is the same on every
 /// host and differs from that of other files.
 [[nodiscard]] std::string blank_prefix_of(std::string_view octets);
+/// The same where base::hash64() of the content is known.
+[[nodiscard]] std::string blank_prefix_of(std::uint64_t hash);
 
 }  // namespace geminga::owl
 

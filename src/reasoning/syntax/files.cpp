@@ -10,13 +10,13 @@
 #include <system_error>
 #include <utility>
 
+#include "base/hash.hpp"
 #include "base/text.hpp"
+#include "reasoning/syntax/file_reading.hpp"
 #include "reasoning/syntax/long_text_watch.hpp"
 
 namespace geminga::syntax {
 namespace {
-
-constexpr std::size_t read_at_once = std::size_t{1} << 20;
 
 std::unexpected<LoadError> refuse(const std::string& file, std::string text) {
   return std::unexpected(LoadError{base::printable(file, 4096), 0, std::move(text), true});
@@ -37,18 +37,22 @@ std::string_view kind_of(mode_t mode) {
 FileBytes::FileBytes(FileBytes&& other) noexcept
     : data_(std::exchange(other.data_, nullptr)),
       size_(std::exchange(other.size_, 0)),
-      mapped_(std::exchange(other.mapped_, 0)) {}
+      mapped_(std::exchange(other.mapped_, 0)),
+      hash_(std::exchange(other.hash_, std::nullopt)) {}
 
 FileBytes& FileBytes::operator=(FileBytes&& other) noexcept {
   std::swap(data_, other.data_);
   std::swap(size_, other.size_);
   std::swap(mapped_, other.mapped_);
+  std::swap(hash_, other.hash_);
   return *this;
 }
 
 FileBytes::~FileBytes() {
   if (mapped_ != 0) munmap(data_, mapped_);
 }
+
+std::uint64_t FileBytes::hash() const { return hash_ ? *hash_ : base::hash64(view()); }
 
 std::size_t FileBytes::release(std::size_t begin, std::size_t end) {
   constexpr std::size_t page = std::size_t{1} << 16;  // coarser than any page that Linux uses for this
@@ -59,7 +63,8 @@ std::size_t FileBytes::release(std::size_t begin, std::size_t end) {
   return end;
 }
 
-std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, const FileLimits& limits) {
+std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, const FileLimits& limits,
+                                                    unsigned threads) {
   struct stat status{};
   // Asked by name first: opening a device or a FIFO can have effects of its own.
   if (stat(path.c_str(), &status) != 0) return refuse(path, "cannot be opened: " + kernel_words(errno));
@@ -88,16 +93,11 @@ std::expected<FileBytes, LoadError> FileBytes::read(const std::string& path, con
   if (memory == MAP_FAILED) return refuse(path, "is too large for the memory: " + kernel_words(errno));
   bytes.data_ = static_cast<char*>(memory);
   bytes.mapped_ = size;
-  LongTextWatch watch(path, size, limits);
-  while (bytes.size_ < size) {
-    const ssize_t count = ::read(file, bytes.data_ + bytes.size_, std::min(size - bytes.size_, read_at_once));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return refuse(path, "cannot be read: " + kernel_words(errno));
-    if (count == 0) return refuse(path, "became shorter while it was read: try again");
-    bytes.size_ += static_cast<std::size_t>(count);
-    if (auto error = watch.look_at(bytes.view().substr(bytes.size_ - static_cast<std::size_t>(count))))
-      return std::unexpected(std::move(*error));
-  }
+  FileReading reading(path, file, bytes.data_, size, limits);
+  auto error = reading.run(threads);
+  if (error) return std::unexpected(std::move(*error));
+  bytes.size_ = reading.size();
+  bytes.hash_ = reading.hash();
   if (has_more()) return refuse(path, grew);
   return bytes;
 }
@@ -106,9 +106,9 @@ std::expected<FileBytes, LoadError> FileBytes::read_standard_input(const FileLim
   const std::string path(standard_input_name);
   FileBytes bytes;
   for (;;) {
-    char* const room = bytes.room_for(read_at_once);
+    char* const room = bytes.room_for(FileReading::block_bytes);
     if (room == nullptr) return refuse(path, "is too large for the memory");
-    const ssize_t count = ::read(STDIN_FILENO, room, read_at_once);
+    const ssize_t count = ::read(STDIN_FILENO, room, FileReading::block_bytes);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return refuse(path, "cannot be read: " + kernel_words(errno));
     if (count == 0) break;
@@ -149,6 +149,7 @@ char* FileBytes::room_for(std::size_t count) {
 std::string_view FileBytes::take_room(std::size_t count) {
   const std::string_view taken(data_ + size_, count);
   size_ += count;
+  hash_.reset();
   return taken;
 }
 

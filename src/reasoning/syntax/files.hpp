@@ -3,6 +3,7 @@
 #define GEMINGA_REASONING_SYNTAX_FILES_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <optional>
 #include <string>
@@ -24,8 +25,10 @@ class FileBytes {
   FileBytes& operator=(FileBytes&& other) noexcept;
   ~FileBytes();
 
-  /// Reads a regular file as a whole. Never blocks on a FIFO or a device, and never opens one.
-  [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const FileLimits& limits);
+  /// Reads a regular file as a whole. Never blocks on a FIFO or a device, and never opens one. A second thread, if
+  /// there may be one, looks at a large file while it is read.
+  [[nodiscard]] static std::expected<FileBytes, LoadError> read(const std::string& path, const FileLimits& limits,
+                                                                unsigned threads = 1);
 
   /// Reads standard input to its end. Waits for it.
   [[nodiscard]] static std::expected<FileBytes, LoadError> read_standard_input(const FileLimits& limits);
@@ -34,6 +37,9 @@ class FileBytes {
   [[nodiscard]] static std::optional<FileBytes> copy_of(std::string_view text);
 
   [[nodiscard]] std::string_view view() const { return {data_, size_}; }
+  /// base::hash64() of the content. Free of cost for a file that was read as it is. To be asked before octets are
+  /// released.
+  [[nodiscard]] std::uint64_t hash() const;
   /// Says that what is between two places will not be read again. Whole pages of it are released and then read as zero.
   /// Returns the end of what was released. Several threads may release what only they read.
   std::size_t release(std::size_t begin, std::size_t end);
@@ -49,6 +55,7 @@ class FileBytes {
   char* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t mapped_ = 0;
+  std::optional<std::uint64_t> hash_;  ///< of the content; nothing: not computed yet
 };
 
 }  // namespace geminga::syntax

@@ -114,14 +114,15 @@ struct ScannedFile {
   std::map<std::string_view, std::uint32_t> remarks;
 };
 
-std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& path, const syntax::FileLimits& limits) {
+std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& path, const syntax::FileLimits& limits,
+                                                            unsigned threads) {
   const auto refuse = [&](std::uint32_t line, std::string text) {
     return std::unexpected(syntax::LoadError{base::printable(path, 4096), line, std::move(text)});
   };
   auto bytes = path == syntax::standard_input_name ? syntax::FileBytes::read_standard_input(limits)
-                                                   : syntax::FileBytes::read(path, limits);
+                                                   : syntax::FileBytes::read(path, limits, threads);
   if (!bytes) return std::unexpected(std::move(bytes.error()));
-  const auto content = owl::fingerprint_of(bytes->view());
+  const owl::Fingerprint content{bytes->view().size(), bytes->hash()};
   if (syntax::is_gzip(bytes->view())) bytes = inflate(path, *bytes, limits);
   if (bytes) bytes = decoded(path, std::move(*bytes));
   if (!bytes) return std::unexpected(std::move(bytes.error()));
@@ -175,14 +176,14 @@ syntax::LoadError explained(syntax::LoadError error, syntax::Syntax syntax, bool
 class Loading {
  public:
   Loading(const std::vector<std::string>& paths, const syntax::FileLimits& limits, OtherReader* other, unsigned threads)
-      : paths_(paths), limits_(limits), other_(other), redland_(limits, threads), headers_(paths) {
+      : paths_(paths), limits_(limits), other_(other), threads_(threads), redland_(limits, threads), headers_(paths) {
     if (limits.is_lenient) loaded_.source.read_leniently();
   }
 
   std::optional<syntax::LoadError> read(std::size_t number) {
     const std::string& path = paths_[number];
     const owl::FileId file = loaded_.source.add_file(path);
-    auto scanned = read_and_scan(path, limits_);
+    auto scanned = read_and_scan(path, limits_, threads_);
     if (!scanned) return std::move(scanned.error());
     const syntax::Syntax syntax = scanned->syntax;
     loaded_.source.set_content(file, scanned->content);
@@ -297,6 +298,7 @@ class Loading {
   const std::vector<std::string>& paths_;
   const syntax::FileLimits& limits_;
   OtherReader* other_;
+  unsigned threads_;
   Redland redland_;
   Graph graph_;
   Headers headers_;
@@ -308,7 +310,7 @@ class Loading {
 }  // namespace
 
 std::expected<TextFile, syntax::LoadError> read_text(const std::string& path, const syntax::FileLimits& limits) {
-  auto scanned = read_and_scan(path, limits);
+  auto scanned = read_and_scan(path, limits, 1);
   if (!scanned) return std::unexpected(std::move(scanned.error()));
   return TextFile{std::move(scanned->bytes), scanned->syntax, syntax::base_iri(path), std::move(scanned->layout.bases)};
 }

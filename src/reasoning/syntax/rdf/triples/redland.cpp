@@ -93,7 +93,7 @@ std::optional<syntax::LoadError> Redland::read(const std::string& path, syntax::
                                                const Layout& layout, Graph& graph) {
   if (syntax == syntax::Syntax::n_triples && layout.needs_turtle) syntax = syntax::Syntax::turtle;
   const std::string base = syntax::base_iri(path);
-  const std::string blank_prefix = owl::blank_prefix_of(bytes.view());
+  const std::string blank_prefix = owl::blank_prefix_of(bytes.hash());
   const FileText text{bytes, syntax, base, blank_prefix, layout};
   prefixes_.clear();
   known_prefixes_.clear();
