@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/parallel/both.hpp"
 #include "base/sorted.hpp"
 #include "reasoning/el/closure/finished.hpp"
 #include "reasoning/el/closure/inheritance.hpp"
@@ -56,8 +57,12 @@ class Classifier {
 
   std::expected<taxonomy::Classification, ClassifyError> run() {
     if (source_.problem()) return std::unexpected(ClassifyError{*source_.problem()});
-    find_classes();
-    add_axioms();
+    // A small source takes less time than a thread that begins.
+    constexpr std::size_t worth_a_thread = 10'000;
+    parallel::do_both(
+        source_.axiom_count() < worth_a_thread ? 1 : options_.threads, [this] { add_axioms(); },
+        [this] { find_classes(); });
+    finish_axioms();
     auto index = builder_.finish(max_closure_pairs);
     if (!index) {
       return std::unexpected(ClassifyError{"the closure of the properties has more than " +
@@ -121,6 +126,10 @@ class Classifier {
       if (unused != owl::Construct::none) result_.unused.push_back({axiom, to_string(unused)});
       if (source_.axiom(axiom).kind != owl::AxiomKind::declaration) ++result_.counts.axioms;
     }
+  }
+
+  /// Adds what needs all axioms and classes.
+  void finish_axioms() {
     for (const owl::TermId term : classes_) exprs_.push_back(normaliser_.expression(term));
     for (const auto& [sub, super] : told_) builder_.add_told(sub, super);
     // Universals are left to another engine if that has to classify everything again.

@@ -129,6 +129,16 @@ TEST(Threads, AgreeOnWhatIsLargeEnoughToBeShared) {
   }
 }
 
+TEST(Threads, FindTheClassesOfALargeSourceWhileItsAxiomsAreAdded) {
+  std::string text;
+  for (int at = 1; at <= 11'000; ++at)
+    text += "SubClassOf(C" + std::to_string(at) + " C" + std::to_string(at / 3) + ")\n";
+  const owl::Ontology source = owl::written(text);
+  ClassifyOptions options;
+  options.threads = 2;
+  EXPECT_EQ(compiled::compile(source, owl::classified(source)), compiled::compile(source, *classify(source, options)));
+}
+
 /// The start of a closure: the index of a source and the atoms that are asked for.
 struct Indexed {
   explicit Indexed(const owl::Ontology& source) {

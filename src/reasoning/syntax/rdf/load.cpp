@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/parallel/both.hpp"
 #include "base/text.hpp"
 #include "reasoning/owl/fingerprint.hpp"
 #include "reasoning/syntax/base_iri.hpp"
@@ -129,7 +130,7 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
   // Standard input has no name: it is Turtle, which N-Triples are, too, unless its content says another syntax.
   const auto syntax = syntax::detect_syntax(path == syntax::standard_input_name ? "-.ttl" : path, bytes->view());
   if (!syntax) return std::unexpected(syntax::LoadError{base::printable(path, 4096), 0, syntax.error(), true});
-  auto layout = scan(*syntax, bytes->view(), limits);
+  auto layout = scan(*syntax, bytes->view(), limits, threads);
   std::map<std::string_view, std::uint32_t> remarks;
   if (layout && !layout->graph_marks.empty()) {
     remarks.emplace("graphs of TriG or N-Quads, read as one graph",
@@ -137,7 +138,7 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
     auto text = syntax::FileBytes::copy_of(without_marks(bytes->view(), layout->graph_marks));
     if (!text) return refuse(0, "is too large for the memory");
     *bytes = std::move(*text);
-    layout = scan(*syntax, bytes->view(), limits);
+    layout = scan(*syntax, bytes->view(), limits, threads);
   }
   if (layout && (syntax::has_triples(*syntax) || is_xml(*syntax))) {
     Bases bases;
@@ -152,7 +153,7 @@ std::expected<ScannedFile, syntax::LoadError> read_and_scan(const std::string& p
       auto text = syntax::FileBytes::copy_of(rewritten(bytes->view(), std::move(rewrites)));
       if (!text) return refuse(0, "is too large for the memory");
       *bytes = std::move(*text);
-      layout = scan(*syntax, bytes->view(), limits);
+      layout = scan(*syntax, bytes->view(), limits, threads);
       if (layout) layout->bases = std::move(bases);
     }
   }
@@ -229,13 +230,7 @@ class Loading {
 
   std::expected<Loaded, syntax::LoadError> finish() {
     loaded_.triples = redland_.triple_count();
-    headers_.read(graph_);
-    graph_.index();
-    loaded_.unknown_words = unknown_words(graph_);
-    loaded_.undeclared_predicates = undeclared_predicates(graph_);
-    std::vector<owl::FileId> files;
-    for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(owl::FileId{number});
-    map_to_axioms(graph_, loaded_.source, std::move(files), limits_.keeps_annotations ? &loaded_.annotations : nullptr);
+    map_triples();
     for (const Waiting& waiting : waiting_) {
       if (auto error = read_other(waiting.number, loaded_.syntaxes[waiting.number], waiting.bytes.view()))
         return std::unexpected(std::move(*error));
@@ -254,6 +249,25 @@ class Loading {
     std::size_t number;
     syntax::FileBytes bytes;
   };
+
+  /// Turns the triples of all files into axioms, and looks at their names meanwhile.
+  void map_triples() {
+    // Few triples take less time than a thread that begins.
+    constexpr std::size_t worth_a_thread = 100'000;
+    const unsigned threads = graph_.triple_count() < worth_a_thread ? 1 : threads_;
+    const auto look_at_names = [&] {
+      headers_.read(graph_);
+      loaded_.unknown_words = unknown_words(graph_);
+    };
+    parallel::do_both(threads, [&] { graph_.index(); }, look_at_names);
+    std::vector<owl::FileId> files;
+    for (std::uint32_t number = 0; number < paths_.size(); ++number) files.push_back(owl::FileId{number});
+    const auto map = [&] {
+      map_to_axioms(graph_, loaded_.source, std::move(files),
+                    limits_.keeps_annotations ? &loaded_.annotations : nullptr);
+    };
+    parallel::do_both(threads, map, [&] { loaded_.undeclared_predicates = undeclared_predicates(graph_); });
+  }
 
   /// Names what raptor passed over. A file cannot make up more than 250 names.
   void leave_out_passed(owl::FileId file) {

@@ -22,7 +22,6 @@ struct UsedName {
 };
 
 /// Names in the namespaces of RDF, RDFS, OWL and XSD that are not in these vocabularies, in the order of reading.
-/// Requires an indexed graph.
 [[nodiscard]] std::vector<UsedName> unknown_words(const Graph& graph);
 
 /// Predicates outside these namespaces that have no rdf:type, in the order of reading. Requires an indexed graph.

@@ -15,6 +15,7 @@ namespace geminga::rdf {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 /// The whole result of a load, one item a line.
@@ -30,6 +31,9 @@ std::vector<std::string> everything(const std::vector<std::string>& files, const
     lines.push_back(std::string(source.name(omission.construct)) + " in line " + std::to_string(omission.line));
   for (const auto& prefix : source.prefixes())
     lines.push_back(std::string(source.name(prefix.prefix)) + ": " + std::string(source.name(prefix.iri)));
+  for (const auto* names : {&loaded->unknown_words, &loaded->undeclared_predicates}) {
+    for (const UsedName& name : *names) lines.push_back(name.iri + " in line " + std::to_string(name.line));
+  }
   lines.push_back(std::to_string(loaded->triples) + " triples");
   return lines;
 }
@@ -84,6 +88,21 @@ TEST(Pieces, OfXmlKeepWhatTheRootDeclares) {
   for (const std::size_t bytes : {1U, 100U, 1000U, 5000U}) {
     for (const unsigned threads : {1U, 2U, 5U})
       EXPECT_EQ(everything(files, in_pieces_of(bytes), threads), whole) << bytes << " bytes, " << threads << " threads";
+  }
+}
+
+TEST(Pieces, OfALargeFileAreLookedAtByTwoThreadsAsByOne) {
+  const Scratch scratch;
+  const std::string unknown = "<rdfs:Klass rdf:about='http://e/K'><e:none>1</e:none></rdfs:Klass>\n";
+  const std::string many = many_descriptions(26'000) + unknown;
+  for (const auto& [extra, last] : {std::pair{"", "104002 triples"},
+                                    {"<!-- \xff --><rdf:Description", "a.owl:130008: holds bytes that are no UTF-8"}}) {
+    const std::vector files{scratch.write("a.owl", document(many + extra))};
+    syntax::FileLimits limits = in_pieces_of(100'000);
+    const auto by_one = everything(files, limits, 1);
+    EXPECT_THAT(by_one.back(), HasSubstr(last));
+    limits.watched_bytes = 1;  // so that it is large
+    EXPECT_EQ(everything(files, limits, 2), by_one);
   }
 }
 

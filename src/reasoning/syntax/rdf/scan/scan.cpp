@@ -30,10 +30,10 @@ std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8) {
   return std::nullopt;
 }
 
-std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes,
-                                        const syntax::FileLimits& limits) {
+std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes, const syntax::FileLimits& limits,
+                                        unsigned threads) {
   if (syntax == syntax::Syntax::owl_xml) return scan_owl_xml(bytes, limits);
-  if (is_xml(syntax)) return scan_xml(bytes, limits);
+  if (is_xml(syntax)) return scan_xml(bytes, limits, threads);
   if (!has_triples(syntax)) return Layout{Pieces(limits.piece_bytes)};  // its reader looks for itself
   if (auto problem = scan_text(bytes, true)) return std::unexpected(std::move(*problem));
   return scan_turtle(bytes, syntax == syntax::Syntax::n_triples, limits);

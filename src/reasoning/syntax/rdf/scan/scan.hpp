@@ -45,9 +45,10 @@ struct Layout {
   Bases bases{};                         ///< those of the bases that stand marked in the text
 };
 
-/// The layout of a file, or its first problem. Linear in the file.
+/// The layout of a file, or its first problem. Linear in the file. Two threads look at a large file in RDF/XML, if so
+/// many may be used.
 [[nodiscard]] std::expected<Layout, ScanProblem> scan(syntax::Syntax syntax, std::string_view bytes,
-                                                      const syntax::FileLimits& limits);
+                                                      const syntax::FileLimits& limits, unsigned threads = 1);
 
 /// The first NUL byte or bad UTF-8.
 [[nodiscard]] std::optional<ScanProblem> scan_text(std::string_view bytes, bool is_utf8);
@@ -55,7 +56,8 @@ struct Layout {
 [[nodiscard]] std::expected<Layout, ScanProblem> scan_turtle(std::string_view bytes, bool is_n_triples,
                                                              const syntax::FileLimits& limits);
 /// RDF/XML: encoding, nesting, long texts and tags, and the declarations of its DOCTYPE.
-[[nodiscard]] std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits);
+[[nodiscard]] std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits,
+                                                          unsigned threads = 1);
 /// The same for OWL/XML, whose reader has limits of its own, so that nothing is looked for behind its prologue unless
 /// there is a DOCTYPE in it.
 [[nodiscard]] std::expected<Layout, ScanProblem> scan_owl_xml(std::string_view bytes, const syntax::FileLimits& limits);

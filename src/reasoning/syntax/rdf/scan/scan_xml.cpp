@@ -4,6 +4,7 @@
 #include <string>
 #include <unordered_set>
 
+#include "base/parallel/both.hpp"
 #include "base/text.hpp"
 #include "reasoning/syntax/rdf/scan/doctype.hpp"
 #include "reasoning/syntax/rdf/scan/pieces.hpp"
@@ -361,9 +362,20 @@ bool has_doctype(std::string_view bytes) {
 
 }  // namespace
 
-std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits) {
-  if (auto problem = scan_encoding(bytes)) return std::unexpected(std::move(*problem));
-  return XmlScan(bytes, limits).run();
+std::expected<Layout, ScanProblem> scan_xml(std::string_view bytes, const syntax::FileLimits& limits,
+                                            unsigned threads) {
+  std::optional<ScanProblem> problem;
+  std::expected<Layout, ScanProblem> layout = Layout{Pieces(limits.piece_bytes)};
+  const auto look_at_tags = [&] { layout = XmlScan(bytes, limits).run(); };
+  const auto look_at_encoding = [&] { problem = scan_encoding(bytes); };
+  if (threads > 1 && bytes.size() > limits.watched_bytes) {
+    parallel::do_both(threads, look_at_tags, look_at_encoding);
+  } else {
+    look_at_encoding();
+    if (!problem) look_at_tags();
+  }
+  if (problem) return std::unexpected(std::move(*problem));
+  return layout;
 }
 
 std::expected<Layout, ScanProblem> scan_owl_xml(std::string_view bytes, const syntax::FileLimits& limits) {
