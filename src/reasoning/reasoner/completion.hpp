@@ -2,7 +2,8 @@
 //
 // A model with an instance of A shows that A is satisfiable, and that its subsumers are among the classes of that
 // instance. So the models of some classes answer most questions about others, and few questions remain (Glimm,
-// Horrocks, Motik, Shearer, Stoilos: A novel approach to ontology classification, 2012).
+// Horrocks, Motik, Shearer, Stoilos: A novel approach to ontology classification, 2012). What remains of a class is
+// asked together as long as nothing of it follows.
 #ifndef GEMINGA_REASONING_REASONER_COMPLETION_HPP
 #define GEMINGA_REASONING_REASONER_COMPLETION_HPP
 

@@ -168,6 +168,24 @@ TEST(Completion, SaysWhereItStopped) {
               Contains("1 questions were too hard for the tableau"));
 }
 
+TEST(Completion, RefutesManyPairsByOneQuestion) {
+  // A model has chosen the first of each two. That none of these follows is one question; that one of two unions does
+  // is found all the same.
+  constexpr std::size_t unions = 40;
+  std::string text = "SubClassOf(B1 D)\nSubClassOf(C1 D)\n";
+  for (std::size_t at = 0; at < unions; ++at) {
+    const std::string number = std::to_string(at);
+    text += "SubClassOf(A ObjectUnionOf(B" + number + " C" + number + "))\n";
+  }
+  const owl::Ontology source = owl::written(text);
+  taxonomy::Classification found = owl::classified(source);
+  const std::size_t one_for_each_class = found.class_count();
+  const Completion completion = completed(source, {.questions = one_for_each_class + unions / 2});
+  EXPECT_THAT(completion.gaps, IsEmpty());
+  extend(found, completion.found);
+  EXPECT_THAT(closure(source, found), ElementsAre("A < D", "B1 < D", "C1 < D"));
+}
+
 TEST(Completion, FindsNothingThatDoesNotFollowHoweverEarlyItStops) {
   const owl::Ontology source = owl::written(by_cases);
   for (std::size_t questions = 0; questions < 12; ++questions) {

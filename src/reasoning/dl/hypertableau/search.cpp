@@ -17,9 +17,8 @@ namespace {
 /// The number of wrong choices after which the search begins again with the records that it has.
 constexpr std::size_t first_patience = 64;
 
-/// The questions that may leave something in the base (lemma 8 of README.md). A supposition for each stands before all
-/// choices, whether it is used or not.
-constexpr std::uint32_t most_suppositions = 64;
+/// With more nodes of questions than this, no more models are kept.
+constexpr std::size_t most_kept_nodes = 20'000;
 
 }  // namespace
 
@@ -46,9 +45,9 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       derivation_(program_, graph_, facts_, matches_, bounds_, expansion_),
       keys_(source, set, graph_, facts_),
       rules_(source, set, graph_, effort_, facts_, disjunctions_),
-      supposition_count_(is_about_facts            ? 1
-                         : program_.has_nominals() ? most_suppositions
-                                                   : 0) {}
+      suppositions_(is_about_facts            ? 1
+                    : program_.has_nominals() ? Suppositions::most
+                                              : 0) {}
 
 void Search::begin(bool is_about_world) {
   is_open_for_rules_ = false;
@@ -61,9 +60,10 @@ void Search::begin(bool is_about_world) {
 Outcome Search::find_world() {
   begin(true);
   assert_told_facts(set_, program_, facts_);
-  branches_.assign(supposition_count_, Branch{sizes(), {}});
-  base_branches_ = supposition_count_;
+  branches_.assign(suppositions_.count(), Branch{sizes(), {}});
+  base_branches_ = suppositions_.count();
   const Outcome outcome = run();
+  world_nodes_ = program_.has_nominals() ? graph_.node_count() : 0;
   if (is_about_facts_ && !before_choices_) before_choices_ = sizes();
   return outcome;
 }
@@ -86,10 +86,13 @@ Outcome Search::find_supposing(Supposition supposed) {
   return run();
 }
 
-Outcome Search::find_instance(std::vector<clauses::ConceptId> together, std::optional<clauses::ConceptId> outside) {
+Outcome Search::find_instance(std::vector<clauses::ConceptId> together,
+                              const std::vector<clauses::ConceptId>& outside) {
   question_ = std::move(together);
-  facts_.set_outside(outside ? number(*outside) : none);
-  is_outside_ = outside.has_value();
+  std::vector<std::uint32_t> numbers;
+  for (const clauses::ConceptId id : outside) numbers.push_back(number(id));
+  facts_.set_outside(std::move(numbers));
+  is_outside_ = !outside.empty();
   has_question_ = true;
   begin(false);
   ask();
@@ -120,7 +123,7 @@ void Search::ask() {
     suppose();
     return;
   }
-  facts_.begin_question(question_branch_);
+  facts_.begin_question(suppositions_.current());
   const DependencySet dependency = supposed();
   question_node_ = facts_.add_node(NodeKind::root, none, dependency);
   if (!program_.needs_thing() && question_.empty()) {
@@ -128,7 +131,8 @@ void Search::ask() {
     facts_.add_fact(FactKind::concept_of, number(clauses::thing), question_node_, 0, dependency);
   }
   if (is_outside_)
-    facts_.add_fact(FactKind::concept_of, program_.mark_of_question(), question_node_, question_branch_, dependency);
+    facts_.add_fact(FactKind::concept_of, program_.mark_of_question(), question_node_, suppositions_.current(),
+                    dependency);
   for (const clauses::ConceptId id : question_) {
     facts_.add_fact(FactKind::concept_of, number(id), question_node_, 0, dependency);
   }
@@ -162,19 +166,22 @@ void Search::keep() {
 void Search::end_question(Outcome outcome) {
   has_question_ = false;
   facts_.forget_clash();
-  if (!base_) {
-    if (outcome != Outcome::model || question_branch_ + 1 >= supposition_count_) return;
-    ++question_branch_;
+  if (outcome == Outcome::model && may_keep()) {
+    if (program_.has_nominals()) suppositions_.keep();
     keep();
-    return;
-  }
-  if (outcome == Outcome::model && !program_.has_nominals() && facts_.has_values_apart()) {
-    keep();
-  } else {
+  } else if (base_) {
     branches_.resize(base_branches_);
     restore(*base_);
   }
 }
+
+bool Search::may_keep() {
+  if (!program_.has_nominals()) return facts_.has_values_apart();
+  if (!base_) return suppositions_.may_keep();
+  return !is_base_full() && suppositions_.may_keep_beside(effort_.steps(), graph_.mark().facts - base_->mark.facts);
+}
+
+bool Search::is_base_full() const { return base_ && base_->mark.nodes > world_nodes_ + most_kept_nodes; }
 
 void Search::end_supposing(Outcome outcome) {
   has_question_ = false;
@@ -304,7 +311,7 @@ bool Search::go_back() {
   is_refuted_alone_ = clash == no_dependency || clash == supposed();
   if (is_refuted_alone_) return false;
   const std::uint32_t number = graph_.dependencies().last(clash);
-  if (is_supposition(number)) return false;
+  if (suppositions_.is_one(number)) return false;
   branches_.resize(number + 1);
   Branch& branch = branches_.back();
   const Decision& decision = branch.decision;
@@ -366,15 +373,20 @@ void Search::restore(const Sizes& sizes) {
 
 void Search::forget_base() {
   base_.reset();
-  base_branches_ = std::min<std::size_t>(supposition_count_, branches_.size());
+  base_branches_ = std::min<std::size_t>(suppositions_.count(), branches_.size());
   effort_.set_base({});
   facts_.settle_values(0);
+}
+
+void Search::forget_misleading_base() {
+  suppositions_.note_misled();
+  forget_base();
 }
 
 void Search::reset() {
   restore({});
   branches_.clear();
-  question_branch_ = 0;
+  suppositions_.forget();
   has_question_ = false;
   before_choices_.reset();
   graph_.forget_dependencies();

@@ -32,6 +32,7 @@
 #include "reasoning/dl/hypertableau/program/program.hpp"
 #include "reasoning/dl/hypertableau/rules.hpp"
 #include "reasoning/dl/hypertableau/sharing.hpp"
+#include "reasoning/dl/hypertableau/suppositions.hpp"
 #include "reasoning/dl/hypertableau/tableau.hpp"
 #include "reasoning/dl/hypertableau/witnesses.hpp"
 
@@ -56,8 +57,8 @@ class Search {
   void forget_records() { records_.clear(); }
   /// Requires reset(). Looks for a model of the facts of the set.
   Outcome find_world();
-  /// Looks for a model in which one thing is in all of these concepts and outside of another, together with the base.
-  Outcome find_instance(std::vector<clauses::ConceptId> together, std::optional<clauses::ConceptId> outside);
+  /// Looks for a model in which one thing is in all of `together` and in none of `outside`, together with the base.
+  Outcome find_instance(std::vector<clauses::ConceptId> together, const std::vector<clauses::ConceptId>& outside);
   /// The same after find_world() found a model: takes back all choices and what was supposed, and makes others.
   Outcome find_world_again();
   /// Looks for a model of the facts in which these hold, too. Requires find_world() since reset(). Facts that depend on
@@ -92,11 +93,13 @@ class Search {
   /// so that a kept model does not change.
   void keep();
   [[nodiscard]] bool has_base() const { return base_.has_value(); }
-  void forget_base();
-  [[nodiscard]] std::size_t base_node_count() const { return base_ ? base_->mark.nodes : 0; }
+  /// Whether the models of questions have brought so many nodes that no more should be kept.
+  [[nodiscard]] bool is_base_full() const;
+  /// Takes the base away because a former question that is in it hid an answer. Where this happens often, fewer models
+  /// are kept.
+  void forget_misleading_base();
   /// To be called after find_instance(): keeps the model, or takes the question back. Models that share more of values
-  /// than literals are not kept (lemma 7 of README.md). With nominals the first models that leave the
-  /// model of the facts become the base (lemma 8).
+  /// than literals are not kept (lemma 7 of README.md). With nominals a certain number of models is (lemma 8).
   void end_question(Outcome outcome);
 
   /// The same after find_supposing(). A model that was found outside of the base becomes the base. Whatever is still
@@ -107,7 +110,7 @@ class Search {
   /// Whether the last outcome, which was no_model, depends on nothing that former questions left in the base.
   [[nodiscard]] bool is_refuted_alone() const { return is_refuted_alone_; }
   /// Whether the base depends on former questions.
-  [[nodiscard]] bool has_tainted_base() const { return question_branch_ > 0; }
+  [[nodiscard]] bool has_tainted_base() const { return suppositions_.current() > 0; }
 
  private:
   /// Sizes of all stacks.
@@ -142,14 +145,12 @@ class Search {
   bool go_back();
   void begin_again();
   void note(const Suspect& suspect);
+  [[nodiscard]] bool may_keep();
+  void forget_base();
   /// Whether the base is the model of the facts.
   [[nodiscard]] bool keeps_world() const { return is_about_facts_ || program_.has_nominals(); }
-  /// All that is supposed, or asked beside the model of the facts, depends on such a branch, which has no alternatives.
-  /// They are the first, and so stay among the reasons of later branches. A clash that depends on nothing else refutes
-  /// what is supposed.
-  [[nodiscard]] bool is_supposition(std::uint32_t branch) const { return branch < supposition_count_; }
   [[nodiscard]] DependencySet supposed() const {
-    return supposition_count_ == 0 ? no_dependency : graph_.depending_on(question_branch_);
+    return suppositions_.count() == 0 ? no_dependency : graph_.depending_on(suppositions_.current());
   }
   [[nodiscard]] Sizes sizes() const;
   void restore(const Sizes& sizes);
@@ -185,14 +186,15 @@ class Search {
   std::size_t patience_ = 0;           ///< wrong guesses beyond those that stand, after which the search begins again
 
   std::vector<clauses::ConceptId> question_;
-  bool is_outside_ = false;  ///< it is also outside of a concept, which Assertions know
+  bool is_outside_ = false;  ///< it is also outside of concepts, which Assertions know
   Supposition supposed_;
   bool has_question_ = false;
   std::size_t question_mark_ = 0;  ///< facts that are older than it
-  const std::uint32_t supposition_count_;
-  /// Of the suppositions, that of the question. Those before are of former questions that the base has kept.
-  std::uint32_t question_branch_ = 0;
+  /// All that is supposed, or asked beside the model of the facts, depends on one of these. A clash that depends on
+  /// nothing else refutes what is supposed.
+  Suppositions suppositions_;
   bool is_refuted_alone_ = false;
+  std::size_t world_nodes_ = 0;  ///< of the model of the facts, with nominals
   NodeId question_node_ = none;
   /// With nominals the model of the facts; otherwise the models of the questions whose answer was yes.
   std::optional<Sizes> base_;

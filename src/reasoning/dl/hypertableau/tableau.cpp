@@ -8,9 +8,6 @@
 namespace geminga::hypertableau {
 namespace {
 
-/// With more nodes than this, the models of earlier questions are forgotten.
-constexpr std::size_t max_kept_nodes = 20'000;
-
 Answer answer_of(Outcome outcome, const std::string& reason) {
   switch (outcome) {
     case Outcome::model:
@@ -77,7 +74,7 @@ Answer Tableau::is_consistent() {
 
 /// Without nominals facts do not matter to questions, so the base is empty at first.
 void Tableau::prepare_base() {
-  if (search_->has_nominals() || (search_->has_base() && search_->base_node_count() <= max_kept_nodes)) return;
+  if (search_->has_nominals() || (search_->has_base() && !search_->is_base_full())) return;
   forget_all();
   search_->keep();
 }
@@ -91,7 +88,8 @@ void Tableau::forget_all() {
   search_->reset();
 }
 
-Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together, std::optional<clauses::ConceptId> outside) {
+Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together,
+                               const std::vector<clauses::ConceptId>& outside) {
   const World& world = find_world();
   if (world.answer.verdict != Verdict::yes) return world.answer;
   prepare_base();
@@ -99,7 +97,7 @@ Answer Tableau::is_satisfiable(std::vector<clauses::ConceptId> together, std::op
   // A former question may be to blame.
   const bool is_final = outcome == Outcome::model || (outcome == Outcome::no_model && search_->is_refuted_alone());
   if (!is_final && search_->has_tainted_base()) {
-    search_->forget_base();
+    search_->forget_misleading_base();
     if (const World& pure = find_world(); pure.answer.verdict != Verdict::yes) return pure.answer;
     outcome = search_->find_instance(std::move(together), outside);
   }

@@ -50,11 +50,12 @@ class Tableau {
 
   /// Whether the ontology has a model.
   [[nodiscard]] Answer is_consistent();
-  /// Whether some model has an instance of all these concepts at once that is outside of another one. One concept asks
-  /// whether it is satisfiable. With `outside`, or with the query of a complement, it asks whether a subsumption fails.
-  /// `outside` is not owl:Thing. It needs no clauses of its own, so that all pairs are asked beside one model.
+  /// Whether some model has an instance of all these concepts at once that is in none of `outside`. One concept asks
+  /// whether it is satisfiable. With one outside, or with the query of a complement, it asks whether a subsumption
+  /// fails; with several, whether all fail at one instance. `outside` is without owl:Thing. It needs no clauses of its
+  /// own, so that all pairs are asked beside one model.
   [[nodiscard]] Answer is_satisfiable(std::vector<clauses::ConceptId> together,
-                                      std::optional<clauses::ConceptId> outside = std::nullopt);
+                                      const std::vector<clauses::ConceptId>& outside = {});
   /// Forgets the models of former questions, and which choices failed in them, before questions of another kind: these
   /// may be too hard in the order that served the others. The model of the facts stays.
   void begin_anew();

@@ -97,9 +97,45 @@ std::size_t compare_answers(const owl::Ontology& source) {
       expect_the_same(kept.is_satisfiable({sub, set->complements[at]}).verdict);
       const auto named = concept_of(*set, classes[at]);
       if (!named || classes[at] == owl::thing_term) continue;
-      expect_the_same(kept.is_satisfiable({sub}, named).verdict);
+      expect_the_same(kept.is_satisfiable({sub}, {*named}).verdict);
       if (alone == Verdict::no || kept.is_satisfiable({sub}).verdict != Verdict::yes) continue;
       EXPECT_FALSE(std::ranges::binary_search(kept.model().certain, *named)) << "is certain, and does not follow";
+    }
+    if (testing::Test::HasFailure()) break;
+  }
+  return answers;
+}
+
+/// Asks for things in one class and outside of two others, beside models that are kept, and each time with no other
+/// question before it. Returns the number of answers.
+std::size_t compare_answers_about_two(const owl::Ontology& source) {
+  std::vector<owl::TermId> classes;
+  for (std::uint32_t id = 0; id < source.term_count() && classes.size() < 7; ++id) {
+    if (source.kind(owl::TermId{id}) == owl::TermKind::named_class && owl::TermId{id} != owl::nothing_term &&
+        owl::TermId{id} != owl::thing_term)
+      classes.push_back(owl::TermId{id});
+  }
+  const auto set = clauses::clausify(source, std::nullopt, classes, classes);
+  EXPECT_TRUE(set) << set.error().text;
+  if (!set) return 0;
+  const QuestionLimits limits{.steps = 200'000};
+  Tableau kept(source, *set, limits);
+  std::size_t answers = 0;
+  for (const clauses::ConceptId sub : set->queries) {
+    for (std::size_t one = 0; one < classes.size(); ++one) {
+      for (std::size_t other = one + 1; other < classes.size(); ++other) {
+        SCOPED_TRACE("concept " + std::to_string(clauses::number(sub)) + " outside of classes " + std::to_string(one) +
+                     " and " + std::to_string(other));
+        const auto first = concept_of(*set, classes[one]);
+        const auto second = concept_of(*set, classes[other]);
+        if (!first || !second) continue;
+        const Verdict alone =
+            Tableau(source, *set, limits).is_satisfiable({sub, set->complements[one], set->complements[other]}).verdict;
+        const Verdict beside = kept.is_satisfiable({sub}, {*second, *first}).verdict;
+        if (alone == Verdict::unknown || beside == Verdict::unknown) continue;
+        ++answers;
+        EXPECT_EQ(beside, alone);
+      }
     }
     if (testing::Test::HasFailure()) break;
   }
@@ -110,6 +146,7 @@ TEST(KeptModels, ChangeNoAnswer) {
   for (const char* text : ontologies) {
     SCOPED_TRACE(text);
     EXPECT_GT(compare_answers(owl::written(text)), 0U);
+    EXPECT_GT(compare_answers_about_two(owl::written(text)), 0U);
   }
 }
 
@@ -133,8 +170,8 @@ TEST(KeptModels, OfAnIndividualHideNoLaterQuestionAboutIt) {
   Tableau tableau(source, *set, {});
   for (const std::size_t one : {0U, 1U}) {
     SCOPED_TRACE(one);
-    EXPECT_EQ(tableau.is_satisfiable({set->queries[one]}, concept_of(*set, term("E"))).verdict, Verdict::yes);
-    EXPECT_EQ(tableau.is_satisfiable({set->queries[one]}, concept_of(*set, term("D"))).verdict, Verdict::no);
+    EXPECT_EQ(tableau.is_satisfiable({set->queries[one]}, {concept_of(*set, term("E")).value()}).verdict, Verdict::yes);
+    EXPECT_EQ(tableau.is_satisfiable({set->queries[one]}, {concept_of(*set, term("D")).value()}).verdict, Verdict::no);
   }
 }
 
@@ -144,7 +181,8 @@ TEST(KeptModels, ChangeNoAnswerAboutRandomOntologies) {
     std::size_t answers = 0;
     for (std::uint64_t seed = 1; seed <= test::rounds(20U) && !HasFailure(); ++seed) {
       SCOPED_TRACE("profile " + std::string(to_string(profile)) + ", seed " + std::to_string(seed));
-      answers += compare_answers(compare::random_ontology(profile, seed, 8 + seed % 16));
+      const owl::Ontology source = compare::random_ontology(profile, seed, 8 + seed % 16);
+      answers += compare_answers(source) + compare_answers_about_two(source);
     }
     EXPECT_TRUE(HasFailure() || answers > test::rounds(20U)) << answers;
   }
@@ -181,7 +219,7 @@ TEST(KeptModels, AreNotBuiltAgain) {
       << "nor where they have values";
   EXPECT_GT(nodes_of_chain("SubClassOf(C9 DataSomeValuesFrom(d:u x:colour))\n"), about_one_a_class)
       << "but those that say which values a datatype has";
-  EXPECT_GT(nodes_of_chain("SubClassOf(A ObjectHasValue(r i:a))\n"), about_one_a_class) << "but beside a nominal";
+  EXPECT_LE(nodes_of_chain("SubClassOf(A ObjectHasValue(r i:a))\n"), about_one_a_class) << "and beside a nominal";
 }
 
 TEST(KeptModels, AreNotLookedAtAgainWhereNothingChanged) {

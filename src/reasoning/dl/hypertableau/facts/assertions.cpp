@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sorted.hpp"
+
 namespace geminga::hypertableau {
 
 using clauses::number;
@@ -88,9 +90,10 @@ void Assertions::add_unequal(NodeId a, NodeId b, DependencySet dependency) {
 
 // Nodes of former questions may have the mark, too. They are in kept models, in which nothing is derived any more, and
 // on whose choices no later question depends: see Search::keep().
-void Assertions::set_outside(std::uint32_t concept_of_question) {
-  if (outside_ == concept_of_question) return;
-  outside_ = concept_of_question;
+void Assertions::set_outside(std::vector<std::uint32_t> concepts) {
+  base::sort_unique(concepts);
+  if (outside_ == concepts) return;
+  outside_ = std::move(concepts);
   is_below_outside_.resize(std::size_t{program_.mark_of_question()} + 1, false);
   for (const std::uint32_t id : below_outside_) is_below_outside_[id] = false;
   below_outside_.clear();
@@ -98,7 +101,7 @@ void Assertions::set_outside(std::uint32_t concept_of_question) {
     if (!is_below_outside_[id]) below_outside_.push_back(id);
     is_below_outside_[id] = true;
   };
-  if (outside_ != none) add(outside_);
+  std::ranges::for_each(outside_, add);
   for (std::size_t at = 0; at < below_outside_.size(); ++at)
     std::ranges::for_each(program_.told_below(below_outside_[at]), add);
 }
@@ -108,14 +111,17 @@ FactId Assertions::find_mark(NodeId node) const {
 }
 
 FactId Assertions::find_mark_against(std::uint32_t id, NodeId node) const {
-  return outside_ == none || !is_below_outside_[id] ? none : find_mark(node);
+  return outside_.empty() || !is_below_outside_[id] ? none : find_mark(node);
 }
 
 FactId Assertions::find_opposite(const Fact& fact) const {
-  if (outside_ == none) return none;
-  if (fact.predicate == outside_) return find_mark(fact.a);
-  if (fact.predicate != program_.mark_of_question() || fact.b != question_) return none;
-  return graph_.find(FactKind::concept_of, outside_, fact.a);
+  if (outside_.empty()) return none;
+  if (std::ranges::binary_search(outside_, fact.predicate)) return find_mark(fact.a);
+  FactId first = none;
+  if (fact.predicate == program_.mark_of_question() && fact.b == question_) {
+    for (const std::uint32_t id : outside_) first = std::min(first, graph_.find(FactKind::concept_of, id, fact.a));
+  }
+  return first;
 }
 
 bool Assertions::holds(const Choice& choice) {

@@ -64,13 +64,13 @@ class Assertions {
 
   /// Says which question is asked. The marks of others are other facts, and say nothing about this one.
   void begin_question(std::uint32_t question) { question_ = question; }
-  /// Says outside of which concept the node with the mark of the question is; none: of no concept.
-  void set_outside(std::uint32_t concept_of_question);
-  /// The fact of the mark if the concept is the one that the node with the mark is outside of, and the other way round;
-  /// none where there is no such fact.
+  /// Says outside of which concepts the node with the mark of the question is.
+  void set_outside(std::vector<std::uint32_t> concepts);
+  /// The fact of the mark if the concept is one that the node with the mark is outside of, and the first fact of such a
+  /// concept if this is the mark; none where there is no such fact.
   [[nodiscard]] FactId find_opposite(const Fact& fact) const;
-  /// The fact of the mark if the concept is told to be below the one that the node with the mark is outside of, or is
-  /// that one; none where there is no such fact.
+  /// The fact of the mark if the concept is told to be below one that the node with the mark is outside of, or is one;
+  /// none where there is no such fact.
   [[nodiscard]] FactId find_mark_against(std::uint32_t id, NodeId node) const;
 
   // Values.
@@ -132,8 +132,8 @@ class Assertions {
   Graph& graph_;
   Effort& effort_;
   ValueCheck values_;
-  const bool has_individuals_;  ///< of the ontology; they are in the graph where individuals_ has them
-  std::uint32_t outside_ = none;
+  const bool has_individuals_;                ///< of the ontology; they are in the graph where individuals_ has them
+  std::vector<std::uint32_t> outside_;        ///< ascending
   std::vector<std::uint32_t> below_outside_;  ///< by what is told, itself included
   std::vector<bool> is_below_outside_;        ///< by concept
   std::uint32_t question_ = 0;                ///< the second argument of its mark

@@ -37,6 +37,8 @@ class Effort {
     constexpr std::size_t looks_a_step = 16;
     if (++looked_ % looks_a_step == 0) ++steps_;
   }
+  /// Of this question.
+  [[nodiscard]] std::size_t steps() const { return steps_; }
   /// Of all questions.
   [[nodiscard]] std::size_t all_steps() const { return earlier_steps_ + steps_; }
   /// Whether a limit is passed; if so, that is the reason.
