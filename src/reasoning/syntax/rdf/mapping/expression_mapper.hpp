@@ -29,6 +29,11 @@ class ExpressionMapper {
   Mapped class_expression(NodeId node);
   /// Fetches into the cache what class_expression() reads first.
   void prefetch(NodeId node) const { __builtin_prefetch(&classes_[static_cast<std::size_t>(node)]); }
+  /// Fetches the class that a node became, if it became one.
+  void prefetch_term(NodeId node) const {
+    const MappedOnce& mapped = classes_[static_cast<std::size_t>(node)];
+    if (mapped.is_mapped()) ontology_.prefetch(mapped.term());
+  }
   /// The class that a triple with a constructor describes: a Boolean one, or an enumeration.
   Mapped boolean_class(std::uint32_t triple);
   /// The class that a node with owl:onProperty describes.

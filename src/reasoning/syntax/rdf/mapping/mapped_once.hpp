@@ -38,8 +38,10 @@ class MappedOnce {
     if (state_ == untried) return std::nullopt;
     if (state_ == open) return std::unexpected(circular);
     if (!is_mapped()) return std::unexpected(obstacles.text(state_ - first_obstacle));
-    return owl::TermId{state_ - first_term};
+    return term();
   }
+  /// Requires that it is mapped.
+  [[nodiscard]] owl::TermId term() const { return owl::TermId{state_ - first_term}; }
   void begin() { state_ = open; }
   Mapped end(Mapped result, Obstacles& obstacles) {
     state_ = result ? first_term + static_cast<std::uint32_t>(*result)

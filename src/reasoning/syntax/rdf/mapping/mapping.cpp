@@ -121,6 +121,19 @@ void add_unit_statements(const Graph& graph, const std::vector<owl::FileId>& fil
   }
 }
 
+/// Fetches into the cache what the mapping of triples to come reads: what each node became, and when that is there, the
+/// term.
+void prefetch(const TripleReader& triples, std::uint32_t number, const ExpressionMapper& expressions) {
+  if (const Triple* later = triples.ahead(number, 32)) {
+    expressions.prefetch(later->object);
+    expressions.prefetch(later->subject);
+  }
+  if (const Triple* later = triples.ahead(number, 12)) {
+    expressions.prefetch_term(later->object);
+    expressions.prefetch_term(later->subject);
+  }
+}
+
 /// Names the triples of OWL's vocabulary that nothing used.
 void leave_out_unused(TripleReader& triples, const NodeTypes& types, DataRangeMapper& ranges,
                       ExpressionMapper& expressions, AxiomWriter& axioms) {
@@ -160,7 +173,7 @@ void map_to_axioms(const Graph& graph, owl::Ontology& ontology, std::vector<owl:
   RuleMapper(triples, types, ranges, expressions, axioms, ontology).map_all();
   AxiomMapper mapper(triples, types, ranges, expressions, axioms);
   for (std::uint32_t number = 0; number < graph.triple_count(); ++number) {
-    expressions.prefetch(triples.object_ahead(number));
+    prefetch(triples, number, expressions);
     if (!triples.is_used(number)) mapper.map(number);
   }
   add_labels(types, expressions, graph, ontology);

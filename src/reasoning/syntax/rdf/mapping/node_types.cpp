@@ -24,7 +24,8 @@ NodeTypes::NodeTypes(TripleReader& triples)
   // Collected beside the declared types, so that the order of triples decides nothing.
   std::vector<Types> uses(types_.size(), 0);
   for (std::uint32_t number = 0; number < graph_.triple_count(); ++number) {
-    __builtin_prefetch(&types_[static_cast<std::size_t>(triples.object_ahead(number))]);
+    if (const Triple* later = triples.ahead(number, 32))
+      __builtin_prefetch(&types_[static_cast<std::size_t>(later->object)]);
     collect_uses(graph_.triple(number), triples, uses);
   }
   for (std::size_t node = 0; node < types_.size(); ++node) {

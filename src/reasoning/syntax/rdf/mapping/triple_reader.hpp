@@ -32,11 +32,10 @@ class TripleReader {
     return graph_.triple(triple);
   }
 
-  /// The object of a triple that is a few dozen behind another one in the file, so that what is known of it, which lies
-  /// anywhere in memory, can be fetched into the cache in time; none behind the last triple.
-  [[nodiscard]] NodeId object_ahead(std::uint32_t triple) const {
-    constexpr std::uint32_t distance = 32;
-    return graph_.triple_count() - triple > distance ? graph_.triple(triple + distance).object : NodeId{};
+  /// The triple that is so many behind another one in the file, so that what is known of its nodes, which lies anywhere
+  /// in memory, can be fetched into the cache in time; null behind the last triple.
+  [[nodiscard]] const Triple* ahead(std::uint32_t triple, std::uint32_t distance) const {
+    return graph_.triple_count() - triple > distance ? &graph_.triple(triple + distance) : nullptr;
   }
 
   /// The one object of a subject and predicate; none where there is none or several. Uses the triples.
