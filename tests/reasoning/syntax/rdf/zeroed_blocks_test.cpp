@@ -3,11 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <span>
@@ -43,6 +45,22 @@ TEST(ZeroedBlocks, HoldNothingOfTheBlocksBeforeThem) {
     ASSERT_NE(block, nullptr);
     EXPECT_THAT(std::span(block.get(), size), Each(0)) << size;
   }
+}
+
+TEST(ZeroedBlocks, TakeNoMemoryBeforeTheyAreWrittenWhereTheyAreLarge) {
+  if (!has_zeroed_blocks()) GTEST_SKIP() << "a sanitizer has its own";
+  constexpr std::size_t large = std::size_t{256} << 20;
+  const auto resident = [] {
+    std::ifstream statm("/proc/self/statm");
+    std::size_t all = 0;
+    std::size_t pages = 0;
+    statm >> all >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  };
+  const std::size_t before = resident();
+  const Block block = zeroed(large, 1);
+  ASSERT_NE(block, nullptr);
+  EXPECT_LT(resident(), before + large / 8);
 }
 
 TEST(ZeroedBlocks, AreNotGivenWhereTheirSizeIsNoNumber) {
