@@ -111,6 +111,9 @@ TEST(Shortage, OfDescriptorsAtTheStartIsSaid) {
 }
 
 TEST(Shortage, OfDescriptorsIsNoMissingPermission) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the check of types needs descriptors of its own, and says without them that there is no object";
+#endif
   const std::string file = shipped("core.ttl");
   const auto before = [] {
     ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // whatever the test has inherited
