@@ -117,6 +117,10 @@ class Deciding {
       if (verdict == Verdict::unknown && !may_ask()) return;
       if (verdict == Verdict::yes || batch.size() == 1) {
         if (verdict == Verdict::no) note_found(batch.front().column, batch.front().individual);
+        // A model may have the complement and the concept of a column, where the one does not exclude the other.
+        for (const Candidate& candidate : batch) {
+          if (verdict == Verdict::yes) std::erase(open_.columns[candidate.column].open, candidate.individual);
+        }
         done += size;
         continue;
       }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "reasoning/reasoner/reasoner.hpp"
@@ -153,6 +154,32 @@ TEST(Instances, OfAnExpressionThatNeedsCasesAreFound) {
   EXPECT_EQ(local(source.name_of(found.found.front())), "a");
   EXPECT_THAT(found.undecided, IsEmpty());
   EXPECT_THAT(found.gaps, IsEmpty());
+}
+
+TEST(Instances, OfWhatOnlyExcludesAreRefuted) {
+  // Each asks for the absence of something, which a model of the facts need not say of anybody.
+  const auto undecided = [](std::string_view text, const std::function<owl::TermId(owl::Ontology&)>& expression) {
+    owl::Ontology source = written(text);
+    const Instances found = find_instances(source, expression(source));
+    EXPECT_THAT(found.found, IsEmpty());
+    EXPECT_THAT(found.gaps, IsEmpty());
+    return found.undecided;
+  };
+  EXPECT_THAT(undecided("ClassAssertion(ObjectUnionOf(Cat Dog) i:tim)",
+                        [](owl::Ontology& source) {
+                          const owl::TermId cat = source.named_class("https://t.example/#Cat");
+                          const owl::TermId dog = source.named_class("https://t.example/#Dog");
+                          return source.term(owl::TermKind::object_union_of,
+                                             {dog, source.term(owl::TermKind::object_complement_of, {cat})});
+                        }),
+              IsEmpty());
+  EXPECT_THAT(undecided("ObjectPropertyAssertion(r i:tim i:tom)\nClassAssertion(Cat i:tom)",
+                        [](owl::Ontology& source) {
+                          return source.term(owl::TermKind::object_all_values_from,
+                                             {source.object_property("https://t.example/#r"),
+                                              source.named_class("https://t.example/#Cat")});
+                        }),
+              IsEmpty());
 }
 
 }  // namespace
