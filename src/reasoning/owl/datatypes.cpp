@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -225,6 +226,39 @@ std::optional<std::string> canonical_base64(std::string packed) {
   return packed;
 }
 
+/// The same numeral for the same number: a decimal where there is one, otherwise count and over without a common
+/// divisor. Both are canonical, and `over` is positive. Very long ones stay as they are, since dividing them takes
+/// long.
+std::string canonical_fraction(const std::string& count, const std::string& over, bool& is_exact) {
+  using boost::multiprecision::cpp_int;
+  constexpr std::size_t max_digits = 400;
+  if (over == "1") return count;
+  if (count.size() > max_digits || over.size() > max_digits) {
+    is_exact = false;
+    return count + "/" + over;
+  }
+  cpp_int above(count);
+  cpp_int below(over);
+  const cpp_int common = boost::multiprecision::gcd(above, below);
+  above /= common;
+  below /= common;
+  // A decimal needs as many places as the divisor has factors 2, or 5.
+  cpp_int rest = below;
+  std::size_t places = 0;
+  for (const unsigned factor : {2U, 5U}) {
+    std::size_t times = 0;
+    for (; rest % factor == 0; rest /= factor) ++times;
+    places = std::max(places, times);
+  }
+  if (rest != 1) return above.str() + "/" + below.str();
+  const bool is_negative = above < 0;
+  const cpp_int shifted = boost::multiprecision::abs(above) * pow(cpp_int(10), static_cast<unsigned>(places)) / below;
+  std::string digits = shifted.str();
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  if (places > 0) digits.insert(digits.size() - places, 1, '.');
+  return (is_negative ? "-" : "") + digits;
+}
+
 std::optional<std::string> canonical_number(const Row& row, std::string_view text, bool& is_exact) {
   if (row.space == ValueSpace::whole_family) return std::nullopt;  // owl:real has no lexical forms
   if (row.space == ValueSpace::rational) {
@@ -233,9 +267,7 @@ std::optional<std::string> canonical_number(const Row& row, std::string_view tex
     const auto over = canonical_decimal(text.substr(slash + 1), false);
     auto count = canonical_decimal(text.substr(0, slash), false);
     if (!over || !count || *over == "0" || over->starts_with('-')) return std::nullopt;
-    if (*over == "1") return count;
-    is_exact = false;  // fractions are not reduced here
-    return *count + "/" + *over;
+    return canonical_fraction(*count, *over, is_exact);
   }
   auto value = canonical_decimal(text, row.space == ValueSpace::decimal);
   if (!value || !is_at_least(*value, row.low) || !is_at_most(*value, row.high)) return std::nullopt;
@@ -264,7 +296,7 @@ std::optional<std::string> canonical_form(const Row& row, std::string_view lexic
     case uri:
       return trimmed;
     case DataFamily::time: {
-      auto value = canonical_time(trimmed, is_exact);
+      auto value = canonical_time(trimmed);
       const bool has_zone = value && (value->ends_with('Z') || value->rfind(':') > value->find('T') + 6);
       if (row.space == ValueSpace::time_with_zone && !has_zone) return std::nullopt;
       return value;

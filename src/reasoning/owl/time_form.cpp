@@ -32,10 +32,44 @@ bool is_leap(std::string_view year) {
   return number % 4 == 0 && (number % 100 != 0 || number % 400 == 0);
 }
 
-bool is_day(std::string_view year, int month, int day) {
+int last_day(std::string_view year, int month) {
   static constexpr std::array<int, 12> days = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  if (month < 1 || month > 12 || day < 1) return false;
-  return day <= days[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap(year) ? 1 : 0);
+  return days[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap(year) ? 1 : 0);
+}
+
+bool is_day(std::string_view year, int month, int day) {
+  return month >= 1 && month <= 12 && day >= 1 && day <= last_day(year, month);
+}
+
+/// The year after this one: 10000 after 9999, and 0000 after -0001.
+std::string year_after(std::string_view year) {
+  const bool is_before_zero = year.starts_with('-');
+  if (is_before_zero) year.remove_prefix(1);
+  // Its digits count up, or down to zero.
+  const char last = is_before_zero ? '0' : '9';
+  std::string digits(year);
+  std::size_t at = digits.size();
+  while (at > 0 && digits[at - 1] == last) digits[--at] = is_before_zero ? '9' : '0';
+  if (at == 0) return '1' + digits;
+  digits[at - 1] = static_cast<char>(digits[at - 1] + (is_before_zero ? -1 : 1));
+  if (digits.size() > 4 && digits.starts_with('0')) digits.erase(0, 1);
+  return is_before_zero && digits != "0000" ? '-' + digits : digits;
+}
+
+/// The begin of the day after this one, of the month and day in `moment`. May change the year.
+std::string midnight_after(std::string& year, std::string_view moment) {
+  int month = two_digits(moment.substr(1));
+  int day = two_digits(moment.substr(4)) + 1;
+  if (day > last_day(year, month)) {
+    day = 1;
+    ++month;
+  }
+  if (month > 12) {
+    month = 1;
+    year = year_after(year);
+  }
+  const auto written = [](int number) { return (number < 10 ? "0" : "") + std::to_string(number); };
+  return '-' + written(month) + '-' + written(day) + "T00:00:00";
 }
 
 /// "Z" / ("+" / "-") hh:mm, up to 14:00. An empty text is no zone.
@@ -49,14 +83,16 @@ bool is_zone(std::string_view zone) {
 
 }  // namespace
 
-std::optional<std::string> canonical_time(std::string_view text, bool& is_exact) {
+std::optional<std::string> canonical_time(std::string_view text) {
   constexpr std::string_view pattern = "-00-00T00:00:00";
   const std::size_t year_end = text.find('-', 1);
   if (year_end == std::string_view::npos || text.size() < year_end + pattern.size()) return std::nullopt;
-  const std::string_view year = text.substr(0, year_end);
-  const std::string_view moment = text.substr(year_end, pattern.size());
+  std::string year(text.substr(0, year_end));
+  std::string moment(text.substr(year_end, pattern.size()));
   if (!is_year(year) || !is_like(moment, pattern)) return std::nullopt;
-  if (!is_day(year, two_digits(moment.substr(1)), two_digits(moment.substr(4)))) return std::nullopt;
+  if (year == "-0000") year = "0000";
+  const std::string_view fields = moment;
+  if (!is_day(year, two_digits(fields.substr(1)), two_digits(fields.substr(4)))) return std::nullopt;
 
   std::string_view zone = text.substr(year_end + pattern.size());
   std::string_view fraction;
@@ -70,11 +106,11 @@ std::optional<std::string> canonical_time(std::string_view text, bool& is_exact)
   }
   const bool is_midnight = moment.ends_with("24:00:00") && fraction.empty();
   const bool is_in_day =
-      two_digits(moment.substr(7)) < 24 && two_digits(moment.substr(10)) < 60 && two_digits(moment.substr(13)) < 60;
+      two_digits(fields.substr(7)) < 24 && two_digits(fields.substr(10)) < 60 && two_digits(fields.substr(13)) < 60;
   if ((!is_in_day && !is_midnight) || !is_zone(zone)) return std::nullopt;
-  is_exact = !is_midnight;
+  if (is_midnight) moment = midnight_after(year, moment);
   if (zone == "+00:00" || zone == "-00:00") zone = "Z";
-  return (std::string(year) += moment).append(fraction).append(zone);
+  return (year + moment).append(fraction).append(zone);
 }
 
 }  // namespace geminga::owl

@@ -9,9 +9,8 @@
 namespace geminga::owl {
 
 /// The canonical form: Z for a zero offset, no superfluous zeros. Nothing for a time that does not exist, such as
-/// 2000-02-30T00:00:00. `is_exact` is false if another form denotes the same time: 24:00:00 is 00:00:00 of the next
-/// day.
-[[nodiscard]] std::optional<std::string> canonical_time(std::string_view text, bool& is_exact);
+/// 2000-02-30T00:00:00. 24:00:00 is 00:00:00 of the next day.
+[[nodiscard]] std::optional<std::string> canonical_time(std::string_view text);
 
 }  // namespace geminga::owl
 
