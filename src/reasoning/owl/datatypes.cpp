@@ -230,20 +230,21 @@ std::optional<std::string> canonical_base64(std::string packed) {
 /// divisor. Both are canonical, and `over` is positive. Very long ones stay as they are, since dividing them takes
 /// long.
 std::string canonical_fraction(const std::string& count, const std::string& over, bool& is_exact) {
-  using boost::multiprecision::cpp_int;
+  using Integer =
+      boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
   constexpr std::size_t max_digits = 400;
   if (over == "1") return count;
   if (count.size() > max_digits || over.size() > max_digits) {
     is_exact = false;
     return count + "/" + over;
   }
-  cpp_int above(count);
-  cpp_int below(over);
-  const cpp_int common = boost::multiprecision::gcd(above, below);
+  Integer above(count);
+  Integer below(over);
+  const Integer common = boost::multiprecision::gcd(above, below);
   above /= common;
   below /= common;
   // A decimal needs as many places as the divisor has factors 2, or 5.
-  cpp_int rest = below;
+  Integer rest = below;
   std::size_t places = 0;
   for (const unsigned factor : {2U, 5U}) {
     std::size_t times = 0;
@@ -252,7 +253,8 @@ std::string canonical_fraction(const std::string& count, const std::string& over
   }
   if (rest != 1) return above.str() + "/" + below.str();
   const bool is_negative = above < 0;
-  const cpp_int shifted = boost::multiprecision::abs(above) * pow(cpp_int(10), static_cast<unsigned>(places)) / below;
+  const Integer shifted = boost::multiprecision::abs(above) *
+                          boost::multiprecision::pow(Integer(10), static_cast<unsigned>(places)) / below;
   std::string digits = shifted.str();
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
   if (places > 0) digits.insert(digits.size() - places, 1, '.');
