@@ -56,7 +56,12 @@ ExprId DataNormaliser::make_literal(owl::TermId id, const owl::Term& term) {
 
 void DataNormaliser::note_literal(owl::TermId id) {
   const auto literal = literals_.find(id);
-  if (literal != literals_.end() && !literal->second.is_exact) pending_.note(literal->second.family);
+  if (literal == literals_.end()) {
+    has_opaque_literals_ = true;
+    pending_.note(OpaqueUse{source_.term(source_.term(id).arguments[0]).name});
+  } else if (!literal->second.is_exact) {
+    pending_.note(literal->second.family);
+  }
 }
 
 void DataNormaliser::note_wanted_literal(owl::TermId id) {
@@ -135,12 +140,12 @@ void DataNormaliser::exclude(ExprId one, ExprId other) {
 // for. An element of two overlapping datatypes is in their intersection, which may be finite or a part of a third; the
 // datatypes of OWL 2 EL never overlap. A literal may have the value of an inexact one.
 // A value of few that is in a datatype of which nothing is known is in it wherever it stands, and has an atom in each
-// place; this matters if the datatype is asked for, too.
+// place; this matters if the datatype is asked for, too. So it is for its literals, which are in it.
 void DataNormaliser::find_unused(UnusedAxioms& unused) const {
   const std::vector<owl::Datatype> used = find_used(pending_);
   std::array<std::size_t, owl::data_family_count> value_counts{};
   for (const auto& [value, expr] : values_) ++value_counts[static_cast<std::size_t>(value.family)];
-  const bool has_few = !values_.empty() ||
+  const bool has_few = has_opaque_literals_ || !values_.empty() ||
                        std::ranges::any_of(datatypes_, [](const auto& datatype) { return datatype.first.is_finite(); });
   for (const PendingUse& use : pending_.all()) {
     if (const auto* opaque = std::get_if<OpaqueUse>(&use.what)) {

@@ -63,6 +63,7 @@ class DataNormaliser {
   std::map<owl::TermId, Literal> literals_;  ///< literals of known datatypes
   std::array<bool, owl::data_family_count> is_wanted_{};
   std::set<owl::NameId> wanted_opaque_;  ///< datatypes of which nothing is known
+  bool has_opaque_literals_ = false;     ///< of such datatypes
 };
 
 }  // namespace geminga::el
