@@ -38,8 +38,8 @@ class JointQuestions {
   [[nodiscard]] std::size_t most_steps(std::size_t pairs) const { return times * pairs * usual_steps(); }
 
  private:
-  static constexpr std::size_t patience = 50'000;
-  static constexpr std::size_t times = 8;  ///< the steps of the pairs, at most
+  static constexpr std::size_t patience = 50'000;  ///< steps that may be lost
+  static constexpr std::size_t times = 8;          ///< the steps of the pairs, at most
 
   /// Of a question about one class or pair.
   [[nodiscard]] std::size_t usual_steps() const {

@@ -1,6 +1,7 @@
 #include "reasoning/reasoner/subsumers.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace geminga::reasoner {
 namespace {

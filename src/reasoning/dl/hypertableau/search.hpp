@@ -196,7 +196,7 @@ class Search {
   bool is_refuted_alone_ = false;
   std::size_t world_nodes_ = 0;  ///< of the model of the facts, with nominals
   NodeId question_node_ = none;
-  /// With nominals the model of the facts; otherwise the models of the questions whose answer was yes.
+  /// The models of the questions that were kept; with nominals beside, or instead of, the model of the facts.
   std::optional<Sizes> base_;
   std::size_t base_branches_ = 0;
   std::optional<Sizes> before_choices_;  ///< of a search about facts: all that is derived without a choice

@@ -9,8 +9,8 @@ namespace geminga::hypertableau {
 
 /// Says on which branch a question depends, and whether its model may become part of the base.
 ///
-/// What is asked is supposed: a branch without alternatives. Those of all questions stand before all choices, used or
-/// not, and so stay among the reasons of later branches.
+/// Each question is supposed: its facts depend on a branch without alternatives. The branches of all questions stand
+/// before all choices, used or not, and so stay among the reasons of later branches.
 class Suppositions {
  public:
   /// The most questions that leave something in a base with nominals.

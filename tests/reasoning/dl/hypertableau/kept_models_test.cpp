@@ -69,14 +69,20 @@ std::optional<clauses::ConceptId> concept_of(const clauses::ClauseSet& set, owl:
   return std::nullopt;
 }
 
-/// Asks about all pairs of classes beside models that are kept, and each time with no other question before it. Returns
-/// the number of answers.
-std::size_t compare_answers(const owl::Ontology& source) {
+/// The first named classes but owl:Nothing, at most so many.
+std::vector<owl::TermId> first_classes(const owl::Ontology& source, std::size_t most) {
   std::vector<owl::TermId> classes;
-  for (std::uint32_t id = 0; id < source.term_count(); ++id) {
+  for (std::uint32_t id = 0; id < source.term_count() && classes.size() < most; ++id) {
     if (source.kind(owl::TermId{id}) == owl::TermKind::named_class && owl::TermId{id} != owl::nothing_term)
       classes.push_back(owl::TermId{id});
   }
+  return classes;
+}
+
+/// Asks about all pairs of classes beside models that are kept, and each time with no other question before it. Returns
+/// the number of answers.
+std::size_t compare_answers(const owl::Ontology& source) {
+  const std::vector<owl::TermId> classes = first_classes(source, source.term_count());
   const auto set = clauses::clausify(source, std::nullopt, classes, classes);
   EXPECT_TRUE(set) << set.error().text;
   if (!set) return 0;
@@ -109,12 +115,8 @@ std::size_t compare_answers(const owl::Ontology& source) {
 /// Asks for things in one class and outside of two others, beside models that are kept, and each time with no other
 /// question before it. Returns the number of answers.
 std::size_t compare_answers_about_two(const owl::Ontology& source) {
-  std::vector<owl::TermId> classes;
-  for (std::uint32_t id = 0; id < source.term_count() && classes.size() < 7; ++id) {
-    if (source.kind(owl::TermId{id}) == owl::TermKind::named_class && owl::TermId{id} != owl::nothing_term &&
-        owl::TermId{id} != owl::thing_term)
-      classes.push_back(owl::TermId{id});
-  }
+  std::vector<owl::TermId> classes = first_classes(source, 8);
+  std::erase(classes, owl::thing_term);
   const auto set = clauses::clausify(source, std::nullopt, classes, classes);
   EXPECT_TRUE(set) << set.error().text;
   if (!set) return 0;

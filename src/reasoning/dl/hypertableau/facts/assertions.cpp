@@ -88,8 +88,9 @@ void Assertions::add_unequal(NodeId a, NodeId b, DependencySet dependency) {
   if (graph_.node(a).kind == NodeKind::value || graph_.node(a).kind == NodeKind::constant) have_values_changed_ = true;
 }
 
-// Nodes of former questions may have the mark, too. They are in kept models, in which nothing is derived any more, and
-// on whose choices no later question depends: see Search::keep().
+// Nodes of former questions may have the mark, too. With nominals it is another fact (begin_question()). Without them
+// they are in kept models, in which nothing is derived any more, and on whose choices no later question depends: see
+// Search::keep().
 void Assertions::set_outside(std::vector<std::uint32_t> concepts) {
   base::sort_unique(concepts);
   if (outside_ == concepts) return;

@@ -20,7 +20,7 @@ bool has_zeroed_blocks() { return false; }
 extern "C" {
 
 /// The calloc of glibc under its other name.
-void* __libc_calloc(std::size_t count, std::size_t size) noexcept;  // NOLINT(bugprone-reserved-identifier)
+void* __libc_calloc(std::size_t count, std::size_t size) noexcept;  // NOLINT(bugprone-reserved-identifier): glibc's own
 
 // Visible to libraptor2 even where a program hides its names.
 [[gnu::visibility("default")]] void* calloc(std::size_t count, std::size_t size) noexcept {
