@@ -95,8 +95,7 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   if (syntax != nullptr) progress.clear();
   if (syntax != nullptr) return put_axioms(request, *syntax, alone, said, *classified);
   if (request.only_inferred) {
-    add_declarations(*classified, alone);
-    if (alone.problem()) return fail(*alone.problem(), exit_of(alone));
+    if (const auto problem = add_declarations(*classified, alone)) return fail(*problem, Exit::timed_out);
     alone.sort();
   }
   const auto text = graph.write(std::get<graph::Format>(*format), prefixes_of(classified->loaded.source));

@@ -2,12 +2,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "program.hpp"
 #include "team.hpp"
 
 namespace geminga::ontology {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -86,6 +92,53 @@ TEST(Infer, WritesTheSyntaxesOfOwl) {
   EXPECT_THAT(program.read("all.omn"), HasSubstr("a comment"));
   EXPECT_THAT(program.read("all.omn"), Not(HasSubstr("urn:geminga:only:")));
   EXPECT_EQ(closure_of(program, "all.omn"), closure_of(program, "team.ttl"));
+}
+
+/// The axioms of a file without annotations: sorted lines of triples.
+std::vector<std::string> axioms_of(const Program& program, const std::string& file) {
+  const Outcome outcome = program.run({"convert", file, "-o", "-", "--to", "ntriples"});
+  EXPECT_EQ(outcome.status, 0) << file << outcome.err;
+  std::vector<std::string> lines;
+  std::istringstream text(outcome.out);
+  for (std::string line; std::getline(text, line);) {
+    if (line.find("#Ontology>") == std::string::npos) lines.push_back(line);
+  }
+  std::ranges::sort(lines);
+  return lines;
+}
+
+TEST(Infer, WritesTheSameAxiomsInEverySyntaxWithTheirNamesDeclared) {
+  const Program program;
+  program.turtle(
+      "in.ttl",
+      ":Robot a owl:Class . :sees a owl:ObjectProperty ; owl:inverseOf :seenBy ; rdfs:domain :Robot . :seenBy a "
+      "owl:ObjectProperty . :speed a owl:DatatypeProperty ; rdfs:subPropertyOf :number . :number a "
+      "owl:DatatypeProperty . :name a owl:DatatypeProperty ; rdfs:subPropertyOf :word . :word a owl:DatatypeProperty . "
+      ":id a owl:ObjectProperty , owl:FunctionalProperty . :never a owl:DatatypeProperty ; rdfs:range "
+      "xsd:integer , xsd:string . :ball a owl:NamedIndividual . :x a owl:NamedIndividual . :y a owl:NamedIndividual . "
+      ":bob a owl:NamedIndividual ; :sees :ball . :bob :sees :ball ; :speed 1 ; :name \"Bob\"@en , \"bob\" ; :id :x , "
+      ":y . ");
+  const std::string e = "<http://e/";
+  const std::string type = "> <http://www.w3.org/1999/02/22-rdf-syntax-ns#type> ";
+  const std::string owl = "<http://www.w3.org/2002/07/owl#";
+  for (const std::string only : {"--only-inferred", "--closure"}) {
+    std::vector<std::string> expected;
+    for (const std::string name : {"out.nt", "out.ttl", "out.owl", "out.ofn", "out.omn", "out.owx"}) {
+      ASSERT_EQ(program.run({"infer", "in.ttl", "--facts", only, "-o", name}).status, 0) << name;
+      const std::vector<std::string> axioms = axioms_of(program, name);
+      if (expected.empty()) expected = axioms;
+      EXPECT_EQ(axioms, expected) << name << ' ' << only;
+    }
+    for (const std::string& axiom :
+         {e + "ball> " + e + "seenBy> " + e + "bob> .", e + "bob> " + e + "word> \"Bob\"@en .",
+          e + "bob> " + e + "word> \"bob\" .", e + "x> " + owl + "sameAs> " + e + "y> .",
+          e + "bob> " + e + "number> \"1\"^^<http://www.w3.org/2001/XMLSchema#integer> .",
+          e + "bob" + type + e + "Robot> .", e + "Robot" + type + owl + "Class> .",
+          e + "seenBy" + type + owl + "ObjectProperty> .", e + "word" + type + owl + "DatatypeProperty> ."})
+      EXPECT_THAT(expected, Contains(axiom)) << only;
+    EXPECT_THAT(expected, Not(Contains(HasSubstr("ball" + type + owl + "Class>")))) << only;
+    EXPECT_THAT(expected, Not(Contains(HasSubstr("bob" + type + owl + "Class>")))) << only;
+  }
 }
 
 }  // namespace

@@ -13,12 +13,6 @@ namespace {
 
 using graph::Node;
 
-/// Whether a name is a word of RDF, RDFS, XSD or OWL, which has its kind by itself.
-bool is_of_w3c(std::string_view name) {
-  return name.starts_with(syntax::rdf_namespace) || name.starts_with(syntax::rdfs_namespace) ||
-         name.starts_with(syntax::xsd_namespace) || name.starts_with(syntax::owl_namespace);
-}
-
 /// Leaves out the headers of all files but the first, and the imports that a file answered.
 class Header {
  public:
@@ -127,6 +121,11 @@ class OtherFiles {
 };
 
 }  // namespace
+
+bool is_of_w3c(std::string_view name) {
+  return name.starts_with(syntax::rdf_namespace) || name.starts_with(syntax::rdfs_namespace) ||
+         name.starts_with(syntax::xsd_namespace) || name.starts_with(syntax::owl_namespace);
+}
 
 std::string ontology_name(const rdf::Loaded& loaded) {
   for (const owl::LoadedFile& file : loaded.source.files()) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "reasoning/syntax/graph/graph.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
@@ -19,6 +20,9 @@ namespace geminga::ontology {
 
 /// The name of the ontology that the files are together; empty where no file has one.
 [[nodiscard]] std::string ontology_name(const rdf::Loaded& loaded);
+
+/// Whether a name is a word of RDF, RDFS, XSD or OWL, which has its kind by itself.
+[[nodiscard]] bool is_of_w3c(std::string_view name);
 
 }  // namespace geminga::ontology
 

@@ -39,6 +39,8 @@ class Relations {
     } else if (word == graph::rdf_type) {
       source_.add(AxiomKind::class_assertion, {source_.named_class(object.text), source_.individual(subject.text)},
                   owl::FileId{0}, 0);
+    } else {
+      add_fact(subject, predicate, object);
     }
   }
 
@@ -53,6 +55,20 @@ class Relations {
       return is_of_data ? source_.data_property(iri) : source_.object_property(iri);
     };
     source_.add(is_of_data ? of_data : of_objects, {property(sub.text), property(super.text)}, owl::FileId{0}, 0);
+  }
+
+  void add_fact(const Node& subject, const Node& predicate, const Node& object) {
+    const TermId individual = source_.individual(subject.text);
+    if (object.kind == Node::Kind::literal) {
+      source_.add(AxiomKind::data_property_assertion,
+                  {source_.data_property(predicate.text), individual,
+                   source_.literal(object.text, object.datatype, object.language)},
+                  owl::FileId{0}, 0);
+    } else {
+      source_.add(AxiomKind::object_property_assertion,
+                  {source_.object_property(predicate.text), individual, source_.individual(object.text)},
+                  owl::FileId{0}, 0);
+    }
   }
 
   owl::Ontology& source_;
@@ -94,12 +110,11 @@ std::vector<std::uint32_t> add_declarations(const std::vector<std::uint32_t>& ax
   const std::size_t first = source.axiom_count();
   std::set<TermId> names;
   for (const std::uint32_t number : axioms) {
-    const auto arguments = source.axiom(number).arguments;
-    names.insert(arguments.begin(), arguments.end());
+    for (const TermId argument : source.axiom(number).arguments)
+      names.insert(source.kind(argument) == owl::TermKind::literal ? source.term(argument).arguments[0] : argument);
   }
   for (const TermId name : names) {
-    if (!source.name_of(name).starts_with(syntax::owl_namespace))
-      source.add(AxiomKind::declaration, {name}, owl::FileId{0}, 0);
+    if (!is_of_w3c(source.name_of(name))) source.add(AxiomKind::declaration, {name}, owl::FileId{0}, 0);
   }
   return numbers_from(first, source);
 }

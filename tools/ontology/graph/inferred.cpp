@@ -1,11 +1,11 @@
 #include "ontology/graph/inferred.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <utility>
 
 #include "base/budget.hpp"
+#include "ontology/graph/document.hpp"
 #include "ontology/loading/hierarchy.hpp"
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
@@ -181,25 +181,13 @@ std::optional<std::string> add_inferred(const ClassifiedFiles& classified, const
   return "more relations follow than can be written: give fewer files, or ask for less (without --closure)";
 }
 
-void add_declarations(const ClassifiedFiles& classified, graph::Graph& graph) {
-  const owl::Ontology& source = classified.loaded.source;
-  std::set<std::string, std::less<>> of_data;
-  for (const owl::NameId name : classified.classification.data_properties.properties)
-    of_data.emplace(source.name(name));
-  std::set<std::pair<std::string, owl::TermKind>> declared;
-  const std::string same = std::string(syntax::owl_namespace) + "sameAs";
-  const std::string equal_property = std::string(syntax::owl_namespace) + "equivalentProperty";
-  graph.for_each([&](const Node& subject, const Node& predicate, const Node& object) {
-    const bool is_fact = predicate.text == graph::rdf_type;
-    for (const Node* node : {&subject, &object}) {
-      owl::TermKind kind = owl::TermKind::named_class;
-      if (predicate.text == same || (is_fact && node == &subject)) kind = owl::TermKind::individual;
-      if (predicate.text == graph::rdfs_sub_property_of || predicate.text == equal_property)
-        kind = of_data.contains(node->text) ? owl::TermKind::data_property : owl::TermKind::object_property;
-      if (!node->text.starts_with(syntax::owl_namespace)) declared.emplace(node->text, kind);
-    }
-  });
-  for (const auto& [name, kind] : declared) graph.add(iri(name), iri(graph::rdf_type), graph::type_of_entity(kind));
+std::optional<std::string> add_declarations(ClassifiedFiles& classified, graph::Graph& graph) {
+  owl::Ontology& source = classified.loaded.source;
+  const std::vector<std::uint32_t> names = add_declarations(add_inferred_axioms(graph, classified), source);
+  if (source.problem()) return source.problem();
+  graph::AxiomTriples triples(source, [&](const Node& s, const Node& p, const Node& o) { graph.add(s, p, o); });
+  for (const std::uint32_t number : names) triples.add(source.axiom(number));
+  return graph.problem();
 }
 
 std::optional<std::string> why_incomplete(const ClassifiedFiles& classified) {

@@ -19,8 +19,9 @@ namespace geminga::ontology {
 [[nodiscard]] std::optional<std::string> add_inferred(const ClassifiedFiles& classified,
                                                       const realization::Realization& realization, bool as_closure,
                                                       base::Budget& budget, graph::Graph& graph);
-/// Adds the declaration of each name in these relations, for readers of nothing else.
-void add_declarations(const ClassifiedFiles& classified, graph::Graph& graph);
+/// Adds the declaration of each name in these sorted relations, for readers of nothing else: the kinds of the names are
+/// those of the axioms that the relations are. Adds these to the source. Returns why that failed, in one line.
+[[nodiscard]] std::optional<std::string> add_declarations(ClassifiedFiles& classified, graph::Graph& graph);
 
 /// The reason why relations may be missing, in one line; nothing where none is missing.
 [[nodiscard]] std::optional<std::string> why_incomplete(const ClassifiedFiles& classified);
