@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "base/text.hpp"
@@ -11,6 +12,7 @@
 #include "ontology/findings/axioms.hpp"
 #include "ontology/findings/findings.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "ontology/loading/consistency.hpp"
 #include "reasoning/compiled/similar.hpp"
 
 namespace geminga::ontology {
@@ -220,10 +222,10 @@ Exit check(const CheckRequest& request, const WorkLimits& limits) {
     if (!compiled) return say_failure(compiled.error().text, request.as_json, Exit::no);
     return after_reasons(budget, report(find(*compiled, budget), request));
   }
-  const auto classified = classify_files(request.files, {.as_json = request.as_json,
-                                                         .leaves_out_refused = !request.is_strict,
-                                                         .is_lenient = request.is_lenient,
-                                                         .budget = &budget});
+  auto classified = classify_files(request.files, {.as_json = request.as_json,
+                                                   .leaves_out_refused = !request.is_strict,
+                                                   .is_lenient = request.is_lenient,
+                                                   .budget = &budget});
   if (!classified)
     return say_failure(classified.error().text, request.as_json,
                        classified.error().is_unreadable || request.is_strict ? Exit::usage : Exit::no);
@@ -256,17 +258,20 @@ void add_check(CLI::App& program, Choice& choice) {
   add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status 1: a file is wrong (in a folder the others are still used); the ontology contradicts itself; a\n"
-      "class can have no instance; two names have the same hash; a name is not one that RDF, RDFS, OWL or XSD\n"
-      "define in their namespaces; or nothing declares a name although the files declare others of its namespace.\n"
-      "Namespaces of which the files declare nothing are listed, and are no problem.\n"
-      "Exit status 2: a file cannot be read: it is not there, its compression is damaged, or it is in no known\n"
-      "syntax. Exit status 4: a limit was reached; what is printed is right, and what is not decided is named.\n"
-      "A single file that compile wrote is verified, and the findings in its sources are printed; exit status 1\n"
-      "also if it is damaged or older than they are.\n"
-      "In the document of --json `unsatisfiable_is_whole` is false where the files contradict themselves and more\n"
-      "classes than those of `unsatisfiable` may have no instance even if all facts are left aside, and\n"
-      "`collisions_is_whole` is false where not all identities were compared.\n"
+      std::string(
+          "\nExit status 1: a file is wrong (in a folder the others are still used); the ontology contradicts itself; "
+          "a\n"
+          "class can have no instance; two names have the same hash; a name is not one that RDF, RDFS, OWL or XSD\n"
+          "define in their namespaces; or nothing declares a name although the files declare others of its namespace.\n"
+          "Namespaces of which the files declare nothing are listed, and are no problem.\n"
+          "Exit status 2: a file cannot be read: it is not there, its compression is damaged, or it is in no known\n"
+          "syntax. Exit status 4: a limit was reached; what is printed is right, and what is not decided is named.\n"
+          "A single file that compile wrote is verified, and the findings in its sources are printed; exit status 1\n"
+          "also if it is damaged or older than they are.\n"
+          "In the document of --json `unsatisfiable_is_whole` is false where the files contradict themselves and more\n"
+          "classes than those of `unsatisfiable` may have no instance even if all facts are left aside, and\n"
+          "`collisions_is_whole` is false where not all identities were compared.\n") +
+      consistency_of_json +
       "\nExamples:\n  geminga-ontology check my-team.ttl team/\n  geminga-ontology check team.geminga");
   run_when_named(*command, choice, request, check);
 }

@@ -5,6 +5,7 @@
 #include <boost/json.hpp>
 #include <fstream>
 #include <memory>
+#include <string>
 
 #include "ontology/command/options.hpp"
 #include "ontology/command/output.hpp"
@@ -12,6 +13,7 @@
 #include "ontology/commands.hpp"
 #include "ontology/findings/findings.hpp"
 #include "ontology/loading/classified_files.hpp"
+#include "ontology/loading/consistency.hpp"
 #include "ontology/loading/hierarchy.hpp"
 
 namespace geminga::ontology {
@@ -69,8 +71,9 @@ struct Taxonomies {
   Hierarchy data_properties;
 };
 
-bool write_json(const Taxonomies& written, bool are_properties) {
-  boost::json::object document{{"consistent", written.classes.is_consistent}};
+bool write_json(const Taxonomies& written, bool are_properties, const reasoner::Answer& consistency) {
+  boost::json::object document;
+  put_consistency(consistency, document);
   document["nodes"] = nodes_of(written.classes, "classes");
   if (are_properties) {
     document["object_properties"] = nodes_of(written.object_properties, "properties");
@@ -79,7 +82,7 @@ bool write_json(const Taxonomies& written, bool are_properties) {
   return print_more(json_text(document) + '\n');
 }
 
-bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& request) {
+bool write_taxonomies(ClassifiedFiles& classified, const ClassifyRequest& request, base::Budget& budget) {
   const owl::Ontology& source = classified.loaded.source;
   const taxonomy::Classification& classification = classified.classification;
   Taxonomies written;
@@ -89,7 +92,7 @@ bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& 
         property_hierarchy(source, classification.object_properties, classification.is_consistent);
     written.data_properties = property_hierarchy(source, classification.data_properties, classification.is_consistent);
   }
-  if (request.as_json) return write_json(written, request.are_properties);
+  if (request.as_json) return write_json(written, request.are_properties, consistency_of(classified, &budget));
   const auto write_one = [&, short_name = short_names(source)](const Hierarchy& hierarchy) {
     return request.as_closure ? write_closure(hierarchy, print_more) : write_tree(hierarchy, short_name, print_more);
   };
@@ -101,16 +104,16 @@ bool write_taxonomies(const ClassifiedFiles& classified, const ClassifyRequest& 
 
 Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto classified = classify_or_say(request.files, {.threads = request.threads,
-                                                          .as_json = request.as_json,
-                                                          .leaves_out_refused = !request.is_strict,
-                                                          .is_lenient = request.is_lenient,
-                                                          .budget = &budget});
+  auto classified = classify_or_say(request.files, {.threads = request.threads,
+                                                    .as_json = request.as_json,
+                                                    .leaves_out_refused = !request.is_strict,
+                                                    .is_lenient = request.is_lenient,
+                                                    .budget = &budget});
   if (!classified) return Exit::usage;
   if (!request.stats.empty() &&
       would_destroy_source(request.stats, request.files, classified->loaded.source, "--stats"))
     return Exit::usage;
-  if (!write_taxonomies(*classified, request) || !print("")) return say_unwritten();
+  if (!write_taxonomies(*classified, request, budget) || !print("")) return say_unwritten();
   if (!request.stats.empty() && !write_stats(*classified, request.threads, request.stats))
     return say_error(request.stats + " cannot be written: name another file behind --stats");
   // Imports that no file answers may have more to say.
@@ -143,10 +146,14 @@ void add_classify(CLI::App& program, Choice& choice) {
   command->add_flag("--properties", request->are_properties,
                     "print the taxonomies of object and of data properties instead (with --json: too)");
   command->footer(
-      "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class is\n"
-      "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. Where a limit is\n"
-      "reached, what is printed follows, standard error says what is not decided, and the exit status is 4. A file of\n"
-      "a folder that cannot be read is left out and named, and the exit status is 1.\n"
+      std::string(
+          "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class "
+          "is\n"
+          "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. Where a limit is\n"
+          "reached, what is printed follows, standard error says what is not decided, and the exit status is 4. A file "
+          "of\n"
+          "a folder that cannot be read is left out and named, and the exit status is 1.\n") +
+      consistency_of_json +
       "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"
       "  geminga-ontology classify team/ --properties");
   command->callback([request, &choice] {

@@ -7,8 +7,8 @@
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 #include "ontology/loading/argument.hpp"
+#include "ontology/loading/consistency.hpp"
 #include "ontology/verdict.hpp"
-#include "reasoning/reasoner/ill_typed.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -23,8 +23,8 @@ struct ConsistentRequest {
 };
 
 std::string as_json(const Answer& answer) {
-  boost::json::object document{{"consistent", verdict_as_json(answer.verdict)}};
-  if (!answer.reason.empty()) document["reason"] = answer.reason;
+  boost::json::object document;
+  put_consistency(answer, document);
   return json_text(document) + '\n';
 }
 
@@ -41,15 +41,11 @@ Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   progress.show("deciding");
   base::Budget budget = budget_of(limits);
-  Answer answer = reasoner::is_consistent_repaired(loaded->source, &budget);
-  // An axiom that was not understood can make a contradiction, never undo one.
-  if (answer.verdict == Verdict::yes) {
-    if (auto unread = find_unread(loaded->source, {}, false)) answer = {Verdict::unknown, std::move(*unread)};
-  }
+  const Answer answer = consistency_of(*loaded, reasoner::is_consistent(loaded->source, &budget), &budget);
   progress.clear();
   say_unresolved(*loaded);
   if (!print(request.as_json ? as_json(answer) : as_text(answer))) return say_unwritten();
-  return exit_of(answer, "whether there is a contradiction", budget);
+  return exit_of(answer, std::string(contradiction_question), budget);
 }
 
 }  // namespace
@@ -64,6 +60,7 @@ void add_consistent(CLI::App& program, Choice& choice) {
   command->footer(
       "\nExit status: 0 they do not, 1 they do, 2 it cannot be decided (the reason is printed), or a file cannot be\n"
       "loaded, 4 a limit was reached before it was decided. Imports that no given file answers are left aside.\n"
+      "In the document of --json `consistent` is true, false or null, and with null `reason` says why.\n"
       "\nExample:\n  geminga-ontology consistent team/");
   run_when_named(*command, choice, request, consistent);
 }

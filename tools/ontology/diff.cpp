@@ -15,6 +15,8 @@
 #include "ontology/comparison/statements.hpp"
 #include "ontology/findings/axioms.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "ontology/loading/consistency.hpp"
+#include "ontology/verdict.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -39,6 +41,8 @@ struct Difference {
   std::optional<ChangedConsequences> consequences;  ///< nothing with --asserted
   bool was_consistent = true;
   bool is_consistent = true;
+  /// Whether each contradicts itself, with unknown; for JSON.
+  std::optional<std::pair<reasoner::Answer, reasoner::Answer>> consistency;
 
   [[nodiscard]] bool is_empty() const {
     return statements.is_empty() && (!consequences || consequences->is_empty()) && was_consistent == is_consistent;
@@ -179,7 +183,8 @@ std::string as_json(const Difference& difference) {
                                 {"gained", differences_as_array(changed.gained)}};
     document["unsatisfiable"] = {{"lost", differences_as_array(changed.filled)},
                                  {"gained", differences_as_array(changed.emptied)}};
-    document["consistent"] = {{"before", difference.was_consistent}, {"after", difference.is_consistent}};
+    document["consistent"] = {{"before", verdict_as_json(difference.consistency->first.verdict)},
+                              {"after", verdict_as_json(difference.consistency->second.verdict)}};
     document["compared"] = changed.is_compared;
     document["complete"] = !changed.may_miss;
   }
@@ -208,10 +213,10 @@ std::optional<ClassifiedFiles> files_of(const std::string& path, const DiffReque
 Exit diff(const DiffRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(first_half(limits));
   Progress progress(!request.as_json);
-  const auto before = files_of(request.before, request, progress, budget);
-  const auto after = before ? files_of(request.after, request, progress, budget) : std::nullopt;
+  auto before = files_of(request.before, request, progress, budget);
+  auto after = before ? files_of(request.after, request, progress, budget) : std::nullopt;
   if (!after) return Exit::usage;
-  Difference difference{compare_statements(before->loaded, after->loaded), {}, true, true};
+  Difference difference{compare_statements(before->loaded, after->loaded), {}, true, true, {}};
   if (request.is_asserted) {
     const std::string text = request.as_json ? as_json(difference) : as_text(difference, nullptr, nullptr, request);
     return print_or_say(text, difference.is_empty() ? Exit::yes : Exit::no);
@@ -226,6 +231,8 @@ Exit diff(const DiffRequest& request, const WorkLimits& limits) {
   difference.consequences =
       compare_consequences({*before, *old_form}, {*after, *new_form},
                            request.shows_all || request.as_json ? max_explained_differences : max_lines, explaining);
+  if (request.as_json)
+    difference.consistency.emplace(consistency_of(*before, &explaining), consistency_of(*after, &explaining));
   progress.clear();
   if (!print(request.as_json ? as_json(difference) : as_text(difference, &*old_form, &*new_form, request)))
     return say_unwritten();
@@ -259,7 +266,8 @@ void add_diff(CLI::App& program, Choice& choice) {
       "\nTwo axioms are the same wherever they stand, in whatever syntax, and with the operands of a set in any\n"
       "order; the labels of anonymous individuals do not count. Of the changed subsumptions between named classes\n"
       "that both have, those are printed that follow from no other changed one. In a reason, (+) or (-) follows\n"
-      "an axiom that the other ontology does not have.\n"
+      "an axiom that the other ontology does not have. In the document of --json `before` and `after` of `consistent`\n"
+      "are null where that cannot be decided.\n"
       "Exit status: 0 both say the same, 1 they differ, 2 a file cannot be loaded, 4 a limit was reached.\n"
       "\nExamples:\n"
       "  geminga-ontology diff old/ team/\n"

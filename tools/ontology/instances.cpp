@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <memory>
+#include <string>
 
 #include "base/text.hpp"
 #include "ontology/command/options.hpp"
@@ -11,6 +12,7 @@
 #include "ontology/loading/argument.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "ontology/loading/consistency.hpp"
 #include "reasoning/compiled/entity_names.hpp"
 #include "reasoning/syntax/manchester/parse.hpp"
 
@@ -41,13 +43,16 @@ std::optional<owl::TermId> read_or_say(ClassifiedFiles& classified, const std::s
   return std::nullopt;
 }
 
-std::string as_json(const owl::Ontology& source, const realization::Instances& found) {
+std::string as_json(const owl::Ontology& source, const realization::Instances& found,
+                    const reasoner::Answer& consistency) {
   const auto iris = [&](const std::vector<owl::TermId>& individuals) {
     boost::json::array array;
     for (const owl::TermId individual : individuals) array.emplace_back(source.name_of(individual));
     return array;
   };
-  boost::json::object document{{"consistent", found.is_consistent}, {"instances", iris(found.found)}};
+  boost::json::object document;
+  put_consistency(consistency, document);
+  document["instances"] = iris(found.found);
   if (!found.undecided.empty()) document["undecided"] = iris(found.undecided);
   if (!found.gaps.empty()) document["gaps"] = boost::json::value_from(found.gaps);
   return json_text(document) + '\n';
@@ -92,9 +97,12 @@ Exit instances(const InstancesRequest& request, const WorkLimits& limits) {
     found = realization::find_instances(source, *expression, options);
     progress.clear();
   }
+  if (!found.is_consistency_open) note_model(classified->classification);
   say_unresolved(classified->loaded);
   if (!found.is_consistent) say_error(contradiction_words);
-  if (!print(request.as_json ? as_json(source, found) : as_text(source, found))) return say_unwritten();
+  reasoner::Answer consistency{reasoner::Verdict::no, {}};
+  if (request.as_json && found.is_consistent) consistency = consistency_of(*classified, &budget);
+  if (!print(request.as_json ? as_json(source, found, consistency) : as_text(source, found))) return say_unwritten();
   return found.is_consistent ? judge(source, found, budget) : Exit::no;
 }
 
@@ -112,11 +120,13 @@ void add_instances(CLI::App& program, Choice& choice) {
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nThe output is the named individuals that are in the expression in every model, as in Protege's DL query.\n"
-      "Where there may be more, standard error names the individuals that are not decided.\n"
-      "Exit status: 0 there are some, 1 there are none, or the ontology contradicts itself (standard error says\n"
-      "so), 2 it cannot be decided whether there are any (the reason is printed), or a file cannot be loaded, 4 a\n"
-      "limit was reached.\n"
+      std::string(
+          "\nThe output is the named individuals that are in the expression in every model, as in Protege's DL query.\n"
+          "Where there may be more, standard error names the individuals that are not decided.\n"
+          "Exit status: 0 there are some, 1 there are none, or the ontology contradicts itself (standard error says\n"
+          "so), 2 it cannot be decided whether there are any (the reason is printed), or a file cannot be loaded, 4 a\n"
+          "limit was reached.\n") +
+      consistency_of_json +
       "\nExamples:\n"
       "  geminga-ontology instances team/ soccer:BallInfo\n"
       "  geminga-ontology instances team/ 'soccer:Message and (geminga:carries some soccer:TrackedObject)' --json");

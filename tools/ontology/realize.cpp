@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <memory>
+#include <string>
 
 #include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
@@ -9,6 +10,7 @@
 #include "ontology/individuals/realized_files.hpp"
 #include "ontology/individuals/realized_forms.hpp"
 #include "ontology/loading/argument.hpp"
+#include "ontology/loading/consistency.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -22,12 +24,17 @@ struct RealizeRequest {
   bool is_lenient = false;
 };
 
-bool write(const RealizedForms& forms, const RealizeRequest& request, const std::optional<std::string>& open) {
-  if (request.as_json) {
-    boost::json::object document = forms.json(request.with_facts);
-    if (open) document["undecided"] = *open;
-    return print_more(json_text(document) + '\n');
-  }
+bool write_json(const RealizedForms& forms, const RealizeRequest& request, const std::optional<std::string>& open,
+                const reasoner::Answer& consistency) {
+  boost::json::object document;
+  put_consistency(consistency, document);
+  boost::json::object realized = forms.json(request.with_facts);
+  for (auto& member : realized) document[member.key()] = std::move(member.value());
+  if (open) document["undecided"] = *open;
+  return print_more(json_text(document) + '\n');
+}
+
+bool write(const RealizedForms& forms, const RealizeRequest& request) {
   if (request.with_facts)
     return request.as_closure ? forms.write_fact_closure(print_more) : forms.write_facts(print_more);
   return request.as_closure ? forms.write_closure(print_more) : forms.write_types(print_more);
@@ -48,10 +55,14 @@ Exit realize(const RealizeRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
   const auto found = realize_files(*classified, budget, progress, request.with_facts);
   if (!found.is_consistent) return say_contradiction(request.as_json);
+  if (!found.is_consistency_open) note_model(classified->classification);
   const owl::Ontology& source = classified->loaded.source;
   auto open = describe_open(source, undecided_individuals(found), found.gaps);
   if (const auto classes = describe_undecided(*classified)) open = open ? *open + "; " + *classes : *classes;
-  if (!write(RealizedForms(*classified, found, request.all), request, open) || !print("")) return say_unwritten();
+  const RealizedForms forms(*classified, found, request.all);
+  const bool is_written =
+      request.as_json ? write_json(forms, request, open, consistency_of(*classified, &budget)) : write(forms, request);
+  if (!is_written || !print("")) return say_unwritten();
   say_unresolved(classified->loaded);
   if (open) say_error("what is printed follows, and more may: " + *open);
   return budget.is_spent() || classified->classification.is_cut_off ? Exit::timed_out : Exit::yes;
@@ -74,13 +85,17 @@ void add_realize(CLI::App& program, Choice& choice) {
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nFacts are those of the files and those that follow from them: by inverses, super-properties, chains,\n"
-      "transitivity, keys and individuals that are the same. With --closure they are\n"
-      "SUBJECT<TAB>PROPERTY<TAB>OBJECT lines. An individual without a class is an owl:Thing. Anonymous individuals "
-      "are\n"
-      "not printed. What is printed follows; where more may follow, standard error says why and which individuals are\n"
-      "not decided. Exit status: 0 done; 1 the ontology contradicts itself, so that everything follows and nothing is\n"
-      "printed; 2 a file cannot be loaded; 4 a limit was reached.\n"
+      std::string(
+          "\nFacts are those of the files and those that follow from them: by inverses, super-properties, chains,\n"
+          "transitivity, keys and individuals that are the same. With --closure they are\n"
+          "SUBJECT<TAB>PROPERTY<TAB>OBJECT lines. An individual without a class is an owl:Thing. Anonymous individuals "
+          "are\n"
+          "not printed. What is printed follows; where more may follow, standard error says why and which individuals "
+          "are\n"
+          "not decided. Exit status: 0 done; 1 the ontology contradicts itself, so that everything follows and nothing "
+          "is\n"
+          "printed; 2 a file cannot be loaded; 4 a limit was reached.\n") +
+      consistency_of_json +
       "\nExamples:\n  geminga-ontology realize team/\n"
       "  geminga-ontology realize team/ --closure --time-limit 10\n"
       "  geminga-ontology realize team/ --facts");

@@ -15,6 +15,7 @@
 #include "ontology/findings/axioms.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "ontology/loading/consistency.hpp"
 #include "ontology/repair/loss.hpp"
 #include "ontology/repair/repairs.hpp"
 #include "reasoning/explanation/unsatisfiable.hpp"
@@ -259,8 +260,11 @@ boost::json::object as_object(const compiled::Ontology& ontology, const Option& 
   return object;
 }
 
-std::string as_json(const compiled::Ontology& ontology, const std::optional<Problem>& problem, const Plan& plan) {
-  boost::json::object document{{"consistent", ontology.is_consistent()}, {"certain", plan.is_certain}};
+std::string as_json(const compiled::Ontology& ontology, const reasoner::Answer& consistency,
+                    const std::optional<Problem>& problem, const Plan& plan) {
+  boost::json::object document;
+  put_consistency(consistency, document);
+  document["certain"] = plan.is_certain;
   if (!plan.is_certain) document["reason"] = plan.why_not;
   boost::json::array& unwanted = document["unwanted"].emplace_array();
   if (problem) {
@@ -282,7 +286,7 @@ std::string as_json(const compiled::Ontology& ontology, const std::optional<Prob
 
 Exit repair(const RepairRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto classified =
+  auto classified =
       classify_or_say(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
   const auto ontology = classified ? compile_or_say(*classified) : std::nullopt;
   if (!ontology) return Exit::usage;
@@ -295,17 +299,19 @@ Exit repair(const RepairRequest& request, const WorkLimits& limits) {
   }
   base::Budget mending = budget_of(limits);  // its own steps: a search that took all of them may have an answer
   const auto problem = problem_of(*ontology, asked, mending);
+  const auto json = [&](const std::optional<Problem>& of, const Plan& plan) {
+    return as_json(*ontology, consistency_of(*classified, &mending), of, plan);
+  };
   if (!problem) {
     const char* const words = asked ? "It does not follow, and there is nothing to take out.\n"
                                     : "No class is known to have no instance: there is nothing to take out.\n";
-    return exit_of(*classified, print_or_say(request.as_json ? as_json(*ontology, problem, {}) : words, Exit::no));
+    return exit_of(*classified, print_or_say(request.as_json ? json(std::nullopt, {}) : words, Exit::no));
   }
   Progress progress(!request.as_json);
   progress.show("looking for repairs");
   const Plan plan = plan_of(*classified, *ontology, *problem, request, mending);
   progress.clear();
-  if (!print(request.as_json ? as_json(*ontology, problem, plan) : as_text(*ontology, *problem, plan)))
-    return say_unwritten();
+  if (!print(request.as_json ? json(problem, plan) : as_text(*ontology, *problem, plan))) return say_unwritten();
   if (mending.is_spent())
     return say_error(*mending.reason() + ", and what is printed may not be enough: raise it", Exit::timed_out);
   if (plan.groups.empty())
@@ -331,14 +337,17 @@ void add_repair(CLI::App& program, Choice& choice) {
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nWithout --sub and --super it takes out what makes the ontology contradict itself; where nothing does, what\n"
-      "leaves classes without instances. A choice is a minimal set of axioms that has one of each reason (explain\n"
-      "--all prints the reasons). Choices with fewer axioms come first, then those that lose fewer subsumptions\n"
-      "between named classes. Each choice was verified together with the first choices of the other groups. Take\n"
-      "out what you know to be wrong: the smallest loss is not always the mistake. An axiom that several RDF\n"
-      "files state is named at its first place only.\n"
-      "Exit status: 0 there are choices, 1 there is nothing to take out, 2 that cannot be decided, or a file\n"
-      "cannot be loaded, 4 a limit was reached, and what is printed may not be enough.\n"
+      std::string(
+          "\nWithout --sub and --super it takes out what makes the ontology contradict itself; where nothing does, "
+          "what\n"
+          "leaves classes without instances. A choice is a minimal set of axioms that has one of each reason (explain\n"
+          "--all prints the reasons). Choices with fewer axioms come first, then those that lose fewer subsumptions\n"
+          "between named classes. Each choice was verified together with the first choices of the other groups. Take\n"
+          "out what you know to be wrong: the smallest loss is not always the mistake. An axiom that several RDF\n"
+          "files state is named at its first place only.\n"
+          "Exit status: 0 there are choices, 1 there is nothing to take out, 2 that cannot be decided, or a file\n"
+          "cannot be loaded, 4 a limit was reached, and what is printed may not be enough.\n") +
+      consistency_of_json +
       "\nExamples:\n"
       "  geminga-ontology repair team/\n"
       "  geminga-ontology repair team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --limit 10");

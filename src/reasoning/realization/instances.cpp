@@ -94,7 +94,7 @@ Instances find_instances(owl::Ontology& source, owl::TermId expression, const Op
   certain.insert(certain.end(), column.found.begin(), column.found.end());
   Instances result = as_instances(set, std::move(certain), std::move(column.open), named);
   result.gaps.assign(gaps.begin(), gaps.end());
-  result.is_consistency_open = world.verdict == Verdict::unknown;
+  result.is_consistency_open = world.verdict == Verdict::unknown || !set.unused.empty();
   return result;
 }
 

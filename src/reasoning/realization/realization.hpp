@@ -53,6 +53,7 @@ struct Realization {
   std::vector<std::string> gaps;
   /// Individuals that may have more types or be the same as others, ascending. Empty if there is no gap.
   std::vector<std::uint32_t> undecided;
+  /// No model was built within the limits, or an axiom was not used.
   bool is_consistency_open = false;
 };
 
@@ -72,6 +73,7 @@ struct Instances {
   std::vector<owl::TermId> found;
   std::vector<owl::TermId> undecided;
   std::vector<std::string> gaps;  ///< as Realization::gaps
+  /// No model was built within the limits, or an axiom was not used.
   bool is_consistency_open = false;
 };
 

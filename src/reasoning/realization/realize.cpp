@@ -39,6 +39,7 @@ class Realizing {
     }
     set_ = std::move(*clauses);
     note_unused(source_, set_, gaps_);
+    result_.is_consistency_open = !set_.unused.empty();
     const std::vector<IndividualId> named = named_individuals(source_, set_);
     const reasoner::NamedConcepts concepts(source_, classification_, set_);
     report("building a model", 0);

@@ -11,6 +11,7 @@
 #include "reasoning/reasoner/named_concepts.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "reasoning/reasoner/taxonomy.hpp"
+#include "reasoning/reasoner/unused.hpp"
 
 namespace geminga::reasoner {
 namespace {
@@ -24,7 +25,9 @@ constexpr std::size_t max_clauses_of_classes = 5'000'000;
 /// The most steps of the budget that a clause may take, vain attempts included. Half of the budget is kept for models.
 constexpr std::size_t steps_per_clause = 100;
 
+/// For a result whose last gap says why.
 void leave_all_undecided(Classified& result) {
+  result.consistency_gap = result.gaps.back();
   result.undecided.consistency = true;
   result.undecided.classes.clear();
   const auto empty = result.representative[static_cast<std::size_t>(result.nothing)];
@@ -95,6 +98,7 @@ class Deepening {
     std::vector<clauses::Unused> unused = clauses->unused;
     unused.insert(unused.end(), clauses->open_rules.begin(), clauses->open_rules.end());
     note_unused(unused);
+    note_consistency(*clauses);
   }
 
  private:
@@ -225,6 +229,17 @@ class Deepening {
         (result_.unused.size() - static_cast<std::size_t>(std::ranges::count_if(result_.unused, is_declared)));
   }
 
+  /// A model of the clauses is one of the axioms if each axiom is in them.
+  void note_consistency(const clauses::ClauseSet& clauses) {
+    if (!result_.is_consistent) return;
+    if (result_.undecided.consistency) {
+      result_.consistency_gap = result_.gaps.front();
+    } else if (!clauses.unused.empty()) {
+      const clauses::Unused& first = clauses.unused.front();
+      result_.consistency_gap = describe_unused(source_, first.axiom, first.construct);
+    }
+  }
+
   const owl::Ontology& source_;
   const Options& options_;
   Classified& result_;
@@ -238,7 +253,7 @@ std::expected<Classified, el::ClassifyError> classify(const owl::Ontology& sourc
   if (options.progress) options.progress("classifying", 0);
   auto found = el::classify(source, {.threads = options.threads, .budget = options.budget});
   if (!found) return std::unexpected(std::move(found.error()));
-  Classified result{std::move(*found), {}, {}};
+  Classified result{std::move(*found), {}, {}, {}};
   if (!result.is_consistent) {
     result.unused.clear();  // nothing can be missing where everything follows
     return result;

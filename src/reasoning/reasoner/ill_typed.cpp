@@ -72,7 +72,10 @@ std::vector<Answer> entails_each(owl::Ontology& source, std::span<const std::uin
 }
 
 Answer is_consistent_repaired(owl::Ontology& source, base::Budget* budget) {
-  Answer answer = is_consistent(source, budget);
+  return consistency_of_repairs(source, is_consistent(source, budget), budget);
+}
+
+Answer consistency_of_repairs(owl::Ontology& source, Answer answer, base::Budget* budget) {
   if (answer.verdict != Verdict::yes || source.ill_typed_count() == 0) return answer;
   std::vector<std::size_t> ill_typed(source.ill_typed_count());
   std::iota(ill_typed.begin(), ill_typed.end(), 0U);

@@ -19,6 +19,9 @@ namespace geminga::reasoner {
                                                std::span<const std::uint32_t> conclusion,
                                                std::span<const std::size_t> ill_typed, base::Budget* budget = nullptr);
 
+/// Whether a source with all its ill-typed axioms has a model, where `answer` is that for its other axioms: yes if each
+/// repair of them has one. The repairs are added to the source.
+[[nodiscard]] Answer consistency_of_repairs(owl::Ontology& source, Answer answer, base::Budget* budget = nullptr);
 /// The same as is_consistent(), for a source with all its ill-typed axioms: yes if each repair of them has a model.
 [[nodiscard]] Answer is_consistent_repaired(owl::Ontology& source, base::Budget* budget = nullptr);
 

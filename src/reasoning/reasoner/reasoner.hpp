@@ -53,6 +53,9 @@ struct Classified : taxonomy::Classification {
   /// `unused` are empty, the taxonomy is proven complete.
   std::vector<std::string> gaps;
   Undecided undecided;  ///< nothing where `gaps` is empty
+  /// Why it is not known whether the axioms have a model, in one line: no model was found, or an axiom is in no clause.
+  /// Empty: they have one, or `is_consistent` is false.
+  std::string consistency_gap;
 };
 
 /// Classifies with all engines. `unused` of the result lists the axioms that may have further consequences. It is empty

@@ -368,7 +368,7 @@ TEST(Check, JsonIsOneDocumentWithTheSameFindings) {
   EXPECT_EQ(found.at("classes"), 3);
   EXPECT_EQ(found.at("problem"), true);
   EXPECT_EQ(found.at("complete"), false);
-  EXPECT_EQ(found.at("consistent"), true);
+  EXPECT_TRUE(found.at("consistent").is_null()) << "what was left out may contradict the rest";
   EXPECT_EQ(found.at("files").at(0).at("path"), "a.ttl");
   EXPECT_EQ(found.at("left_out").at(0).at("construct"), "owl:newInOwl3");
   EXPECT_EQ(found.at("left_out").at(0).at("first"), "a.ttl:4");

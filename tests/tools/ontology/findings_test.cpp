@@ -30,7 +30,7 @@ std::string contradicting(std::size_t classes) {
 
 /// The findings of a file as JSON, where so many steps are left for what classification does not find.
 std::string found(const Program& program, std::uint64_t steps) {
-  const auto classified = classify_files({program.folder() / "in" / "a.ttl"}, {.as_json = true});
+  auto classified = classify_files({program.folder() / "in" / "a.ttl"}, {.as_json = true});
   if (!classified) return classified.error().text;
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return "not compiled";

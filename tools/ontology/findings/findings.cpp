@@ -7,6 +7,7 @@
 #include "ontology/command/words.hpp"
 #include "ontology/findings/axioms.hpp"
 #include "ontology/findings/touched_classes.hpp"
+#include "ontology/loading/consistency.hpp"
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/compiled_view.hpp"
 #include "reasoning/explanation/allowance.hpp"
@@ -79,7 +80,6 @@ std::vector<LeftOutGroup> group(const compiled::Ontology& ontology) {
 Open find_open(const ClassifiedFiles& classified, const compiled::Ontology& ontology) {
   const reasoner::Undecided& undecided = classified.classification.undecided;
   Open open;
-  open.consistency = undecided.consistency;
   for (const taxonomy::ClassNumber of : undecided.classes) open.classes.push_back(ontology.short_name(of));
   if (undecided.held_up_by) open.held_up_by = ontology.short_name(*undecided.held_up_by);
   return open;
@@ -142,11 +142,16 @@ void find_unsatisfiable_without_facts(const owl::Ontology& source, Findings& fin
   findings.unsatisfiable = find_unsatisfiable(*ontology, budget);
 }
 
+void note(reasoner::Answer consistency, Findings& findings) {
+  findings.open.consistency = consistency.verdict == reasoner::Verdict::unknown;
+  findings.consistency = std::move(consistency);
+}
+
 /// Says which classes left-out axioms may matter to, where all that was left out are axioms.
 void find_touched(const compiled::Ontology& ontology, Findings& findings) {
   const auto has_all_axioms = [](const LeftOutGroup& entry) { return entry.axioms.size() == entry.summary.count; };
   if (findings.left_out.empty() || !findings.is_consistent || !findings.gaps.empty() ||
-      !std::ranges::all_of(findings.left_out, has_all_axioms))
+      !findings.sources.refused.empty() || !std::ranges::all_of(findings.left_out, has_all_axioms))
     return;
   const auto touched = find_touched_classes(ontology);
   if (!touched) return;
@@ -161,7 +166,7 @@ void find_units(const compiled::Ontology& ontology, Sources& sources) {
 
 }  // namespace
 
-Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontology, base::Budget& budget) {
+Findings find(ClassifiedFiles& classified, const compiled::Ontology& ontology, base::Budget& budget) {
   const rdf::Loaded& loaded = classified.loaded;
   Findings findings;
   findings.sources.files.assign(loaded.source.files().begin(), loaded.source.files().end());
@@ -180,6 +185,7 @@ Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontol
   find_problems(ontology, findings, budget);
   if (!findings.is_consistent) find_unsatisfiable_without_facts(loaded.source, findings, budget);
   find_touched(ontology, findings);
+  note(consistency_of(classified, &budget), findings);
   return findings;
 }
 
@@ -196,6 +202,7 @@ Findings find(const compiled::Ontology& ontology, base::Budget& budget) {
   findings.is_searched_without_facts =
       findings.is_consistent;  // the file keeps one classification, that with the facts
   find_touched(ontology, findings);
+  note(consistency_of(ontology), findings);
   return findings;
 }
 
@@ -206,6 +213,8 @@ std::string verdict(const Findings& findings) {
   std::vector<std::string> reasons;
   for (const LeftOutGroup& entry : findings.left_out)
     reasons.push_back(entry.summary.construct + " (" + std::to_string(entry.summary.count) + ')');
+  if (const std::size_t count = findings.sources.refused.size(); count > 0)
+    reasons.push_back(counted(count, "file", "files") + " that cannot be read");
   reasons.insert(reasons.end(), findings.gaps.begin(), findings.gaps.end());
   std::string text = "Incomplete: every answer is right, but some may be missing, because of ";
   for (std::size_t at = 0; at < std::min(reasons.size(), max_reasons); ++at)

@@ -30,7 +30,8 @@ struct Unsatisfiable {
   std::vector<explanation::ExplainedAxiom> reason;
 };
 
-/// Questions that were not decided; see reasoner::Undecided.
+/// Questions that were not decided; see reasoner::Undecided. That of consistency is also open because of what was left
+/// out.
 struct Open {
   std::vector<std::string> classes;
   bool consistency = false;
@@ -58,10 +59,12 @@ struct Findings {
   std::vector<owl::LeftOut> remarks;   ///< of the readers: what was used, but is not quite what the files say
   std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
   /// Classes of which superclasses may be missing because of what was left out: find_touched_classes(). Nothing: it may
-  /// be any, as something that was left out is no axiom, or there are gaps, or the ontology is too large to look.
+  /// be any, as something that was left out is no axiom, or there are gaps or refused files, or the ontology is too
+  /// large to look.
   std::optional<std::vector<std::string>> touched;
-  Open open;  ///< of sources; a compiled ontology has it among its gaps
-  bool is_consistent = true;
+  Open open;                     ///< of sources; a compiled ontology has it among its gaps
+  bool is_consistent = true;     ///< false: there is a contradiction
+  reasoner::Answer consistency;  ///< whether there is none, with unknown; `unknown` in `open`, too
   /// A minimal set of axioms that contradict each other; empty where there is no contradiction or none was found.
   std::vector<explanation::ExplainedAxiom> contradiction;
   /// Roots first. Where there is a contradiction, the classes that can have no instance even if all facts are left
@@ -72,16 +75,16 @@ struct Findings {
   Collisions collisions;
   NameFindings names;  ///< of sources; a compiled ontology does not keep declarations
 
-  [[nodiscard]] bool is_complete() const { return left_out.empty() && gaps.empty(); }
+  [[nodiscard]] bool is_complete() const { return left_out.empty() && gaps.empty() && sources.refused.empty(); }
   [[nodiscard]] bool has_problem() const {
     return !sources.refused.empty() || !unsatisfiable.empty() || !collisions.found.empty() || !is_consistent ||
            sources.outgrown || names.has_problem();
   }
 };
 
-/// Gathers the findings. Where the budget is spent, no more reasons are looked for.
-[[nodiscard]] Findings find(const ClassifiedFiles& classified, const compiled::Ontology& ontology,
-                            base::Budget& budget);
+/// Gathers the findings. Where the budget is spent, no more reasons are looked for. Adds the repairs of ill-typed
+/// literals to the source.
+[[nodiscard]] Findings find(ClassifiedFiles& classified, const compiled::Ontology& ontology, base::Budget& budget);
 /// Gathers the findings of a compiled ontology, whose axioms have been verified.
 [[nodiscard]] Findings find(const compiled::Ontology& ontology, base::Budget& budget);
 

@@ -4,6 +4,7 @@
 #include "ontology/command/words.hpp"
 #include "ontology/findings/axioms.hpp"
 #include "ontology/findings/findings.hpp"
+#include "ontology/loading/consistency.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -54,9 +55,12 @@ boost::json::object units_as_json(const Sources& sources) {
 
 std::string as_json(const Findings& findings) {
   const Sources& sources = findings.sources;
-  boost::json::object document{{"classes", sources.classes},           {"axioms", sources.axioms},
-                               {"consistent", findings.is_consistent}, {"complete", findings.is_complete()},
-                               {"verdict", verdict(findings)},         {"problem", findings.has_problem()}};
+  boost::json::object document{{"classes", sources.classes},
+                               {"axioms", sources.axioms},
+                               {"complete", findings.is_complete()},
+                               {"verdict", verdict(findings)},
+                               {"problem", findings.has_problem()}};
+  put_consistency(findings.consistency, document);
   if (sources.triples) document["triples"] = *sources.triples;
   if (sources.outgrown) document["outgrown"] = *sources.outgrown;
   boost::json::array& files = document["files"].emplace_array();

@@ -101,7 +101,7 @@ boost::json::object RealizedForms::json(bool with_facts) const {
     }
     things_array.push_back(boost::json::object{{"individuals", std::move(subjects)}, {"types", std::move(types)}});
   }
-  boost::json::object document{{"consistent", true}, {"things", std::move(things_array)}};
+  boost::json::object document{{"things", std::move(things_array)}};
   if (!with_facts) return document;
   const owl::Ontology& source = classified_.loaded.source;
   boost::json::array facts;

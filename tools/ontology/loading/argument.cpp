@@ -11,8 +11,6 @@
 namespace geminga::ontology {
 namespace {
 
-constexpr std::string_view import_words = "owl:imports ";
-
 /// One path for a file, however it was named.
 std::string resolved(const std::string& path) {
   std::error_code error;

@@ -6,6 +6,7 @@
 #include <expected>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ontology/loading/classified_files.hpp"
@@ -27,6 +28,9 @@ struct Argument {
 [[nodiscard]] std::expected<Argument, LoadFailure> load_argument(const std::string& premise,
                                                                  const std::string& conclusion, Progress& progress,
                                                                  const LoadOptions& options = {});
+
+/// The begin of an omission that is an import which no given file answers.
+inline constexpr std::string_view import_words = "owl:imports ";
 
 /// The first omission of the reader in the files f with `files[f]` (empty: in all), in one line. Imports do not count,
 /// and axioms with an ill-typed literal only where `with_ill_typed` asks for them.

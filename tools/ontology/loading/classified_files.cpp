@@ -118,7 +118,7 @@ std::optional<std::string> describe_undecided(const ClassifiedFiles& classified)
   std::string line(compiled::undecided_words);
   if (count > 0) line += counted(count, "class", "classes");
   if (count > 0) line += " (" + name(undecided.classes.front()) + (count == 1 ? ")" : ", ...)");
-  if (undecided.consistency) line += std::string(count > 0 ? ", and " : "") + "whether there is a contradiction";
+  if (undecided.consistency) line.append(count > 0 ? ", and " : "").append(contradiction_question);
   if (undecided.held_up_by) line += "; held up by " + name(*undecided.held_up_by);
   return line;
 }

@@ -72,6 +72,8 @@ struct LoadOptions {
 /// Whether superclasses of this class may be missing.
 [[nodiscard]] bool is_undecided(const reasoner::Classified& classification, taxonomy::ClassNumber number);
 
+/// The question of consistency in messages, and in the gaps of a compiled ontology.
+inline constexpr std::string_view contradiction_question = "whether there is a contradiction";
 /// The undecided classes and the reason, in one line; nothing where all is decided or the ontology contradicts itself.
 [[nodiscard]] std::optional<std::string> describe_undecided(const ClassifiedFiles& classified);
 /// The gaps as the compiled form keeps them: with the line of describe_undecided().
