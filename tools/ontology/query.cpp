@@ -20,7 +20,7 @@
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 #include "ontology/format.hpp"
-#include "ontology/graph/asked_instances.hpp"
+#include "ontology/graph/asked_names.hpp"
 #include "ontology/graph/asserted.hpp"
 #include "ontology/graph/inferred.hpp"
 #include "ontology/individuals/realized_files.hpp"
@@ -222,7 +222,7 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, co
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   if (const auto problem = add_asserted(*loaded, asked.graph))
     return say_failure(*problem, request.as_json, exit_of(asked.graph));
-  asked.prefixes = prefixes_of(loaded->source);
+  asked.prefixes = found_prefixes_of(loaded->source);
   if (request.only_asserted) {
     classified.emplace(std::move(*loaded), reasoner::Classified{}, 0, 0);
   } else {
@@ -286,11 +286,11 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
   base::Budget asking = budget_of(limits, request.most_steps);
   limit_asking(limits);
   Progress progress(!request.as_json);
-  AskedInstances instances(*classified, budget, progress);
-  graph::FindInstances find_instances;
+  AskedNames names(*classified, budget, progress);
+  graph::FindNames find_names;
   if (!request.only_asserted)
-    find_instances = [&](const graph::AskedExpression& asked_for) {
-      auto found = instances.find(asked_for);
+    find_names = [&](const graph::AskedExpression& asked_for) {
+      auto found = names.find(asked_for);
       progress.show("asking");
       return found;
     };
@@ -300,11 +300,15 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
                                   .format = *format,
                                   .limits = graph_limits,
                                   .budget = &asking,
-                                  .find_instances = find_instances});
+                                  .find_names = find_names});
   progress.clear();
-  if (instances.open() && !classified->classification.is_cut_off) say_error("more may follow: " + *instances.open());
+  if (names.open() && !classified->classification.is_cut_off) say_error("more may follow: " + *names.open());
   if (!answer)
     return say_failure(answer.error().text, request.as_json, answer.error().is_limit ? Exit::timed_out : Exit::usage);
+  if (answer->has_asserted_expressions)
+    say_error(
+        "a class expression with a variable, or beside another word than rdf:type, rdfs:subClassOf and "
+        "owl:equivalentClass, asks for the triples that the files state, and not for what follows");
   const Exit exit = write(*answer, request, *rows, asked);
   if (exit == Exit::usage) return exit;
   return budget.is_spent() && !classified->classification.is_cut_off ? Exit::timed_out : exit_of(*classified, exit);
@@ -333,14 +337,17 @@ void add_query(CLI::App& program, Choice& choice) {
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nSELECT, ASK, CONSTRUCT and DESCRIBE (the statements about a resource, with those of its blank nodes) are\n"
-      "answered; a query may stand in a file whose name ends in .rq. The prefixes of the files need no\n"
-      "declaration. Nothing is fetched from a network. FROM, SERVICE, property paths (write a triple for each\n"
+      "answered; a query may stand in a file whose name ends in .rq. Prefixes of the files, and those of the names\n"
+      "that are printed, need no declaration. Nothing is fetched from a network. FROM, SERVICE, property paths (write "
+      "a triple for each\n"
       "step) and EXISTS within an expression (write it as a filter of its own) are refused.\n"
-      "The inferred graph has all relations between named classes and properties, and all types and facts of\n"
-      "named individuals. A class expression as OWL writes it in RDF (?x a [ a owl:Restriction ; owl:onProperty\n"
-      "... ]) finds the named individuals that are in it in every model, as geminga-ontology instances does; with\n"
-      "--asserted it finds what the files state in these triples. It has no variable, stands only behind rdf:type\n"
-      "and uses names of the files; a query has at most 16 of them.\n"
+      "The inferred graph has what the files state; which named classes and properties are below or equal to\n"
+      "which, but for what holds of each (itself, owl:Thing, owl:Nothing); and all types and facts of named\n"
+      "individuals. A class expression as OWL writes it in RDF (?x a [ a owl:Restriction ; owl:onProperty\n"
+      "... ]) finds the named individuals that are in it in every model, as geminga-ontology instances does;\n"
+      "beside rdfs:subClassOf and owl:equivalentClass it finds the named classes below, above and equal to it. It\n"
+      "uses names of the files; a query has at most 16 of them. With --asserted, or with a variable in it beside\n"
+      "rdfs:subClassOf and its like, it finds what the files state in these triples.\n"
       "Exit status: 0 there are rows, or the answer is yes; 1 there are none, the answer is no, or the ontology\n"
       "contradicts itself; 2 wrong usage, or a file or the query cannot be read; 4 a limit was reached. A limit\n"
       "of the search, which takes at most three quarters of --time-limit: the answer uses what is decided by\n"

@@ -115,5 +115,53 @@ TEST(Query, SeesFactsThatFollowAndInstancesOfExpressions) {
   EXPECT_EQ(program.run({"query", "team.ttl", "--asserted", "SELECT ?x WHERE { ?x a " + sees + " }"}).status, 1);
 }
 
+TEST(Query, FindsTheClassesBelowAboveAndEqualToAnExpression) {
+  const Program program;
+  program.turtle("team.ttl",
+                 std::string(robots) +
+                     " :Wreck rdfs:subClassOf owl:Nothing . :Keeper rdfs:subClassOf :Player . :Left "
+                     "rdfs:subClassOf :Striker . :Left rdfs:subClassOf [ a owl:Restriction ; owl:onProperty "
+                     ":near ; owl:someValuesFrom :Ball ] .");
+  const auto answer = [&](const std::string& pattern) {
+    const Outcome outcome =
+        program.run({"query", "team.ttl", "SELECT ?x WHERE { " + pattern + " } ORDER BY ?x", "--format", "tsv"});
+    std::string text = outcome.err;
+    for (std::size_t at = 0; (at = outcome.out.find("<http://e/", at)) != std::string::npos; ++at)
+      text += outcome.out.substr(at + 10, outcome.out.find('>', at) - at - 10) + ' ';
+    return text;
+  };
+  const std::string sees = "[ a owl:Restriction ; owl:onProperty :sees ; owl:someValuesFrom :Ball ]";
+  EXPECT_EQ(answer("?x rdfs:subClassOf " + sees), "Goalie Keeper ");
+  EXPECT_EQ(answer(sees + " rdfs:subClassOf ?x"), "Goalie Keeper Player Robot ") << "the domain of sees";
+  EXPECT_EQ(answer("?x owl:equivalentClass " + sees), "Goalie Keeper ");
+  EXPECT_EQ(answer(sees + " owl:equivalentClass ?x"), "Goalie Keeper ");
+  EXPECT_EQ(answer("?x rdfs:subClassOf [ owl:unionOf ( :Striker :Player ) ]"), "Goalie Keeper Left Player Striker ");
+  EXPECT_EQ(answer("?x rdfs:subClassOf [ owl:unionOf ( :Striker :Player ) ] , [ owl:onProperty :near ; "
+                   "owl:minCardinality 1 ]"),
+            "Left ");
+  EXPECT_EQ(answer("?x rdfs:subClassOf :Player . [ owl:unionOf ( :Keeper ) ] rdfs:subClassOf ?x"), "Goalie Keeper ");
+  EXPECT_EQ(answer("?x rdfs:subClassOf [ owl:intersectionOf ( :Ball [ owl:complementOf :Ball ] ) ]"), "Wreck ");
+  EXPECT_EQ(answer("?x a ?y . ?y rdfs:subClassOf [ owl:complementOf [ owl:complementOf :Striker ] ]"), "");
+  EXPECT_THAT(answer("?x rdfs:subClassOf [ owl:complementOf :Bal ]"), HasSubstr("have no class <http://e/Bal>"));
+  EXPECT_THAT(answer("[ owl:complementOf ?x ] rdfs:subClassOf [ owl:complementOf :Ball ]"), HasSubstr("asks for the"));
+  const std::string stated = answer("?y rdfs:subClassOf [ owl:onProperty :near ; owl:someValuesFrom ?x ]");
+  EXPECT_THAT(stated, HasSubstr("with a variable")) << "the files state it of Left, and that much can be answered";
+  EXPECT_THAT(stated, HasSubstr("Ball "));
+}
+
+TEST(Query, SeesEquivalentClassesAsSubclassesOfEachOther) {
+  const Program program;
+  program.turtle("team.ttl", robots);
+  EXPECT_EQ(program.run({"query", "team.ttl", "ASK { :Keeper rdfs:subClassOf :Goalie }"}).out, "yes\n");
+  EXPECT_EQ(program.run({"query", "team.ttl", "ASK { :Goalie rdfs:subClassOf :Keeper }"}).out, "yes\n");
+}
+
+TEST(Query, TakesThePrefixesThatItPrints) {
+  const Program program;
+  program.write("team.ofn", "Ontology(<http://e/team> SubClassOf(<http://e/team#A> <http://e/team#B>))");
+  const Outcome outcome = program.run({"query", "team.ofn", "SELECT ?x WHERE { ?x rdfs:subClassOf :B }"});
+  EXPECT_EQ(outcome.out, "?x\n:A\n") << outcome.err;
+}
+
 }  // namespace
 }  // namespace geminga::ontology

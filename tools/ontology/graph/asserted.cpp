@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reasoning/owl/loaded_file.hpp"
+#include "reasoning/owl/prefixes/prefixes.hpp"
 #include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/vocabulary.hpp"
 
@@ -156,5 +157,7 @@ graph::Prefixes prefixes_of(const owl::Ontology& source) {
     prefixes.emplace_back(source.name(prefix.prefix), source.name(prefix.iri));
   return prefixes;
 }
+
+graph::Prefixes found_prefixes_of(const owl::Ontology& source) { return owl::Prefixes(source).all(); }
 
 }  // namespace geminga::ontology

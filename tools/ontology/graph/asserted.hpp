@@ -17,6 +17,8 @@ namespace geminga::ontology {
 
 /// The prefixes of the files.
 [[nodiscard]] graph::Prefixes prefixes_of(const owl::Ontology& source);
+/// These, and those that short names have for namespaces without a prefix (owl::Prefixes).
+[[nodiscard]] graph::Prefixes found_prefixes_of(const owl::Ontology& source);
 
 /// The name of the ontology that the files are together; empty where no file has one.
 [[nodiscard]] std::string ontology_name(const rdf::Loaded& loaded);

@@ -132,6 +132,7 @@ class Writer {
   void write_node(const Hierarchy& hierarchy, std::uint32_t node, const Predicates& words) {
     const auto classes = names(hierarchy, node);
     write_equal(classes, words.equal);
+    if (as_closure_) write_equal(classes, words.below);
     for (const std::uint32_t parent : above(hierarchy, node)) {
       const auto supers = names(hierarchy, parent);
       // Of equivalent superclasses one is enough where only direct relations are written.

@@ -57,16 +57,6 @@ Hierarchy hierarchy_of(const owl::Ontology& source, const Taxonomy& taxonomy, co
   return hierarchy;
 }
 
-/// The nodes right below each node, ascending.
-base::Rows<std::uint32_t> children_of(const Hierarchy& hierarchy) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  edges.reserve(hierarchy.parents.size());
-  for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number) {
-    for (const std::uint32_t parent : hierarchy.parents_of(number)) edges.emplace_back(parent, number);
-  }
-  return {hierarchy.iris.size(), edges};
-}
-
 }  // namespace
 
 Hierarchy class_hierarchy(const owl::Ontology& source, const taxonomy::Classification& classification) {
@@ -77,6 +67,15 @@ Hierarchy class_hierarchy(const owl::Ontology& source, const taxonomy::Classific
 Hierarchy property_hierarchy(const owl::Ontology& source, const taxonomy::PropertyTaxonomy& taxonomy,
                              bool is_consistent) {
   return hierarchy_of(source, taxonomy, taxonomy.properties, taxonomy.top, taxonomy.bottom, is_consistent);
+}
+
+base::Rows<std::uint32_t> children_of(const Hierarchy& hierarchy) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(hierarchy.parents.size());
+  for (std::uint32_t number = 0; number < hierarchy.iris.size(); ++number) {
+    for (const std::uint32_t parent : hierarchy.parents_of(number)) edges.emplace_back(parent, number);
+  }
+  return {hierarchy.iris.size(), edges};
 }
 
 // Both walks keep a stack of their own instead of recursing: a taxonomy can be deep.

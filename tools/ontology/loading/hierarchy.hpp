@@ -41,6 +41,9 @@ struct Hierarchy {
 [[nodiscard]] Hierarchy property_hierarchy(const owl::Ontology& source, const taxonomy::PropertyTaxonomy& taxonomy,
                                            bool is_consistent);
 
+/// The nodes right below each node, ascending; none below the leaves.
+[[nodiscard]] base::Rows<std::uint32_t> children_of(const Hierarchy& hierarchy);
+
 /// Writes one `SUB<TAB>SUPER` line of full IRIs for every entailed inclusion between different names, sorted by octets.
 /// Equivalents stand in both directions, the top one is never SUPER, and a name that can have no instance has the one
 /// line `NAME<TAB>BOTTOM`.

@@ -19,18 +19,21 @@ namespace {
 /// The class expressions of a query and of those within it, which have blank nodes of their own.
 class ClassExpressions {
  public:
-  /// Finds their instances, or says in one line why it cannot. Without a finder nothing is such an expression.
-  std::optional<std::string> find(World& world, const ReadQuery& read, const FindInstances& find_instances) {
-    if (auto refusal = take(world, read, find_instances != nullptr)) return refusal;
+  /// Finds their names, or says in one line why it cannot. Without a finder nothing is such an expression.
+  std::optional<std::string> find(World& world, const ReadQuery& read, const FindNames& find_names) {
+    if (auto refusal = take(world, read, find_names != nullptr)) return refusal;
     std::size_t count = 0;
     for (const auto& [query, expressions] : all_) count += expressions->size();
     if (count > max_expressions)
-      return "the query asks for the instances of more than " + std::to_string(max_expressions) +
+      return "the query asks for more than " + std::to_string(max_expressions) +
              " class expressions: ask in several queries";
     for (const auto& [query, expressions] : all_) {
-      if (auto refusal = expressions->find(find_instances)) return refusal;
+      if (auto refusal = expressions->find(find_names)) return refusal;
     }
     return std::nullopt;
+  }
+  [[nodiscard]] bool has_asserted() const {
+    return std::ranges::any_of(all_, [](const auto& entry) { return entry.second->has_asserted(); });
   }
   [[nodiscard]] const Expressions& of(const ReadQuery& read) const {
     return *std::ranges::find(all_, &read, [](const auto& entry) { return entry.first; })->second;
@@ -146,13 +149,14 @@ std::expected<Answer, AskError> ask(const Graph& graph, const std::string& query
   const auto read = ReadQuery::read(terms, with_prefixes(prepared, options.prefixes) + '\n');
   if (!read) return refused(read.error());
   ClassExpressions expressions;
-  if (auto refusal = expressions.find(world, **read, options.find_instances)) return refused(std::move(*refusal));
+  if (auto refusal = expressions.find(world, **read, options.find_names)) return refused(std::move(*refusal));
 
   TripleIndex index(graph.store().statements.all(), limits, options.budget);
   Variables variables;
   const Rows rows = Asking(terms, index, expressions).rows(**read, variables, limits.rows + 1);
   if (index.problem()) return beyond_limit(index);
   Answer answer;
+  answer.has_asserted_expressions = expressions.has_asserted();
   const rasqal_query_verb verb = rasqal_query_get_verb((*read)->query());
   if (verb == RASQAL_QUERY_VERB_ASK) {
     answer.kind = Answer::Kind::truth;

@@ -21,7 +21,9 @@ struct Answer {
   std::vector<std::vector<std::optional<Node>>> rows;  ///< in the order that the query asks for
   bool is_true = false;
   bool is_cut = false;  ///< there are more rows, or triples, than the limit
-  std::string text;     ///< the triples of CONSTRUCT and DESCRIBE
+  /// A class expression asked for triples of the graph, although names are found for others (expressions.hpp).
+  bool has_asserted_expressions = false;
+  std::string text;  ///< the triples of CONSTRUCT and DESCRIBE
 };
 
 /// Why there is no answer, in one line, and whether that is a limit.
@@ -36,9 +38,9 @@ struct AskOptions {
   Format format = Format::turtle;  ///< of the triples of CONSTRUCT and DESCRIBE
   GraphLimits limits{};
   base::Budget* budget = nullptr;  ///< of triples that are looked at and rows that are joined; null: no limit
-  /// Lets a blank node of a class expression behind rdf:type (expressions.hpp) ask for the instances that it finds,
-  /// before anything is looked at. Without it such a node asks for its triples.
-  FindInstances find_instances{};
+  /// Lets a class expression beside rdf:type, rdfs:subClassOf or owl:equivalentClass (expressions.hpp) ask for the
+  /// names that it finds, before anything is looked at. Without it such an expression asks for its triples.
+  FindNames find_names{};
 };
 
 /// Asks a sorted graph. SELECT, ASK, CONSTRUCT and DESCRIBE are answered. What would fetch or change something

@@ -1,4 +1,4 @@
-#include "ontology/graph/asked_instances.hpp"
+#include "ontology/graph/asked_names.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,9 @@
 #include "base/harmless.hpp"
 #include "base/text.hpp"
 #include "ontology/individuals/realized_files.hpp"
+#include "ontology/loading/hierarchy.hpp"
 #include "reasoning/realization/realization.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
 #include "reasoning/syntax/graph/axioms/axiom_triples.hpp"
 #include "reasoning/syntax/rdf/mapping/class_expression.hpp"
 
@@ -72,9 +74,39 @@ std::optional<std::string> unknown_name(const owl::Ontology& expression, owl::Te
   return std::nullopt;
 }
 
+/// A node and all to which steps lead from it.
+template <typename Steps>
+std::set<std::uint32_t> reached(std::uint32_t node, const Steps& steps) {
+  std::set<std::uint32_t> seen{node};
+  std::vector<std::uint32_t> open{node};
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    for (const std::uint32_t next : steps(at)) {
+      if (seen.insert(next).second) open.push_back(next);
+    }
+  }
+  return seen;
+}
+
 }  // namespace
 
-std::expected<owl::TermId, std::string> AskedInstances::read(const graph::AskedExpression& asked) {
+/// The classes of these nodes that the files name.
+std::vector<std::string> AskedNames::names_in(const Hierarchy& hierarchy, const std::set<std::uint32_t>& nodes) const {
+  const owl::Ontology& source = classified_.loaded.source;
+  std::vector<std::string> names;
+  for (const std::uint32_t node : nodes) {
+    for (const std::uint32_t member : hierarchy.members[node]) {
+      const std::string_view iri = hierarchy.iris[member];
+      if (std::ranges::binary_search(classified_.classification.classes, iri, {},
+                                     [&](owl::NameId name) { return source.name(name); }))
+        names.emplace_back(iri);
+    }
+  }
+  return names;
+}
+
+std::expected<owl::TermId, std::string> AskedNames::read(const graph::AskedExpression& asked) {
   const owl::Ontology& source = classified_.loaded.source;
   const Kinds kinds = kinds_in(source, asked);
   rdf::Graph triples;
@@ -95,19 +127,52 @@ std::expected<owl::TermId, std::string> AskedInstances::read(const graph::AskedE
   return classified_.loaded.source.copy(expression, *term);
 }
 
-std::expected<std::vector<std::string>, std::string> AskedInstances::find(const graph::AskedExpression& asked) {
-  const auto expression = read(asked);
-  if (!expression) return std::unexpected("a class expression of the query cannot be used: " + expression.error());
+std::optional<std::string> AskedNames::find_instances(owl::TermId expression, graph::FoundNames& found) {
   realization::Options options{.budget = &budget_};
   options.progress = [&](std::string_view phase, double done) { progress_.show(phase, done); };
   owl::Ontology& source = classified_.loaded.source;
-  const realization::Instances found = realization::find_instances(source, *expression, options);
+  const realization::Instances instances = realization::find_instances(source, expression, options);
   progress_.clear();
-  if (!found.is_consistent) return std::unexpected(std::string(contradiction_words));
-  if (!open_) open_ = describe_open(source, found.undecided, found.gaps);
-  std::vector<std::string> names;
-  for (const owl::TermId individual : found.found) names.emplace_back(source.name_of(individual));
-  return names;
+  if (!instances.is_consistent) return std::string(contradiction_words);
+  if (!open_) open_ = describe_open(source, instances.undecided, instances.gaps);
+  for (const owl::TermId individual : instances.found) found.instances.emplace_back(source.name_of(individual));
+  return std::nullopt;
+}
+
+/// Classifies the files with a class that is equivalent to the expression.
+std::optional<std::string> AskedNames::find_classes(owl::TermId expression, graph::FoundNames& found) {
+  owl::Ontology& source = classified_.loaded.source;
+  std::string name = "about:expression";
+  while (source.find_name(name)) name += '-';
+  source.add(owl::AxiomKind::equivalent_classes, {source.named_class(name), expression}, owl::FileId{0}, 0);
+  if (source.problem()) return *source.problem();
+  reasoner::Options options{.budget = &budget_};
+  options.progress = [&](std::string_view phase, double done) { progress_.show(phase, done); };
+  const auto classified = reasoner::classify(source, options);
+  progress_.clear();
+  if (!classified) return classified.error().text;
+  if (!classified->is_consistent) return std::string(contradiction_words);
+  if (!open_ && !classified->gaps.empty()) open_ = classified->gaps.front();
+  const Hierarchy hierarchy = class_hierarchy(source, *classified);
+  const auto place = std::ranges::find(hierarchy.iris, name);
+  const std::uint32_t node = hierarchy.representative[static_cast<std::size_t>(place - hierarchy.iris.begin())];
+  const base::Rows<std::uint32_t> children = children_of(hierarchy);
+  found.subclasses = names_in(hierarchy, reached(node, [&](std::uint32_t of) { return children[of]; }));
+  auto above = reached(node, [&](std::uint32_t of) { return hierarchy.parents_of(of); });
+  if (node != hierarchy.representative[hierarchy.top]) above.erase(hierarchy.representative[hierarchy.top]);
+  found.superclasses = names_in(hierarchy, above);
+  return std::nullopt;
+}
+
+std::expected<graph::FoundNames, std::string> AskedNames::find(const graph::AskedExpression& asked) {
+  const auto expression = read(asked);
+  if (!expression) return std::unexpected("a class expression of the query cannot be used: " + expression.error());
+  graph::FoundNames found;
+  std::optional<std::string> problem;
+  if (asked.asks_instances) problem = find_instances(*expression, found);
+  if (!problem && asked.asks_classes) problem = find_classes(*expression, found);
+  if (problem) return std::unexpected(std::move(*problem));
+  return found;
 }
 
 }  // namespace geminga::ontology
