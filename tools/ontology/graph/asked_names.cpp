@@ -145,7 +145,7 @@ std::optional<std::string> AskedNames::find_classes(owl::TermId expression, grap
   std::string name = "about:expression";
   while (source.find_name(name)) name += '-';
   source.add(owl::AxiomKind::equivalent_classes, {source.named_class(name), expression}, owl::FileId{0}, 0);
-  if (source.problem()) return *source.problem();
+  if (source.problem()) return source.problem();
   reasoner::Options options{.budget = &budget_};
   options.progress = [&](std::string_view phase, double done) { progress_.show(phase, done); };
   const auto classified = reasoner::classify(source, options);
