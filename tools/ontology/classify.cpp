@@ -15,6 +15,7 @@
 #include "ontology/loading/classified_files.hpp"
 #include "ontology/loading/consistency.hpp"
 #include "ontology/loading/hierarchy.hpp"
+#include "ontology/loading/refused.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -125,7 +126,7 @@ Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   // exit_of() tells of a limit that was reached.
   const auto open = classified->classification.is_cut_off ? std::nullopt : describe_undecided(*classified);
   if (open) say_error("what is printed follows, and more may: " + *open);
-  return exit_of(*classified, classified->loaded.refused.empty() ? Exit::yes : Exit::no);
+  return exit_of(*classified, exit_of_list(classified->loaded, Exit::yes));
 }
 
 }  // namespace

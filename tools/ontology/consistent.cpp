@@ -8,6 +8,7 @@
 #include "ontology/commands.hpp"
 #include "ontology/loading/argument.hpp"
 #include "ontology/loading/consistency.hpp"
+#include "ontology/loading/refused.hpp"
 #include "ontology/verdict.hpp"
 
 namespace geminga::ontology {
@@ -20,6 +21,7 @@ struct ConsistentRequest {
   std::vector<std::string> files;
   bool as_json = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 std::string as_json(const Answer& answer) {
@@ -37,7 +39,8 @@ std::string as_text(const Answer& answer) {
 
 Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
-  auto loaded = load(request.files, progress, {.is_lenient = request.is_lenient});
+  auto loaded =
+      load(request.files, progress, {.leaves_out_refused = !request.is_strict, .is_lenient = request.is_lenient});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   progress.show("deciding");
   base::Budget budget = budget_of(limits);
@@ -56,10 +59,12 @@ void add_consistent(CLI::App& program, Choice& choice) {
   add_files(*command, request->files);
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nExit status: 0 they do not, 1 they do, 2 it cannot be decided (the reason is printed), or a file cannot be\n"
       "loaded, 4 a limit was reached before it was decided. Imports that no given file answers are left aside.\n"
+      "A file of a folder that cannot be read is left out and named; then only a contradiction can be decided.\n"
       "In the document of --json `consistent` is true, false or null, and with null `reason` says why.\n"
       "\nExample:\n  geminga-ontology consistent team/");
   run_when_named(*command, choice, request, consistent);

@@ -17,6 +17,7 @@
 #include "ontology/individuals/realized_files.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "ontology/loading/refused.hpp"
 #include "ontology/picture/picture.hpp"
 
 namespace geminga::ontology {
@@ -29,6 +30,7 @@ struct DrawRequest {
   unsigned depth = 0;  ///< 0: all
   bool is_compact = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 /// Graphviz as a child process, which turns a graph in its language into SVG on standard output.
@@ -75,7 +77,8 @@ class Graphviz {
 
 Exit draw(const DrawRequest& request, const WorkLimits& limits, const Graphviz& graphviz) {
   base::Budget budget = budget_of(limits);
-  const auto classified = classify_or_say(request.files, {.is_lenient = request.is_lenient, .budget = &budget});
+  const auto classified = classify_or_say(
+      request.files, {.leaves_out_refused = !request.is_strict, .is_lenient = request.is_lenient, .budget = &budget});
   if (!classified) return Exit::usage;
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
@@ -90,11 +93,11 @@ Exit draw(const DrawRequest& request, const WorkLimits& limits, const Graphviz& 
   if (request.is_compact) picture = with_lists_of_leaves(std::move(picture));
   if (request.format == "svg") {
     return graphviz.draw(base::harmless_lines(as_dot(picture)))
-               ? exit_of(*classified, Exit::yes)
+               ? exit_of(*classified, exit_of_list(classified->loaded, Exit::yes))
                : say_error("the program dot failed: ask for --format dot, or draw less with --root");
   }
   const Exit exit = print_or_say(request.format == "dot" ? as_dot(picture) : as_mermaid(picture));
-  return exit == Exit::yes ? exit_of(*classified, exit) : exit;
+  return exit == Exit::yes ? exit_of(*classified, exit_of_list(classified->loaded, exit)) : exit;
 }
 
 }  // namespace
@@ -107,13 +110,15 @@ void add_draw(CLI::App& program, Choice& choice) {
   add_number(*command, "--depth", request->depth, 1, 1000,
              "draw so many levels below the root, and say how many classes are hidden below them");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   command->add_flag("--compact", request->is_compact, "list leaves below the same class in one box");
   command->add_option("--format", request->format, "dot, mermaid, or svg (which needs the program dot)")
       ->check(CLI::IsMember({"dot", "mermaid", "svg"}))
       ->type_name("FORMAT");
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status 4: a limit was reached, and classes may stand too high in the picture.\n"
+      "\nExit status 4: a limit was reached, and classes may stand too high in the picture. 1: a file of a folder\n"
+      "cannot be read; it is named, and the picture is that of the others.\n"
       "\nExamples:\n  geminga-ontology draw team/ --root soccer:BallInfo --format svg > ball.svg\n"
       "  geminga-ontology draw team/ --root geminga:Observation --depth 2 --format svg > observations.svg");
   command->callback([request, &choice] {

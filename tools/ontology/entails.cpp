@@ -7,6 +7,7 @@
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 #include "ontology/loading/argument.hpp"
+#include "ontology/loading/refused.hpp"
 #include "ontology/verdict.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/print.hpp"
@@ -23,6 +24,7 @@ struct EntailsRequest {
   std::string conclusion;
   bool as_json = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 /// One axiom of the conclusion, and whether it follows.
@@ -96,7 +98,8 @@ std::string as_text(const std::vector<Finding>& findings, const Answer& all) {
 
 Exit entails(const EntailsRequest& request, const WorkLimits& limits) {
   Progress progress(!request.as_json);
-  auto argument = load_argument(request.premise, request.conclusion, progress, {.is_lenient = request.is_lenient});
+  auto argument = load_argument(request.premise, request.conclusion, progress,
+                                {.leaves_out_refused = !request.is_strict, .is_lenient = request.is_lenient});
   if (!argument) return say_failure(argument.error().text, request.as_json);
   progress.show("deciding");
   base::Budget budget = budget_of(limits);
@@ -119,6 +122,7 @@ void add_entails(CLI::App& program, Choice& choice) {
       ->type_name("");
   command->add_flag("--json", request->as_json, "print one JSON document, with every axiom");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
       "\nImports are answered by files in the named folders; other imports are left out. An axiom with a literal\n"
@@ -126,6 +130,8 @@ void add_entails(CLI::App& program, Choice& choice) {
       "be decided, and all others can.\n"
       "Exit status: 0 all of it follows, 1 an axiom does not follow, 2 it cannot be decided (the reason is\n"
       "printed), or a file cannot be loaded, 4 a limit was reached before it was decided.\n"
+      "A file of a folder that cannot be read is left out and named: in PREMISE only yes can be decided then, in\n"
+      "CONCLUSION only no.\n"
       "\nExample:\n  geminga-ontology entails team/ expected.ttl");
   run_when_named(*command, choice, request, entails);
 }

@@ -37,6 +37,7 @@ struct ExplainRequest {
   bool is_laconic = false;
   bool as_json = false;
   bool is_lenient = false;
+  bool is_strict = false;
   unsigned limit = default_sets;
 };
 
@@ -45,6 +46,7 @@ struct Explained {
   taxonomy::ClassNumber sub{};
   taxonomy::ClassNumber super{};
   bool is_entailed = false;
+  std::optional<std::string> open;             ///< why it is not known, where it is not entailed; nothing: it is known
   bool is_all = false;                         ///< all sets are wanted
   explanation::AllSets sets;                   ///< one set, unless all are wanted
   std::vector<explanation::Proof> proofs;      ///< of each set, where they are wanted
@@ -160,7 +162,9 @@ std::string as_text(const compiled::Ontology& ontology, const Explained& explain
                     const explanation::Explainer* explainer) {
   const std::string what = statement(ontology, explained);
   if (!explained.is_entailed) {
-    return ontology.short_name(explained.sub) + " is not subsumed by " + ontology.short_name(explained.super) + '\n' +
+    return ontology.short_name(explained.sub) +
+           (explained.open ? " is not known to be subsumed by " : " is not subsumed by ") +
+           ontology.short_name(explained.super) + (explained.open ? ": " + *explained.open : "") + '\n' +
            (explained.why_not ? why_not_as_text(ontology, explained) : "");
   }
   const auto& sets = explained.sets.sets;
@@ -195,6 +199,10 @@ std::string as_json(const compiled::Ontology& ontology, const Explained& explain
   boost::json::object document{{"sub", ontology.iri(explained.sub)},
                                {"super", ontology.iri(explained.super)},
                                {"entailed", explained.is_entailed}};
+  if (explained.open) {
+    document["entailed"] = nullptr;
+    document["reason"] = *explained.open;
+  }
   boost::json::array& first = document["axioms"].emplace_array();
   const auto& sets = explained.sets.sets;
   if (explainer != nullptr && !sets.empty()) first = set_as_json(explained, 0, *explainer);
@@ -213,9 +221,12 @@ std::string as_json(const compiled::Ontology& ontology, const Explained& explain
 
 Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  const auto ontology =
-      open_or_say(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
-  if (!ontology) return Exit::usage;
+  const auto opened = open_or_say(request.files, {.as_json = request.as_json,
+                                                  .leaves_out_refused = !request.is_strict,
+                                                  .is_lenient = request.is_lenient,
+                                                  .budget = &budget});
+  if (!opened) return Exit::usage;
+  const compiled::Ontology* const ontology = &opened->ontology;
   const bool is_plain = !request.is_about_contradiction;
   const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(owl::owl_thing), request.as_json);
   const auto super = find_or_say(*ontology, is_plain ? request.super : std::string(owl::owl_nothing), request.as_json);
@@ -226,6 +237,9 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   explained.super = *super;
   explained.is_all = request.is_all;
   explained.is_entailed = ontology->is_subsumed(*sub, *super);
+  if (!explained.is_entailed && is_plain) explained.open = opened->refused;
+  if (!explained.is_entailed && !is_plain && opened->consistency.verdict == reasoner::Verdict::unknown)
+    explained.open = opened->consistency.reason;
   std::optional<explanation::Explainer> explainer;
   Progress progress(!request.as_json);
   progress.show("looking for reasons");
@@ -251,7 +265,9 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
   const explanation::Explainer* found_by = explainer ? &*explainer : nullptr;
   std::string text =
       request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);
-  if (!is_plain && !explained.is_entailed && !request.as_json) text = "The ontology does not contradict itself\n";
+  if (!is_plain && !explained.is_entailed && !request.as_json)
+    text = explained.open ? "The ontology is not known to contradict itself: " + *explained.open + '\n'
+                          : "The ontology does not contradict itself\n";
   if (!print(text)) return say_unwritten();
   if (explaining.is_spent())
     return say_error(*explaining.reason() + ": what is printed entails it, and may hold more than is needed: raise it",
@@ -287,9 +303,12 @@ void add_explain(CLI::App& program, Choice& choice) {
       ->excludes(proof);
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nExit status 0: it is subsumed; 1: it is not; 4: a limit was reached before it was decided.\n"
+      "\nExit status 0: it is subsumed; 1: it is not, or is not known to be; 4: a limit was reached before it was\n"
+      "decided. In the document of --json `entailed` is null and has a `reason` where it is not known.\n"
+      "A file of a folder that cannot be read is left out and named; then only yes can be decided.\n"
       "\nExamples:\n"
       "  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --proof\n"

@@ -13,6 +13,7 @@
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "ontology/loading/consistency.hpp"
+#include "ontology/loading/refused.hpp"
 #include "reasoning/compiled/entity_names.hpp"
 #include "reasoning/syntax/manchester/parse.hpp"
 
@@ -23,6 +24,7 @@ struct InstancesRequest {
   std::vector<std::string> words;  ///< the files, and last the expression
   bool as_json = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 /// Reads a class expression, of which a name is the simplest; nothing after saying what is wrong.
@@ -66,9 +68,10 @@ std::string as_text(const owl::Ontology& source, const realization::Instances& f
 }
 
 /// The exit status of the contract; says what is not decided.
-Exit judge(const owl::Ontology& source, const realization::Instances& found, const base::Budget& budget) {
+Exit judge(const rdf::Loaded& loaded, const realization::Instances& found, const base::Budget& budget) {
+  const owl::Ontology& source = loaded.source;
   const auto open = describe_open(source, found.undecided, found.gaps);
-  if (!open) return found.found.empty() ? Exit::no : Exit::yes;
+  if (!open) return exit_of_answer(loaded, found.found.empty() ? Exit::no : Exit::yes);
   say_error((found.found.empty() ? "it cannot be decided whether there is an instance: "
                                  : "what is printed follows, and more may: ") +
             *open);
@@ -81,8 +84,10 @@ Exit instances(const InstancesRequest& request, const WorkLimits& limits) {
     return say_failure("name the files, and behind them the class expression", request.as_json);
   base::Budget classifying = budget_of(first_half(limits));
   const std::vector<std::string> files(request.words.begin(), request.words.end() - 1);
-  auto classified =
-      classify_or_say(files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &classifying});
+  auto classified = classify_or_say(files, {.as_json = request.as_json,
+                                            .leaves_out_refused = !request.is_strict,
+                                            .is_lenient = request.is_lenient,
+                                            .budget = &classifying});
   if (!classified) return Exit::usage;
   const auto expression = read_or_say(*classified, request.words.back(), request.as_json);
   if (!expression) return Exit::usage;
@@ -103,7 +108,7 @@ Exit instances(const InstancesRequest& request, const WorkLimits& limits) {
   reasoner::Answer consistency{reasoner::Verdict::no, {}};
   if (request.as_json && found.is_consistent) consistency = consistency_of(*classified, &budget);
   if (!print(request.as_json ? as_json(source, found, consistency) : as_text(source, found))) return say_unwritten();
-  return found.is_consistent ? judge(source, found, budget) : Exit::no;
+  return found.is_consistent ? judge(classified->loaded, found, budget) : Exit::no;
 }
 
 }  // namespace
@@ -118,6 +123,7 @@ void add_instances(CLI::App& program, Choice& choice) {
       ->type_name("");
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
       std::string(
@@ -126,7 +132,7 @@ void add_instances(CLI::App& program, Choice& choice) {
           "Exit status: 0 there are some, 1 there are none, or the ontology contradicts itself (standard error says\n"
           "so), 2 it cannot be decided whether there are any (the reason is printed), or a file cannot be loaded, 4 a\n"
           "limit was reached.\n") +
-      consistency_of_json +
+      consistency_of_json + refused_of_answer +
       "\nExamples:\n"
       "  geminga-ontology instances team/ soccer:BallInfo\n"
       "  geminga-ontology instances team/ 'soccer:Message and (geminga:carries some soccer:TrackedObject)' --json");

@@ -24,6 +24,7 @@
 #include "ontology/graph/asserted.hpp"
 #include "ontology/graph/inferred.hpp"
 #include "ontology/individuals/realized_files.hpp"
+#include "ontology/loading/refused.hpp"
 #include "reasoning/syntax/files.hpp"
 
 namespace geminga::ontology {
@@ -38,6 +39,7 @@ struct QueryRequest {
   bool as_json = false;
   bool only_asserted = false;
   bool is_lenient = false;
+  bool is_strict = false;
   unsigned most_rows = 100'000;
   unsigned most_steps = 50'000'000;  ///< some ten seconds
 };
@@ -217,8 +219,10 @@ struct Asked {
 Exit fill(const std::vector<std::string>& files, const QueryRequest& request, const WorkLimits& limits,
           base::Budget& budget, Asked& asked, std::optional<ClassifiedFiles>& classified) {
   Progress progress(!request.as_json);
-  auto loaded =
-      load(files, progress, {.annotations = KeptAnnotations::of_owl_syntaxes, .is_lenient = request.is_lenient});
+  auto loaded = load(files, progress,
+                     {.annotations = KeptAnnotations::of_owl_syntaxes,
+                      .leaves_out_refused = !request.is_strict,
+                      .is_lenient = request.is_lenient});
   if (!loaded) return say_failure(loaded.error().text, request.as_json);
   if (const auto problem = add_asserted(*loaded, asked.graph))
     return say_failure(*problem, request.as_json, exit_of(asked.graph));
@@ -309,8 +313,9 @@ Exit query(const QueryRequest& request, const WorkLimits& limits) {
     say_error(
         "a class expression with a variable, or beside another word than rdf:type, rdfs:subClassOf and "
         "owl:equivalentClass, asks for the triples that the files state, and not for what follows");
-  const Exit exit = write(*answer, request, *rows, asked);
+  Exit exit = write(*answer, request, *rows, asked);
   if (exit == Exit::usage) return exit;
+  exit = exit_of_answer(classified->loaded, exit);
   return budget.is_spent() && !classified->classification.is_cut_off ? Exit::timed_out : exit_of(*classified, exit);
 }
 
@@ -329,6 +334,7 @@ void add_query(CLI::App& program, Choice& choice) {
       ->type_name(format_choices);
   command->add_flag("--asserted", request->only_asserted, "ask over what the files say alone");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_number(*command, "--rows", request->most_rows, 1, 10'000'000, "most rows to write; 100000 where it is not given");
   add_number(*command, "--query-steps", request->most_steps, 1, 4'000'000'000,
              "most triples that the query looks at; 50000000 where it is not given");
@@ -353,6 +359,8 @@ void add_query(CLI::App& program, Choice& choice) {
       "of the search, which takes at most three quarters of --time-limit: the answer uses what is decided by\n"
       "then. The limit of --rows: the first rows are written. A limit of the query (--query-steps, --graph-limit,\n"
       "--time-limit, or 300 s of processor time without --time-limit): there is no answer.\n"
+      "A file of a folder that cannot be read is left out and named, and the answer is that of the others; where it\n"
+      "is no, or there are no rows, the exit status is 2.\n"
       "\nExamples:\n"
       "  geminga-ontology query team/ 'SELECT ?class WHERE { ?class rdfs:subClassOf soccer:BallInfo }'\n"
       "  geminga-ontology query team/ 'SELECT ?x WHERE { ?x a [ owl:complementOf soccer:BallInfo ] }'\n"

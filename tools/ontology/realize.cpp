@@ -11,6 +11,7 @@
 #include "ontology/individuals/realized_forms.hpp"
 #include "ontology/loading/argument.hpp"
 #include "ontology/loading/consistency.hpp"
+#include "ontology/loading/refused.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -22,6 +23,7 @@ struct RealizeRequest {
   bool with_facts = false;
   bool as_json = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 bool write_json(const RealizedForms& forms, const RealizeRequest& request, const std::optional<std::string>& open,
@@ -47,8 +49,10 @@ Exit say_contradiction(bool as_json) {
 
 Exit realize(const RealizeRequest& request, const WorkLimits& limits) {
   base::Budget classifying = budget_of(first_half(limits));
-  auto classified = classify_or_say(
-      request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &classifying});
+  auto classified = classify_or_say(request.files, {.as_json = request.as_json,
+                                                    .leaves_out_refused = !request.is_strict,
+                                                    .is_lenient = request.is_lenient,
+                                                    .budget = &classifying});
   if (!classified) return Exit::usage;
   if (!classified->classification.is_consistent) return say_contradiction(request.as_json);
   base::Budget budget = budget_of(limits);
@@ -65,7 +69,8 @@ Exit realize(const RealizeRequest& request, const WorkLimits& limits) {
   if (!is_written || !print("")) return say_unwritten();
   say_unresolved(classified->loaded);
   if (open) say_error("what is printed follows, and more may: " + *open);
-  return budget.is_spent() || classified->classification.is_cut_off ? Exit::timed_out : Exit::yes;
+  if (budget.is_spent() || classified->classification.is_cut_off) return Exit::timed_out;
+  return exit_of_list(classified->loaded, Exit::yes);
 }
 
 }  // namespace
@@ -83,6 +88,7 @@ void add_realize(CLI::App& program, Choice& choice) {
                     "print the facts that hold between individuals, and their values, instead (with --json: too)");
   command->add_flag("--json", request->as_json, "print one JSON document")->excludes(closure);
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
       std::string(
@@ -95,7 +101,7 @@ void add_realize(CLI::App& program, Choice& choice) {
           "not decided. Exit status: 0 done; 1 the ontology contradicts itself, so that everything follows and nothing "
           "is\n"
           "printed; 2 a file cannot be loaded; 4 a limit was reached.\n") +
-      consistency_of_json +
+      consistency_of_json + refused_of_list +
       "\nExamples:\n  geminga-ontology realize team/\n"
       "  geminga-ontology realize team/ --closure --time-limit 10\n"
       "  geminga-ontology realize team/ --facts");

@@ -16,6 +16,7 @@
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "ontology/loading/consistency.hpp"
+#include "ontology/loading/refused.hpp"
 #include "ontology/repair/loss.hpp"
 #include "ontology/repair/repairs.hpp"
 #include "reasoning/explanation/unsatisfiable.hpp"
@@ -42,6 +43,7 @@ struct RepairRequest {
   unsigned limit = default_choices;
   bool as_json = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 /// The subsumptions that are to follow no more, which have one super.
@@ -286,8 +288,10 @@ std::string as_json(const compiled::Ontology& ontology, const reasoner::Answer& 
 
 Exit repair(const RepairRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  auto classified =
-      classify_or_say(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
+  auto classified = classify_or_say(request.files, {.as_json = request.as_json,
+                                                    .leaves_out_refused = !request.is_strict,
+                                                    .is_lenient = request.is_lenient,
+                                                    .budget = &budget});
   const auto ontology = classified ? compile_or_say(*classified) : std::nullopt;
   if (!ontology) return Exit::usage;
   std::optional<Subsumption> asked;
@@ -305,7 +309,8 @@ Exit repair(const RepairRequest& request, const WorkLimits& limits) {
   if (!problem) {
     const char* const words = asked ? "It does not follow, and there is nothing to take out.\n"
                                     : "No class is known to have no instance: there is nothing to take out.\n";
-    return exit_of(*classified, print_or_say(request.as_json ? json(std::nullopt, {}) : words, Exit::no));
+    const Exit exit = print_or_say(request.as_json ? json(std::nullopt, {}) : words, Exit::no);
+    return exit_of(*classified, exit_of_answer(classified->loaded, exit));
   }
   Progress progress(!request.as_json);
   progress.show("looking for repairs");
@@ -335,6 +340,7 @@ void add_repair(CLI::App& program, Choice& choice) {
              "at most this many choices a group (default: " + std::to_string(default_choices) + ")");
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
       std::string(
@@ -347,7 +353,7 @@ void add_repair(CLI::App& program, Choice& choice) {
           "files state is named at its first place only.\n"
           "Exit status: 0 there are choices, 1 there is nothing to take out, 2 that cannot be decided, or a file\n"
           "cannot be loaded, 4 a limit was reached, and what is printed may not be enough.\n") +
-      consistency_of_json +
+      consistency_of_json + refused_of_answer +
       "\nExamples:\n"
       "  geminga-ontology repair team/\n"
       "  geminga-ontology repair team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --limit 10");

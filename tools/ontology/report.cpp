@@ -13,6 +13,7 @@
 #include "ontology/findings/axioms.hpp"
 #include "ontology/lint/rules.hpp"
 #include "ontology/loading/classified_files.hpp"
+#include "ontology/loading/refused.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -24,6 +25,7 @@ struct ReportRequest {
   std::string fail_on = "error";
   bool lists_rules = false;
   bool is_lenient = false;
+  bool is_strict = false;
   bool as_json = false;
 };
 
@@ -76,6 +78,7 @@ Exit lint(const ReportRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   const auto classified = classify_or_say(request.files, {.as_json = request.as_json,
                                                           .annotations = KeptAnnotations::all,
+                                                          .leaves_out_refused = !request.is_strict,
                                                           .is_lenient = request.is_lenient,
                                                           .budget = &budget});
   if (!classified) return Exit::usage;
@@ -93,7 +96,7 @@ Exit lint(const ReportRequest& request, const WorkLimits& limits) {
       failing && std::ranges::any_of(findings, [&](const LintFinding& one) { return one.rule->level <= *failing; });
   const Exit exit =
       print_or_say(request.as_json ? report_as_json(findings) : report_as_text(findings), fails ? Exit::no : Exit::yes);
-  return exit == Exit::usage ? exit : exit_of(*classified, exit);
+  return exit == Exit::usage ? exit : exit_of(*classified, exit_of_list(classified->loaded, exit));
 }
 
 }  // namespace
@@ -112,6 +115,7 @@ void add_report(CLI::App& program, Choice& choice) {
   command->add_option("--ignore", request->ignored, "a rule to leave out; may be given many times")->type_name("CODE");
   command->add_flag("--rules", request->lists_rules, "print the rules with their levels, and look at nothing");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_work_limits(*command, choice.limits);
   command->footer(
@@ -119,6 +123,7 @@ void add_report(CLI::App& program, Choice& choice) {
       "that\n"
       "were not given are left alone. `check` says more about errors: why a class can have no instance, what was left "
       "out.\n"
+      "A file of a folder that cannot be read is left out and named, and the exit status is 1.\n"
       "Exit status: 0 nothing at the level of --fail-on or above, 1 something, 2 a file cannot be loaded, 4 a limit "
       "was\n"
       "reached.\n"

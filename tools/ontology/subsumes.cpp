@@ -9,6 +9,7 @@
 #include "ontology/commands.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "ontology/loading/refused.hpp"
 #include "ontology/verdict.hpp"
 #include "reasoning/compiled/entity_names.hpp"
 #include "reasoning/owl/print.hpp"
@@ -24,6 +25,7 @@ struct SubsumesRequest {
   std::string super;
   bool as_json = false;
   bool is_lenient = false;
+  bool is_strict = false;
 };
 
 /// Reads a class expression, of which a name is the simplest; nothing after saying what is wrong.
@@ -83,8 +85,10 @@ Exit exit_of(const reasoner::Answer& answer, const base::Budget& budget) {
 
 Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
-  auto classified =
-      classify_or_say(request.files, {.as_json = request.as_json, .is_lenient = request.is_lenient, .budget = &budget});
+  auto classified = classify_or_say(request.files, {.as_json = request.as_json,
+                                                    .leaves_out_refused = !request.is_strict,
+                                                    .is_lenient = request.is_lenient,
+                                                    .budget = &budget});
   if (!classified) return Exit::usage;
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
@@ -92,7 +96,9 @@ Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   const auto sub = read_or_say(*ontology, names, request.sub, request.as_json);
   const auto super = sub ? read_or_say(*ontology, names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;
-  const reasoner::Answer answer = decide(*classified, *ontology, *sub, *super, budget);
+  reasoner::Answer answer = decide(*classified, *ontology, *sub, *super, budget);
+  const auto refused = describe_refused(classified->loaded);
+  if (answer.verdict == reasoner::Verdict::no && refused) answer = {reasoner::Verdict::unknown, *refused};
   const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;
   if (request.as_json)
     return print_or_say(as_json(words(*ontology, *sub), words(*ontology, *super), answer), exit_of(answer, budget));
@@ -117,8 +123,10 @@ void add_subsumes(CLI::App& program, Choice& choice) {
       ->type_name("B");
   command->add_flag("--json", request->as_json, "print one JSON document");
   add_lenient(*command, request->is_lenient);
+  add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
+      "\nA file of a folder that cannot be read is left out and named; then only yes can be decided.\n"
       "\nExamples:\n"
       "  geminga-ontology subsumes team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology subsumes team/ --sub soccer:SharedBallInfo --super 'soccer:BallInfo or soccer:GoalInfo'");

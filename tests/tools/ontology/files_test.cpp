@@ -80,7 +80,10 @@ TEST(Names, ThatSeveralClassesHaveAreRefusedWithAllOfThem) {
 /// A folder of two good files and one with an entity that nothing declares.
 void write_broken_team(const Program& program) {
   std::filesystem::create_directories(program.folder() / "team");
-  program.turtle("team/a.ttl", ":A a owl:Class ; rdfs:subClassOf :B .");
+  program.turtle("team/a.ttl", ":A a owl:Class ; rdfs:subClassOf :B . :x a :A .");
+  program.turtle("yes.ttl", ":A rdfs:subClassOf :C .");
+  program.turtle("no.ttl", ":C rdfs:subClassOf :A .");
+  program.turtle("all.ttl", ":A a owl:Class ; rdfs:subClassOf :B . :x a :A . :B rdfs:subClassOf :C .");
   program.turtle("team/c.ttl", ":B a owl:Class ; rdfs:subClassOf :C . :C a owl:Class .");
   program.write("team/b.owl",
                 "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
@@ -102,13 +105,78 @@ TEST(Folders, LoseABrokenFileAndNothingElse) {
               HasSubstr("\"refused\":[{\"file\":\"team/b.owl\",\"line\":2,"));
 }
 
+/// A command that only reads, its exit status and a part of its output where a file of the folder is broken.
+struct Tolerant {
+  std::vector<std::string> command;
+  int status;
+  std::string out;
+};
+
+std::vector<Tolerant> tolerant_commands() {
+  return {
+      {{"classify", "team"}, 1, "e:A\n"},
+      {{"check", "team"}, 1, "3 classes"},
+      {{"realize", "team"}, 1, "e:x: e:A\n"},
+      {{"draw", "team", "--format", "dot"}, 1, "e:A"},
+      {{"report", "team", "--fail-on", "none"}, 1, ""},
+      {{"consistent", "team"}, 2, ""},
+      {{"consistent", "team", "--json"}, 2, "{\"consistent\":null,\"reason\":\"a file cannot be read: team/b.owl:2"},
+      {{"instances", "team", "C"}, 0, "e:x\n"},
+      {{"instances", "team", "not C"}, 2, ""},
+      {{"query", "team", "SELECT ?x { ?x a :C }"}, 0, "e:x\n"},
+      {{"query", "team", "ASK { :A rdfs:subClassOf :C }"}, 0, "yes\n"},
+      {{"query", "team", "ASK { :C rdfs:subClassOf :A }"}, 2, "no\n"},
+      {{"subsumes", "team", "--sub", "A", "--super", "C"}, 0, "is subsumed by"},
+      {{"subsumes", "team", "--sub", "C", "--super", "A"}, 1, "is not known to be subsumed by"},
+      {{"explain", "team", "--sub", "A", "--super", "C"}, 0, "because"},
+      {{"explain", "team", "--sub", "C", "--super", "A"}, 1, "is not known to be subsumed by"},
+      {{"explain", "team", "--inconsistent"}, 1, "is not known to contradict itself: a file cannot be read"},
+      {{"repair", "team"}, 2, "nothing to take out"},
+      {{"repair", "team", "--sub", "A", "--super", "C"}, 0, "SubClassOf"},
+      {{"entails", "team", "yes.ttl"}, 0, "The axiom follows"},
+      {{"entails", "team", "no.ttl"}, 2, "is not decided"},
+      {{"entails", "yes.ttl", "team"}, 1, "does not follow"},
+      {{"entails", "all.ttl", "team"}, 2, "follows: "}};
+}
+
+TEST(Folders, LoseABrokenFileInEveryCommandThatOnlyReads) {
+  const Program program;
+  write_broken_team(program);
+  for (const Tolerant& one : tolerant_commands()) {
+    const Outcome outcome = program.run(one.command);
+    const std::string name = testing::PrintToString(one.command);
+    EXPECT_EQ(outcome.status, one.status) << name << outcome.out << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(one.out)) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("left out: team/b.owl:2: Entity 'nothing' not defined")) << name;
+  }
+  program.turtle("team/d.ttl", ":x a owl:Nothing .");
+  EXPECT_EQ(program.run({"consistent", "team"}).status, 1) << "no other file can undo a contradiction";
+}
+
+TEST(Folders, AreRefusedWithABrokenFileByCommandsThatWriteOrCompare) {
+  const Program program;
+  write_broken_team(program);
+  const std::vector<std::string> commands[] = {
+      {"compile", "team", "-o", "out.geminga"},  {"infer", "team", "-o", "out.ttl"}, {"merge", "team", "-o", "out.ttl"},
+      {"extract", "team", "A", "-o", "out.ttl"}, {"diff", "team", "yes.ttl"},        {"align", "team", "yes.ttl"},
+      {"id", "A", "--ontology", "team"}};
+  for (const std::vector<std::string>& command : commands) {
+    const Outcome outcome = program.run(command);
+    EXPECT_EQ(outcome.status, 2) << command.front();
+    EXPECT_THAT(outcome.err, HasSubstr("team/b.owl:2: ")) << command.front();
+    EXPECT_THAT(outcome.out, IsEmpty()) << command.front();
+  }
+}
+
 TEST(Folders, AreRefusedWithABrokenFileWhereThatIsAskedFor) {
   const Program program;
   write_broken_team(program);
-  for (const char* command : {"classify", "check"}) {
-    const Outcome outcome = program.run({command, "team", "--strict"});
+  for (Tolerant& one : tolerant_commands()) {
+    one.command.emplace_back("--strict");
+    const Outcome outcome = program.run(one.command);
+    const std::string& command = one.command.front();
     EXPECT_EQ(outcome.status, 2) << command;
-    EXPECT_THAT(outcome.out, IsEmpty()) << command;
+    EXPECT_THAT(outcome.out, testing::AnyOf(IsEmpty(), HasSubstr("{\"error\":"))) << command;
     EXPECT_THAT(outcome.err, HasSubstr("team/b.owl:2: ")) << command;
   }
   EXPECT_EQ(program.run({"classify", "team/b.owl"}).status, 2) << "named itself";

@@ -18,8 +18,11 @@ std::string resolved(const std::string& path) {
   return error ? path : found.string();
 }
 
-std::expected<std::set<std::string>, LoadFailure> files_of(const std::string& argument) {
-  const auto paths = syntax::list_files(std::vector{argument}, {});
+/// Those that cannot be listed are told by load().
+std::expected<std::set<std::string>, LoadFailure> files_of(const std::string& argument, const LoadOptions& options) {
+  std::vector<syntax::LoadError> left_out;
+  const auto paths =
+      syntax::list_files(std::vector{argument}, {}, {}, options.leaves_out_refused ? &left_out : nullptr);
   if (!paths) return std::unexpected(LoadFailure{syntax::to_string(paths.error()), paths.error().is_unreadable});
   std::set<std::string> files;
   for (const std::string& path : paths->files) files.insert(resolved(path));
@@ -50,9 +53,9 @@ void say_unresolved(const rdf::Loaded& loaded) {
 
 std::expected<Argument, LoadFailure> load_argument(const std::string& premise, const std::string& conclusion,
                                                    Progress& progress, const LoadOptions& options) {
-  const auto premise_files = files_of(premise);
+  const auto premise_files = files_of(premise, options);
   if (!premise_files) return std::unexpected(premise_files.error());
-  const auto conclusion_files = files_of(conclusion);
+  const auto conclusion_files = files_of(conclusion, options);
   if (!conclusion_files) return std::unexpected(conclusion_files.error());
   auto loaded = load({premise, conclusion}, progress, options);
   if (!loaded) return std::unexpected(std::move(loaded.error()));
@@ -74,6 +77,12 @@ std::expected<Argument, LoadFailure> load_argument(const std::string& premise, c
   }
   argument.unread_premise = find_unread(source, in_premise, false);
   argument.unread_conclusion = find_unread(source, in_conclusion, true);
+  for (const syntax::LoadError& refused : argument.loaded.refused) {
+    const std::string why = "a file cannot be read: " + syntax::to_string(refused);
+    const std::string file = resolved(refused.file);
+    if (!conclusion_files->contains(file) || premise_files->contains(file)) argument.unread_premise = why;
+    if (!premise_files->contains(file) || conclusion_files->contains(file)) argument.unread_conclusion = why;
+  }
   return argument;
 }
 

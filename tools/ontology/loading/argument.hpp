@@ -19,8 +19,8 @@ struct Argument {
   std::vector<std::uint32_t> premise;     ///< axioms
   std::vector<std::uint32_t> conclusion;  ///< axioms
   std::vector<std::size_t> ill_typed;     ///< axioms of the premise that hold an ill-typed literal
-  /// The first axiom that was read and not understood, in one line; nothing: all were understood. Ill-typed literals
-  /// count for the conclusion only.
+  /// An axiom that was read and not understood, or a file that was left out, in one line; nothing: there is none.
+  /// Ill-typed literals count for the conclusion only.
   std::optional<std::string> unread_premise;
   std::optional<std::string> unread_conclusion;
 };

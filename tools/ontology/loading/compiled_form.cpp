@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "ontology/command/words.hpp"
+#include "ontology/loading/consistency.hpp"
+#include "ontology/loading/refused.hpp"
 #include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/container.hpp"
 
@@ -37,14 +40,20 @@ std::expected<compiled::Ontology, compiled::CompiledError> open_compiled(const s
   return ontology;
 }
 
-std::optional<compiled::Ontology> open_or_say(const std::vector<std::string>& files, const LoadOptions& options) {
+std::optional<Opened> open_or_say(const std::vector<std::string>& files, const LoadOptions& options) {
   if (!is_compiled(files)) {
-    const auto classified = classify_or_say(files, options);
-    return classified ? compile_or_say(*classified) : std::nullopt;
+    auto classified = classify_or_say(files, options);
+    auto compiled = classified ? compile_or_say(*classified) : std::nullopt;
+    if (!compiled) return std::nullopt;
+    auto refused = describe_refused(classified->loaded);
+    return Opened{std::move(*compiled), consistency_of(*classified, options.budget), std::move(refused)};
   }
   auto ontology = open_compiled(files.front());
   const auto stale = ontology ? ontology->stale_source() : std::nullopt;
-  if (ontology && !stale) return std::move(*ontology);
+  if (ontology && !stale) {
+    reasoner::Answer consistency = consistency_of(*ontology);
+    return Opened{std::move(*ontology), std::move(consistency), {}};
+  }
   say_failure(ontology ? files.front() + ": " + *stale : ontology.error().text, options.as_json);
   return std::nullopt;
 }

@@ -20,10 +20,15 @@ namespace geminga::ontology {
 /// Opens that file and verifies all of it.
 [[nodiscard]] std::expected<compiled::Ontology, compiled::CompiledError> open_compiled(const std::string& file);
 
+/// An ontology to explain, and what is not known of the files that it was made of.
+struct Opened {
+  compiled::Ontology ontology;
+  reasoner::Answer consistency;        ///< of consistency_of()
+  std::optional<std::string> refused;  ///< of describe_refused()
+};
 /// Opens a single compiled file whose sources are unchanged, or compiles the files in memory; nothing after saying what
 /// is wrong.
-[[nodiscard]] std::optional<compiled::Ontology> open_or_say(const std::vector<std::string>& files,
-                                                            const LoadOptions& options = {});
+[[nodiscard]] std::optional<Opened> open_or_say(const std::vector<std::string>& files, const LoadOptions& options = {});
 
 }  // namespace geminga::ontology
 

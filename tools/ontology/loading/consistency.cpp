@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ontology/loading/argument.hpp"
+#include "ontology/loading/refused.hpp"
 #include "reasoning/owl/left_out.hpp"
 #include "reasoning/reasoner/ill_typed.hpp"
 
@@ -16,8 +17,7 @@ Answer consistency_of(rdf::Loaded& loaded, Answer of_axioms, base::Budget* budge
   Answer answer = reasoner::consistency_of_repairs(loaded.source, std::move(of_axioms), budget);
   if (answer.verdict != Verdict::yes) return answer;
   if (auto unread = find_unread(loaded.source, {}, false)) return {Verdict::unknown, std::move(*unread)};
-  if (!loaded.refused.empty())
-    return {Verdict::unknown, "a file cannot be read: " + syntax::to_string(loaded.refused.front())};
+  if (auto refused = describe_refused(loaded)) return {Verdict::unknown, std::move(*refused)};
   return answer;
 }
 
