@@ -72,9 +72,12 @@ Exit infer(const InferRequest& request, const WorkLimits& limits) {
   auto classified = classify_files(std::move(*loaded), 0, progress, {.budget = &classifying});
   if (!classified) return say_error(classified.error().text);
   base::Budget budget = budget_of(limits);
-  const auto realization = realize_files(*classified, budget, progress, request.with_facts);
+  const auto realization = realize_files(*classified, budget, progress,
+                                         request.with_facts ? std::optional(graph_limits.octets) : std::nullopt);
   progress.clear();
   if (!realization.is_consistent) return say_error(contradiction_words, Exit::no);
+  if (realization.has_too_many_facts)
+    return say_error(graph::too_many_octets(graph_limits.octets, "--facts"), Exit::timed_out);
   say_open(*classified, realization);
   progress.show("collecting what follows");
   const auto fail = [&](std::string_view text, Exit status) {

@@ -234,12 +234,14 @@ Exit fill(const std::vector<std::string>& files, const QueryRequest& request, co
     auto learned = classify_files(std::move(*loaded), 0, progress, {.budget = &classifying});
     if (!learned) return say_failure(learned.error().text, request.as_json);
     classified.emplace(std::move(*learned));
-    const auto realization = realize_files(*classified, budget, progress, true);
+    const auto realization = realize_files(*classified, budget, progress, graph_octets(limits));
     if (!realization.is_consistent)
       return say_failure(
           "the ontology contradicts itself, so that everything follows from it: ask --asserted only, or "
           "see geminga-ontology check",
           request.as_json, Exit::no);
+    if (realization.has_too_many_facts)
+      return say_failure(graph::too_many_octets(graph_octets(limits)), request.as_json, Exit::timed_out);
     base::Budget writing(WorkLimits::default_steps);
     progress.show("collecting what follows");
     const auto problem = add_inferred(*classified, realization, true, writing, asked.graph);

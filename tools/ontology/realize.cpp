@@ -12,6 +12,7 @@
 #include "ontology/loading/argument.hpp"
 #include "ontology/loading/consistency.hpp"
 #include "ontology/loading/refused.hpp"
+#include "reasoning/syntax/graph/limits.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -26,14 +27,16 @@ struct RealizeRequest {
   bool is_strict = false;
 };
 
-bool write_json(const RealizedForms& forms, const RealizeRequest& request, const std::optional<std::string>& open,
+bool write_json(const RealizedForms& forms, bool with_facts, const std::optional<std::string>& open,
                 const reasoner::Answer& consistency) {
   boost::json::object document;
   put_consistency(consistency, document);
-  boost::json::object realized = forms.json(request.with_facts);
-  for (auto& member : realized) document[member.key()] = std::move(member.value());
+  document["things"] = forms.json_things();
   if (open) document["undecided"] = *open;
-  return print_more(json_text(document) + '\n');
+  std::string text = json_text(document);
+  if (!with_facts) return print_more(text + '\n');
+  text.pop_back();  // the brace, before which the facts stand
+  return print_more(text + ",\"facts\":") && forms.write_json_facts(print_more) && print_more("}\n");
 }
 
 bool write(const RealizedForms& forms, const RealizeRequest& request) {
@@ -57,15 +60,20 @@ Exit realize(const RealizeRequest& request, const WorkLimits& limits) {
   if (!classified->classification.is_consistent) return say_contradiction(request.as_json);
   base::Budget budget = budget_of(limits);
   Progress progress(!request.as_json);
-  const auto found = realize_files(*classified, budget, progress, request.with_facts);
+  const std::size_t most_octets = graph_octets(limits);
+  const auto found =
+      realize_files(*classified, budget, progress, request.with_facts ? std::optional(most_octets) : std::nullopt);
   if (!found.is_consistent) return say_contradiction(request.as_json);
+  if (found.has_too_many_facts)
+    return say_failure(graph::too_many_octets(most_octets, "--facts"), request.as_json, Exit::timed_out);
   if (!found.is_consistency_open) note_model(classified->classification);
   const owl::Ontology& source = classified->loaded.source;
   auto open = describe_open(source, undecided_individuals(found), found.gaps);
   if (const auto classes = describe_undecided(*classified)) open = open ? *open + "; " + *classes : *classes;
   const RealizedForms forms(*classified, found, request.all);
-  const bool is_written =
-      request.as_json ? write_json(forms, request, open, consistency_of(*classified, &budget)) : write(forms, request);
+  const bool is_written = request.as_json
+                              ? write_json(forms, request.with_facts, open, consistency_of(*classified, &budget))
+                              : write(forms, request);
   if (!is_written || !print("")) return say_unwritten();
   say_unresolved(classified->loaded);
   if (open) say_error("what is printed follows, and more may: " + *open);
@@ -89,6 +97,8 @@ void add_realize(CLI::App& program, Choice& choice) {
   command->add_flag("--json", request->as_json, "print one JSON document")->excludes(closure);
   add_lenient(*command, request->is_lenient);
   add_strict(*command, request->is_strict);
+  add_memory_limit(*command, choice);
+  add_graph_limit(*command, choice.limits);
   add_work_limits(*command, choice.limits);
   command->footer(
       std::string(
@@ -98,7 +108,10 @@ void add_realize(CLI::App& program, Choice& choice) {
           "are\n"
           "not printed. What is printed follows; where more may follow, standard error says why and which individuals "
           "are\n"
-          "not decided. Exit status: 0 done; 1 the ontology contradicts itself, so that everything follows and nothing "
+          "not decided. Nothing is printed where the facts take more than --graph-limit: individuals that are the same "
+          "have\n"
+          "each other's facts. Exit status: 0 done; 1 the ontology contradicts itself, so that everything follows and "
+          "nothing "
           "is\n"
           "printed; 2 a file cannot be loaded; 4 a limit was reached.\n") +
       consistency_of_json + refused_of_list +

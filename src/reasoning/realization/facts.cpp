@@ -13,6 +13,46 @@ using hypertableau::FactModel;
 using hypertableau::Individuals;
 using hypertableau::NodeId;
 
+namespace {
+
+/// Repeats are kept up to so many times the limit, because a fact in this list takes few of the octets that it is
+/// counted with.
+constexpr std::size_t repeats = 4;
+
+}  // namespace
+
+std::size_t FactList::octets_of(const Fact& fact) const {
+  const auto text = [&](owl::TermId id) {
+    return hypertableau::FactModel::is_made(id) ? 0 : source_.name_of(id).size();
+  };
+  return fact_octets + text(fact.subject) + text(fact.property) + text(fact.object);
+}
+
+void FactList::drop_repeats() {
+  base::sort_unique(facts_);
+  added_octets_ = 0;
+  std::size_t octets = 0;
+  for (const Fact& fact : facts_) {
+    octets += octets_of(fact);
+    if (octets <= most_octets_) continue;
+    is_full_ = true;
+    facts_ = {};
+    return;
+  }
+}
+
+void FactList::add(const Fact& fact) {
+  if (is_full_) return;
+  facts_.push_back(fact);
+  added_octets_ += octets_of(fact);
+  if (added_octets_ / repeats > most_octets_) drop_repeats();
+}
+
+std::vector<Fact> FactList::take() {
+  if (!is_full_) drop_repeats();
+  return std::move(facts_);
+}
+
 FactNames::FactNames(const owl::Ontology& source, const clauses::ClauseSet& set, const std::vector<Row>& rows)
     : source_(source), set_(set), links_(source, set) {
   for (const Row& row : rows) rows_.emplace(row.certain, &row);
@@ -23,16 +63,16 @@ const Row* FactNames::row_of(NodeId node) const {
   return found == rows_.end() ? nullptr : found->second;
 }
 
-std::vector<Fact> FactNames::write(const Individuals& individuals, const CertainFacts& certain, base::Budget* budget,
-                                   Gaps& gaps) const {
-  std::vector<Fact> facts;
+void FactNames::write(const Individuals& individuals, const CertainFacts& certain, base::Budget* budget,
+                      FactList& facts, Gaps& gaps) const {
   const auto term = [&](clauses::IndividualId name) { return set_.individuals[number(name)]; };
   const UseLink use = [&](owl::TermId property, NodeId from, NodeId to) {
     const Row* const subject = row_of(from);
     const Row* const object = row_of(to);
     if (subject == nullptr || object == nullptr) return;
     for (const clauses::IndividualId first : subject->names) {
-      for (const clauses::IndividualId second : object->names) facts.push_back({term(first), property, term(second)});
+      if (facts.is_full()) return;
+      for (const clauses::IndividualId second : object->names) facts.add({term(first), property, term(second)});
     }
   };
   for (const Individuals::Link& link : certain.links) links_.name(link, use);
@@ -44,10 +84,8 @@ std::vector<Fact> FactNames::write(const Individuals& individuals, const Certain
     if (subject == nullptr) continue;
     const owl::TermId property = set_.data_properties[number(value.property)];
     if (source_.name_of(property) == owl::owl_top_data_property) continue;
-    for (const clauses::IndividualId name : subject->names) facts.push_back({term(name), property, value.literal});
+    for (const clauses::IndividualId name : subject->names) facts.add({term(name), property, value.literal});
   }
-  base::sort_unique(facts);
-  return facts;
 }
 
 namespace {

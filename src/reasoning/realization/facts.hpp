@@ -2,8 +2,10 @@
 #ifndef GEMINGA_REASONING_REALIZATION_FACTS_HPP
 #define GEMINGA_REASONING_REALIZATION_FACTS_HPP
 
+#include <cstddef>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "reasoning/dl/hypertableau/fact_model.hpp"
@@ -18,15 +20,38 @@ struct CertainFacts {
   std::vector<hypertableau::FactModel::Value> values;
 };
 
+/// Facts, each once, up to a limit of octets.
+class FactList {
+ public:
+  /// Begins with facts that are within the limit. Borrows the source.
+  FactList(const owl::Ontology& source, std::size_t most_octets, std::vector<Fact> facts = {})
+      : source_(source), most_octets_(most_octets), facts_(std::move(facts)) {}
+
+  void add(const Fact& fact);
+  /// Whether more than the limit was added. Then nothing is kept, and nothing more is taken.
+  [[nodiscard]] bool is_full() const { return is_full_; }
+  /// The facts, ascending and each once; nothing where the list is full.
+  [[nodiscard]] std::vector<Fact> take();
+
+ private:
+  [[nodiscard]] std::size_t octets_of(const Fact& fact) const;
+  void drop_repeats();
+
+  const owl::Ontology& source_;
+  std::size_t most_octets_;
+  std::vector<Fact> facts_;
+  std::size_t added_octets_ = 0;  ///< with repeats, since they were dropped
+  bool is_full_ = false;
+};
+
 /// Facts between nodes, of which those between rows count.
 class FactNames {
  public:
   FactNames(const owl::Ontology& source, const clauses::ClauseSet& set, const std::vector<Row>& rows);
 
-  /// Writes the facts of every name of a row, ascending and each once, with the literals of `certain`. Notes in `gaps`
-  /// what may be missing.
-  [[nodiscard]] std::vector<Fact> write(const hypertableau::Individuals& individuals, const CertainFacts& certain,
-                                        base::Budget* budget, Gaps& gaps) const;
+  /// Writes the facts of every name of a row with the literals of `certain`. Notes in `gaps` what may be missing.
+  void write(const hypertableau::Individuals& individuals, const CertainFacts& certain, base::Budget* budget,
+             FactList& facts, Gaps& gaps) const;
 
  private:
   [[nodiscard]] const Row* row_of(hypertableau::NodeId node) const;

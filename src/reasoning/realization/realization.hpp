@@ -7,8 +7,10 @@
 #ifndef GEMINGA_REASONING_REALIZATION_REALIZATION_HPP
 #define GEMINGA_REASONING_REALIZATION_REALIZATION_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,12 +21,18 @@
 
 namespace geminga::realization {
 
+/// The octets of a fact that is kept and written, without its texts.
+inline constexpr std::size_t fact_octets = 200;
+
 struct Options {
   /// Pays for the work. When it is spent, the result is what is certain by then. Null: only the limits of each question
   /// hold. Borrowed.
   base::Budget* budget = nullptr;
   /// Whether the facts are wanted, too.
   bool with_facts = false;
+  /// The most octets of facts: fact_octets and the texts for each. A thing with n names has n * n facts for a link to
+  /// itself.
+  std::size_t most_fact_octets = std::numeric_limits<std::size_t>::max();
   /// Called from time to time with what is being done and how far it is, in [0, 1].
   std::function<void(std::string_view phase, double done)> progress{};
 };
@@ -49,6 +57,8 @@ struct Realization {
   /// Representatives of the classification, ascending, without owl:Thing's; with a class all classes above it.
   std::vector<std::vector<taxonomy::ClassNumber>> type_sets;
   std::vector<Fact> facts;  ///< ascending by terms, each once; where they are wanted
+  /// There are more facts than the limit of octets allows, and `facts` is empty.
+  bool has_too_many_facts = false;
   /// Why something may be missing, one line each: sorted, each once. Empty: nothing is.
   std::vector<std::string> gaps;
   /// Individuals that may have more types or be the same as others, ascending. Empty if there is no gap.

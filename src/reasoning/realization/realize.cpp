@@ -154,6 +154,7 @@ class Realizing {
     std::size_t questions = 0;
     std::size_t undecided = 0;
     for (const UncertainFact& fact : open_facts_) {
+      if (result_.has_too_many_facts) return;
       const owl::TermId subject = set_.individuals[number(fact.subject)];
       const owl::TermId object = fact.object ? set_.individuals[number(*fact.object)] : fact.literal;
       if (std::ranges::binary_search(result_.facts, Fact{subject, fact.property, object})) continue;
@@ -177,14 +178,15 @@ class Realizing {
           rows_, [&](const Row& row) { return std::ranges::find(row.names, name) != row.names.end(); });
     };
     const Row& subject = *row_of(fact.subject);
+    FactList facts(source_, options_.most_fact_octets, std::move(result_.facts));
     for (const IndividualId first : subject.names) {
       const owl::TermId term = set_.individuals[number(first)];
-      if (!fact.object) result_.facts.push_back({term, fact.property, literal});
+      if (!fact.object) facts.add({term, fact.property, literal});
       if (!fact.object) continue;
       for (const IndividualId second : row_of(*fact.object)->names)
-        result_.facts.push_back({term, fact.property, set_.individuals[number(second)]});
+        facts.add({term, fact.property, set_.individuals[number(second)]});
     }
-    base::sort_unique(result_.facts);
+    take(facts);
   }
 
   void ask(OpenQuestions& open) {
@@ -264,7 +266,14 @@ class Realizing {
       }
       for (auto& value : certain_.values) move(value.subject);
     }
-    result_.facts = FactNames(source_, set_, rows).write(individuals, certain_, options_.budget, gaps_);
+    FactList facts(source_, options_.most_fact_octets);
+    FactNames(source_, set_, rows).write(individuals, certain_, options_.budget, facts, gaps_);
+    take(facts);
+  }
+
+  void take(FactList& facts) {
+    result_.facts = facts.take();
+    result_.has_too_many_facts = facts.is_full();
   }
 
   /// Adds the literals that were made, when no model of the source is left.

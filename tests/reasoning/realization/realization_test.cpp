@@ -156,6 +156,31 @@ TEST(Instances, OfAnExpressionThatNeedsCasesAreFound) {
   EXPECT_THAT(found.gaps, IsEmpty());
 }
 
+TEST(Facts, HaveALimitOfOctetsBeyondWhichThereAreNone) {
+  // A thing with four names, linked to itself by a property and its super-property: certainly, and by cases.
+  const std::string same = "SameIndividual(i:a i:b i:c i:d)\nSubObjectPropertyOf(r s)\n";
+  for (const std::string& text :
+       {same + "ObjectPropertyAssertion(r i:a i:a)\n",
+        same + "TransitiveObjectProperty(s)\nClassAssertion(ObjectUnionOf(ObjectHasValue(r i:b) ObjectHasValue(r i:a)) "
+               "i:a)\n"}) {
+    owl::Ontology source = written(text);
+    const Realization all = realized(source);
+    EXPECT_EQ(all.facts.size(), 32U) << text;
+    EXPECT_FALSE(all.has_too_many_facts);
+    std::size_t octets = 0;
+    for (const Fact& fact : all.facts) {
+      octets += fact_octets;
+      for (const owl::TermId part : {fact.subject, fact.property, fact.object}) octets += source.name_of(part).size();
+    }
+    for (const std::size_t limit : {octets - 1, octets, octets + 1}) {
+      owl::Ontology again = written(text);
+      const Realization found = realized(again, {.with_facts = true, .most_fact_octets = limit});
+      EXPECT_EQ(found.has_too_many_facts, limit < octets) << limit;
+      EXPECT_EQ(found.facts.size(), limit < octets ? 0U : 32U) << limit;
+    }
+  }
+}
+
 TEST(Instances, OfWhatOnlyExcludesAreRefuted) {
   // Each asks for the absence of something, which a model of the facts need not say of anybody.
   const auto undecided = [](std::string_view text, const std::function<owl::TermId(owl::Ontology&)>& expression) {

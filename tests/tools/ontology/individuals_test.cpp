@@ -64,6 +64,30 @@ TEST(Realize, PrintsFactsThatFollow) {
               HasSubstr(R"({"subject":"http://e/ball","property":"http://e/seenBy","object":"http://e/bob"})"));
 }
 
+TEST(Realize, QueryAndInferHaveOneLimitForFacts) {
+  const Program program;
+  std::string same = ":p a owl:ObjectProperty . :x0 :p :x0 .\n";
+  for (int at = 0; at < 200; ++at)
+    same += ":x" + std::to_string(at) + " owl:sameAs :x" + std::to_string(at + 1) + " .\n";
+  program.turtle("a.ttl", same);
+  const std::vector<std::string> commands[] = {{"realize", "a.ttl", "--facts"},
+                                               {"realize", "a.ttl", "--facts", "--json"},
+                                               {"realize", "a.ttl", "--facts", "--closure"},
+                                               {"infer", "a.ttl", "--facts", "-o", "out.nt"},
+                                               {"query", "a.ttl", "ASK { :x1 :p :x2 }"}};
+  for (std::vector<std::string> command : commands) {
+    command.insert(command.end(), {"--graph-limit", "1"});
+    const Outcome over = program.run(command);
+    EXPECT_EQ(over.status, 4) << command.front();
+    EXPECT_THAT(over.err, HasSubstr("the triples take more than 1 MiB in all: give fewer files"));
+    EXPECT_THAT(over.err, HasSubstr("or raise --graph-limit"));
+    EXPECT_THAT(over.out, testing::AnyOf(IsEmpty(), HasSubstr("{\"error\":"))) << command.front();
+    command.back() = "64";
+    EXPECT_EQ(program.run(command).status, 0) << command.front();
+  }
+  EXPECT_EQ(program.run({"realize", "a.ttl", "--graph-limit", "1"}).status, 0) << "no facts are asked for";
+}
+
 TEST(Individuals, AreNotAskedForWhereFilesContradictThemselves) {
   const Program program;
   program.turtle("a.ttl", ":A a owl:Class ; owl:disjointWith :B . :B a owl:Class . :x a :A, :B .");

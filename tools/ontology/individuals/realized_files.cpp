@@ -5,8 +5,9 @@
 
 namespace geminga::ontology {
 realization::Realization realize_files(ClassifiedFiles& classified, base::Budget& budget, Progress& progress,
-                                       bool with_facts) {
-  realization::Options options{.budget = &budget, .with_facts = with_facts};
+                                       std::optional<std::size_t> most_fact_octets) {
+  realization::Options options{.budget = &budget, .with_facts = most_fact_octets.has_value()};
+  options.most_fact_octets = most_fact_octets.value_or(options.most_fact_octets);
   options.progress = [&](std::string_view phase, double done) { progress.show(phase, done); };
   auto found = realization::realize(classified.loaded.source, classified.classification, options);
   progress.clear();

@@ -2,6 +2,7 @@
 #ifndef GEMINGA_ONTOLOGY_INDIVIDUALS_REALIZED_FILES_HPP
 #define GEMINGA_ONTOLOGY_INDIVIDUALS_REALIZED_FILES_HPP
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,9 +18,9 @@ inline constexpr std::string_view contradiction_words =
     "the ontology contradicts itself, so that everything follows from it: see geminga-ontology check";
 
 /// Realises classified files, which must be consistent as far as classification says. Shows on a terminal what it does.
-/// Adds the literals of facts to the files' source.
+/// Adds the literals of facts to the files' source. Facts are wanted if they may take `most_fact_octets`.
 [[nodiscard]] realization::Realization realize_files(ClassifiedFiles& classified, base::Budget& budget,
-                                                     Progress& progress, bool with_facts);
+                                                     Progress& progress, std::optional<std::size_t> most_fact_octets);
 
 /// The reasons why something may be missing, and the individuals that are not decided, in one line; nothing where
 /// everything is decided.

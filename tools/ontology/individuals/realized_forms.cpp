@@ -4,6 +4,7 @@
 #include <boost/json.hpp>
 
 #include "base/text.hpp"
+#include "ontology/command/words.hpp"
 #include "reasoning/owl/print.hpp"
 
 namespace geminga::ontology {
@@ -90,7 +91,7 @@ bool RealizedForms::write_fact_closure(const Sink& sink) const {
   return std::ranges::all_of(lines, [&](const std::string& line) { return sink(line); });
 }
 
-boost::json::object RealizedForms::json(bool with_facts) const {
+boost::json::array RealizedForms::json_things() const {
   boost::json::array things_array;
   for (const auto& names : things()) {
     boost::json::array subjects;
@@ -101,10 +102,12 @@ boost::json::object RealizedForms::json(bool with_facts) const {
     }
     things_array.push_back(boost::json::object{{"individuals", std::move(subjects)}, {"types", std::move(types)}});
   }
-  boost::json::object document{{"things", std::move(things_array)}};
-  if (!with_facts) return document;
+  return things_array;
+}
+
+bool RealizedForms::write_json_facts(const Sink& sink) const {
   const owl::Ontology& source = classified_.loaded.source;
-  boost::json::array facts;
+  std::string_view separator = "[";
   for (const realization::Fact& fact : realization_.facts) {
     boost::json::object entry{{"subject", iri(fact.subject)}, {"property", iri(fact.property)}};
     const owl::Term object = source.term(fact.object);
@@ -115,10 +118,10 @@ boost::json::object RealizedForms::json(bool with_facts) const {
     } else {
       entry["object"] = iri(fact.object);
     }
-    facts.push_back(std::move(entry));
+    if (!sink(std::string(separator) + json_text(entry))) return false;
+    separator = ",";
   }
-  document["facts"] = std::move(facts);
-  return document;
+  return sink(realization_.facts.empty() ? "[]" : "]");
 }
 
 }  // namespace geminga::ontology

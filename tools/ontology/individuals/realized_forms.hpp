@@ -2,7 +2,7 @@
 #ifndef GEMINGA_ONTOLOGY_INDIVIDUALS_REALIZED_FORMS_HPP
 #define GEMINGA_ONTOLOGY_INDIVIDUALS_REALIZED_FORMS_HPP
 
-#include <boost/json/object.hpp>
+#include <boost/json/array.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +26,10 @@ class RealizedForms {
   [[nodiscard]] bool write_facts(const Sink& sink) const;
   /// One SUBJECT<TAB>PROPERTY<TAB>OBJECT line for each fact, sorted. Literals are written as in functional syntax.
   [[nodiscard]] bool write_fact_closure(const Sink& sink) const;
-  /// The individuals, and the facts if they are wanted.
-  [[nodiscard]] boost::json::object json(bool with_facts) const;
+  /// The individuals that are the same, with their types.
+  [[nodiscard]] boost::json::array json_things() const;
+  /// The facts as a JSON array, piece by piece: they may be millions.
+  [[nodiscard]] bool write_json_facts(const Sink& sink) const;
 
  private:
   [[nodiscard]] std::vector<std::uint32_t> types_of(std::uint32_t individual, bool all) const;

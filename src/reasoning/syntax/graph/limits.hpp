@@ -3,11 +3,19 @@
 #define GEMINGA_REASONING_SYNTAX_GRAPH_LIMITS_HPP
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 namespace geminga::graph {
 
 /// The octets of a triple in memory, without its texts.
 inline constexpr std::size_t triple_octets = 200;
+
+/// The words for triples that take more than a limit of octets. `less` is what to leave away, such as "--closure".
+[[nodiscard]] inline std::string too_many_octets(std::size_t octets, std::string_view less = "--closure") {
+  return "the triples take more than " + std::to_string(octets >> 20U) +
+         " MiB in all: give fewer files, ask for less (without " + std::string(less) + "), or raise --graph-limit";
+}
 
 struct GraphLimits {
   std::size_t triples = 10'000'000;

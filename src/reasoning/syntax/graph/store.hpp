@@ -32,8 +32,7 @@ struct Graph::Store {
     is_over_limit = statements.size() >= limits.triples || octets > limits.octets;
     if (!is_over_limit) return true;
     problem = octets > limits.octets
-                  ? "the triples take more than " + std::to_string(limits.octets >> 20U) +
-                        " MiB in all: give fewer files, ask for less (without --closure), or raise --graph-limit"
+                  ? too_many_octets(limits.octets)
                   : "more than " + std::to_string(limits.triples) + " triples in all: give fewer files";
     return false;
   }
