@@ -116,6 +116,33 @@ TEST(LargeNumbers, OfKindsThatExcludeEachOtherAddUp) {
             Verdict::yes);
 }
 
+TEST(LargeNumbers, OfPropertiesThatExcludeEachOtherAddUp) {
+  const std::string apart = "DisjointObjectProperties(q s)\nSubObjectPropertyOf(q r)\nSubObjectPropertyOf(s r)\n";
+  const auto asked = [](const std::string& q, const std::string& s, unsigned most) {
+    return "SubClassOf(A ObjectMinCardinality(300 " + q + " B))\nSubClassOf(A ObjectMinCardinality(301 " + s +
+           "))\nSubClassOf(A ObjectMaxCardinality(" + std::to_string(most) + " r))\n";
+  };
+  EXPECT_EQ(verdict_of(apart + asked("q", "s", 600), few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(apart + "SubObjectPropertyOf(p s)\n" + asked("q", "p", 600), few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of("DisjointObjectProperties(ObjectInverseOf(q) s)\nSubObjectPropertyOf(ObjectInverseOf(q) r)\n"
+                       "SubObjectPropertyOf(s r)\n" +
+                           asked("ObjectInverseOf(q)", "s", 600),
+                       few_nodes),
+            Verdict::no);
+  EXPECT_EQ(verdict_of("SubObjectPropertyOf(q r)\nSubObjectPropertyOf(s r)\n"
+                       "DisjointObjectProperties(ObjectInverseOf(q) s)\nSubClassOf(A ObjectMinCardinality(3 q))\n"
+                       "SubClassOf(A ObjectMinCardinality(3 s))\nSubClassOf(A ObjectMaxCardinality(5 r))\n"),
+            Verdict::yes)
+      << "the inverse of one is apart from the other";
+  constexpr QuestionLimits few_steps{.nodes = 1000, .steps = 400'000};
+  EXPECT_EQ(verdict_of(apart + asked("q", "s", 601), few_steps), Verdict::yes);
+  const std::string values =
+      "DisjointDataProperties(d:q d:s)\nSubDataPropertyOf(d:q d:r)\nSubDataPropertyOf(d:s d:r)\n"
+      "SubClassOf(A DataMinCardinality(300 d:q))\nSubClassOf(A DataMinCardinality(301 d:s))\n";
+  EXPECT_EQ(verdict_of(values + "SubClassOf(A DataMaxCardinality(600 d:r))\n", few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(values + "SubClassOf(A DataMaxCardinality(601 d:r))\n", few_steps), Verdict::yes);
+}
+
 TEST(LargeNumbers, OfAUnionAreLimitedByTheBoundsOfItsAlternatives) {
   const std::string bounds = "SubClassOf(A ObjectMaxCardinality(20 r B))\nSubClassOf(A ObjectMaxCardinality(30 s C))\n";
   const std::string fifty = "SubObjectPropertyOf(r s)\nSubClassOf(A ObjectMinCardinality(50 r D))\n";
@@ -136,6 +163,21 @@ TEST(LargeNumbers, OfAUnionAreLimitedByTheBoundsOfItsAlternatives) {
   for (const std::string& cover : {either, nested + none, nested})
     EXPECT_EQ(verdict_of(bounds + fifty + cover, few_steps), Verdict::yes) << cover;
   EXPECT_EQ(verdict_of(bounds + more + nested, few_steps), Verdict::yes);
+}
+
+TEST(LargeNumbers, OfAUnionAreLimitedByBoundsOfConceptsThatItsAlternativesAreInTogether) {
+  const std::string fifty =
+      "SubClassOf(A ObjectMinCardinality(50 r D))\nSubClassOf(D ObjectUnionOf(B C))\n"
+      "SubClassOf(A ObjectMaxCardinality(20 r C))\n";
+  const auto both = [](unsigned most) {
+    return "SubClassOf(A ObjectMaxCardinality(" + std::to_string(most) + " r ObjectIntersectionOf(B D)))\n";
+  };
+  EXPECT_EQ(verdict_of(fifty + both(29), few_nodes), Verdict::no);
+  EXPECT_EQ(verdict_of(fifty + both(30), {.nodes = 200, .steps = 60'000}), Verdict::yes);
+  EXPECT_EQ(verdict_of(fifty + "SubClassOf(ObjectIntersectionOf(B D) E)\nObjectPropertyRange(r F)\n"
+                               "SubClassOf(ObjectIntersectionOf(E F) G)\nSubClassOf(A ObjectMaxCardinality(29 r G))\n",
+                       few_nodes),
+            Verdict::no);
 }
 
 TEST(LargeNumbers, OfTheWholeAreMetByTheNeighboursOfItsParts) {

@@ -129,7 +129,7 @@ bool Numbers::are_too_many(std::uint32_t bound, const Choice& choice, Dependency
     asked.push_back({numbers.count(id), id, reasons});
     all += asked.back().count;
   };
-  if (choice.kind == ChoiceKind::at_least) add(id_of(choice), no_dependency);
+  if (is_at_least(choice)) add(id_of(choice), no_dependency);
   for (FactId id = graph_.node(choice.a).others; id != none; id = graph_.next_other(id, choice.a)) {
     effort_.count_look();
     if (is_at_least(graph_.fact(id))) add(id_of(graph_.fact(id)), graph_.fact(id).dependency);

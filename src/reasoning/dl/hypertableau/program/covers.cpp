@@ -111,6 +111,25 @@ std::vector<const Covers::Said*> Covers::said_of(const Asked& asked) {
   return found;
 }
 
+/// Adds what is said of neighbours in several concepts, or of all in a direction, whatever the node is in.
+void Covers::add_joint(Asked& asked) {
+  bool is_done = false;
+  while (!is_done) {
+    is_done = true;
+    base::sort_unique(asked.concepts);
+    std::vector<std::uint32_t> joint;
+    for (const Said* said : said_of(asked)) {
+      if (said->of_node.empty() && said->alternatives.size() == 1) joint.push_back(said->alternatives.front());
+    }
+    for (const std::uint32_t id : joint) {
+      if (std::ranges::binary_search(asked.concepts, id)) continue;
+      const std::vector<std::uint32_t> above = concepts_.all_above(id);
+      asked.concepts.insert(asked.concepts.end(), above.begin(), above.end());
+      is_done = false;
+    }
+  }
+}
+
 std::vector<Limit> Covers::limits_of(const Asked& asked) {
   std::vector<Limit> limits;
   for (const Said* said : said_of(asked)) {
@@ -136,7 +155,7 @@ bool Covers::add_limits(const Asked& asked, std::uint32_t alternative, int depth
   if (cover.alternatives.size() == most_alternatives) return false;
   Asked part{asked.directions, concepts_.all_above(alternative)};
   part.concepts.insert(part.concepts.end(), asked.concepts.begin(), asked.concepts.end());
-  base::sort_unique(part.concepts);
+  add_joint(part);
   std::vector<Limit> limits = limits_of(part);
   if (!limits.empty()) {
     cover.alternatives.push_back(std::move(limits));
@@ -154,7 +173,6 @@ bool Covers::add_limits(const Asked& asked, std::uint32_t alternative, int depth
   return false;
 }
 
-// A range without a condition is known of the neighbours, too.
 void Covers::find_covers(const clauses::AtLeast& at_least, std::vector<Cover>& found) {
   Asked asked{roles_.all_above(direction_of(number(at_least.role.property), at_least.role.is_inverse)),
               concepts_.all_above(number(at_least.filler))};
@@ -163,14 +181,7 @@ void Covers::find_covers(const clauses::AtLeast& at_least, std::vector<Cover>& f
   });
   if (!may_be_limited) return;
   asked.concepts.push_back(number(clauses::thing));
-  for (const std::uint32_t direction : asked.directions) {
-    for (const std::uint32_t id : by_direction_[direction]) {
-      if (!said_[id].of_node.empty() || said_[id].alternatives.size() != 1) continue;
-      const std::vector<std::uint32_t> above = concepts_.all_above(said_[id].alternatives.front());
-      asked.concepts.insert(asked.concepts.end(), above.begin(), above.end());
-    }
-  }
-  base::sort_unique(asked.concepts);
+  add_joint(asked);
   for (const Said* said : said_of(asked)) {
     if (said->alternatives.empty() || found.size() == max_covers || looks_ >= max_looks) continue;
     Cover cover{said->of_node, {}};

@@ -4,7 +4,8 @@
 //   where the numbers of the different bounds among them are less than n together
 //
 // The union may be that of a class, of a range, or of a universal that holds of x. An alternative of which x may have
-// no neighbour adds nothing, and one without a bound that is itself a union adds the bounds of its alternatives.
+// no neighbour adds nothing, and one without a bound that is itself a union adds the bounds of its alternatives. A
+// neighbour in several concepts is in what follows from them together: in A and B1, if it is in A and one of B1 or B2.
 #ifndef GEMINGA_REASONING_DL_HYPERTABLEAU_PROGRAM_COVERS_HPP
 #define GEMINGA_REASONING_DL_HYPERTABLEAU_PROGRAM_COVERS_HPP
 
@@ -68,6 +69,7 @@ class Covers {
   void look(const clauses::Clause& clause, clauses::Variable node, clauses::Variable neighbour);
   void look(const clauses::Clause& clause);
   [[nodiscard]] std::vector<const Said*> said_of(const Asked& asked);
+  void add_joint(Asked& asked);
   [[nodiscard]] std::vector<Limit> limits_of(const Asked& asked);
   [[nodiscard]] bool add_limits(const Asked& asked, std::uint32_t alternative, int depth, Cover& cover);
   void find_covers(const clauses::AtLeast& at_least, std::vector<Cover>& found);

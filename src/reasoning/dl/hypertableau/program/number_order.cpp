@@ -4,69 +4,13 @@
 #include <algorithm>
 
 #include "base/sorted.hpp"
+#include "reasoning/dl/hypertableau/program/exclusions.hpp"
 #include "reasoning/dl/hypertableau/program/hierarchy.hpp"
 
 namespace geminga::hypertableau {
 
-using clauses::Atom;
-using clauses::AtomKind;
-using clauses::centre;
 using clauses::Clause;
 using clauses::number;
-
-namespace {
-
-/// The exclusions between concepts, as far as single clauses say them.
-class Exclusions {
- public:
-  Exclusions(const clauses::ClauseSet& set, Hierarchy& hierarchy)
-      : hierarchy_(hierarchy), told_(set.concepts.size()), unions_(set.concepts.size()) {
-    for (const Clause& clause : set.clauses) look(clause);
-  }
-
-  /// Those that something above the concept excludes, or that all alternatives of a union above it exclude; ascending.
-  [[nodiscard]] std::vector<std::uint32_t> of(std::uint32_t id) {
-    std::vector<std::uint32_t> result = told_of(id);
-    for (const std::uint32_t above : hierarchy_.all_above(id)) {
-      for (const std::vector<std::uint32_t>& alternatives : unions_[above]) {
-        std::vector<std::uint32_t> common = told_of(alternatives.front());
-        for (std::size_t at = 1; at < alternatives.size() && !common.empty(); ++at) {
-          const std::vector<std::uint32_t> next = told_of(alternatives[at]);
-          std::erase_if(common, [&](std::uint32_t one) { return !std::ranges::binary_search(next, one); });
-        }
-        result.insert(result.end(), common.begin(), common.end());
-      }
-    }
-    base::sort_unique(result);
-    return result;
-  }
-
- private:
-  void look(const Clause& clause) {
-    const auto is_concept = [](const Atom& atom) { return atom.kind == AtomKind::concept_of && atom.first == centre; };
-    if (!std::ranges::all_of(clause.body, is_concept) || !std::ranges::all_of(clause.head, is_concept)) return;
-    if (clause.body.size() == 2 && clause.head.empty()) {
-      told_[clause.body[0].predicate].push_back(clause.body[1].predicate);
-      told_[clause.body[1].predicate].push_back(clause.body[0].predicate);
-    } else if (clause.body.size() == 1 && clause.head.size() > 1) {
-      std::vector<std::uint32_t>& alternatives = unions_[clause.body.front().predicate].emplace_back();
-      for (const Atom& atom : clause.head) alternatives.push_back(atom.predicate);
-    }
-  }
-  [[nodiscard]] std::vector<std::uint32_t> told_of(std::uint32_t id) {
-    std::vector<std::uint32_t> result;
-    for (const std::uint32_t above : hierarchy_.all_above(id))
-      result.insert(result.end(), told_[above].begin(), told_[above].end());
-    base::sort_unique(result);
-    return result;
-  }
-
-  Hierarchy& hierarchy_;
-  std::vector<std::vector<std::uint32_t>> told_;                 ///< by concept: A(x), B(x) -> false
-  std::vector<std::vector<std::vector<std::uint32_t>>> unions_;  ///< by concept: the alternatives of each
-};
-
-}  // namespace
 
 NumberOrder::NumberOrder(const clauses::ClauseSet& set, std::span<const Clause> inclusions,
                          std::span<const Bound> bounds)
@@ -138,7 +82,9 @@ void NumberOrder::find_comparable() {
 // neighbour needs none of this: its neighbour is given all fillers.
 void NumberOrder::find_sums(const clauses::ClauseSet& set, std::span<const Clause> inclusions) {
   std::vector<std::uint32_t> greatest(index_.size(), 0);
-  for (const Restriction& one : at_leasts_) greatest[one.family] = std::max(greatest[one.family], one.count);
+  for (const auto* const list : {&at_leasts_, &data_at_leasts_}) {
+    for (const Restriction& one : *list) greatest[one.family] = std::max(greatest[one.family], one.count);
+  }
   std::vector<std::vector<std::uint32_t>> below(index_.size());
   for (std::uint32_t family = 0; family < above_.size(); ++family) {
     if (greatest[family] == 0) continue;
@@ -153,24 +99,33 @@ void NumberOrder::find_sums(const clauses::ClauseSet& set, std::span<const Claus
       is_any = is_any || bounds_[bound].may_be_added;
     }
     if (!is_any) continue;
-    for (const std::uint32_t family : below[high]) fillers_.try_emplace(family);
+    for (const std::uint32_t family : below[high]) neighbours_.try_emplace(family);
   }
-  if (fillers_.empty()) return;
-  for (Restriction& one : at_leasts_) one.may_be_added = fillers_.contains(one.family);
-  Hierarchy hierarchy = hierarchy_of_concepts(set, inclusions);
-  Exclusions exclusions(set, hierarchy);
+  if (neighbours_.empty()) return;
+  for (auto* const list : {&at_leasts_, &data_at_leasts_}) {
+    for (Restriction& one : *list) one.may_be_added = neighbours_.contains(one.family);
+  }
+  Hierarchy of_concepts = hierarchy_of_concepts(set, inclusions);
+  Hierarchy of_roles = hierarchy_of_roles(set);
+  ConceptExclusions concepts(set, of_concepts);
+  RoleExclusions roles(set, of_roles);
   for (const auto& [family, index] : index_) {
-    const auto found = fillers_.find(index);
-    if (found == fillers_.end()) continue;
-    found->second = {hierarchy.all_above(family.filler), exclusions.of(family.filler)};
+    const auto found = neighbours_.find(index);
+    if (found == neighbours_.end()) continue;
+    found->second.along = {of_roles.all_above(family.direction), roles.of(family.direction)};
+    if (family.direction < first_data_)
+      found->second.in = {of_concepts.all_above(family.filler), concepts.of(family.filler)};
   }
 }
 
 bool NumberOrder::are_disjoint(AtLeastId one, AtLeastId other) const {
-  const Filler& first = fillers_.at(of(one).family);
-  const Filler& second = fillers_.at(of(other).family);
-  return std::ranges::any_of(first.above,
-                             [&](std::uint32_t id) { return std::ranges::binary_search(second.excluded, id); });
+  const Neighbours& first = neighbours_.at(of(one).family);
+  const Neighbours& second = neighbours_.at(of(other).family);
+  return first.in.excludes(second.in) || first.along.excludes(second.along);
+}
+
+bool NumberOrder::Reach::excludes(const Reach& other) const {
+  return std::ranges::any_of(above, [&](std::uint32_t id) { return std::ranges::binary_search(other.excluded, id); });
 }
 
 bool NumberOrder::is_below(const Restriction& low, const Restriction& high) const {

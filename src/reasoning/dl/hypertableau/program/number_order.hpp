@@ -5,7 +5,8 @@
 //   >= n R.A, <= m S.B -> false    where m < n, R is below S and A below B
 //   >= n1 R1.A1, ..., >= nk Rk.Ak, <= m S.B -> false    where m < n1 + ... + nk, each Ri is below S and each Ai below
 //   B,
-//                                                       and no two of the Ai have an instance in common
+//                                                       and no two of the Ai have an instance in common, or no two
+//                                                       of the Ri a pair
 //
 // A definition by a number (an atom of aluminium has exactly 13 protons) makes a choice "aluminium, at least 14 or at
 // most 12" for each atom. Of a hundred such definitions the number of one decides all others.
@@ -23,8 +24,8 @@
 
 namespace geminga::hypertableau {
 
-/// Knows what single clauses say: R(x,y) -> S(x,y), A(x) -> B(x), and A(x), B(x) -> false. Restrictions of other forms
-/// are compared with nothing.
+/// Knows what single clauses say: R(x,y) -> S(x,y), A(x) -> B(x), A(x), B(x) -> false, and R(x,y), S(x,y) -> false.
+/// Restrictions of other forms are compared with nothing.
 class NumberOrder {
  public:
   /// An at-least, of values if `is_data`.
@@ -61,9 +62,7 @@ class NumberOrder {
   [[nodiscard]] bool may_be_implied(AtLeastId at_least) const { return of(at_least).may_be_implied; }
   [[nodiscard]] bool may_be_excluded(AtLeastId at_least) const { return of(at_least).may_be_excluded; }
   /// Whether a bound above the at-least may be exceeded by several at-leasts together only.
-  [[nodiscard]] bool may_be_added(AtLeastId at_least) const {
-    return !at_least.is_data && at_leasts_[at_least.index].may_be_added;
-  }
+  [[nodiscard]] bool may_be_added(AtLeastId at_least) const { return of(at_least).may_be_added; }
   /// Whether `holds` is true of such a bound.
   template <typename Holds>
   [[nodiscard]] bool any_adding(AtLeastId at_least, Holds&& holds) const {
@@ -101,10 +100,16 @@ class NumberOrder {
     bool may_be_excluded = false;
     bool may_be_added = false;
   };
-  /// Of the filler of a family whose at-leasts may be added up; ascending.
-  struct Filler {
+  /// The concepts, or directions, that are known of a neighbour, and those that these exclude; ascending.
+  struct Reach {
     std::vector<std::uint32_t> above;
     std::vector<std::uint32_t> excluded;
+    [[nodiscard]] bool excludes(const Reach& other) const;
+  };
+  /// Of a family whose at-leasts may be added up: what is known of their neighbours.
+  struct Neighbours {
+    Reach in;     ///< concepts; nothing of values
+    Reach along;  ///< directions
   };
 
   [[nodiscard]] const Restriction& of(AtLeastId at_least) const {
@@ -135,7 +140,7 @@ class NumberOrder {
   std::map<Family, std::uint32_t> index_;
   std::vector<std::vector<std::uint32_t>> above_;      ///< by family: those above it and itself, ascending
   std::vector<std::vector<std::uint32_t>> bounds_in_;  ///< by family: its bounds, ascending by number
-  std::map<std::uint32_t, Filler> fillers_;            ///< by family
+  std::map<std::uint32_t, Neighbours> neighbours_;     ///< by family
 };
 
 }  // namespace geminga::hypertableau
