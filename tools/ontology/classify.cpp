@@ -72,9 +72,25 @@ struct Taxonomies {
   Hierarchy data_properties;
 };
 
-bool write_json(const Taxonomies& written, bool are_properties, const reasoner::Answer& consistency) {
+/// Questions that are open, with the members that they have in the document of check.
+void add_open(boost::json::object& document, const ClassifiedFiles& classified) {
+  const reasoner::Undecided& undecided = classified.classification.undecided;
+  const auto iri = [&](taxonomy::ClassNumber of) {
+    return classified.loaded.source.name(classified.classification.classes[static_cast<std::size_t>(of)]);
+  };
+  document["gaps"] = boost::json::value_from(classified.classification.gaps);
+  boost::json::object& open = document["undecided"].emplace_object();
+  boost::json::array& classes = open["classes"].emplace_array();
+  for (const taxonomy::ClassNumber of : undecided.classes) classes.emplace_back(iri(of));
+  open["consistency"] = undecided.consistency;
+  open["held_up_by"] = undecided.held_up_by ? boost::json::value(iri(*undecided.held_up_by)) : nullptr;
+}
+
+bool write_json(const Taxonomies& written, const ClassifiedFiles& classified, bool are_properties,
+                const reasoner::Answer& consistency) {
   boost::json::object document;
   put_consistency(consistency, document);
+  add_open(document, classified);
   document["nodes"] = nodes_of(written.classes, "classes");
   if (are_properties) {
     document["object_properties"] = nodes_of(written.object_properties, "properties");
@@ -93,7 +109,10 @@ bool write_taxonomies(ClassifiedFiles& classified, const ClassifyRequest& reques
         property_hierarchy(source, classification.object_properties, classification.is_consistent);
     written.data_properties = property_hierarchy(source, classification.data_properties, classification.is_consistent);
   }
-  if (request.as_json) return write_json(written, request.are_properties, consistency_of(classified, &budget));
+  if (request.as_json) {
+    const reasoner::Answer consistency = consistency_of(classified, &budget);
+    return write_json(written, classified, request.are_properties, consistency);
+  }
   const auto write_one = [&, short_name = short_names(source)](const Hierarchy& hierarchy) {
     return request.as_closure ? write_closure(hierarchy, print_more) : write_tree(hierarchy, short_name, print_more);
   };
@@ -124,8 +143,8 @@ Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
     say_error(unresolved);
   }
   // exit_of() tells of a limit that was reached.
-  const auto open = classified->classification.is_cut_off ? std::nullopt : describe_undecided(*classified);
-  if (open) say_error("what is printed follows, and more may: " + *open);
+  const auto open = classified->classification.is_cut_off ? std::nullopt : why_undecided(*classified);
+  if (open) return say_error("what is printed follows, and more may: " + *open, Exit::timed_out);
   return exit_of(*classified, exit_of_list(classified->loaded, Exit::yes));
 }
 
@@ -151,8 +170,9 @@ void add_classify(CLI::App& program, Choice& choice) {
           "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class "
           "is\n"
           "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. Where a limit is\n"
-          "reached, what is printed follows, standard error says what is not decided, and the exit status is 4. A file "
-          "of\n"
+          "reached, be it one of the command line or of the engines, what is printed follows, standard error says "
+          "what\n"
+          "is not decided (`undecided` and `gaps` of the document of --json), and the exit status is 4. A file of\n"
           "a folder that cannot be read is left out and named, and the exit status is 1.\n") +
       consistency_of_json +
       "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"

@@ -2,6 +2,8 @@
 #include "reasoning/explanation/explain.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <boost/json.hpp>
 #include <memory>
 #include <optional>
@@ -14,15 +16,20 @@
 #include "ontology/findings/axioms.hpp"
 #include "ontology/loading/class_names.hpp"
 #include "ontology/loading/compiled_form.hpp"
+#include "ontology/verdict.hpp"
+#include "reasoning/compiled/compile.hpp"
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/explanation/laconic.hpp"
 #include "reasoning/explanation/proof.hpp"
 #include "reasoning/explanation/why_not.hpp"
+#include "reasoning/reasoner/reasoner.hpp"
 
 namespace geminga::ontology {
 namespace {
 
 using explanation::ExplainedAxiom;
+using reasoner::Answer;
+using reasoner::Verdict;
 
 constexpr unsigned default_sets = 10;
 constexpr unsigned max_sets = 1000;
@@ -45,14 +52,41 @@ struct ExplainRequest {
 struct Explained {
   taxonomy::ClassNumber sub{};
   taxonomy::ClassNumber super{};
-  bool is_entailed = false;
-  std::optional<std::string> open;             ///< why it is not known, where it is not entailed; nothing: it is known
+  Answer answer;                               ///< whether it is entailed
   bool is_all = false;                         ///< all sets are wanted
   explanation::AllSets sets;                   ///< one set, unless all are wanted
   std::vector<explanation::Proof> proofs;      ///< of each set, where they are wanted
   std::vector<explanation::Laconic> laconic;   ///< of each set, where they are wanted
   std::optional<explanation::WhyNot> why_not;  ///< where it is not entailed
+
+  [[nodiscard]] bool is_entailed() const { return answer.verdict == Verdict::yes; }
 };
+
+/// Whether the subsumption is entailed, and why that is not known.
+Answer decide(const Opened& opened, taxonomy::ClassNumber sub, taxonomy::ClassNumber super, base::Budget& budget) {
+  if (opened.ontology.is_subsumed(sub, super)) return {Verdict::yes, {}};
+  if (opened.refused) return {Verdict::unknown, *opened.refused};
+  if (opened.classified) {
+    if (!is_undecided(opened.classified->classification, sub)) return {Verdict::no, {}};
+    return {Verdict::unknown, why_undecided(*opened.classified).value_or("")};
+  }
+  // A compiled form keeps how many classes are undecided, and not which.
+  const std::vector<std::string> gaps = opened.ontology.gaps();
+  const auto line =
+      std::ranges::find_if(gaps, [](const std::string& gap) { return gap.starts_with(compiled::undecided_words); });
+  if (line == gaps.end()) return {Verdict::no, {}};
+  explanation::Module module(opened.ontology, std::array{sub, super});
+  const owl::TermId below = module.term(sub);
+  const Verdict verdict = reasoner::entails(module.source(), std::nullopt, below, module.term(super), &budget).verdict;
+  return {verdict, verdict == Verdict::unknown ? *line : ""};
+}
+
+/// The same for the question whether the ontology contradicts itself.
+Answer decide_contradiction(const Opened& opened) {
+  if (!opened.ontology.is_consistent()) return {Verdict::yes, {}};
+  const Answer& consistency = opened.consistency;
+  return consistency.verdict == Verdict::unknown ? consistency : Answer{Verdict::no, {}};
+}
 
 /// "1", "1 and 2", "1, 2 and 3".
 std::string listed(const std::vector<std::uint32_t>& numbers) {
@@ -111,6 +145,17 @@ std::string why_not_as_text(const compiled::Ontology& ontology, const Explained&
   return text;
 }
 
+/// "a:A is not subsumed by a:B", or that it is not known, and why.
+std::string denial(const compiled::Ontology& ontology, const Explained& explained, bool is_about_contradiction) {
+  const bool is_known = explained.answer.verdict == Verdict::no;
+  const std::string why = is_known ? "\n" : ": " + explained.answer.reason + '\n';
+  if (is_about_contradiction)
+    return (is_known ? "The ontology does not contradict itself" : "The ontology is not known to contradict itself") +
+           why;
+  return ontology.short_name(explained.sub) + (is_known ? " is not subsumed by " : " is not known to be subsumed by ") +
+         ontology.short_name(explained.super) + why;
+}
+
 /// "a:A is subsumed by a:B", or its meaning where one of them is owl:Nothing or owl:Thing.
 std::string statement(const compiled::Ontology& ontology, const Explained& explained) {
   const bool is_nothing = ontology.iri(explained.super) == owl::owl_nothing;
@@ -159,14 +204,11 @@ boost::json::object as_object(const compiled::Ontology& ontology, const explanat
 
 /// `explainer` found the sets; null where the subsumption is not entailed.
 std::string as_text(const compiled::Ontology& ontology, const Explained& explained,
-                    const explanation::Explainer* explainer) {
+                    const explanation::Explainer* explainer, bool is_about_contradiction) {
   const std::string what = statement(ontology, explained);
-  if (!explained.is_entailed) {
-    return ontology.short_name(explained.sub) +
-           (explained.open ? " is not known to be subsumed by " : " is not subsumed by ") +
-           ontology.short_name(explained.super) + (explained.open ? ": " + *explained.open : "") + '\n' +
+  if (!explained.is_entailed())
+    return denial(ontology, explained, is_about_contradiction) +
            (explained.why_not ? why_not_as_text(ontology, explained) : "");
-  }
   const auto& sets = explained.sets.sets;
   if (sets.empty() || explainer == nullptr)
     return what + ", but no engine found within its limits which axioms say so\n";
@@ -198,11 +240,8 @@ std::string as_json(const compiled::Ontology& ontology, const Explained& explain
                     const explanation::Explainer* explainer) {
   boost::json::object document{{"sub", ontology.iri(explained.sub)},
                                {"super", ontology.iri(explained.super)},
-                               {"entailed", explained.is_entailed}};
-  if (explained.open) {
-    document["entailed"] = nullptr;
-    document["reason"] = *explained.open;
-  }
+                               {"entailed", verdict_as_json(explained.answer.verdict)}};
+  if (!explained.answer.reason.empty()) document["reason"] = explained.answer.reason;
   boost::json::array& first = document["axioms"].emplace_array();
   const auto& sets = explained.sets.sets;
   if (explainer != nullptr && !sets.empty()) first = set_as_json(explained, 0, *explainer);
@@ -226,26 +265,23 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
                                                   .is_lenient = request.is_lenient,
                                                   .budget = &budget});
   if (!opened) return Exit::usage;
-  const compiled::Ontology* const ontology = &opened->ontology;
+  const compiled::Ontology& ontology = opened->ontology;
   const bool is_plain = !request.is_about_contradiction;
-  const auto sub = find_or_say(*ontology, is_plain ? request.sub : std::string(owl::owl_thing), request.as_json);
-  const auto super = find_or_say(*ontology, is_plain ? request.super : std::string(owl::owl_nothing), request.as_json);
+  const auto sub = find_or_say(ontology, is_plain ? request.sub : std::string(owl::owl_thing), request.as_json);
+  const auto super = find_or_say(ontology, is_plain ? request.super : std::string(owl::owl_nothing), request.as_json);
   if (!sub || !super) return Exit::usage;
 
   Explained explained;
   explained.sub = *sub;
   explained.super = *super;
   explained.is_all = request.is_all;
-  explained.is_entailed = ontology->is_subsumed(*sub, *super);
-  if (!explained.is_entailed && is_plain) explained.open = opened->refused;
-  if (!explained.is_entailed && !is_plain && opened->consistency.verdict == reasoner::Verdict::unknown)
-    explained.open = opened->consistency.reason;
+  explained.answer = is_plain ? decide(*opened, *sub, *super, budget) : decide_contradiction(*opened);
   std::optional<explanation::Explainer> explainer;
   Progress progress(!request.as_json);
   progress.show("looking for reasons");
   base::Budget explaining = budget_of(limits);  // its own steps: a search that took all of them may have an answer
-  if (explained.is_entailed) {
-    explainer.emplace(*ontology, *sub, *super, explanation::Patience::of_a_person, &explaining);
+  if (explained.is_entailed()) {
+    explainer.emplace(ontology, *sub, *super, explanation::Patience::of_a_person, &explaining);
     if (request.is_all) {
       explained.sets = explainer->find_all({.sets = request.limit});
     } else if (auto found = explainer->find_one()) {
@@ -258,21 +294,19 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
       for (const explanation::AxiomSet& set : explained.sets.sets)
         explained.laconic.push_back(explanation::find_laconic(*explainer, set));
     }
-  } else if (is_plain) {
-    explained.why_not = explanation::why_not(*ontology, *sub, *super);
+  } else if (is_plain && explained.answer.verdict == Verdict::no) {
+    explained.why_not = explanation::why_not(ontology, *sub, *super);
+    explained.why_not->may_be_incomplete = !ontology.left_out().empty();
   }
   progress.clear();
   const explanation::Explainer* found_by = explainer ? &*explainer : nullptr;
-  std::string text =
-      request.as_json ? as_json(*ontology, explained, found_by) : as_text(*ontology, explained, found_by);
-  if (!is_plain && !explained.is_entailed && !request.as_json)
-    text = explained.open ? "The ontology is not known to contradict itself: " + *explained.open + '\n'
-                          : "The ontology does not contradict itself\n";
+  const std::string text = request.as_json ? as_json(ontology, explained, found_by)
+                                           : as_text(ontology, explained, found_by, request.is_about_contradiction);
   if (!print(text)) return say_unwritten();
   if (explaining.is_spent())
     return say_error(*explaining.reason() + ": what is printed entails it, and may hold more than is needed: raise it",
                      Exit::timed_out);
-  if (explained.is_entailed) return Exit::yes;
+  if (explained.is_entailed()) return Exit::yes;
   return budget.is_spent() ? say_error(*budget.reason() + ": raise it", Exit::timed_out) : Exit::no;
 }
 

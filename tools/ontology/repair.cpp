@@ -286,6 +286,13 @@ std::string as_json(const compiled::Ontology& ontology, const reasoner::Answer& 
   return json_text(document) + '\n';
 }
 
+/// The words where nothing is known to have to be taken out.
+std::string no_problem(bool is_asked, bool is_open) {
+  if (is_open) return is_asked ? "" : "No class is known to have no instance.\n";
+  return is_asked ? "It does not follow, and there is nothing to take out.\n"
+                  : "No class is known to have no instance: there is nothing to take out.\n";
+}
+
 Exit repair(const RepairRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   auto classified = classify_or_say(request.files, {.as_json = request.as_json,
@@ -306,16 +313,25 @@ Exit repair(const RepairRequest& request, const WorkLimits& limits) {
   const auto json = [&](const std::optional<Problem>& of, const Plan& plan) {
     return as_json(*ontology, consistency_of(*classified, &mending), of, plan);
   };
+  const bool is_open = !asked || is_undecided(classified->classification, asked->sub);
+  const auto undecided = is_open ? why_undecided(*classified) : std::nullopt;
   if (!problem) {
-    const char* const words = asked ? "It does not follow, and there is nothing to take out.\n"
-                                    : "No class is known to have no instance: there is nothing to take out.\n";
-    const Exit exit = print_or_say(request.as_json ? json(std::nullopt, {}) : words, Exit::no);
-    return exit_of(*classified, exit_of_answer(classified->loaded, exit));
+    const Plan none{.groups = {}, .is_certain = !undecided, .why_not = undecided.value_or("")};
+    if (!print(request.as_json ? json(std::nullopt, none) : no_problem(asked.has_value(), undecided.has_value())))
+      return say_unwritten();
+    if (undecided && !classified->classification.is_cut_off)
+      return say_error("it cannot be decided whether " + std::string(asked ? "it follows: " : "others have none: ") +
+                       *undecided);
+    return exit_of(*classified, exit_of_answer(classified->loaded, Exit::no));
   }
   Progress progress(!request.as_json);
   progress.show("looking for repairs");
-  const Plan plan = plan_of(*classified, *ontology, *problem, request, mending);
+  Plan plan = plan_of(*classified, *ontology, *problem, request, mending);
   progress.clear();
+  if (plan.is_certain && !asked && undecided) {
+    plan.is_certain = false;
+    plan.why_not = *undecided;
+  }
   if (!print(request.as_json ? json(problem, plan) : as_text(*ontology, *problem, plan))) return say_unwritten();
   if (mending.is_spent())
     return say_error(*mending.reason() + ", and what is printed may not be enough: raise it", Exit::timed_out);

@@ -63,7 +63,7 @@ reasoner::Answer decide(ClassifiedFiles& classified, const compiled::Ontology& o
         is_unsatisfiable(classified.classification, *sub_class) || ontology.is_subsumed(*sub_class, *super_class);
     if (holds) return {.verdict = reasoner::Verdict::yes, .reason = {}};
     if (!is_undecided(classified.classification, *sub_class)) return {.verdict = reasoner::Verdict::no, .reason = {}};
-    return {.verdict = reasoner::Verdict::unknown, .reason = describe_undecided(classified).value_or("")};
+    return {.verdict = reasoner::Verdict::unknown, .reason = why_undecided(classified).value_or("")};
   }
   owl::Ontology& source = classified.loaded.source;
   const owl::TermId below = source.copy(sub.source, sub.term);

@@ -37,7 +37,8 @@ struct WhyNot {
   /// The two classes are disjoint, and these axioms say so.
   bool is_excluded = false;
   std::vector<ExplainedAxiom> exclusion;
-  /// True if axioms were left out when the ontology was loaded, with which the subsumption might follow.
+  /// True if the subsumption might follow after all: axioms were left out when the ontology was loaded, or not
+  /// everything was decided.
   bool may_be_incomplete = false;
 };
 

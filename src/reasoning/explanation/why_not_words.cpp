@@ -63,7 +63,9 @@ std::vector<std::string> describe(const compiled::Ontology& ontology, taxonomy::
   }
   if (why_not.has_more_ways) lines.push_back("There are more axioms about " + broad + " than are shown");
   if (why_not.may_be_incomplete) {
-    lines.push_back("Axioms were left out when the ontology was loaded: with them it might follow after all");
+    lines.push_back(ontology.left_out().empty()
+                        ? "Not everything was decided when the ontology was loaded: it might follow after all"
+                        : "Axioms were left out when the ontology was loaded: with them it might follow after all");
   }
   return lines;
 }

@@ -207,15 +207,13 @@ class Deepening {
     for (const taxonomy::ClassNumber of : open) is_settled_[static_cast<std::size_t>(of)] = false;
   }
 
-  /// If all consequences of the clauses were derived, only axioms without clauses can have more consequences. Otherwise
-  /// every axiom that the fastest engine does not use in full can.
+  /// Only axioms without clauses are unused. Where a limit ended a search, the gaps say so.
   void note_unused(const std::vector<clauses::Unused>& unused) {
+    result_.unused.clear();
     if (!result_.is_consistent) {
-      result_.unused.clear();
       result_.gaps.clear();
       result_.undecided = {};
     } else {
-      if (result_.gaps.empty()) result_.unused.clear();
       for (const clauses::Unused& entry : unused) result_.unused.push_back({entry.axiom, entry.construct});
       std::ranges::stable_sort(result_.unused, {}, &taxonomy::UnusedAxiom::axiom);
       result_.unused.erase(std::ranges::unique(result_.unused, {}, &taxonomy::UnusedAxiom::axiom).begin(),

@@ -123,6 +123,16 @@ std::optional<std::string> describe_undecided(const ClassifiedFiles& classified)
   return line;
 }
 
+std::optional<std::string> why_undecided(const ClassifiedFiles& classified) {
+  constexpr std::size_t max_shown = 3;
+  auto line = describe_undecided(classified);
+  const std::vector<std::string>& gaps = classified.classification.gaps;
+  if (!line || gaps.empty()) return line;
+  *line += "; because " + base::joined({gaps.begin(), gaps.begin() + std::min(gaps.size(), max_shown)}, ", ");
+  if (gaps.size() > max_shown) *line += ", ...";
+  return line;
+}
+
 std::vector<std::string> gaps_of(const ClassifiedFiles& classified) {
   std::vector<std::string> gaps = classified.classification.gaps;
   if (auto line = describe_undecided(classified)) gaps.push_back(std::move(*line));

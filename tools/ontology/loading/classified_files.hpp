@@ -76,6 +76,8 @@ struct LoadOptions {
 inline constexpr std::string_view contradiction_question = "whether there is a contradiction";
 /// The undecided classes and the reason, in one line; nothing where all is decided or the ontology contradicts itself.
 [[nodiscard]] std::optional<std::string> describe_undecided(const ClassifiedFiles& classified);
+/// The same, and which limits are the reasons.
+[[nodiscard]] std::optional<std::string> why_undecided(const ClassifiedFiles& classified);
 /// The gaps as the compiled form keeps them: with the line of describe_undecided().
 [[nodiscard]] std::vector<std::string> gaps_of(const ClassifiedFiles& classified);
 /// Gives `exit`; where a limit was reached, says so on standard error and gives the exit status for it.

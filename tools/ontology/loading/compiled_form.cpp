@@ -46,7 +46,8 @@ std::optional<Opened> open_or_say(const std::vector<std::string>& files, const L
     auto compiled = classified ? compile_or_say(*classified) : std::nullopt;
     if (!compiled) return std::nullopt;
     auto refused = describe_refused(classified->loaded);
-    return Opened{std::move(*compiled), consistency_of(*classified, options.budget), std::move(refused)};
+    reasoner::Answer consistency = consistency_of(*classified, options.budget);
+    return Opened{std::move(*compiled), std::move(consistency), std::move(refused), std::move(classified)};
   }
   auto ontology = open_compiled(files.front());
   const auto stale = ontology ? ontology->stale_source() : std::nullopt;

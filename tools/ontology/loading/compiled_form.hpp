@@ -23,8 +23,9 @@ namespace geminga::ontology {
 /// An ontology to explain, and what is not known of the files that it was made of.
 struct Opened {
   compiled::Ontology ontology;
-  reasoner::Answer consistency;        ///< of consistency_of()
-  std::optional<std::string> refused;  ///< of describe_refused()
+  reasoner::Answer consistency;                 ///< of consistency_of()
+  std::optional<std::string> refused;           ///< of describe_refused()
+  std::optional<ClassifiedFiles> classified{};  ///< the files; nothing: a compiled file
 };
 /// Opens a single compiled file whose sources are unchanged, or compiles the files in memory; nothing after saying what
 /// is wrong.
