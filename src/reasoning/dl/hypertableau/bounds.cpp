@@ -159,7 +159,7 @@ std::optional<Decision> Bounds::enforce(const Demand& demand) {
   } else {
     if (neighbours.size() <= bound.count) return std::nullopt;
     neighbours.resize(bound.count + 1);
-    add_equalities(bound, neighbours, alternatives, reasons);
+    if (!add_equalities(bound, neighbours, alternatives, reasons)) return std::nullopt;
   }
   if (alternatives.empty()) {
     facts_.clash(reasons);
@@ -188,11 +188,13 @@ void Bounds::add_introductions(const Suspect& suspect, NodeId foreign, std::vect
 }
 
 // <=-rule. Unites into `reasons` why there are as many neighbours, and why some are not equal.
-void Bounds::add_equalities(const Bound& bound, std::span<const Neighbour> neighbours,
+bool Bounds::add_equalities(const Bound& bound, std::span<const Neighbour> neighbours,
                             std::vector<Choice>& alternatives, DependencySet& reasons) {
   for (const Neighbour& one : neighbours) reasons = unite(reasons, one.dependency);
   for (std::size_t first = 0; first < neighbours.size(); ++first) {
     add_unless(bound, neighbours[first].node, alternatives);
+    effort_.count_aside(neighbours.size() - first);
+    if (effort_.is_over_limit()) return false;
     for (std::size_t second = first + 1; second < neighbours.size(); ++second) {
       const auto [a, b] = std::minmax(neighbours[first].node, neighbours[second].node);
       if (const auto difference = neighbours_.difference(a, b)) {
@@ -202,6 +204,7 @@ void Bounds::add_equalities(const Bound& bound, std::span<const Neighbour> neigh
       }
     }
   }
+  return true;
 }
 
 }  // namespace geminga::hypertableau

@@ -15,6 +15,7 @@
 #include "reasoning/dl/hypertableau/disjunctions.hpp"
 #include "reasoning/dl/hypertableau/facts/assertions.hpp"
 #include "reasoning/dl/hypertableau/facts/choice.hpp"
+#include "reasoning/dl/hypertableau/facts/effort.hpp"
 #include "reasoning/dl/hypertableau/facts/neighbours.hpp"
 #include "reasoning/dl/hypertableau/facts/numbers.hpp"
 #include "reasoning/dl/hypertableau/graph/dependency.hpp"
@@ -26,10 +27,11 @@ namespace geminga::hypertableau {
 /// Checks bounds that may be exceeded, and keeps those that only a choice can enforce.
 class Bounds {
  public:
-  Bounds(const Program& program, const Graph& graph, Assertions& facts, Neighbours& neighbours, const Numbers& numbers,
-         Disjunctions& disjunctions)
+  Bounds(const Program& program, const Graph& graph, Effort& effort, Assertions& facts, Neighbours& neighbours,
+         const Numbers& numbers, Disjunctions& disjunctions)
       : program_(program),
         graph_(graph),
+        effort_(effort),
         facts_(facts),
         neighbours_(neighbours),
         numbers_(numbers),
@@ -73,12 +75,14 @@ class Bounds {
   [[nodiscard]] bool is_foreign(NodeId neighbour, NodeId of) const;
   void add_unless(const Bound& bound, NodeId node, std::vector<Choice>& alternatives);
   void add_introductions(const Suspect& suspect, NodeId foreign, std::vector<Choice>& alternatives);
-  void add_equalities(const Bound& bound, std::span<const Neighbour> neighbours, std::vector<Choice>& alternatives,
+  /// False: the question is over a limit, and not all pairs were looked at.
+  bool add_equalities(const Bound& bound, std::span<const Neighbour> neighbours, std::vector<Choice>& alternatives,
                       DependencySet& reasons);
   [[nodiscard]] DependencySet unite(DependencySet first, DependencySet second) { return graph_.unite(first, second); }
 
   const Program& program_;
   const Graph& graph_;
+  Effort& effort_;
   Assertions& facts_;
   Neighbours& neighbours_;
   const Numbers& numbers_;

@@ -34,7 +34,7 @@ Search::Search(const owl::Ontology& source, const clauses::ClauseSet& set, const
       numbers_(program_, graph_, effort_),
       choice_check_(program_, graph_, facts_, neighbours_, numbers_),
       disjunctions_(program_, graph_, effort_, facts_, choice_check_, records_),
-      bounds_(program_, graph_, facts_, neighbours_, numbers_, disjunctions_),
+      bounds_(program_, graph_, effort_, facts_, neighbours_, numbers_, disjunctions_),
       blocking_(program_, graph_, effort_),
       witnesses_(set, program_, graph_, effort_, facts_, neighbours_),
       denial_witnesses_(program_, graph_, effort_, neighbours_, blocking_),
@@ -226,6 +226,7 @@ bool Search::saturate() {
       if (effort_.is_over_limit()) return true;
     } else if (bounds_.has_suspects()) {
       bounds_.check_last();
+      if (effort_.is_over_limit()) return true;
     } else if (rules_.has_next()) {
       rules_.derive();
       if (effort_.is_over_limit()) return true;
@@ -249,7 +250,7 @@ bool Search::choose() {
 bool Search::choose_for_bound() {
   while (const std::optional<Bounds::Demand> demand = bounds_.next_demand()) {
     if (std::optional<Decision> decision = bounds_.enforce(*demand)) branch(std::move(*decision));
-    if (facts_.has_clash() || facts_.has_merges() || derivation_.has_next()) return true;
+    if (facts_.has_clash() || facts_.has_merges() || derivation_.has_next() || !effort_.reason().empty()) return true;
   }
   return false;
 }

@@ -10,12 +10,18 @@ bool Effort::is_over_limit() {
     reason_ = "more than " + std::to_string(limits_.facts) + " facts were needed";
   } else if (steps_ > most_steps_) {
     reason_ = "more than " + std::to_string(most_steps_) + " steps were needed";
-  } else if (const std::size_t told = std::exchange(told_, steps_); !budget_.spend(steps_ - told)) {
+  } else if (!budget_.spend(untold())) {
     reason_ = limits_.budget->reason().value_or("");
   } else {
     return false;
   }
   return true;
+}
+
+std::size_t Effort::untold() {
+  const std::size_t aside = looked_aside_ / looks_a_step;
+  looked_aside_ %= looks_a_step;
+  return steps_ - std::exchange(told_, steps_) + aside;
 }
 
 }  // namespace geminga::hypertableau

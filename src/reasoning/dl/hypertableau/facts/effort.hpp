@@ -34,9 +34,10 @@ class Effort {
   void count_steps(std::size_t steps) { steps_ += steps; }
   /// Counts a look at a fact or node that gave nothing new. Several looks are one step.
   void count_look() {
-    constexpr std::size_t looks_a_step = 16;
     if (++looked_ % looks_a_step == 0) ++steps_;
   }
+  /// Counts looks that the limits of a question leave aside, so that only the budget pays for them and ends them.
+  void count_aside(std::size_t looks) { looked_aside_ += looks; }
   /// Of this question.
   [[nodiscard]] std::size_t steps() const { return steps_; }
   /// Of all questions.
@@ -49,6 +50,11 @@ class Effort {
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
  private:
+  static constexpr std::size_t looks_a_step = 16;
+
+  /// The steps that the budget is to be told of now.
+  std::size_t untold();
+
   QuestionLimits limits_;
   base::BudgetUse budget_;
   const Graph& graph_;
@@ -57,6 +63,7 @@ class Effort {
   std::size_t steps_ = 0;
   std::size_t earlier_steps_ = 0;  ///< of earlier questions
   std::size_t looked_ = 0;         ///< looks that are no full step
+  std::size_t looked_aside_ = 0;   ///< looks aside that the budget does not know of
   std::size_t told_ = 0;           ///< steps that the budget knows of
   std::string reason_;
 };

@@ -79,6 +79,7 @@ std::vector<Neighbour> Neighbours::counted(const Suspect& suspect) {
     DependencySet dependency = fact.dependency;
     if (counts(bound, node, dependency)) neighbours.push_back({node, dependency});
   }
+  effort_.count_aside(neighbours.size());
   std::ranges::sort(neighbours, {}, &Neighbour::node);
   return neighbours;
 }
@@ -89,8 +90,13 @@ bool Neighbours::exceeds(const Bound& bound, std::span<const Neighbour> neighbou
   DependencySet reasons = dependency;
   for (const Neighbour& one : neighbours) {
     DependencySet with_this = unite(reasons, one.dependency);
-    const bool differs = std::ranges::all_of(taken, [&](NodeId other) {
-      if (!graph_.are_siblings(one.node, other)) effort_.count_look();
+    // Siblings differ from each other for one reason, and are the last that were taken, as nodes are ascending.
+    const bool has_siblings = graph_.node(one.node).siblings != none;
+    const NodeId first = has_siblings ? graph_.siblings_of(one.node).first : one.node;
+    const auto others_end = std::ranges::lower_bound(taken, first);
+    if (others_end != taken.end()) with_this = unite(with_this, graph_.siblings_of(one.node).dependency);
+    const bool differs = std::all_of(taken.begin(), others_end, [&](NodeId other) {
+      effort_.count_look();
       const auto difference = graph_.difference(one.node, other);
       if (difference) with_this = unite(with_this, *difference);
       return difference.has_value();
