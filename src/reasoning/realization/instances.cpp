@@ -50,7 +50,8 @@ Instances find_instances(owl::Ontology& source, owl::TermId expression, const Op
     return failed;
   }
   if (options.progress) options.progress("translating to clauses", 0);
-  const auto clauses = clauses::clausify(source, std::nullopt, {}, std::span(&expression, 1));
+  const auto clauses =
+      clauses::clausify(source, std::nullopt, {}, std::span(&expression, 1), {.budget = options.budget});
   if (!clauses) {
     failed.gaps.push_back(clauses.error().text);
     return failed;

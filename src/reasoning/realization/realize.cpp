@@ -31,7 +31,7 @@ class Realizing {
 
   Realization run() {
     report("translating to clauses", 0);
-    auto clauses = clauses::clausify(source_, std::nullopt, {});
+    auto clauses = clauses::clausify(source_, std::nullopt, {}, {}, {.budget = options_.budget});
     if (!clauses) {
       gaps_.insert(clauses.error().text);
       result_.is_consistency_open = true;

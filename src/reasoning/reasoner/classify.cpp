@@ -74,7 +74,7 @@ class Deepening {
 
   void run() {
     report("translating to clauses", 0);
-    auto clauses = clauses::clausify(source_, std::nullopt, {});
+    auto clauses = clauses::clausify(source_, std::nullopt, {}, {}, {.budget = options_.budget});
     if (!clauses) {
       result_.gaps.push_back(clauses.error().text);
       leave_all_undecided(result_);

@@ -22,7 +22,7 @@ Answer is_consistent(const owl::Ontology& source, base::Budget* budget) {
     if (found->is_cut_off) return {Verdict::unknown, *budget->reason()};
     if (found->unused.empty()) return {Verdict::yes, {}};
   }
-  const auto clauses = clauses::clausify(source, std::nullopt, {});
+  const auto clauses = clauses::clausify(source, std::nullopt, {}, {}, {.budget = budget});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
   const auto derive = [&](std::size_t clause_limit) {
     const consequence::Closure closure =

@@ -34,7 +34,7 @@ Answer entails(const owl::Ontology& source, std::optional<std::span<const std::u
   if (source.depth(sub) > max_expression_levels || source.depth(super) > max_expression_levels)
     return {Verdict::unknown, "an expression nests over " + std::to_string(max_expression_levels) + " levels"};
   if (is_subsumed_in_el(source, axioms, sub, super)) return {Verdict::yes, {}};
-  const auto clauses = clauses::clausify(source, axioms, std::span(&sub, 1), std::span(&super, 1));
+  const auto clauses = clauses::clausify(source, axioms, std::span(&sub, 1), std::span(&super, 1), {.budget = budget});
   if (!clauses) return {Verdict::unknown, clauses.error().text};
   const auto answer = [&](bool is_entailed) -> Answer {
     if (is_entailed) return {Verdict::yes, {}};

@@ -187,7 +187,9 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
   if (bottom_role_) translator.add_every(*bottom_role_, bottom, bottom);
   if (bottom_data_) translator.add_clause({{{AtomKind::data_role, centre, 1, number(*bottom_data_)}}, {}});
 
+  base::BudgetUse budget(limits_.budget);
   for (const OrderedAxiom& axiom : all) {
+    if (!budget.spend(1)) return std::unexpected(ClausifyError{limits_.budget->reason().value_or("")});
     const std::string_view reason = problem_of(axiom, source_, allowed, of_classes, of_properties);
     if (!reason.empty()) set_.unused.push_back({axiom.axiom, reason});
     if (!reason.empty() && !is_used_in_part(axiom.kind)) continue;

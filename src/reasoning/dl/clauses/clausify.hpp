@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "base/budget.hpp"
 #include "reasoning/dl/clauses/clause.hpp"
 
 namespace geminga::owl {
@@ -20,6 +21,7 @@ struct ClausifyLimits {
   std::size_t clauses = 4'000'000;
   std::size_t automaton_states = 100'000;  ///< of one property; a box of chains may need exponentially many
   std::uint32_t cardinality = 1'000'000;   ///< axioms with a greater number are left out and named
+  base::Budget* budget = nullptr;          ///< pays a step for an axiom; borrowed, null: no limit
 };
 
 /// Why an ontology has no clauses: a limit was exceeded. `text` is one line.
