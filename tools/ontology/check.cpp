@@ -38,20 +38,28 @@ std::string lines_of(const std::vector<std::string>& lines, bool shows_all) {
   return text;
 }
 
+/// The construct with its count and first place; with `shows_all` each place where the reader met it.
+std::string group_as_text(const LeftOutGroup& entry, bool shows_all) {
+  std::string text = "  " + entry.summary.construct + ": " + std::to_string(entry.summary.count) + ", first at " +
+                     entry.summary.first + '\n';
+  if (shows_all && entry.places.size() > 1) {
+    for (const Place& one : entry.places) text += "    at " + place(one.file, one.line) + '\n';
+  }
+  return text;
+}
+
 std::string left_out_as_text(const Findings& findings, bool shows_all) {
   std::string text;
   if (!findings.left_out.empty()) text += "Left out:\n";
   for (const LeftOutGroup& entry : findings.left_out) {
-    text += "  " + entry.summary.construct + ": " + std::to_string(entry.summary.count) + ", first at " +
-            entry.summary.first + '\n';
+    text += group_as_text(entry, shows_all);
     const std::size_t shown = shows_all ? entry.axioms.size() : std::min(entry.axioms.size(), max_shown);
     for (std::size_t at = 0; at < shown; ++at) text += "    " + axiom_line(entry.axioms[at]) + '\n';
     if (shown < entry.axioms.size())
       text += "    and " + std::to_string(entry.axioms.size() - shown) + " more: --all\n";
   }
   if (!findings.remarks.empty()) text += "Read otherwise than written:\n";
-  for (const owl::LeftOut& remark : findings.remarks)
-    text += "  " + remark.construct + ": " + std::to_string(remark.count) + ", first at " + remark.first + '\n';
+  for (const LeftOutGroup& remark : findings.remarks) text += group_as_text(remark, shows_all);
   const auto is_not_simple = [](const LeftOutGroup& entry) {
     return entry.summary.construct.ends_with("of a property that is not simple");
   };
@@ -251,9 +259,11 @@ void add_check(CLI::App& program, Choice& choice) {
                              "names that are nowhere declared, classes that can have no "
                              "instance, and hash collisions");
   add_files(*command, request->files);
-  command->add_flag("--json", request->as_json, "print one JSON document, with every axiom that was left out");
+  command->add_flag("--json", request->as_json,
+                    "print one JSON document, with every axiom and place of what was left out");
   command->add_flag("--all", request->shows_all,
-                    "list every axiom that was left out, not only " + std::to_string(max_shown) + " a construct");
+                    "list every axiom and each place of what was left out, not only " + std::to_string(max_shown) +
+                        " axioms a construct");
   add_lenient(*command, request->is_lenient);
   add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);

@@ -322,10 +322,11 @@ void Ontology::note(std::vector<Omission>& notes, std::string_view text, FileId 
     if (known.construct == name && known.file == file) {
       known.count += count;
       known.line = std::min(known.line, line);
+      if (known.lines.size() < most_noted_lines && known.lines.back() != line) known.lines.push_back(line);
       return;
     }
   }
-  notes.push_back({name, file, line, count});
+  notes.push_back({name, file, line, count, {line}});
 }
 
 std::vector<TermId> terms_in(const Ontology& source, std::span<const TermId> roots) {

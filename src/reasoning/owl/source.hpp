@@ -82,7 +82,10 @@ class Ontology {
     FileId file{};
     std::uint32_t line = 0;
     std::uint32_t count = 1;
+    /// Each line, in the order of reading, the first most_noted_lines of them.
+    std::vector<std::uint32_t> lines{};
   };
+  static constexpr std::size_t most_noted_lines = 1000;
 
   explicit Ontology(const SourceLimits& limits = {});
   Ontology(const Ontology&);

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <boost/json.hpp>
+
 #include "tools/ontology/program.hpp"
 
 namespace geminga::ontology {
@@ -23,6 +25,34 @@ TEST(Check, SaysWhichClassesWhatWasLeftOutMayMatterTo) {
   // A fact that leads to the property may contradict what was left out, and everything follows from a contradiction.
   program.turtle("b.ttl", axioms + " :y a :A .");
   EXPECT_THAT(program.run({"check", "b.ttl"}).out, HasSubstr("superclasses of 4 classes:\n"));
+}
+
+TEST(Check, ListsEachPlaceWhereTheReaderLeftSomethingOut) {
+  const Program program;
+  program.turtle("a.ttl",
+                 ":p a owl:ObjectProperty .\n"
+                 ":A rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :p ] .\n"
+                 ":B rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :p ] .\n");
+  program.turtle("b.ttl", ":C a owl:Class ; rdfs:subClassOf [ a owl:Restriction ; owl:onProperty :p ] .\n");
+  const Outcome few = program.run({"check", "a.ttl", "b.ttl"});
+  EXPECT_THAT(few.out, HasSubstr("  an owl:Restriction without a constraint: 3, first at a.ttl:3\n"));
+  EXPECT_THAT(few.out, Not(HasSubstr("    at ")));
+  const Outcome all = program.run({"check", "a.ttl", "b.ttl", "--all"});
+  EXPECT_THAT(all.out, HasSubstr("first at a.ttl:3\n    at a.ttl:3\n    at a.ttl:4\n    at b.ttl:2\n"));
+  const auto found = boost::json::parse(program.run({"check", "a.ttl", "b.ttl", "--json"}).out);
+  const boost::json::array places = found.at("left_out").at(0).at("places").as_array();
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_EQ(places[2].at("file"), "b.ttl");
+  EXPECT_EQ(places[2].at("line"), 2);
+}
+
+TEST(Check, ListsEachPlaceThatIsReadOtherwiseThanWritten) {
+  const Program program;
+  program.turtle("a.ttl", ":q a owl:DatatypeProperty .\n:i :q \"5.0\"^^xsd:integer .\n:j :q \"6.0\"^^xsd:integer .\n");
+  const Outcome all = program.run({"check", "a.ttl", "--lenient", "--all"});
+  EXPECT_THAT(all.out, HasSubstr("    at a.ttl:3\n    at a.ttl:4\n"));
+  const auto found = boost::json::parse(program.run({"check", "a.ttl", "--lenient", "--json"}).out);
+  EXPECT_EQ(found.at("remarks").at(0).at("places").as_array().size(), 2U);
 }
 
 TEST(Lenient, IsAFlagOfEveryCommandThatReadsOntologies) {

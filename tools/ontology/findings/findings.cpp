@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/sorted.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/findings/axioms.hpp"
 #include "ontology/findings/touched_classes.hpp"
@@ -31,13 +32,22 @@ void sort_axioms(std::vector<LeftOutGroup>& groups) {
   }
 }
 
+void add_places(const owl::Ontology& source, const owl::Ontology::Omission& omission, LeftOutGroup& to) {
+  const std::string& file = source.files()[static_cast<std::size_t>(omission.file)].path;
+  for (const std::uint32_t line : omission.lines) to.places.push_back({file, line});
+}
+
+void sort_places(std::vector<LeftOutGroup>& groups) {
+  for (LeftOutGroup& entry : groups) base::sort_unique(entry.places);
+}
+
 std::vector<LeftOutGroup> group(const ClassifiedFiles& classified) {
   const owl::Ontology& source = classified.loaded.source;
   const auto short_name = short_names(source);
   std::vector<LeftOutGroup> groups;
   std::map<std::string_view, std::size_t> place;
   for (owl::LeftOut& summary : taxonomy::left_out(source, classified.classification)) {
-    groups.push_back({std::move(summary), {}});
+    groups.push_back({std::move(summary), {}, {}});
   }
   for (std::size_t at = 0; at < groups.size(); ++at) place.emplace(groups[at].summary.construct, at);
   for (const taxonomy::UnusedAxiom& unused : classified.classification.unused) {
@@ -47,27 +57,35 @@ std::vector<LeftOutGroup> group(const ClassifiedFiles& classified) {
     groups[found->second].axioms.push_back(
         {owl::print(source, axiom, short_name), source.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line});
   }
+  for (const owl::Ontology::Omission& omission : source.omissions()) {
+    const auto found = place.find(source.name(omission.construct));
+    if (found != place.end()) add_places(source, omission, groups[found->second]);
+  }
   sort_axioms(groups);
+  sort_places(groups);
   return groups;
 }
 
-std::vector<owl::LeftOut> remarks_of(const owl::Ontology& source) {
-  std::map<std::string_view, owl::LeftOut> remarks;
+std::vector<LeftOutGroup> remarks_of(const owl::Ontology& source) {
+  std::map<std::string_view, LeftOutGroup> remarks;
   for (const owl::Ontology::Omission& remark : source.remarks()) {
     const auto file = static_cast<std::uint32_t>(remark.file);
     const std::string_view text = source.name(remark.construct);
-    const auto [found, is_new] = remarks.try_emplace(text, owl::LeftOut{std::string(text), 0, {}, file, remark.line});
-    if (is_new) found->second.first = place(source.files()[file].path, remark.line);
-    found->second.count += remark.count;
+    const auto [found, is_new] =
+        remarks.try_emplace(text, LeftOutGroup{{std::string(text), 0, {}, file, remark.line}, {}, {}});
+    if (is_new) found->second.summary.first = place(source.files()[file].path, remark.line);
+    found->second.summary.count += remark.count;
+    add_places(source, remark, found->second);
   }
-  std::vector<owl::LeftOut> found;
+  std::vector<LeftOutGroup> found;
   for (auto& [text, remark] : remarks) found.push_back(std::move(remark));
+  sort_places(found);
   return found;
 }
 
 std::vector<LeftOutGroup> group(const compiled::Ontology& ontology) {
   std::vector<LeftOutGroup> groups;
-  for (owl::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}});
+  for (owl::LeftOut& summary : ontology.left_out()) groups.push_back({std::move(summary), {}, {}});
   const taxonomy::ClassifiedView& view = ontology.axioms();
   explanation::Module module(ontology, {});
   for (std::size_t at = 0; at < view.unused_axiom.size(); ++at) {

@@ -3,7 +3,9 @@
 #ifndef GEMINGA_ONTOLOGY_FINDINGS_FINDINGS_HPP
 #define GEMINGA_ONTOLOGY_FINDINGS_FINDINGS_HPP
 
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +19,17 @@
 
 namespace geminga::ontology {
 
-/// Omissions of the reader or of the reasoner because of one construct.
+/// A line of a file; 0: unknown.
+struct Place {
+  std::string file;
+  std::uint32_t line = 0;
+  auto operator<=>(const Place&) const = default;
+};
+
+/// Omissions of the reader or of the reasoner because of one construct, or remarks of the reader.
 struct LeftOutGroup {
   owl::LeftOut summary;
+  std::vector<Place> places;  ///< of what the reader left out, ascending, each line once, the first ones of each file
   std::vector<explanation::ExplainedAxiom> axioms;  ///< by file and line; omissions of the reader are no axioms
 };
 
@@ -56,7 +66,7 @@ struct Sources {
 struct Findings {
   Sources sources;
   std::vector<LeftOutGroup> left_out;  ///< by construct
-  std::vector<owl::LeftOut> remarks;   ///< of the readers: what was used, but is not quite what the files say
+  std::vector<LeftOutGroup> remarks;   ///< of the readers: what was used, but is not quite what the files say
   std::vector<std::string> gaps;       ///< why something may be missing although every axiom was used
   /// Classes of which superclasses may be missing because of what was left out: find_touched_classes(). Nothing: it may
   /// be any, as something that was left out is no axiom, or there are gaps or refused files, or the ontology is too

@@ -9,12 +9,19 @@
 namespace geminga::ontology {
 namespace {
 
+boost::json::array places_as_json(const LeftOutGroup& entry) {
+  boost::json::array list;
+  for (const Place& one : entry.places) list.push_back(boost::json::object{{"file", one.file}, {"line", one.line}});
+  return list;
+}
+
 boost::json::array left_out_as_json(const Findings& findings) {
   boost::json::array list;
   for (const LeftOutGroup& entry : findings.left_out) {
     boost::json::object group{
         {"construct", entry.summary.construct}, {"count", entry.summary.count}, {"first", entry.summary.first}};
     group["axioms"] = axiom_array(entry.axioms);
+    group["places"] = places_as_json(entry);
     list.push_back(std::move(group));
   }
   return list;
@@ -68,9 +75,11 @@ std::string as_json(const Findings& findings) {
     files.push_back(boost::json::object{{"path", file.path}, {"ontology", file.ontology_iri}});
   document["left_out"] = left_out_as_json(findings);
   boost::json::array& remarks = document["remarks"].emplace_array();
-  for (const owl::LeftOut& remark : findings.remarks)
-    remarks.push_back(
-        boost::json::object{{"text", remark.construct}, {"count", remark.count}, {"first", remark.first}});
+  for (const LeftOutGroup& remark : findings.remarks)
+    remarks.push_back(boost::json::object{{"text", remark.summary.construct},
+                                          {"count", remark.summary.count},
+                                          {"first", remark.summary.first},
+                                          {"places", places_as_json(remark)}});
   document["touched"] = findings.touched ? boost::json::value_from(*findings.touched) : boost::json::value(nullptr);
   document["units"] = units_as_json(sources);
   document["gaps"] = boost::json::value_from(findings.gaps);
