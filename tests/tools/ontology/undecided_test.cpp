@@ -1,4 +1,4 @@
-// What the commands say where the engines cannot decide within their own limits.
+// Answers of the commands where the engines cannot decide within their own limits.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
