@@ -116,6 +116,27 @@ TEST(Instances, AreThoseOfAnExpression) {
             "{\"consistent\":true,\"instances\":[\"http://e/bob\",\"http://e/rob\"]}\n");
 }
 
+TEST(Query, HasOneRowForEachNameAndEachStatedValue) {
+  const Program program;
+  program.turtle("a.ttl",
+                 ":C a owl:Class ; owl:hasKey ( :d ) . :d a owl:DatatypeProperty . :n a owl:DatatypeProperty . "
+                 ":a a :C ; :d \"1\" ; :n \"x\"@de-AT . :b :n "
+                 "\"y@en\"^^<http://www.w3.org/1999/02/22-rdf-syntax-ns#PlainLiteral> . :b a :C ; :d "
+                 "\"1\"^^<http://www.w3.org/2001/XMLSchema#string> .");
+  const auto rows = [&](const std::string& query) {
+    return program.run({"query", "a.ttl", query, "--format", "tsv"}).out;
+  };
+  EXPECT_EQ(rows("SELECT ?x { ?x a :C }"), "?x\n<http://e/a>\n<http://e/b>\n") << "two names of one thing by its key";
+  EXPECT_EQ(rows("SELECT ?x ?v { ?x :d ?v }"), "?x\t?v\n<http://e/a>\t\"1\"\n<http://e/b>\t\"1\"\n");
+  EXPECT_EQ(rows("SELECT ?v { :a :n ?v } ORDER BY ?v"), "?v\n\"x\"@de-AT\n\"y\"@en\n")
+      << "what follows has small letters";
+  EXPECT_EQ(rows("SELECT ?v { :b :n ?v } ORDER BY ?v"), "?v\n\"x\"@de-at\n\"y\"@en\n");
+  const std::string inferred =
+      program.run({"infer", "a.ttl", "--facts", "--only-inferred", "-o", "-", "--to", "nt"}).out;
+  EXPECT_THAT(inferred, HasSubstr("<http://e/b> <http://e/n> \"x\"@de-at ."));
+  EXPECT_THAT(inferred, testing::Not(HasSubstr("<http://e/a> <http://e/n> \"x\""))) << "stated";
+}
+
 TEST(Query, SeesFactsThatFollowAndInstancesOfExpressions) {
   const Program program;
   program.turtle("team.ttl", robots);

@@ -65,13 +65,27 @@ class Writer {
     for (const auto& names_of_one : things) write_equal(names_of_one, same);
   }
   void write(const owl::Ontology& source, const std::vector<realization::Fact>& facts) {
+    const std::set<realization::Fact> stated = stated_with_language(source);
     for (const realization::Fact& fact : facts) {
       if (!goes_on()) return;
-      graph_.add(iri(source.name_of(fact.subject)), iri(source.name_of(fact.property)), node_of(source, fact.object));
+      if (!stated.contains(fact))
+        graph_.add(iri(source.name_of(fact.subject)), iri(source.name_of(fact.property)), node_of(source, fact.object));
     }
   }
 
  private:
+  /// The facts with a language that files state. Their triples may have its tag in other letters, upper or lower.
+  static std::set<realization::Fact> stated_with_language(const owl::Ontology& source) {
+    std::set<realization::Fact> stated;
+    for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
+      const owl::Axiom axiom = source.axiom(number);
+      if (axiom.kind != owl::AxiomKind::data_property_assertion) continue;
+      if (source.term(axiom.arguments[2]).arguments.size() > 1)
+        stated.insert({axiom.arguments[1], axiom.arguments[0], axiom.arguments[2]});
+    }
+    return stated;
+  }
+
   static Node node_of(const owl::Ontology& source, owl::TermId object) {
     const owl::Term term = source.term(object);
     Node node = iri(source.name(term.name));

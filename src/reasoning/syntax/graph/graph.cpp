@@ -4,6 +4,7 @@
 #include <new>
 
 #include "base/text.hpp"
+#include "reasoning/owl/plain_literal.hpp"
 #include "reasoning/syntax/files.hpp"
 #include "reasoning/syntax/graph/rdf_xml.hpp"
 #include "reasoning/syntax/graph/store.hpp"
@@ -42,17 +43,29 @@ struct Reading {
   }
 
   [[nodiscard]] bool add(const raptor_statement* statement) const {
-    if (bases.is_empty()) return graph.statements.add_copy(statement);
+    if (bases.is_empty() && !is_plain_literal(*statement->object)) return graph.statements.add_copy(statement);
     return graph.statements.add(restored(*statement->subject), restored(*statement->predicate),
                                 restored(*statement->object));
   }
 
-  /// A node with the IRIs that the file means.
+  [[nodiscard]] static bool is_plain_literal(const raptor_term& term) {
+    return term.type == RAPTOR_TERM_TYPE_LITERAL && term.value.literal.datatype != nullptr &&
+           owl::plain_literal_datatype ==
+               reinterpret_cast<const char*>(raptor_uri_as_string(term.value.literal.datatype));
+  }
+
+  /// A node with the IRIs that the file means. rdf:PlainLiteral has no place in triples (its specification, section 4):
+  /// its literals are plain texts and texts with a language.
   [[nodiscard]] Node restored(const raptor_term& term) const {
     Node node = node_of(term);
     std::string& iri = node.kind == Node::Kind::iri ? node.text : node.datatype;
     std::string room;
     iri = std::string(bases.restored(iri, room));
+    if (!is_plain_literal(term)) return node;
+    owl::PlainLiteral plain = owl::split_plain_literal(node.text);
+    node.datatype.clear();
+    node.language = std::move(plain.language);
+    node.text = std::string(plain.text);
     return node;
   }
 
