@@ -9,7 +9,7 @@
 #include "ontology/loading/argument.hpp"
 #include "ontology/loading/consistency.hpp"
 #include "ontology/loading/refused.hpp"
-#include "ontology/verdict.hpp"
+#include "ontology/loading/verdict.hpp"
 
 namespace geminga::ontology {
 namespace {

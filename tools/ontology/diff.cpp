@@ -16,7 +16,7 @@
 #include "ontology/findings/axioms.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "ontology/loading/consistency.hpp"
-#include "ontology/verdict.hpp"
+#include "ontology/loading/verdict.hpp"
 
 namespace geminga::ontology {
 namespace {

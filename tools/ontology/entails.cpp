@@ -8,7 +8,7 @@
 #include "ontology/commands.hpp"
 #include "ontology/loading/argument.hpp"
 #include "ontology/loading/refused.hpp"
-#include "ontology/verdict.hpp"
+#include "ontology/loading/verdict.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/reasoner/ill_typed.hpp"

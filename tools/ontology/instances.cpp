@@ -10,12 +10,11 @@
 #include "ontology/commands.hpp"
 #include "ontology/individuals/realized_files.hpp"
 #include "ontology/loading/argument.hpp"
-#include "ontology/loading/class_names.hpp"
+#include "ontology/loading/class_expressions.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "ontology/loading/consistency.hpp"
 #include "ontology/loading/refused.hpp"
 #include "reasoning/compiled/entity_names.hpp"
-#include "reasoning/syntax/manchester/parse.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -31,18 +30,10 @@ struct InstancesRequest {
 std::optional<owl::TermId> read_or_say(ClassifiedFiles& classified, const std::string& text, bool as_json) {
   const auto ontology = compile_or_say(classified);
   if (!ontology) return std::nullopt;
-  owl::Ontology& source = classified.loaded.source;
-  // A label may hold words that are operators of an expression.
-  if (find_class(*ontology, text) || !manchester::is_compound(text)) {
-    const auto number = find_or_say(*ontology, text, as_json);
-    if (!number) return std::nullopt;
-    return source.named_class(ontology->iri(*number));
-  }
   const compiled::EntityNames names(*ontology);
-  const auto expression = manchester::parse(text, names);
-  if (expression) return source.copy(expression->source, expression->term);
-  say_failure("'" + base::printable(text) + "': " + to_string(expression.error()), as_json);
-  return std::nullopt;
+  const auto expression = read_expression_or_say(*ontology, names, text, as_json);
+  if (!expression) return std::nullopt;
+  return classified.loaded.source.copy(expression->source, expression->term);
 }
 
 std::string as_json(const owl::Ontology& source, const realization::Instances& found,

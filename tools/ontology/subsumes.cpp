@@ -3,18 +3,15 @@
 #include <boost/json.hpp>
 #include <memory>
 
-#include "base/text.hpp"
 #include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
-#include "ontology/loading/class_names.hpp"
+#include "ontology/loading/class_expressions.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "ontology/loading/refused.hpp"
-#include "ontology/verdict.hpp"
+#include "ontology/loading/verdict.hpp"
 #include "reasoning/compiled/entity_names.hpp"
-#include "reasoning/owl/print.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
-#include "reasoning/syntax/manchester/parse.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -28,36 +25,11 @@ struct SubsumesRequest {
   bool is_strict = false;
 };
 
-/// Reads a class expression, of which a name is the simplest; nothing after saying what is wrong.
-std::optional<manchester::Expression> read_or_say(const compiled::Ontology& ontology, const owl::Names& names,
-                                                  const std::string& text, bool as_json) {
-  // A label may hold words that are operators of an expression.
-  if (find_class(ontology, text) || !manchester::is_compound(text)) {
-    const auto number = find_or_say(ontology, text, as_json);
-    if (!number) return std::nullopt;
-    manchester::Expression expression;
-    expression.term = expression.source.named_class(ontology.iri(*number));
-    return expression;
-  }
-  auto expression = manchester::parse(text, names);
-  if (expression) return std::move(*expression);
-  say_failure("'" + base::printable(text) + "': " + to_string(expression.error()), as_json);
-  return std::nullopt;
-}
-
-std::string words(const compiled::Ontology& ontology, const manchester::Expression& expression) {
-  return owl::print(expression.source, expression.term, [&](std::string_view iri) { return ontology.short_name(iri); });
-}
-
 /// Decides by the taxonomy for two classes, by the engines for expressions.
 reasoner::Answer decide(ClassifiedFiles& classified, const compiled::Ontology& ontology,
                         const manchester::Expression& sub, const manchester::Expression& super, base::Budget& budget) {
-  const auto class_of = [&](const manchester::Expression& expression) {
-    const bool is_class = expression.source.kind(expression.term) == owl::TermKind::named_class;
-    return is_class ? ontology.find_iri(expression.source.name_of(expression.term)) : std::nullopt;
-  };
-  const auto sub_class = class_of(sub);
-  const auto super_class = class_of(super);
+  const auto sub_class = class_of(ontology, sub);
+  const auto super_class = class_of(ontology, super);
   if (sub_class && super_class) {
     const bool holds =
         is_unsatisfiable(classified.classification, *sub_class) || ontology.is_subsumed(*sub_class, *super_class);
@@ -93,18 +65,20 @@ Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   const auto ontology = compile_or_say(*classified);
   if (!ontology) return Exit::usage;
   const compiled::EntityNames names(*ontology);
-  const auto sub = read_or_say(*ontology, names, request.sub, request.as_json);
-  const auto super = sub ? read_or_say(*ontology, names, request.super, request.as_json) : std::nullopt;
+  const auto sub = read_expression_or_say(*ontology, names, request.sub, request.as_json);
+  const auto super = sub ? read_expression_or_say(*ontology, names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;
   reasoner::Answer answer = decide(*classified, *ontology, *sub, *super, budget);
   const auto refused = describe_refused(classified->loaded);
   if (answer.verdict == reasoner::Verdict::no && refused) answer = {reasoner::Verdict::unknown, *refused};
   const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;
   if (request.as_json)
-    return print_or_say(as_json(words(*ontology, *sub), words(*ontology, *super), answer), exit_of(answer, budget));
-  std::string text = words(*ontology, *sub) + (is_subsumed ? " is subsumed by " : " is not subsumed by ");
-  if (answer.verdict == reasoner::Verdict::unknown) text = words(*ontology, *sub) + " is not known to be subsumed by ";
-  text += words(*ontology, *super) + (answer.reason.empty() ? "" : ": " + answer.reason);
+    return print_or_say(as_json(words_of(*ontology, *sub), words_of(*ontology, *super), answer),
+                        exit_of(answer, budget));
+  std::string text = words_of(*ontology, *sub) + (is_subsumed ? " is subsumed by " : " is not subsumed by ");
+  if (answer.verdict == reasoner::Verdict::unknown)
+    text = words_of(*ontology, *sub) + " is not known to be subsumed by ";
+  text += words_of(*ontology, *super) + (answer.reason.empty() ? "" : ": " + answer.reason);
   return print_or_say(text + '\n', exit_of(answer, budget));
 }
 

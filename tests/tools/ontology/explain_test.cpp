@@ -134,5 +134,55 @@ TEST_F(Explain, JsonNamesAxiomsWithTheirPlaces) {
   EXPECT_EQ(boost::json::parse(no.out).at("entailed"), false);
 }
 
+/// bob is tired by a rule; eve is not, by the same rule.
+constexpr std::string_view tired_robots =
+    "Prefix(:=<http://e/#>) Prefix(xsd:=<http://www.w3.org/2001/XMLSchema#>)\n"
+    "Prefix(swrlb:=<http://www.w3.org/2003/11/swrlb#>)\n"
+    "Ontology(<http://e/> Declaration(DataProperty(:hours)) Declaration(NamedIndividual(:bob))\n"
+    "DLSafeRule(Body(ClassAtom(:Robot Variable(<urn:x>)) DataPropertyAtom(:hours Variable(<urn:x>) Variable(<urn:h>))"
+    " BuiltInAtom(swrlb:greaterThan Variable(<urn:h>) \"8\"^^xsd:integer)) Head(ClassAtom(:Tired Variable(<urn:x>))))\n"
+    "ClassAssertion(:Goalie :bob) ClassAssertion(:Robot :eve) DataPropertyAssertion(:hours :eve \"8\"^^xsd:integer)\n"
+    "SubClassOf(:Goalie :Robot) SubClassOf(:Tired :Unfit)\n"
+    "DataPropertyAssertion(:hours :bob \"12\"^^xsd:integer))\n";
+
+TEST(Explain, SaysWhyAnIndividualIsInAClassWithTheRulesThatPutItThere) {
+  const Program program;
+  program.write("a.ofn", tired_robots);
+  const std::string reasons =
+      ":bob Type :Goalie   [a.ofn:5]\n:bob Fact :hours \"12\"^^xsd:integer   [a.ofn:7]\n"
+      ":Goalie SubClassOf :Robot   [a.ofn:6]\n:hours(?x, ?h), :Robot(?x), ?h > 8 -> :Tired(?x)   [a.ofn:4]\n"
+      ":Tired SubClassOf :Unfit   [a.ofn:6]\n";
+  EXPECT_EQ(program.run({"explain", "a.ofn", "--individual", ":bob", "--super", ":Unfit"}).out,
+            ":bob is in :Unfit, because:\n" + reasons);
+  EXPECT_EQ(program.run({"explain", "a.ofn", "--sub", "{:bob}", "--super", ":Unfit"}).out,
+            "{:bob} is subsumed by :Unfit, because:\n" + reasons);
+  EXPECT_EQ(program.run({"explain", "a.ofn", "--individual", "bob", "--super", ":Robot and :Unfit", "--laconic"}).out,
+            ":bob is in :Robot and :Unfit, because:\n" + reasons);
+  const Outcome proof = program.run({"explain", "a.ofn", "--individual", ":bob", "--super", ":Robot", "--proof"});
+  EXPECT_THAT(proof.out, HasSubstr("<about:individual> EquivalentTo {:bob}\n"));
+  const Outcome json = program.run({"explain", "a.ofn", "--individual", ":bob", "--super", ":Robot", "--json"});
+  EXPECT_THAT(json.out, HasSubstr("{\"individual\":\"http://e/#bob\",\"super\":\"http://e/#Robot\",\"entailed\":true"));
+  EXPECT_THAT(json.out, Not(HasSubstr("about:")));
+}
+
+TEST(Explain, SaysWhatIsNotSoOfIndividualsAndExpressions) {
+  const Program program;
+  program.write("a.ofn", tired_robots);
+  const Outcome eve = program.run({"explain", "a.ofn", "--individual", ":eve", "--super", ":Tired"});
+  EXPECT_EQ(eve.status, 1);
+  EXPECT_EQ(eve.out, ":eve need not be in :Tired\n");
+  const Outcome always = program.run({"explain", "a.ofn", "--sub", ":Robot and :Tired", "--super", ":Tired or :Goalie"});
+  EXPECT_EQ(always.status, 0);
+  EXPECT_THAT(always.out, HasSubstr(": that is so in every ontology\n"));
+  const Outcome unknown = program.run({"explain", "a.ofn", "--individual", ":bobb", "--super", ":Tired"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean :bob?"));
+  EXPECT_EQ(program.run({"explain", "a.ofn", "--individual", ":bob", "--sub", ":Robot", "--super", ":Tired"}).status, 2);
+  EXPECT_EQ(program.run({"compile", "a.ofn", "-o", "a.geminga"}).status, 0);
+  const Outcome compiled = program.run({"explain", "a.geminga", "--individual", ":bob", "--super", ":Tired"});
+  EXPECT_EQ(compiled.status, 2);
+  EXPECT_THAT(compiled.err, HasSubstr("a compiled file explains classes alone"));
+}
+
 }  // namespace
 }  // namespace geminga::ontology

@@ -40,15 +40,28 @@ std::expected<compiled::Ontology, compiled::CompiledError> open_compiled(const s
   return ontology;
 }
 
+namespace {
+
+std::optional<Opened> open_classified(std::optional<ClassifiedFiles> classified, const LoadOptions& options) {
+  auto compiled = classified ? compile_or_say(*classified) : std::nullopt;
+  if (!compiled) return std::nullopt;
+  auto refused = describe_refused(classified->loaded);
+  reasoner::Answer consistency = consistency_of(*classified, options.budget);
+  return Opened{std::move(*compiled), std::move(consistency), std::move(refused), std::move(classified)};
+}
+
+}  // namespace
+
+std::optional<Opened> classify_and_compile_or_say(rdf::Loaded loaded, const LoadOptions& options) {
+  Progress progress(!options.as_json);
+  auto classified = classify_files(std::move(loaded), 0, progress, options);
+  if (classified) return open_classified(std::move(*classified), options);
+  say_failure(classified.error().text, options.as_json);
+  return std::nullopt;
+}
+
 std::optional<Opened> open_or_say(const std::vector<std::string>& files, const LoadOptions& options) {
-  if (!is_compiled(files)) {
-    auto classified = classify_or_say(files, options);
-    auto compiled = classified ? compile_or_say(*classified) : std::nullopt;
-    if (!compiled) return std::nullopt;
-    auto refused = describe_refused(classified->loaded);
-    reasoner::Answer consistency = consistency_of(*classified, options.budget);
-    return Opened{std::move(*compiled), std::move(consistency), std::move(refused), std::move(classified)};
-  }
+  if (!is_compiled(files)) return open_classified(classify_or_say(files, options), options);
   auto ontology = open_compiled(files.front());
   const auto stale = ontology ? ontology->stale_source() : std::nullopt;
   if (ontology && !stale) {

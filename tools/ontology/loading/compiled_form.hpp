@@ -27,6 +27,8 @@ struct Opened {
   std::optional<std::string> refused;           ///< of describe_refused()
   std::optional<ClassifiedFiles> classified{};  ///< the files; nothing: a compiled file
 };
+/// Classifies what was loaded and compiles it in memory; nothing after saying what is wrong.
+[[nodiscard]] std::optional<Opened> classify_and_compile_or_say(rdf::Loaded loaded, const LoadOptions& options = {});
 /// Opens a single compiled file whose sources are unchanged, or compiles the files in memory; nothing after saying what
 /// is wrong.
 [[nodiscard]] std::optional<Opened> open_or_say(const std::vector<std::string>& files, const LoadOptions& options = {});

@@ -1,6 +1,6 @@
 // The answer of the engines as a JSON value and as an exit status.
-#ifndef GEMINGA_ONTOLOGY_VERDICT_HPP
-#define GEMINGA_ONTOLOGY_VERDICT_HPP
+#ifndef GEMINGA_ONTOLOGY_LOADING_VERDICT_HPP
+#define GEMINGA_ONTOLOGY_LOADING_VERDICT_HPP
 
 #include <boost/json/value.hpp>
 #include <string>
