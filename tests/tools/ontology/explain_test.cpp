@@ -145,7 +145,7 @@ constexpr std::string_view tired_robots =
     "SubClassOf(:Goalie :Robot) SubClassOf(:Tired :Unfit)\n"
     "DataPropertyAssertion(:hours :bob \"12\"^^xsd:integer))\n";
 
-TEST(Explain, SaysWhyAnIndividualIsInAClassWithTheRulesThatPutItThere) {
+TEST(ExplainIndividuals, SaysWhyAnIndividualIsInAClassWithTheRulesThatPutItThere) {
   const Program program;
   program.write("a.ofn", tired_robots);
   const std::string reasons =
@@ -165,19 +165,21 @@ TEST(Explain, SaysWhyAnIndividualIsInAClassWithTheRulesThatPutItThere) {
   EXPECT_THAT(json.out, Not(HasSubstr("about:")));
 }
 
-TEST(Explain, SaysWhatIsNotSoOfIndividualsAndExpressions) {
+TEST(ExplainIndividuals, SaysWhatIsNotSoOfIndividualsAndExpressions) {
   const Program program;
   program.write("a.ofn", tired_robots);
   const Outcome eve = program.run({"explain", "a.ofn", "--individual", ":eve", "--super", ":Tired"});
   EXPECT_EQ(eve.status, 1);
   EXPECT_EQ(eve.out, ":eve need not be in :Tired\n");
-  const Outcome always = program.run({"explain", "a.ofn", "--sub", ":Robot and :Tired", "--super", ":Tired or :Goalie"});
+  const Outcome always =
+      program.run({"explain", "a.ofn", "--sub", ":Robot and :Tired", "--super", ":Tired or :Goalie"});
   EXPECT_EQ(always.status, 0);
   EXPECT_THAT(always.out, HasSubstr(": that is so in every ontology\n"));
   const Outcome unknown = program.run({"explain", "a.ofn", "--individual", ":bobb", "--super", ":Tired"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_THAT(unknown.err, HasSubstr("did you mean :bob?"));
-  EXPECT_EQ(program.run({"explain", "a.ofn", "--individual", ":bob", "--sub", ":Robot", "--super", ":Tired"}).status, 2);
+  EXPECT_EQ(program.run({"explain", "a.ofn", "--individual", ":bob", "--sub", ":Robot", "--super", ":Tired"}).status,
+            2);
   EXPECT_EQ(program.run({"compile", "a.ofn", "-o", "a.geminga"}).status, 0);
   const Outcome compiled = program.run({"explain", "a.geminga", "--individual", ":bob", "--super", ":Tired"});
   EXPECT_EQ(compiled.status, 2);
