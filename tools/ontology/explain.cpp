@@ -13,6 +13,7 @@
 #include "ontology/commands.hpp"
 #include "ontology/explaining/explained.hpp"
 #include "ontology/explaining/question.hpp"
+#include "reasoning/owl/left_out.hpp"
 
 namespace geminga::ontology {
 namespace {
