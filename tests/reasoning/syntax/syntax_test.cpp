@@ -4,6 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
+
+#include "reasoning/syntax/count.hpp"
+
 namespace geminga::syntax {
 namespace {
 
@@ -123,6 +129,15 @@ TEST(Syntax, OfWideCharactersIsRefusedWithOrWithoutTheirMark) {
     ASSERT_FALSE(syntax);
     EXPECT_EQ(syntax.error(), "is in UTF-16, which is not read: convert it to UTF-8");
   }
+}
+
+TEST(Count, IsReadAsANonNegativeInteger) {
+  for (const auto& [text, number] : std::initializer_list<std::pair<const char*, std::uint32_t>>{
+           {"2", 2}, {" +2\n", 2}, {"002", 2}, {"-0", 0}, {"-000", 0}, {"+0", 0}, {"4294967295", 4294967295}})
+    EXPECT_EQ(read_count(text), number) << text;
+  for (const char* text : {"", " ", "+", "-", "-1", "+-2", "2 3", "two", "2.0", "0x2"})
+    EXPECT_EQ(read_count(text), std::unexpected(CountFault::not_a_count)) << text;
+  EXPECT_EQ(read_count("4294967296"), std::unexpected(CountFault::too_great));
 }
 
 }  // namespace

@@ -15,6 +15,9 @@
 
 namespace geminga::document {
 
+/// The remark about a backslash in a text before something else than a quotation mark or a backslash.
+inline constexpr std::string_view odd_backslash = "a backslash in a text that escapes nothing, read as itself";
+
 /// Notes what the head of one document declares, each prefix and import once. A function that returns a text refuses
 /// the document for that reason.
 class Head {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "reasoning/syntax/document/head.hpp"
+
 namespace geminga::frames {
 
 using manchester::ParseError;
@@ -44,6 +46,7 @@ std::expected<Document, ReadError> Parser::run() {
     if (!leave_out_wrong("a frame that cannot be read", true)) break;
   }
   if (failed()) return std::unexpected(ReadError{{}, line_of(problem()->octet), problem()->text});
+  if (const auto odd = tokens_.odd_backslash()) source_.remark(document::odd_backslash, file_, line_of(*odd));
   if (const auto& problem = source_.problem()) return std::unexpected(ReadError{{}, 0, *problem});
   return std::move(document_);
 }

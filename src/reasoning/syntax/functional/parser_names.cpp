@@ -3,6 +3,7 @@
 #include "base/text.hpp"
 #include "reasoning/owl/blank_prefix.hpp"
 #include "reasoning/owl/plain_literal.hpp"
+#include "reasoning/syntax/document/head.hpp"
 #include "reasoning/syntax/functional/parser.hpp"
 
 namespace geminga::functional {
@@ -76,7 +77,7 @@ bool Parser::literal() {
   lexical_ = token.text;
   if (token.has_escapes) {
     lexical_buffer_.clear();
-    append_unescaped(lexical_buffer_, token.text);
+    if (append_unescaped_text(lexical_buffer_, token.text)) source_.remark(document::odd_backslash, file_, tokens_.line());
     lexical_ = lexical_buffer_;
   }
   language_ = {};

@@ -82,14 +82,31 @@ std::optional<Problem> check_text(std::string_view bytes) {
   return std::nullopt;
 }
 
-void append_unescaped(std::string& to, std::string_view text) {
+void append_unescaped(std::string& to, std::string_view name) {
+  while (!name.empty()) {
+    const std::size_t escape = std::min(name.find('\\'), name.size());
+    to.append(name.substr(0, escape));
+    if (escape + 1 >= name.size()) return;
+    to.push_back(name[escape + 1]);
+    name.remove_prefix(escape + 2);
+  }
+}
+
+bool append_unescaped_text(std::string& to, std::string_view text) {
+  bool has_other = false;
   while (!text.empty()) {
     const std::size_t escape = std::min(text.find('\\'), text.size());
     to.append(text.substr(0, escape));
-    if (escape + 1 >= text.size()) return;
-    to.push_back(text[escape + 1]);
+    if (escape + 1 >= text.size()) break;
+    const char next = text[escape + 1];
+    if (next != '"' && next != '\\') {
+      has_other = true;
+      to.push_back('\\');
+    }
+    to.push_back(next);
     text.remove_prefix(escape + 2);
   }
+  return has_other;
 }
 
 Tokenizer::Tokenizer(std::string_view text, const FunctionalLimits& limits)
@@ -187,25 +204,20 @@ void Tokenizer::take_string() {
   const char* begin = place_ + 1;
   const char* end = find_byte(begin, end_, '"');
   std::size_t escapes = 0;
+  bool has_escapes = false;
   if (end == nullptr) return fail("a text that is never closed by '\"'");
   if (find_byte(begin, end, '\\') != nullptr) {
     for (end = begin; end != end_ && *end != '"'; ++end) {
       if (*end != '\\') continue;
-      ++end;
-      ++escapes;
-      if (end == end_) break;
-      if (*end != '"' && *end != '\\') {
-        token_begin_ = end;  // the error is here, perhaps many lines below the first quotation mark
-        const std::size_t count = base::character_bytes(static_cast<unsigned char>(*end));
-        return fail("the escape \\" + base::printable(between(end, end + count)) +
-                    " in a text: write \\\\ for a backslash");
-      }
+      if (++end == end_) break;
+      if (*end == '"' || *end == '\\') ++escapes;
+      has_escapes = true;
     }
     if (end == end_) return fail("a text that is never closed by '\"'");
   }
   if (static_cast<std::size_t>(end - begin) - escapes > limits_.literal_bytes)
     return fail(limit_text("a text", limits_.literal_bytes));
-  token_.has_escapes = escapes != 0;
+  token_.has_escapes = has_escapes;
   finish(TokenKind::string, begin, end, end + 1);
 }
 

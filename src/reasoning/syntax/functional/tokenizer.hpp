@@ -44,8 +44,11 @@ struct Problem {
 /// The first problem of a text before it is tokenized: a NUL, or octets that are not UTF-8.
 [[nodiscard]] std::optional<Problem> check_text(std::string_view bytes);
 
-/// Appends a text with its escapes resolved.
-void append_unescaped(std::string& to, std::string_view text);
+/// Appends a local name with its escapes resolved.
+void append_unescaped(std::string& to, std::string_view name);
+
+/// Appends a text with its escapes resolved. Any other backslash stays. Returns whether there is one.
+bool append_unescaped_text(std::string& to, std::string_view text);
 
 /// Walks over a text that check_text() has accepted. White space and comments are skipped.
 class Tokenizer {

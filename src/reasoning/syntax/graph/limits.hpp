@@ -28,6 +28,8 @@ struct GraphLimits {
   /// Levels of braces. rasqal takes three times as long for each level of OPTIONAL, before it looks at a triple: 0.3 s
   /// for ten levels, 7 minutes for 16.
   std::size_t query_levels = 10;
+  /// Levels of round and square brackets. rasqal says "memory exhausted" above some 4000, without more.
+  std::size_t query_brackets = 1000;
   /// Rows of one answer. Further rows are not returned.
   std::size_t rows = 1'000'000;
 };

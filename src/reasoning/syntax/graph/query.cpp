@@ -125,7 +125,10 @@ void write_rows(const ReadQuery& read, const Rows& rows, const Terms& terms, Var
 std::optional<std::string> refusal_of_text(const std::string& query, const GraphLimits& limits) {
   if (query.size() > limits.query_bytes)
     return "the query has more than " + std::to_string(limits.query_bytes) + " bytes";
-  if (levels_of(masked(query)) > limits.query_levels)
+  const std::string mask = masked(query);
+  if (levels_of(mask, "([", ")]") > limits.query_brackets)
+    return "the query nests brackets deeper than " + std::to_string(limits.query_brackets) + " levels";
+  if (levels_of(mask) > limits.query_levels)
     return "the query nests groups deeper than " + std::to_string(limits.query_levels) +
            " levels, for which it would take too long: ask in several queries";
   if (!base::is_valid_utf8(query) || query.find('\0') != std::string::npos) return "the query is no text in UTF-8";

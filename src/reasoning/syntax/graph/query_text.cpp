@@ -303,12 +303,12 @@ std::string with_opaque_constants(const std::string& query) {
   return text;
 }
 
-std::size_t levels_of(std::string_view mask) {
+std::size_t levels_of(std::string_view mask, std::string_view opening, std::string_view closing) {
   std::size_t deepest = 0;
   std::size_t level = 0;
   for (const char c : mask) {
-    if (c == '{') deepest = std::max(deepest, ++level);
-    if (c == '}' && level > 0) --level;
+    if (opening.contains(c)) deepest = std::max(deepest, ++level);
+    if (closing.contains(c) && level > 0) --level;
   }
   return deepest;
 }

@@ -35,8 +35,9 @@ inline constexpr std::string_view space = " \t\r\n";
 /// constants while it reads, in 32 bits, and takes 2147483647 + 1 for a negative number, but never what has RAND.
 [[nodiscard]] std::string with_opaque_constants(const std::string& query);
 
-/// How deep the braces of a masked query nest.
-[[nodiscard]] std::size_t levels_of(std::string_view mask);
+/// How deep the braces, or other brackets, of a masked query nest.
+[[nodiscard]] std::size_t levels_of(std::string_view mask, std::string_view opening = "{",
+                                    std::string_view closing = "}");
 
 /// Whether the query is DESCRIBE *, over which rasqal complains on standard error.
 [[nodiscard]] bool describes_all(const std::string& query);

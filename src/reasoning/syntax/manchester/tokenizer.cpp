@@ -70,8 +70,11 @@ void Tokenizer::take_quoted(char quote, TokenKind kind) {
     if (character == '\\') {
       if (++at == text_.size()) break;
       character = text_[at];
-      if (character != '\\' && character != quote)
-        return fail(1, "a backslash stands before a quote or a backslash only");
+      if (character != '\\' && character != quote) {
+        if (!is_document_) return fail(1, "a backslash stands before a quote or a backslash only");
+        if (!odd_backslash_) odd_backslash_ = at - 1;
+        token_.value += '\\';
+      }
     }
     token_.value += character;
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,6 +49,8 @@ class Tokenizer {
   /// Says whether a facet may stand here. Then `<` begins a comparison, otherwise an IRI. Holds for the tokens that
   /// follow.
   void set_facets(bool are_facets) { are_facets_ = are_facets; }
+  /// The first octet so far where a backslash of a document escapes nothing, and stands for itself.
+  [[nodiscard]] std::optional<std::size_t> odd_backslash() const { return odd_backslash_; }
   /// The column of an octet, from 1, in characters.
   [[nodiscard]] std::size_t column_of(std::size_t octet) const;
 
@@ -65,6 +68,7 @@ class Tokenizer {
   bool is_document_ = false;
   std::size_t place_ = 0;
   bool are_facets_ = false;
+  std::optional<std::size_t> odd_backslash_;
   Token token_;
 };
 

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/syntax/base_iri.hpp"
+#include "reasoning/syntax/count.hpp"
 
 namespace geminga::owlxml {
 namespace {
@@ -183,13 +184,11 @@ Listener::Refusal Builder::open_production(std::string_view name, std::span<cons
 }
 
 Listener::Refusal Builder::cardinality(std::string_view name, std::span<const Attribute> attributes, Open& open) {
-  std::string_view digits = value_of(attributes, "cardinality");
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
+  const auto count = syntax::read_count(value_of(attributes, "cardinality"));
+  if (!count && count.error() == syntax::CountFault::not_a_count)
     return "expected a number as the cardinality of <" + std::string(name) + '>';
-  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size() - 1));
-  const auto number = base::parse_number<std::uint32_t>(digits);
-  if (!number) obstacle_ = "a cardinality above 4294967295";
-  open.number = number.value_or(0);
+  if (!count) obstacle_ = "a cardinality above 4294967295";
+  open.number = count.value_or(0);
   return std::nullopt;
 }
 

@@ -148,10 +148,11 @@ class Walk {
         return "more than " + std::to_string(walk.limits_.nesting) + " levels of elements";
       walk.attributes_.clear();
       for (int at = 0; at < attribute_count; ++at) {
-        // Local name, prefix, namespace, begin and end of the value.
+        // Local name, prefix, namespace, begin and end of the value. The schema has white space of each value
+        // collapsed, and an IRI or number has none within.
         const xmlChar** attribute = attributes + std::ptrdiff_t{5} * at;
         walk.attributes_.push_back(
-            {view(attribute[2]), view(attribute[0]), view(attribute[3], attribute[4] - attribute[3])});
+            {view(attribute[2]), view(attribute[0]), base::trimmed(view(attribute[3], attribute[4] - attribute[3]))});
       }
       walk.is_text_told_ = may_have_text(view(name));
       return walk.listener_.begin(view(space), view(name), walk.attributes_, walk.line());

@@ -184,6 +184,15 @@ TEST(Frames, HaveAnnotationsThatMayNestAndKeepLabels) {
   EXPECT_EQ(reading.document.annotations, 1U + 5U + 2U + 2U + 3U);
 }
 
+TEST(Frames, MayHaveABackslashThatEscapesNothing) {
+  const Reading reading(
+      "Prefix: : <http://e/> Ontology:\nClass: A\n  Annotations: rdfs:label \"C:\\new\"@en\n  SubClassOf: B\n");
+  ASSERT_EQ(reading.error, "");
+  EXPECT_EQ(reading.source.name(reading.source.labels().front().text), "C:\\new");
+  ASSERT_EQ(reading.source.remarks().size(), 1U);
+  EXPECT_EQ(reading.source.remarks().front().line, 3U);
+}
+
 TEST(Frames, MayHaveSectionsWithoutMembers) {
   EXPECT_THAT(said("Class: A SubClassOf: EquivalentTo: Class: B SubClassOf:"), IsEmpty());
 }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reasoning/syntax/document/head.hpp"
 #include "reasoning/syntax/functional/reading.hpp"
 
 namespace geminga::functional {
@@ -86,11 +87,20 @@ TEST(Literals, OfTypePlainLiteralAreWhatTheyAbbreviate) {
   EXPECT_EQ(literal("\"a\"^^rdf:PlainLiteral"), "\"a\"");
 }
 
+TEST(Literals, WithABackslashThatEscapesNothingAreNoted) {
+  const Reading reading(
+      "Prefix(:=<http://e/>)Ontology(AnnotationAssertion(rdfs:label :a \"C:\\new\")\nSubClassOf(:A :B))");
+  EXPECT_EQ(reading.error, "");
+  EXPECT_THAT(reading.axioms(), testing::ElementsAre("SubClassOf(:A :B)"));
+  ASSERT_EQ(reading.source.remarks().size(), 1U);
+  EXPECT_EQ(reading.source.name(reading.source.remarks().front().construct), document::odd_backslash);
+}
+
 TEST(Literals, EscapeQuotesAndBackslashesOnly) {
   EXPECT_EQ(literal(R"("a\"b\\c\\")"), R"("a"b\c\")");
   EXPECT_EQ(literal(R"("\\\"")"), R"("\"")");
-  EXPECT_EQ(literal(R"("a\n")"), "t.ofn:2: the escape \\n in a text: write \\\\ for a backslash");
-  EXPECT_EQ(literal("\"a\n\\é\""), "t.ofn:3: the escape \\é in a text: write \\\\ for a backslash");
+  EXPECT_EQ(literal(R"("C:\new")"), R"("C:\new")");
+  EXPECT_EQ(literal("\"a\n\\é\\\\n\""), "\"a\n\\é\\n\"");
   EXPECT_EQ(literal("\"a\n\\"), "t.ofn:2: a text that is never closed by '\"'");
 }
 

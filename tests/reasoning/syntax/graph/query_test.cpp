@@ -284,6 +284,13 @@ std::string nested(std::size_t levels) {
 TEST_F(Query, HasALimitOfNestedGroups) {
   for (const std::size_t most : {4U, 5U, 6U}) EXPECT_EQ(ask(nested(5), {.query_levels = most}).has_value(), most >= 5);
   EXPECT_THAT(refusal(nested(3000)), HasSubstr("nests groups deeper than 10 levels"));
+  const auto in_brackets = [](std::size_t levels) {
+    return "SELECT ?s WHERE { ?s ?p ?o FILTER " + std::string(levels, '(') + "?s = ?s" + std::string(levels, ')') +
+           " }";
+  };
+  for (const std::size_t most : {4U, 5U, 6U})
+    EXPECT_EQ(ask(in_brackets(5), {.query_brackets = most}).has_value(), most >= 5);
+  EXPECT_THAT(refusal(in_brackets(15'000)), HasSubstr("nests brackets deeper than 1000 levels"));
   const std::string braces(20, '{');
   for (const std::string& harmless :
        std::vector<std::string>{"ASK { ?s ?p \"" + braces + "\" }", "ASK { ?s ?p '''" + braces + "' \\'''' }",

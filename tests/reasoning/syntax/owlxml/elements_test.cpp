@@ -123,6 +123,19 @@ TEST(Elements, OfKeysListsAndCardinalities) {
               ElementsAre("HasKey(:A :p :d)", "SubClassOf(:A ObjectMinCardinality(2 ObjectInverseOf(:p)))"));
 }
 
+TEST(Elements, HaveAttributesWithBlanksAroundThemAndCountsAsTheSchemaHasThem) {
+  EXPECT_THAT(
+      said("<SubClassOf><Class IRI=' A '/><ObjectMinCardinality cardinality=' +2 '><ObjectProperty IRI='p\n'/>"
+           "</ObjectMinCardinality></SubClassOf>"
+           "<SubClassOf><Class abbreviatedIRI=' owl:Thing '/><ObjectMaxCardinality cardinality='-0'>"
+           "<ObjectProperty IRI='p'/></ObjectMaxCardinality></SubClassOf>"
+           "<ClassAssertion><DataHasValue><DataProperty IRI='d'/><Literal datatypeIRI=' "
+           "http://www.w3.org/2001/XMLSchema#int '> +5 </Literal></DataHasValue><NamedIndividual IRI='a'/>"
+           "</ClassAssertion>"),
+      ElementsAre("SubClassOf(:A ObjectMinCardinality(2 :p))", "SubClassOf(owl:Thing ObjectMaxCardinality(0 :p))",
+                  "ClassAssertion(DataHasValue(:d \" +5 \"^^xsd:int) :a)"));
+}
+
 TEST(Elements, ThatNoAxiomCanExpressAreLeftOutByName) {
   EXPECT_THAT(
       said("<DGRule><Body>text</Body></DGRule>\n"

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/text.hpp"
+#include "reasoning/syntax/count.hpp"
 
 namespace geminga::rdf {
 
@@ -200,8 +201,7 @@ Mapped ExpressionMapper::quantifier(NodeId property, Word constraint, NodeId fil
 Mapped ExpressionMapper::cardinality(NodeId property, Word constraint, NodeId number, NodeId on_class,
                                      NodeId on_range) {
   using Term = owl::TermKind;
-  const std::string_view text = base::trimmed(graph_.text(number));
-  const auto count = base::parse_number<std::uint32_t>(text.starts_with('+') ? text.substr(1) : text);
+  const auto count = syntax::read_count(graph_.text(number));
   if (!graph_.is_literal(number) || !count)
     return std::unexpected("a cardinality that is no number, or above 4294967295");
   const bool is_min = constraint == Word::owl_min_cardinality || constraint == Word::owl_min_qualified_cardinality;
