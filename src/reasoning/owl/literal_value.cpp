@@ -99,7 +99,8 @@ bool is_decimal_instead(std::string_view lexical, std::string_view datatype_iri)
   if (!type || type->family() != DataFamily::number) return false;
   bool is_ill_formed = false;
   if (DataValue::read(lexical, datatype_iri, {}, is_ill_formed) || !is_ill_formed) return false;
-  return DataValue::read(lexical, xsd_decimal, {}, is_ill_formed).has_value();
+  const auto number = DataValue::read(lexical, xsd_decimal, {}, is_ill_formed);
+  return number && number->is_in(*type);
 }
 
 }  // namespace geminga::owl

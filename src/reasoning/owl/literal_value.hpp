@@ -25,7 +25,9 @@ namespace geminga::owl {
 [[nodiscard]] std::optional<std::vector<TermId>> with_numeric_bounds(Ontology& source,
                                                                      std::span<const TermId> restriction);
 
-/// Whether a lexical form that is not of this numeric datatype is that of an xsd:decimal: "5.0" for xsd:integer.
+/// Whether a lexical form that is not of this numeric datatype is that of an xsd:decimal, and the number one of its
+/// values: "5.0" for xsd:integer. Of "7.5" or "300" for xsd:byte nobody knows which of its values is meant, and as
+/// another number it would contradict a range.
 [[nodiscard]] bool is_decimal_instead(std::string_view lexical, std::string_view datatype_iri);
 
 }  // namespace geminga::owl

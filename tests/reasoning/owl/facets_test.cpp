@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reasoning/owl/print.hpp"
@@ -124,9 +125,23 @@ TEST(LenientReading, TakesABoundOfAnotherNumericDatatypeAsTheNumber) {
 TEST(LenientReading, TakesALiteralThatIsADecimalAsTheNumber) {
   Said said(true);
   said.range(said.source.term(TermKind::data_one_of,
-                              {said.source.literal("5.0", xsd + "integer"), said.source.literal("300", xsd + "byte")}));
-  EXPECT_THAT(said.axioms(), ElementsAre("{\"5.0\"^^decimal, \"300\"^^decimal}"));
+                              {said.source.literal("5.0", xsd + "integer"), said.source.literal("3.", xsd + "byte")}));
+  EXPECT_THAT(said.axioms(), ElementsAre("{\"5.0\"^^decimal, \"3.\"^^decimal}"));
   EXPECT_THAT(said.remarks(), ElementsAre(std::string(read_as_number) + " 1 line 7"));
+}
+
+TEST(LenientReading, LeavesOutANumberThatItsDatatypeDoesNotHave) {
+  const std::vector<std::pair<std::string, std::string>> strange{
+      {"7.5", "int"}, {"300", "byte"}, {"-1", "nonNegativeInteger"}, {"0.0", "positiveInteger"}};
+  for (const auto& [lexical, datatype] : strange) {
+    Said said(true);
+    said.range(said.source.term(TermKind::data_one_of, {said.source.literal(lexical, xsd + datatype)}));
+    EXPECT_THAT(said.left_out(), ElementsAre(std::string(ill_typed_literal) + " 1 line 7")) << lexical;
+    EXPECT_THAT(said.remarks(), IsEmpty());
+    Said bound(true);
+    bound.restriction(xsd + datatype, xsd + "minInclusive", lexical, xsd + datatype);
+    EXPECT_THAT(bound.left_out(), ElementsAre(std::string(ill_typed_literal) + " 1 line 7")) << lexical;
+  }
 }
 
 TEST(LenientReading, LeavesOutWhatIsNoNumber) {

@@ -80,5 +80,16 @@ TEST(Lenient, MakesABoundOfAnotherDatatypeCountInEntailments) {
   EXPECT_EQ(program.run({"explain", "a.ttl", "--sub", "A", "--super", "B", "--lenient"}).status, 0);
 }
 
+TEST(Lenient, MakesNoContradictionOfALiteralThatIsIllFormed) {
+  const Program program;
+  for (const std::string range : {"xsd:int", "xsd:double", "xsd:byte", "xsd:string"}) {
+    program.turtle(
+        "a.ttl", "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> . :q a owl:DatatypeProperty ; rdfs:range " + range +
+                     " . :A a owl:Class . :i a :A ; :q \"7.5\"^^xsd:int .");
+    EXPECT_EQ(program.run({"check", "a.ttl", "--lenient"}).status, 0) << range;
+    EXPECT_NE(program.run({"consistent", "a.ttl", "--lenient"}).status, 1) << range;
+  }
+}
+
 }  // namespace
 }  // namespace geminga::ontology
