@@ -1,7 +1,10 @@
 // One function a form of axiom, in the order of the mapping's tables.
 #include "reasoning/syntax/rdf/mapping/axiom_mapper.hpp"
 
+#include <algorithm>
 #include <vector>
+
+#include "reasoning/owl/datatypes.hpp"
 
 namespace geminga::rdf {
 
@@ -206,7 +209,27 @@ void AxiomMapper::map_assertion(std::uint32_t number) {
                  ranges_.literal(triple.object)});
   } else if (!types_.is_annotation_property(triple.predicate) && types_.is_property(triple.predicate)) {
     axioms_.leave_out(number, is_value ? "an object property with a literal" : "a data property with an individual");
+  } else if (!types_.is_property(triple.predicate) && is_individual(triple.subject)) {
+    remark_undeclared(number);
   }
+}
+
+bool AxiomMapper::is_individual(NodeId node) const {
+  return std::ranges::any_of(graph_.about(node, Word::rdf_type), [&](std::uint32_t number) {
+    const NodeId type = graph_.triple(number).object;
+    const Word word = word_of(type);
+    if (word == Word::owl_thing || word == Word::owl_named_individual) return true;
+    return word == Word::none && !graph_.text(type).starts_with(syntax::owl_namespace);
+  });
+}
+
+void AxiomMapper::remark_undeclared(std::uint32_t number) {
+  const std::string_view predicate = graph_.text(graph_.triple(number).predicate);
+  if (predicate.starts_with(owl::rdf_namespace)) return;  // members of a container
+  if (undeclared_.empty())
+    undeclared_ = "facts of properties that nothing declares, such as <" + std::string(predicate) +
+                  ">, read as annotations (declare them as owl:ObjectProperty or owl:DatatypeProperty)";
+  axioms_.remark(number, undeclared_);
 }
 
 }  // namespace geminga::rdf

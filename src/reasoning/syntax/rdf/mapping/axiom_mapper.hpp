@@ -3,6 +3,7 @@
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_AXIOM_MAPPER_HPP
 
 #include <cstdint>
+#include <string>
 #include <unordered_set>
 
 #include "reasoning/syntax/rdf/mapping/axiom_writer.hpp"
@@ -40,6 +41,11 @@ class AxiomMapper {
   void map_disjoint_union(std::uint32_t number);
   void map_identity(std::uint32_t number, owl::AxiomKind kind);
   void map_assertion(std::uint32_t number);
+  /// Whether the node has a class among its types.
+  [[nodiscard]] bool is_individual(NodeId node) const;
+  /// A property that nothing declares makes annotations of its facts (OWL 2 mapping from RDF, section 3.2.4), which its
+  /// author need not want.
+  void remark_undeclared(std::uint32_t number);
 
   const Graph& graph_;
   TripleReader& triples_;
@@ -48,6 +54,7 @@ class AxiomMapper {
   ExpressionMapper& expressions_;
   AxiomWriter& axioms_;
   TypeMapper type_mapper_;
+  std::string undeclared_;                                ///< the remark about such facts, with the first property
   std::unordered_set<std::uint32_t> named_restrictions_;  ///< IRIs with owl:onProperty
 };
 

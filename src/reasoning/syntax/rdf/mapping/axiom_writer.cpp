@@ -73,4 +73,8 @@ void AxiomWriter::leave_out(std::uint32_t triple, std::string_view construct) {
   ontology_.leave_out(construct, file_of(triple), graph_.triple(triple).line);
 }
 
+void AxiomWriter::remark(std::uint32_t triple, std::string_view text) {
+  ontology_.remark(text, file_of(triple), graph_.triple(triple).line);
+}
+
 }  // namespace geminga::rdf

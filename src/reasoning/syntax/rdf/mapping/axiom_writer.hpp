@@ -29,6 +29,8 @@ class AxiomWriter {
   /// Declares the triple's subject, once for each kind of entity; nothing where it is blank.
   void declare(std::uint32_t triple, owl::TermKind kind);
   void leave_out(std::uint32_t triple, std::string_view construct);
+  /// Notes that the triple is read otherwise than its author may mean.
+  void remark(std::uint32_t triple, std::string_view text);
   /// A union, intersection or enumeration over the list that is the triple's object. One that is too short for OWL 2
   /// means what it means (document::term_of_list()).
   owl::TermId term_of_list(std::uint32_t triple, owl::TermKind kind, const std::vector<owl::TermId>& members);
