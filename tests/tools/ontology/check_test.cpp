@@ -281,21 +281,6 @@ TEST(Subsumes, DoesNotSayNoOfWhatIsNotDecided) {
   EXPECT_THAT(ask("e:X").out, HasSubstr("is not known to be subsumed by"));
 }
 
-TEST(Check, SaysThatFactsOfAnUndeclaredPropertyAreAnnotations) {
-  const Program program;
-  program.turtle("a.ttl",
-                 ":A a owl:Class .\n:i a :A ; :knows :j .\n:j a :A ; :age 5 .\n"
-                 ":A :madeBy :i . <http://e/o> a owl:Ontology ; :version 1 . :k :knows :i .\n");
-  const Outcome outcome = program.run({"check", "a.ttl"});
-  EXPECT_EQ(outcome.status, 0) << outcome.out;
-  EXPECT_THAT(outcome.out, HasSubstr("  facts of properties that nothing declares, such as <http://e/knows>, read as "
-                                     "annotations (declare them as owl:ObjectProperty or owl:DatatypeProperty): 2, "
-                                     "first at a.ttl:3\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("Complete: "));
-  program.turtle("b.ttl", ":knows a owl:ObjectProperty . :age a owl:DatatypeProperty .\n");
-  EXPECT_THAT(program.run({"check", "a.ttl", "b.ttl"}).out, Not(HasSubstr("nothing declares")));
-}
-
 TEST(Check, TakesWhatOwl1CalledASubclassOfObjectPropertiesForADeclaration) {
   const Program program;
   program.turtle("a.ttl",

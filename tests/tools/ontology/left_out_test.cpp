@@ -10,6 +10,7 @@ namespace geminga::ontology {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Check, SaysWhichClassesWhatWasLeftOutMayMatterTo) {
   const Program program;
@@ -44,6 +45,21 @@ TEST(Check, ListsEachPlaceWhereTheReaderLeftSomethingOut) {
   ASSERT_EQ(places.size(), 3U);
   EXPECT_EQ(places[2].at("file"), "b.ttl");
   EXPECT_EQ(places[2].at("line"), 2);
+}
+
+TEST(Check, SaysThatFactsOfAnUndeclaredPropertyAreAnnotations) {
+  const Program program;
+  program.turtle("a.ttl",
+                 ":A a owl:Class .\n:i a :A ; :knows :j .\n:j a :A ; :age 5 .\n"
+                 ":A :madeBy :i . <http://e/o> a owl:Ontology ; :version 1 . :k :knows :i .\n");
+  const Outcome outcome = program.run({"check", "a.ttl"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("  facts of properties that nothing declares, such as <http://e/knows>, read as "
+                                     "annotations (declare them as owl:ObjectProperty or owl:DatatypeProperty): 2, "
+                                     "first at a.ttl:3\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("Complete: "));
+  program.turtle("b.ttl", ":knows a owl:ObjectProperty . :age a owl:DatatypeProperty .\n");
+  EXPECT_THAT(program.run({"check", "a.ttl", "b.ttl"}).out, Not(HasSubstr("nothing declares")));
 }
 
 TEST(Check, ListsEachPlaceThatIsReadOtherwiseThanWritten) {
