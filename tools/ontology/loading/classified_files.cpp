@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -128,7 +129,7 @@ std::optional<std::string> why_undecided(const ClassifiedFiles& classified) {
   auto line = describe_undecided(classified);
   const std::vector<std::string>& gaps = classified.classification.gaps;
   if (!line || gaps.empty()) return line;
-  *line += "; because " + base::joined({gaps.begin(), gaps.begin() + std::min(gaps.size(), max_shown)}, ", ");
+  *line += "; because " + base::joined(std::span(gaps).first(std::min(gaps.size(), max_shown)), ", ");
   if (gaps.size() > max_shown) *line += ", ...";
   return line;
 }
