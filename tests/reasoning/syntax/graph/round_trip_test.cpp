@@ -14,6 +14,9 @@
 namespace geminga::graph {
 namespace {
 
+constexpr std::pair<Format, const char*> formats[] = {
+    {Format::turtle, "t.ttl"}, {Format::rdf_xml, "t.owl"}, {Format::n_triples, "t.nt"}};
+
 /// In any order, with n classes that mean the same as n - 1 pairs, as triples say it.
 std::vector<std::string> sorted_axioms(const owl::Ontology& source) {
   owl::Ontology pairs;
@@ -48,8 +51,6 @@ void declare_all(owl::Ontology& source) {
 }
 
 TEST(RoundTrip, OfAxiomsThroughTriplesGivesTheSameAxioms) {
-  const std::pair<Format, const char*> formats[] = {
-      {Format::turtle, "t.ttl"}, {Format::rdf_xml, "t.owl"}, {Format::n_triples, "t.nt"}};
   for (const compare::Profile profile : compare::profiles) {
     for (std::uint64_t seed = 1; seed <= test::rounds(15U); ++seed) {
       owl::Ontology source = compare::random_ontology(profile, seed, 40);
@@ -69,6 +70,40 @@ TEST(RoundTrip, OfAxiomsThroughTriplesGivesTheSameAxioms) {
             << *text;
       }
     }
+  }
+}
+
+TEST(RoundTrip, OfInverseAxiomsKeepsWhatTheySayOfInverses) {
+  owl::Ontology source;
+  const owl::FileId file = source.add_file("");
+  const owl::TermId p = source.object_property("http://e/p");
+  const owl::TermId q = source.object_property("http://e/q");
+  const owl::TermId of_p = source.term(owl::TermKind::object_inverse_of, {p});
+  const owl::TermId of_q = source.term(owl::TermKind::object_inverse_of, {q});
+  const auto axiom = [&](owl::TermId one, owl::TermId other) {
+    source.add(owl::AxiomKind::inverse_object_properties, {one, other}, file, 0);
+  };
+  axiom(of_p, q);
+  axiom(q, of_p);
+  axiom(of_p, p);
+  axiom(of_p, of_q);
+  Graph graph;
+  AxiomTriples triples(source, [&](const Node& subject, const Node& predicate, const Node& object) {
+    graph.add(subject, predicate, object);
+  });
+  for (std::size_t number = 0; number < source.axiom_count(); ++number) triples.add(source.axiom(number));
+  graph.sort();
+  for (const auto& [format, name] : formats) {
+    const auto text = graph.write(format, {});
+    ASSERT_TRUE(text) << text.error();
+    const auto loaded = rdf::load_text(name, *text);
+    ASSERT_TRUE(loaded) << name;
+    EXPECT_EQ(loaded->source.omissions().size(), 0U) << *text;
+    EXPECT_THAT(
+        sorted_axioms(loaded->source),
+        testing::IsSupersetOf({"InverseObjectProperties(:p :q)", "InverseObjectProperties(:p ObjectInverseOf(:p))",
+                               "InverseObjectProperties(:q ObjectInverseOf(:p))"}))
+        << *text;
   }
 }
 

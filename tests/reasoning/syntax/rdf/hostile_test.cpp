@@ -156,6 +156,7 @@ TEST(Hostile, OneSubjectOfAllTriplesCostsNoMoreThanTheFile) {
                ' ' + owl + "annotatedProperty>" + sub_class + ".\n_:x" + n + ' ' + owl + "annotatedTarget> _:y" + n +
                " .\n_:y" + n + ' ' + owl + "complementOf> <http://e/B" + std::to_string(i + 1) + "> .\n";
     triples += "_:i" + type + "<http://e/T" + n + "> .\n<http://e/q" + n + "> " + owl + "inverseOf> _:i .\n";
+    triples += "_:j " + owl + "inverseOf> _:k" + n + " .\n<http://e/q" + n + "> " + owl + "inverseOf> _:j .\n";
     triples += "<http://e/z> " + owl + "new" + n + "> <http://e/z> .\n";
   }
   triples += "_:i " + owl + "inverseOf> <http://e/p> .\n";

@@ -148,6 +148,19 @@ TEST(Repairs, TakeFormerWordsForTodaysInEveryFileOfSeveral) {
   EXPECT_TRUE(loaded->source.omissions().empty());
 }
 
+TEST(Repairs, ABlankPropertyWithSeveralInversesMakesThemEquivalent) {
+  const std::string head = "@prefix : <http://e/> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n";
+  EXPECT_THAT(told("a.ttl", head + "[] owl:inverseOf :p, :q .\n"), ElementsAre("EquivalentObjectProperties(:p :q)"));
+  EXPECT_THAT(told("a.ttl", head + "_:x owl:inverseOf :p, :q, :r, :p . :A owl:equivalentClass [ a owl:Restriction ; "
+                                   "owl:onProperty _:x ; owl:someValuesFrom :B ] .\n"),
+              ElementsAre("EquivalentObjectProperties(:p :q)", "EquivalentObjectProperties(:p :r)",
+                          "EquivalentClasses(:A ObjectSomeValuesFrom(ObjectInverseOf(:p) :B))"));
+  EXPECT_THAT(told("a.ttl", head + "_:x owl:inverseOf _:y, :p . _:y owl:inverseOf :q .\n"),
+              ElementsAre("InverseObjectProperties(ObjectInverseOf(:p) ObjectInverseOf(:q))"));
+  EXPECT_THAT(told("a.ttl", head + "_:x owl:inverseOf _:y, _:x .\n"),
+              ElementsAre("left out 3: a blank property without owl:inverseOf"));
+}
+
 TEST(Repairs, OfAPlainFileAreNone) {
   EXPECT_THAT(told("a.owl", xml("")), IsEmpty());
   EXPECT_THAT(told("a.owl", xml(axiom)), ElementsAre(said));

@@ -13,8 +13,6 @@ std::string predicate_of(AxiomKind kind) {
       return std::string(rdfs_sub_class_of);
     case AxiomKind::sub_data_property_of:
       return std::string(rdfs_sub_property_of);
-    case AxiomKind::inverse_object_properties:
-      return owl("inverseOf");
     case AxiomKind::object_property_domain:
     case AxiomKind::data_property_domain:
       return std::string(syntax::rdfs_namespace) + "domain";
@@ -83,6 +81,8 @@ void AxiomTriples::add(const owl::Axiom& axiom) {
       return say(node(terms[0]), owl("hasKey"), list(terms.subspan(1)));
     case AxiomKind::sub_object_property_of:
       return sub_property(terms);
+    case AxiomKind::inverse_object_properties:
+      return inverse(terms);
     case AxiomKind::class_assertion:
       return say(node(terms[1]), rdf_type, node(terms[0]));
     case AxiomKind::object_property_assertion: {
@@ -146,6 +146,19 @@ void AxiomTriples::sub_property(Terms terms) {
   if (source_.kind(terms[0]) != TermKind::object_property_chain)
     return say(node(terms[0]), rdfs_sub_property_of, node(terms[1]));
   say(node(terms[1]), owl("propertyChainAxiom"), list(source_.term(terms[0]).arguments));
+}
+
+/// A blank subject of owl:inverseOf is an expression, so that the axiom has a name as its subject. The axiom has no
+/// order, and of two inverses it says the same as of their properties.
+void AxiomTriples::inverse(Terms terms) {
+  const auto property = [&](owl::TermId id) {
+    return source_.kind(id) == TermKind::object_inverse_of ? source_.term(id).arguments[0] : id;
+  };
+  const bool is_first = property(terms[0]) != terms[0];
+  const bool is_second = property(terms[1]) != terms[1];
+  if (is_first && is_second) return say(node(property(terms[0])), owl("inverseOf"), node(property(terms[1])));
+  const Node object = node(terms[is_first ? 0 : 1]);
+  say(node(terms[is_first ? 1 : 0]), owl("inverseOf"), object);
 }
 
 Node AxiomTriples::list(Terms terms) {

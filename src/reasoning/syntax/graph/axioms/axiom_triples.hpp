@@ -48,6 +48,7 @@ class AxiomTriples {
   void several(Terms terms, std::string_view of_two, std::string_view of_more);
   void negative(const owl::Axiom& axiom);
   void sub_property(Terms terms);
+  void inverse(Terms terms);
   Node list(Terms terms);
   Node fresh() { return blank("g" + std::to_string(++blanks_)); }
 

@@ -121,9 +121,17 @@ void AxiomMapper::map_property_axiom(std::uint32_t number, owl::AxiomKind of_obj
                     syntax::short_word(graph_.text(triple.predicate)) + " between properties of different kinds");
 }
 
+/// A blank subject is the inverse of a named property, and a further triple is an axiom about it. Which of several
+/// named properties is that of the expression is not said. In either case each is the other's equivalent.
 void AxiomMapper::map_inverse(std::uint32_t number) {
   const Triple& triple = graph_.triple(number);
-  if (graph_.is_blank(triple.subject)) return;  // an expression
+  if (graph_.is_blank(triple.subject) && graph_.is_iri(triple.object)) {
+    const NodeId first = expressions_.inverse_of(triple.subject);
+    if (first == triple.object) return;  // the expression
+    triples_.use(number);
+    return axioms_.add(number, Kind::equivalent_object_properties,
+                       {expressions_.object_property(first), expressions_.object_property(triple.object)});
+  }
   triples_.use(number);
   axioms_.add(number, Kind::inverse_object_properties,
               {expressions_.object_property(triple.subject), expressions_.object_property(triple.object)});

@@ -90,13 +90,25 @@ Mapped ExpressionMapper::object_property(NodeId node) {
   if (types_.is_data_property_only(node)) return std::unexpected("a data property in place of an object property");
   if (graph_.is_iri(node)) return ontology_.object_property(graph_.text(node));
   if (graph_.is_literal(node)) return std::unexpected("a literal in place of a property");
-  const NodeId inverse = triples_.object_of(node, Word::owl_inverse_of);
-  if (inverse == NodeId{} || !graph_.is_iri(inverse)) {
+  const NodeId inverse = inverse_of(node);
+  if (inverse == NodeId{}) {
     if (!graph_.about(node, Word::owl_union_of).empty()) return std::unexpected("a union of properties");
     if (!graph_.about(node, Word::owl_intersection_of).empty()) return std::unexpected("an intersection of properties");
     return std::unexpected("a blank property without owl:inverseOf");
   }
   return ontology_.term(owl::TermKind::object_inverse_of, {ontology_.object_property(graph_.text(inverse))});
+}
+
+NodeId ExpressionMapper::inverse_of(NodeId node) {
+  const auto [known, is_new] = inverses_.try_emplace(static_cast<std::uint32_t>(node));
+  if (!is_new) return known->second;
+  for (const std::uint32_t number : graph_.about(node, Word::owl_inverse_of)) {
+    const NodeId object = graph_.triple(number).object;
+    if (!graph_.is_iri(object)) continue;
+    triples_.use(number);
+    return known->second = object;
+  }
+  return NodeId{};
 }
 
 Mapped ExpressionMapper::data_property(NodeId node) {

@@ -3,6 +3,7 @@
 #define GEMINGA_REASONING_SYNTAX_RDF_MAPPING_EXPRESSION_MAPPER_HPP
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "reasoning/owl/source.hpp"
@@ -39,6 +40,8 @@ class ExpressionMapper {
   /// The class that a node with owl:onProperty describes.
   Mapped restriction(NodeId node);
   Mapped object_property(NodeId node);
+  /// The named property that a blank node is the inverse of: the first where there are several; none without one.
+  NodeId inverse_of(NodeId node);
   owl::TermId property_chain(const std::vector<owl::TermId>& links) {
     return ontology_.term(owl::TermKind::object_property_chain, links);
   }
@@ -77,7 +80,8 @@ class ExpressionMapper {
   owl::Ontology& ontology_;
   std::vector<MappedOnce> classes_;  ///< by node
   Obstacles obstacles_;
-  std::uint32_t depth_ = 0;  ///< class expressions around the node in hand
+  std::unordered_map<std::uint32_t, NodeId> inverses_;  ///< by blank node
+  std::uint32_t depth_ = 0;                             ///< class expressions around the node in hand
 };
 
 }  // namespace geminga::rdf
