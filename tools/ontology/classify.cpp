@@ -31,8 +31,9 @@ struct ClassifyRequest {
   std::string stats;
 };
 
+/// `left_out` is 0 where the taxonomy is complete: it counts axioms that were left out and reasons why searches were.
 bool write_stats(const ClassifiedFiles& classified, unsigned threads, const std::string& path) {
-  std::uint64_t left_out = 0;
+  std::uint64_t left_out = classified.classification.gaps.size();
   for (const owl::LeftOut& entry : taxonomy::left_out(classified.loaded.source, classified.classification))
     left_out += entry.count;
   rusage usage{};
@@ -144,7 +145,7 @@ Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   }
   // exit_of() tells of a limit that was reached.
   const auto open = classified->classification.is_cut_off ? std::nullopt : why_undecided(*classified);
-  if (open) return say_error("what is printed follows, and more may: " + *open, Exit::timed_out);
+  if (open) say_error("what is printed follows, and more may: " + *open);
   return exit_of(*classified, exit_of_list(classified->loaded, Exit::yes));
 }
 
@@ -161,7 +162,9 @@ void add_classify(CLI::App& program, Choice& choice) {
   add_number(*command, "--threads", request->threads, 1, 256, "how many threads saturate; the result is the same");
   add_lenient(*command, request->is_lenient);
   add_work_limits(*command, choice.limits);
-  command->add_option("--stats", request->stats, "write counts, times and memory of the run as JSON")
+  command
+      ->add_option("--stats", request->stats,
+                   "write counts, times and memory of the run as JSON; left_out is 0 where the taxonomy is complete")
       ->type_name("FILE");
   command->add_flag("--properties", request->are_properties,
                     "print the taxonomies of object and of data properties instead (with --json: too)");
@@ -169,11 +172,11 @@ void add_classify(CLI::App& program, Choice& choice) {
       std::string(
           "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class "
           "is\n"
-          "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. Where a limit is\n"
-          "reached, be it one of the command line or of the engines, what is printed follows, standard error says "
-          "what\n"
-          "is not decided (`undecided` and `gaps` of the document of --json), and the exit status is 4. A file of\n"
-          "a folder that cannot be read is left out and named, and the exit status is 1.\n") +
+          "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. What is printed\n"
+          "follows. Standard error says what could not be decided (so do `undecided` and `gaps` of the document of\n"
+          "--json). Where that is for a limit of the command line, the exit status is 4. A file of a folder that "
+          "cannot\n"
+          "be read is left out and named, and the exit status is 1.\n") +
       consistency_of_json +
       "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"
       "  geminga-ontology classify team/ --properties");

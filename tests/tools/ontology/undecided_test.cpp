@@ -93,9 +93,10 @@ TEST_F(Undecided, RepairOfAnotherClassSaysThatItMayNotBeAll) {
   EXPECT_THAT(outcome.out, HasSubstr("Something unwanted may be left: undecided: 1 class (:Hard)"));
 }
 
-TEST_F(Undecided, ClassifyEndsAsWhereALimitIsReached) {
-  const Outcome outcome = program_.run({"classify", "a.ofn"});
-  EXPECT_EQ(outcome.status, 4);
+TEST_F(Undecided, ClassifyPrintsWhatIsKnownAndSaysWhatIsNot) {
+  const Outcome outcome = program_.run({"classify", "a.ofn", "--stats", "stats.json"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(boost::json::parse(program_.read("stats.json")).at("left_out").as_int64(), testing::Gt(0));
   EXPECT_THAT(outcome.out, StartsWith("owl:Thing\n  :Above\n    :Easy\n  :Hard\n"));
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("1 class (:Hard)"), HasSubstr("; because ")));
 }
