@@ -9,6 +9,7 @@
 #include "reasoning/realization/memberships.hpp"
 #include "reasoning/realization/realization.hpp"
 #include "reasoning/realization/rows.hpp"
+#include "reasoning/realization/told.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 
 namespace geminga::realization {
@@ -33,9 +34,9 @@ class Realizing {
     report("translating to clauses", 0);
     auto clauses = clauses::clausify(source_, std::nullopt, {}, {}, {.budget = options_.budget});
     if (!clauses) {
-      gaps_.insert(clauses.error().text);
-      result_.is_consistency_open = true;
-      return finish();
+      Realization told = realize_told(source_, classification_, options_.with_facts ? options_.most_fact_octets : 0);
+      told.gaps.push_back(clauses.error().text);
+      return told;
     }
     set_ = std::move(*clauses);
     note_unused(source_, set_, gaps_);

@@ -132,6 +132,22 @@ TEST(Realization, WithoutABudgetLeftNamesWhatIsOpen) {
   EXPECT_THAT(found.undecided, ElementsAre(0U, 1U));
 }
 
+TEST(Realization, WithoutABudgetLeftKeepsWhatIsStated) {
+  owl::Ontology source = written(
+      "SubClassOf(A B)\nClassAssertion(A i:a)\nClassAssertion(ObjectComplementOf(A) i:b)\n"
+      "ObjectPropertyAssertion(r i:a i:b)\nDataPropertyAssertion(d:u i:a \"1\"^x:integer)\n");
+  const auto classification = reasoner::classify(source);
+  base::Budget budget(1);
+  while (budget.spend(1)) {
+  }
+  const Realization found = realize(source, *classification, {.budget = &budget, .with_facts = true});
+  ASSERT_EQ(found.individuals.size(), 2U);
+  EXPECT_EQ(found.type_sets[found.types[0]].size(), 2U) << "A and B";
+  EXPECT_EQ(found.type_sets[found.types[1]].size(), 0U);
+  EXPECT_EQ(found.facts.size(), 2U);
+  EXPECT_TRUE(found.is_consistency_open);
+}
+
 TEST(Realization, OfNothingIsEmpty) {
   const Realization found = realized("SubClassOf(A B)\n");
   EXPECT_TRUE(found.is_consistent);

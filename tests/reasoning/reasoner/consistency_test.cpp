@@ -2,8 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <random>
 #include <string>
 
+#include "reasoning/dl/clauses/fact_clauses.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
 #include "support/written.hpp"
 
@@ -75,6 +78,75 @@ TEST(Consistency, IsLostByMoreValuesThanADatatypeHas) {
   EXPECT_EQ(with("255"), "yes");
   EXPECT_EQ(with("256"), "yes");
   EXPECT_EQ(with("257"), "no");
+}
+
+/// The individuals i:0 to i:N-1 all differ: one axiom, or one for each pair.
+std::string all_different(std::size_t count, bool by_pairs) {
+  std::string text;
+  std::string list;
+  for (std::size_t one = 0; one < count; ++one) {
+    list += " i:" + std::to_string(one);
+    for (std::size_t other = 0; by_pairs && other < one; ++other)
+      text += "DifferentIndividuals(i:" + std::to_string(other) + " i:" + std::to_string(one) + ")\n";
+  }
+  return by_pairs ? text : "DifferentIndividuals(" + list.substr(1) + ")\n";
+}
+
+TEST(Consistency, CountsAnyNumberOfIndividualsThatDiffer) {
+  const std::string most_two =
+      "SubClassOf(A ObjectMaxCardinality(2 r))\nSubClassOf(ObjectMinCardinality(2 r) B)\n"
+      "ClassAssertion(A i:0)\nObjectPropertyAssertion(r i:0 i:1)\n"
+      "ObjectPropertyAssertion(r i:0 i:2)\n";
+  for (const std::size_t count :
+       {clauses::max_paired_individuals, clauses::max_paired_individuals + 1, std::size_t{6000}}) {
+    EXPECT_EQ(consistency_of(all_different(count, false) + most_two), "yes") << count;
+    EXPECT_EQ(consistency_of(all_different(count, false) + most_two + "ObjectPropertyAssertion(r i:0 i:3)\n"), "no")
+        << count;
+    EXPECT_EQ(consistency_of(all_different(count, false) + most_two +
+                             "ObjectPropertyAssertion(r i:0 i:2)\n"
+                             "ClassAssertion(ObjectComplementOf(B) i:0)\n"),
+              "no")
+        << count;
+  }
+  std::string more = "ClassAssertion(ObjectMaxCardinality(599 r) i:0)\n";
+  for (unsigned at = 0; at < 600; ++at) more += "ObjectPropertyAssertion(r i:0 i:" + std::to_string(at) + ")\n";
+  EXPECT_EQ(consistency_of(all_different(600, false) + more), "no");
+}
+
+TEST(Consistency, OfADifferentListIsThatOfItsPairs) {
+  const std::size_t count = clauses::max_paired_individuals + 2;
+  const std::string list = all_different(count, false);
+  const std::string pairs = all_different(count, true);
+  std::size_t contradictions = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    const auto name = [&] {  // of one in the list, of few so that they meet, or of one outside of it
+      const auto number = random() % 12;
+      return number < 6 ? "i:" + std::to_string(number * 9) : "i:other" + std::to_string(number % 3);
+    };
+    std::string facts =
+        "SubClassOf(A ObjectMaxCardinality(2 r))\nFunctionalObjectProperty(s)\n"
+        "SubClassOf(B ObjectOneOf(i:0 i:9 i:other0))\n";
+    for (int at = 0; at < 6; ++at) {
+      facts +=
+          "ObjectPropertyAssertion(" + std::string(random() % 2 == 0 ? "r" : "s") + ' ' + name() + ' ' + name() + ")\n";
+      if (random() % 3 == 0) facts += "SameIndividual(" + name() + ' ' + name() + ")\n";
+      if (random() % 2 == 0) facts += "ClassAssertion(" + std::string(random() % 2 == 0 ? "A " : "B ") + name() + ")\n";
+    }
+    const std::string expected = consistency_of(pairs + facts);
+    EXPECT_EQ(consistency_of(list + facts), expected) << facts;
+    EXPECT_EQ(consistency_of(list + "DifferentIndividuals(i:0 i:9 i:other1)\n" + facts),
+              consistency_of(pairs + "DifferentIndividuals(i:0 i:9 i:other1)\n" + facts))
+        << facts;
+    contradictions += expected == "no" ? 1U : 0U;
+  }
+  EXPECT_GT(contradictions, 5U);
+  EXPECT_LT(contradictions, 35U);
+}
+
+TEST(Consistency, IsLostByAnIndividualThatDiffersFromItself) {
+  EXPECT_EQ(consistency_of(all_different(70, false) + "SameIndividual(i:3 i:other)\nSameIndividual(i:4 i:other)\n"),
+            "no");
 }
 
 TEST(Consistency, ASourceOverItsLimitsIsUndecided) {

@@ -189,6 +189,7 @@ struct ClauseSet {
   std::vector<RoleFact> role_facts;
   std::vector<DataFact> data_facts;
   std::vector<Equality> equalities;
+  std::vector<IndividualId> apart;     ///< many that all differ from each other, of which `equalities` does not say it
   std::vector<ConceptId> queries;      ///< of each expression asked for: a concept whose instances are in it
   std::vector<ConceptId> complements;  ///< of each expression whose complement is asked for: one whose are not in it
   std::vector<Unused> open_rules;      ///< rules of which something is not known; a model that keeps them all is one

@@ -176,7 +176,7 @@ std::expected<ClauseSet, ClausifyError> Clausifier::run(std::optional<std::span<
   Translator translator(vocabulary_, roles, ends, set_, limits_.clauses);
   PropertyClauses of_properties(vocabulary_, allowed, translator);
   ClassClauses of_classes(vocabulary_, allowed, translator, set_);
-  FactClauses of_facts(vocabulary_, translator, set_, limits_.clauses);
+  FactClauses of_facts(vocabulary_, translator, set_, limits_.clauses, all);
   RuleClauses of_rules(vocabulary_, roles, allowed, translator, set_);
   for (const std::uint32_t axiom : roles.left_out()) set_.unused.push_back({axiom, "an irregular property chain"});
   of_properties.add_hierarchy(inclusions, roles, set_.properties.size());

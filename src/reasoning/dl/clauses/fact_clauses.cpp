@@ -3,11 +3,41 @@
 #include <algorithm>
 #include <span>
 #include <utility>
+#include <vector>
+
+#include "base/sorted.hpp"
 
 namespace geminga::clauses {
 
 using owl::AxiomKind;
 using owl::TermId;
+
+FactClauses::FactClauses(Vocabulary& vocabulary, Translator& translator, ClauseSet& set, std::size_t max_equalities,
+                         std::span<const OrderedAxiom> axioms)
+    : vocabulary_(vocabulary), translator_(translator), set_(set), max_equalities_(max_equalities) {
+  for (const OrderedAxiom& axiom : axioms) {
+    if (axiom.kind != AxiomKind::different_individuals || axiom.arguments.size() <= max_paired_individuals) continue;
+    if (longest_ == nullptr || axiom.arguments.size() > longest_->arguments.size()) longest_ = &axiom;
+  }
+}
+
+// The longest list alone has no pairs, because a node has one group of siblings (dl/hypertableau).
+void FactClauses::add_different(const OrderedAxiom& axiom) {
+  std::vector<IndividualId> different;
+  for (const TermId argument : axiom.arguments) different.push_back(vocabulary_.individual(argument));
+  std::vector<IndividualId> sorted = different;
+  base::sort_unique(sorted);
+  if (&axiom == longest_ && sorted.size() == different.size()) {
+    set_.apart = std::move(sorted);
+    return;
+  }
+  for (std::size_t first = 0; first < different.size(); ++first) {
+    for (std::size_t second = first + 1; second < different.size(); ++second) {
+      if (set_.equalities.size() > max_equalities_) return;
+      set_.equalities.push_back({different[first], different[second], true});
+    }
+  }
+}
 
 void FactClauses::assert_fact(Literal literal, IndividualId individual) {
   const Shape shape = shape_of(vocabulary_.source(), literal);
@@ -53,14 +83,7 @@ void FactClauses::add(const OrderedAxiom& axiom) {
       }
       return;
     case AxiomKind::different_individuals:
-      for (std::size_t first = 0; first < arguments.size(); ++first) {
-        for (std::size_t second = first + 1; second < arguments.size(); ++second) {
-          if (set_.equalities.size() > max_equalities_) return;
-          set_.equalities.push_back(
-              {vocabulary_.individual(arguments[first]), vocabulary_.individual(arguments[second]), true});
-        }
-      }
-      return;
+      return add_different(axiom);
     default:
       return;
   }

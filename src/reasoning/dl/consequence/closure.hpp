@@ -24,8 +24,8 @@ namespace geminga::consequence {
 
 struct Options {
   unsigned threads = 1;
-  /// Whether facts count, too. Without them is_consistent is about the other axioms, and there is no fact_gap and no
-  /// key_gap.
+  /// Whether facts count, too. Without them is_consistent is about the other axioms, and there is no gap
+  /// about facts alone (gaps.hpp).
   bool facts = true;
   /// The most derived clauses of all contexts together. Long ones count several times, and failed attempts a little.
   /// Beyond it the closure is incomplete. A million takes at most some hundred megabytes.

@@ -7,7 +7,9 @@
 namespace geminga::consequence {
 
 SettledContexts::SettledContexts(const Saturation& saturation, std::span<const std::string> gaps) {
-  const auto is_about_facts = [](std::string_view gap) { return gap == fact_gap || gap == key_gap || gap == rule_gap; };
+  const auto is_about_facts = [](std::string_view gap) {
+    return gap == fact_gap || gap == key_gap || gap == rule_gap || gap == apart_gap;
+  };
   const auto is_local = [&](std::string_view gap) {
     return is_about_facts(gap) || gap == nominal_gap || gap == range_gap || gap == number_gap || gap == alternative_gap;
   };

@@ -58,6 +58,11 @@ void add_fact_rules(const clauses::ClauseSet& clauses, const GatheredFacts& fact
       rules.add({nominal(equality.second)}, {nominal(equality.first)});
     }
   }
+  if (clauses.apart.size() > max_apart) return;
+  for (std::size_t first = 0; first < clauses.apart.size(); ++first) {
+    for (std::size_t second = first + 1; second < clauses.apart.size(); ++second)
+      rules.add({nominal(clauses.apart[first]), nominal(clauses.apart[second])}, {});
+  }
 }
 
 }  // namespace geminga::consequence

@@ -24,6 +24,9 @@ struct GatheredFacts {
 };
 [[nodiscard]] GatheredFacts gather_facts(const clauses::ClauseSet& clauses);
 
+/// A longer list of individuals that differ from each other has no rules, which are one for each pair: apart_gap.
+inline constexpr std::size_t max_apart = 500;
+
 /// Adds the rules of the facts.
 void add_fact_rules(const clauses::ClauseSet& clauses, const GatheredFacts& facts, const Predicates& predicates,
                     Expansions& expansions, CentredRules& rules);

@@ -6,11 +6,12 @@
 
 namespace geminga::consequence {
 
-/// The gaps. The first three are about facts alone. If there is no other gap, the subsumers of named classes are
+/// The gaps. The first four are about facts alone. If there is no other gap, the subsumers of named classes are
 /// complete as long as the facts are consistent, which is then undecided unless is_consistent is false.
 inline constexpr std::string_view fact_gap = "facts about properties, together with alternatives";
 inline constexpr std::string_view key_gap = "owl:hasKey";
 inline constexpr std::string_view rule_gap = "swrl:Imp";
+inline constexpr std::string_view apart_gap = "many individuals that differ from each other";
 inline constexpr std::string_view nominal_gap = "owl:oneOf, owl:hasValue";
 inline constexpr std::string_view range_gap = "data ranges that are more than datatypes and single values";
 inline constexpr std::string_view alternative_gap = "classes with many alternatives";

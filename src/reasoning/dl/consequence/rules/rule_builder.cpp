@@ -205,6 +205,7 @@ void find_gaps(const clauses::ClauseSet& clauses, const UnsaidOfRanges& unsaid,
   }
   if (with_facts && !clauses.keys.empty() && clauses.individuals.size() > 1) set.gaps.emplace_back(key_gap);
   if (with_facts && !clauses.rules.empty()) set.gaps.emplace_back(rule_gap);
+  if (with_facts && clauses.apart.size() > max_apart) set.gaps.emplace_back(apart_gap);
   const bool has_links = with_facts && !clauses.role_facts.empty();
   if (has_links && std::ranges::any_of(set.rules, [](const Rule& rule) { return rule.head.size() > 1; })) {
     set.gaps.emplace_back(fact_gap);

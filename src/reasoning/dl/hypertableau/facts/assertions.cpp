@@ -208,6 +208,17 @@ void Assertions::apply(Choice choice, DependencySet dependency) {
   }
 }
 
+void Assertions::add_individuals(std::size_t count, std::span<const clauses::IndividualId> apart) {
+  individuals_.assign(count, none);
+  const auto first = static_cast<NodeId>(graph_.node_count());
+  for (const clauses::IndividualId individual : apart)
+    individuals_[number(individual)] = add_node(NodeKind::root, none, no_dependency);
+  if (!apart.empty()) add_siblings(first, no_dependency);
+  for (NodeId& node : individuals_) {
+    if (node == none) node = add_node(NodeKind::root, none, no_dependency);
+  }
+}
+
 void Assertions::add_siblings(NodeId first, DependencySet dependency) {
   graph_.set_siblings(first, dependency);
   if (graph_.node(first).kind == NodeKind::value) have_values_changed_ = true;

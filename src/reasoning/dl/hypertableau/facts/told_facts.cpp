@@ -15,7 +15,7 @@ void add_individuals(const clauses::ClauseSet& set, const Program& program, Asse
     const NodeId node = facts.add_node(NodeKind::root, none, no_dependency);
     if (!program.needs_thing()) facts.add_fact(FactKind::concept_of, number(clauses::thing), node, 0, no_dependency);
   }
-  for (std::size_t at = 0; at < set.individuals.size(); ++at) facts.add_individual();
+  facts.add_individuals(set.individuals.size(), set.apart);
   for (std::uint32_t at = 0; at < set.concepts.size(); ++at) {
     const clauses::Concept& entry = set.concepts[at];
     if (entry.kind != clauses::ConceptKind::nominal) continue;
