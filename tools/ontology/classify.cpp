@@ -12,10 +12,12 @@
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
 #include "ontology/findings/findings.hpp"
+#include "ontology/loading/argument.hpp"
 #include "ontology/loading/classified_files.hpp"
 #include "ontology/loading/consistency.hpp"
 #include "ontology/loading/hierarchy.hpp"
 #include "ontology/loading/refused.hpp"
+#include "reasoning/reasoner/unused.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -123,6 +125,15 @@ bool write_taxonomies(ClassifiedFiles& classified, const ClassifyRequest& reques
   return write_one(written.object_properties) && write_one(written.data_properties);
 }
 
+/// The first axiom that was left out, by the reader or by the engines, in one line; nothing: there is none.
+std::optional<std::string> first_unused(const ClassifiedFiles& classified) {
+  const owl::Ontology& source = classified.loaded.source;
+  if (auto unread = find_unread(source, {}, true)) return unread;
+  const std::vector<taxonomy::UnusedAxiom>& unused = classified.classification.unused;
+  if (unused.empty()) return std::nullopt;
+  return reasoner::describe_unused(source, unused.front().axiom, unused.front().construct);
+}
+
 Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
   base::Budget budget = budget_of(limits);
   auto classified = classify_or_say(request.files, {.threads = request.threads,
@@ -144,7 +155,8 @@ Exit classify(const ClassifyRequest& request, const WorkLimits& limits) {
     say_error(unresolved);
   }
   // exit_of() tells of a limit that was reached.
-  const auto open = classified->classification.is_cut_off ? std::nullopt : why_undecided(*classified);
+  auto open = classified->classification.is_cut_off ? std::nullopt : why_undecided(*classified);
+  if (!open && !classified->classification.is_cut_off) open = first_unused(*classified);
   if (open) say_error("what is printed follows, and more may: " + *open);
   return exit_of(*classified, exit_of_list(classified->loaded, Exit::yes));
 }

@@ -121,7 +121,7 @@ void add_compile(CLI::App& program, Choice& choice) {
   command->add_flag("--leave-out-refused", request->leaves_out_refused,
                     "leave out the files of folders that cannot be read, at most " +
                         std::to_string(syntax::max_left_out) + ", with a line on standard error for each");
-  add_number(*command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000,
+  add_number(*command, "--memory-limit", choice.memory_limit_mib, min_memory_limit_mib, 1'000'000,
              "most address space to use, in MiB; more memory is a longer start, less refuses large ontologies");
   add_work_limits(*command, choice.limits);
   command->footer(

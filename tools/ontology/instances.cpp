@@ -93,6 +93,7 @@ Exit instances(const InstancesRequest& request, const WorkLimits& limits) {
     found = realization::find_instances(source, *expression, options);
     progress.clear();
   }
+  if (found.is_consistent) note_unread(source, found.gaps);
   if (!found.is_consistency_open) note_model(classified->classification);
   say_unresolved(classified->loaded);
   if (!found.is_consistent) say_error(contradiction_words);

@@ -102,6 +102,7 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs("geminga-ontology: there is not enough memory: raise --memory-limit, or split the ontology\n", stderr);
+    return static_cast<int>(Exit::timed_out);
   } catch (const std::exception& error) {
     say_error("something unexpected went wrong: " + std::string(error.what()));
   }

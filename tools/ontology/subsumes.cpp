@@ -6,6 +6,7 @@
 #include "ontology/command/options.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/commands.hpp"
+#include "ontology/loading/argument.hpp"
 #include "ontology/loading/class_expressions.hpp"
 #include "ontology/loading/compiled_form.hpp"
 #include "ontology/loading/refused.hpp"
@@ -69,8 +70,9 @@ Exit subsumes(const SubsumesRequest& request, const WorkLimits& limits) {
   const auto super = sub ? read_expression_or_say(*ontology, names, request.super, request.as_json) : std::nullopt;
   if (!sub || !super) return Exit::usage;
   reasoner::Answer answer = decide(*classified, *ontology, *sub, *super, budget);
-  const auto refused = describe_refused(classified->loaded);
-  if (answer.verdict == reasoner::Verdict::no && refused) answer = {reasoner::Verdict::unknown, *refused};
+  auto missing = describe_refused(classified->loaded);
+  if (!missing) missing = find_unread(classified->loaded.source, {}, true);
+  if (answer.verdict == reasoner::Verdict::no && missing) answer = {reasoner::Verdict::unknown, std::move(*missing)};
   const bool is_subsumed = answer.verdict == reasoner::Verdict::yes;
   if (request.as_json)
     return print_or_say(as_json(words_of(*ontology, *sub), words_of(*ontology, *super), answer),

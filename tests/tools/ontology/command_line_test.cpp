@@ -56,7 +56,7 @@ TEST(CommandLine, WrongUsageIsStatusTwoAndOneLine) {
       {"id"},
       {"id", "a", "b", "c"},
       {"compile", "a.ttl"},
-      {"compile", "a.ttl", "-o", "x", "--memory-limit", "63"},
+      {"compile", "a.ttl", "-o", "x", "--memory-limit", "95"},
       {"compile", "a.ttl", "-o", "x", "--time-limit", "0"},
       {"draw", "a.ttl", "--format", "png"},
       {"draw", "a.ttl", "--root", "e:Nope"},

@@ -107,5 +107,38 @@ TEST(Lenient, MakesNoContradictionOfALiteralThatIsIllFormed) {
   }
 }
 
+/// Whether the bound is one of the datatype cannot be known; if it is none, A is below B.
+constexpr std::string_view damaged_bound =
+    "Prefix(:=<http://e/#>) Prefix(xsd:=<http://www.w3.org/2001/XMLSchema#>)\n"
+    "Ontology(<http://e/> Declaration(DataProperty(:d)) Declaration(Class(:A)) Declaration(NamedIndividual(:a))\n"
+    "EquivalentClasses(:B DataSomeValuesFrom(:d xsd:double)) ClassAssertion(:A :a)\n"
+    "SubClassOf(:A DataSomeValuesFrom(:d DatatypeRestriction(xsd:double xsd:minInclusive \"1\"^^xsd:integer))))\n";
+
+TEST(LeftOutByTheReader, IsToldByEachCommandWhoseAnswerItMayChange) {
+  const Program program;
+  program.write("a.ofn", damaged_bound);
+  const std::string what = "a facet or bound that its datatype does not have is not understood: a.ofn:4";
+  const Outcome realized = program.run({"realize", "a.ofn"});
+  EXPECT_EQ(realized.out, ":a: :A\n");
+  EXPECT_THAT(realized.err, testing::HasSubstr(what));
+  const Outcome instances = program.run({"instances", "a.ofn", ":B"});
+  EXPECT_EQ(instances.status, 2);
+  EXPECT_THAT(instances.err, testing::HasSubstr(what));
+  EXPECT_THAT(program.run({"classify", "a.ofn"}).err, testing::HasSubstr(what));
+  const Outcome subsumed = program.run({"subsumes", "a.ofn", "--sub", ":A", "--super", ":B"});
+  EXPECT_EQ(subsumed.status, 1);
+  EXPECT_EQ(subsumed.out, ":A is not known to be subsumed by :B: " + what + "\n");
+}
+
+TEST(LeftOutByTheReader, OfLiteralsIsNamedBesideConsistent) {
+  const Program program;
+  program.write("a.ofn",
+                "Prefix(:=<http://e/#>) Prefix(xsd:=<http://www.w3.org/2001/XMLSchema#>)\n"
+                "Ontology(<http://e/> DataPropertyAssertion(:d :a \"abc\"^^xsd:integer))\n");
+  const Outcome outcome = program.run({"consistent", "a.ofn"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, testing::HasSubstr("a.ofn:2; there can be a world whatever value of the datatype is meant"));
+}
+
 }  // namespace
 }  // namespace geminga::ontology

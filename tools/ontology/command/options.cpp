@@ -55,7 +55,8 @@ void add_strict(CLI::App& command, bool& is_strict) {
 }
 
 void add_memory_limit(CLI::App& command, Choice& choice) {
-  add_number(command, "--memory-limit", choice.memory_limit_mib, 64, 1'000'000, "most address space to use, in MiB");
+  add_number(command, "--memory-limit", choice.memory_limit_mib, min_memory_limit_mib, 1'000'000,
+             "most address space to use, in MiB");
 }
 
 void add_graph_limit(CLI::App& command, WorkLimits& limits) {

@@ -27,6 +27,8 @@ CLI::Option* add_number(CLI::App& command, const std::string& flag, unsigned& nu
                         const std::string& description);
 /// Adds `--strict`: a file of a folder that cannot be read refuses everything.
 void add_strict(CLI::App& command, bool& is_strict);
+/// The least that --memory-limit takes, in MiB: with less, libraries of others crash where they get no memory.
+inline constexpr unsigned min_memory_limit_mib = 96;
 /// Adds `--memory-limit`.
 void add_memory_limit(CLI::App& command, Choice& choice);
 /// Adds `--graph-limit`.

@@ -157,7 +157,11 @@ std::optional<std::string> AskedNames::find_classes(owl::TermId expression, grap
   const auto place = std::ranges::find(hierarchy.iris, name);
   const std::uint32_t node = hierarchy.representative[static_cast<std::size_t>(place - hierarchy.iris.begin())];
   const base::Rows<std::uint32_t> children = children_of(hierarchy);
-  found.subclasses = names_in(hierarchy, reached(node, [&](std::uint32_t of) { return children[of]; }));
+  auto below = reached(node, [&](std::uint32_t of) { return children[of]; });
+  const std::uint32_t bottom = hierarchy.representative[hierarchy.bottom];
+  below.insert(bottom);  // what can have no instance is below everything
+  found.subclasses = names_in(hierarchy, below);
+  if (node != bottom) std::erase(found.subclasses, std::string(owl::owl_nothing));
   auto above = reached(node, [&](std::uint32_t of) { return hierarchy.parents_of(of); });
   if (node != hierarchy.representative[hierarchy.top]) above.erase(hierarchy.representative[hierarchy.top]);
   found.superclasses = names_in(hierarchy, above);

@@ -24,8 +24,8 @@ class AskedNames {
       : classified_(classified), budget_(budget), progress_(progress) {}
 
   /// The IRIs of what the expression asks for: the named individuals that are in it in every model; the named classes
-  /// below and above it, as between named classes in the inferred graph: without owl:Thing, and without classes that
-  /// can have no instance unless the expression can have none either. An error says in one line why the triples are no
+  /// below it, with those that can have no instance; and those above it, without owl:Thing. owl:Nothing is among them
+  /// where the expression can have no instance. An error says in one line why the triples are no
   /// class expression, or names an entity that the files do not have.
   [[nodiscard]] std::expected<graph::FoundNames, std::string> find(const graph::AskedExpression& asked);
   /// The reason why names may be missing, in one line; nothing where everything was decided.

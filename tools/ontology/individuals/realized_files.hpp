@@ -22,6 +22,9 @@ inline constexpr std::string_view contradiction_words =
 [[nodiscard]] realization::Realization realize_files(ClassifiedFiles& classified, base::Budget& budget,
                                                      Progress& progress, std::optional<std::size_t> most_fact_octets);
 
+/// Adds the first omission of the reader, for which more may follow than was found.
+void note_unread(const owl::Ontology& source, std::vector<std::string>& gaps);
+
 /// The reasons why something may be missing, and the individuals that are not decided, in one line; nothing where
 /// everything is decided.
 [[nodiscard]] std::optional<std::string> describe_open(const owl::Ontology& source,
