@@ -132,7 +132,7 @@ TEST(Compile, WithTooLittleMemoryFailsAsAWhole) {
   EXPECT_NE(outcome.status, 0);
   EXPECT_THAT(files_in(program), testing::ElementsAre("large.nt"));
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose shadow memory is beyond any such limit
-  EXPECT_EQ(outcome.status, 4);
+  EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("memory"));
 #endif
 }
