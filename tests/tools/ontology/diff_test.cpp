@@ -72,6 +72,19 @@ TEST_F(Diff, SeesNoDifferenceInOrderSyntaxAndLabels) {
   EXPECT_EQ(outcome.out, "Both say the same.\n");
 }
 
+TEST_F(Diff, SeesNoDifferenceBetweenFormsOfOneLiteral) {
+  program_.turtle(
+      "old.ttl",
+      "@prefix xsd: <http://www.w3.org/2001/XMLSchema#> . :d a owl:DatatypeProperty . :i :d \"x\"^^xsd:string , "
+      "\"y\"@EN ; rdfs:label \"x\"^^xsd:string , \"y\"@EN , \"z\" .");
+  program_.write(
+      "new.ofn",
+      "Prefix(:=<http://e/>) Ontology(Declaration(DataProperty(:d)) DataPropertyAssertion(:d :i \"x\") "
+      "DataPropertyAssertion(:d :i \"y@en\"^^rdf:PlainLiteral) AnnotationAssertion(rdfs:label :i \"x\") "
+      "AnnotationAssertion(rdfs:label :i \"y\"@En) AnnotationAssertion(rdfs:label :i \"z@\"^^rdf:PlainLiteral))");
+  EXPECT_EQ(program_.run({"diff", "old.ttl", "new.ofn"}).out, "Both say the same.\n");
+}
+
 TEST_F(Diff, TellsWhichClassesCanHaveNoInstanceAndWhereAnOntologyContradictsItself) {
   program_.turtle("old.ttl", ":A rdfs:subClassOf :B . :B owl:disjointWith :C .");
   program_.turtle("new.ttl", ":A rdfs:subClassOf :B, :C .\n:B owl:disjointWith :C .");

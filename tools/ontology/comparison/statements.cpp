@@ -39,7 +39,9 @@ std::string written(const owl::Annotation& annotation, const owl::ShortName& sho
   text += owl::quoted(annotation.value);
   std::ranges::replace(text, '\n', ' ');
   if (!annotation.language.empty()) return text + '@' + annotation.language;
-  return annotation.datatype.empty() ? text : text + "^^" + short_name(annotation.datatype);
+  // A text is the same literal with its datatype and without it (OWL 2, section 5.7; RDF 1.1, section 3.3).
+  const bool is_text = annotation.datatype.empty() || annotation.datatype == std::string(owl::xsd_namespace) + "string";
+  return is_text ? text : text + "^^" + short_name(annotation.datatype);
 }
 
 /// Annotations by what they say, with full names, and as they are shown.
