@@ -197,7 +197,7 @@ class Walk {
   /// The octets of an entity with those of entities above it that it refers to. Nothing where it has markup, or refers
   /// to anything else.
   [[nodiscard]] std::optional<std::size_t> expanded_bytes(std::string_view content) const {
-    if (content.find_first_of("<%") != std::string_view::npos) return std::nullopt;
+    if (content.find('<') != std::string_view::npos) return std::nullopt;
     std::size_t bytes = content.size();
     for (std::size_t at = content.find('&'); at != std::string_view::npos; at = content.find('&', at + 1)) {
       const std::size_t end = content.find(';', at);

@@ -42,7 +42,14 @@ TEST(Hostile, EntitiesDoNotExpandWithoutEnd) {
                 .document.imports.at(0)
                 .iri,
             "http://b?c=d&e");
-  EXPECT_THAT(Reading(with_entities("<!ENTITY a \"<Class/>\">\n", "&a;")).error, HasSubstr("has markup in it"));
+  EXPECT_EQ(
+      Reading(with_entities("<!ENTITY a \"&#252;&#xFC;&#37;20\"><!ENTITY b \"http://&a;\">\n", "<Import>&b;</Import>"))
+          .document.imports.at(0)
+          .iri,
+      "http://üü%20");
+  for (const std::string value : {"<Class/>", "&#60;Class/>", "&#x3C;Class/>", "&#38;#60;Class/>", "&lt;Class/>"})
+    EXPECT_THAT(Reading(with_entities("<!ENTITY a \"" + value + "\">\n", "&a;")).error, HasSubstr("has markup in it"))
+        << value;
   XmlLimits limits;
   limits.entity_bytes = 5;
   EXPECT_EQ(Reading(with_entities("<!ENTITY a \"abcde\">\n", ""), limits).error, "");

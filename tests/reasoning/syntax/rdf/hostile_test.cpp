@@ -22,6 +22,9 @@ TEST(Hostile, EntitiesThatExpandWithoutEndAreRefused) {
     doctype += std::string("<!ENTITY ") + name + " \"" + times(20, reference) + "\">\n";
   }
   EXPECT_THAT(refusal("bomb.owl", xml(label("&i;"), doctype + "]>\n")), HasSubstr("expands to more than 65536 bytes"));
+  const std::size_t text = doctype.find(times(100, "x"));
+  doctype.replace(text, 100, times(100, "&#252;"));
+  EXPECT_THAT(refusal("coded.owl", xml(label("&i;"), doctype + "]>\n")), HasSubstr("expands to more than 65536 bytes"));
 }
 
 TEST(Hostile, OneLargeEntityCannotBeRepeatedWithoutEnd) {
@@ -51,8 +54,13 @@ TEST(Hostile, ParameterEntitiesAndOtherDeclarationsAreRefused) {
             "bare.owl:3: declares an entity without a value");
   EXPECT_THAT(refusal("markup.owl", xml("", "<!DOCTYPE rdf:RDF [\n<!ENTITY a \"<e:A/>\">\n]>\n")),
               HasSubstr("markup.owl:3: declares an entity that holds markup"));
-  EXPECT_THAT(refusal("coded.owl", xml("", "<!DOCTYPE rdf:RDF [\n<!ENTITY a \"&#60;e:A/>\">\n]>\n")),
-              HasSubstr("coded.owl:3: declares an entity that holds markup"));
+  for (const std::string reference :
+       {"&#60;e:A/>", "&#x3c;e:A/>", "&#x03C;e:A/>", "&#38;a;", "&#x26;#60;", "x&#0;", "&#xD800;", "&#x110000;",
+        "&#99999999999999999999;", "&#;", "&#x;", "&#+65;", "&#-1;", "&#X41;", "&#252", "&#11;", "&#xFFFE;"}) {
+    EXPECT_THAT(refusal("coded.owl", xml("", "<!DOCTYPE rdf:RDF [\n<!ENTITY a \"" + reference + "\">\n]>\n")),
+                HasSubstr("coded.owl:3: declares an entity that holds markup"))
+        << reference;
+  }
 }
 
 TEST(Hostile, DeepNestingIsRefusedBeforeRedlandSeesIt) {

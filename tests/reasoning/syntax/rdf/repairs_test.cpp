@@ -68,6 +68,17 @@ TEST(Repairs, AReferenceToAnEntityOfAnotherFileStaysAsWrittenInATextAndIsRefused
               ElementsAre("a.owl:4: Entity 'u' not defined"));
 }
 
+TEST(Repairs, AnEntityMayHoldReferencesToCharacters) {
+  const std::string doctype =
+      "<!DOCTYPE rdf:RDF [<!ENTITY u '&#252;'><!ENTITY v \"&#xFC;&u;&#34;&#39;&#62;&#x1F916;&#37;&#9;&amp;\">"
+      "<!ENTITY b 'http://&#252;/'>]>\n";
+  EXPECT_THAT(told("a.owl", described("<rdfs:comment>&u;&v;</rdfs:comment>"
+                                      "<rdfs:subClassOf rdf:resource='http://e/&u;'/>"
+                                      "<rdfs:subClassOf xml:base='&b;' rdf:resource='C'/>",
+                                      doctype)),
+              ElementsAre(said, "SubClassOf(:A :ü)", "SubClassOf(:A <http://ü/C>)", "text üüü\"'>🤖%\t&"));
+}
+
 TEST(Repairs, MarkupInATextIsAnXmlLiteral) {
   const std::string remark = "remark 4: markup in a text, read as an XML literal";
   EXPECT_THAT(told("a.owl", described("<rdfs:comment>see <e:a href='h'>b</e:a></rdfs:comment>")),

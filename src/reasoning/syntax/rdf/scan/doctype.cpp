@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 
 namespace geminga::rdf {
 namespace {
@@ -22,6 +26,33 @@ constexpr std::array<std::pair<std::string_view, char>, 5> entities_of_xml{
 bool is_of_xml(std::string_view name) {
   return name.starts_with('#') ||
          std::ranges::any_of(entities_of_xml, [&](const auto& known) { return known.first == name; });
+}
+
+/// The character of a reference `#252` or `#xFC`; nothing where it names none that XML has (XML 1.0, section 4.1).
+std::optional<char32_t> character_of(std::string_view reference) {
+  if (!reference.starts_with('#')) return std::nullopt;
+  const bool is_hexadecimal = reference.starts_with("#x");
+  const std::string_view digits = reference.substr(is_hexadecimal ? 2 : 1);
+  std::uint32_t number = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), number, is_hexadecimal ? 16 : 10);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  const bool is_white_space = number == '\t' || number == '\n' || number == '\r';
+  const bool is_character = (number >= 0x20 && number < 0xd800) || (number >= 0xe000 && number < 0xfffe) ||
+                            (number >= 0x10000 && number <= 0x10ffff);
+  return is_white_space || is_character ? std::optional(static_cast<char32_t>(number)) : std::nullopt;
+}
+
+/// Whether a reference to an entity of this value can begin no element and no reference that the value does not show.
+/// The characters of its references are put in place before it is read where it is used (XML 1.0, section 4.5).
+bool is_plain(std::string_view value) {
+  if (value.find('<') != std::string_view::npos) return false;
+  for (std::size_t at = value.find("&#"); at != std::string_view::npos; at = value.find("&#", at + 1)) {
+    const std::size_t close = std::min(value.find(';', at), value.size());
+    const auto character = close == value.size() ? std::nullopt : character_of(value.substr(at + 1, close - at - 1));
+    if (!character || *character == '<' || *character == '&') return false;
+  }
+  return true;
 }
 
 struct Entity {
@@ -146,8 +177,9 @@ class SubsetReader {
     const std::size_t close = bytes_.find(bytes_[quote], quote + 1);
     if (close == std::string_view::npos) return fail("has an entity without end"), false;
     const std::string_view value = bytes_.substr(quote + 1, close - quote - 1);
-    if (value.find('<') != std::string_view::npos || value.find("&#") != std::string_view::npos)
-      return fail("declares an entity that holds markup or character references: write its text out"), false;
+    if (!is_plain(value))
+      return fail("declares an entity that holds markup, or a character reference that makes some: write its text out"),
+             false;
     entities_.try_emplace(bytes_.substr(name, name_end - name), Entity{value, begin});  // the first one binds
     place_ = bytes_.find('>', close);
     return end_entity();
@@ -286,6 +318,8 @@ std::optional<std::string> expanded(std::string_view written, const Doctype* doc
     const auto value = doctype == nullptr ? std::nullopt : doctype->value_of(name);
     if (known != entities_of_xml.end()) {
       out += known->second;
+    } else if (const auto character = character_of(name)) {
+      base::append_character(*character, out);
     } else if (const auto inner = value ? expanded(*value, doctype) : std::nullopt) {
       out += *inner;
     } else {

@@ -21,8 +21,8 @@ namespace geminga::rdf {
 class Doctype {
  public:
   /// Reads the DOCTYPE at `place`. External DTDs and entities, and what is declared of elements, is passed over.
-  /// Internal parameter entities, default values of attributes, entities that hold markup, that contain themselves or
-  /// expand to too much are refused.
+  /// Internal parameter entities, default values of attributes, entities that hold markup or references to its
+  /// characters, that contain themselves or expand to too much are refused.
   [[nodiscard]] static std::expected<Doctype, ScanProblem> read(std::string_view bytes, std::size_t place,
                                                                 const syntax::FileLimits& limits);
 
@@ -52,8 +52,8 @@ class Doctype {
   std::map<std::string_view, Entity> entities_;
 };
 
-/// The value of an attribute, its references to the entities of the DOCTYPE and of XML expanded. Nothing where it has
-/// others. As long as the references of the DOCTYPE say (expanded_bytes()).
+/// The value of an attribute, its references to characters and to the entities of the DOCTYPE and of XML expanded.
+/// Nothing where it has others. As long as the references of the DOCTYPE say (expanded_bytes()).
 [[nodiscard]] std::optional<std::string> expanded(std::string_view written, const Doctype* doctype);
 
 }  // namespace geminga::rdf
