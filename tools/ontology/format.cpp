@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "ontology/command/options.hpp"
 #include "ontology/command/output.hpp"
 #include "ontology/command/words.hpp"
@@ -53,23 +54,29 @@ std::expected<DocumentFormat, std::string> chosen_document_format(const std::str
 }
 
 Exit put_document(const std::string& out, const writing::Document& document, syntax::Syntax syntax) {
-  std::size_t unsaid = 0;
-  std::vector<std::string> ambiguous;
+  writing::Written written;
   const Exit exit = put_pieces(out, [&](const PutPiece& piece) {
-    writing::Written written = writing::write(document, syntax, piece);
-    unsaid = written.unsaid_annotations;
-    ambiguous = std::move(written.ambiguous_properties);
+    written = writing::write(document, syntax, piece);
     return written.problem;
   });
-  if (exit == Exit::yes && unsaid > 0)
-    say_error(counted(unsaid, "annotation of a declaration is", "annotations of declarations are") +
+  if (exit != Exit::yes) return exit;
+  const auto first_of = [](const std::vector<std::string>& names) {
+    return "<" + base::printable(names.front(), 200) + (names.size() == 1 ? ">" : ">, ...");
+  };
+  if (written.unsaid_annotations > 0)
+    say_error(counted(written.unsaid_annotations, "annotation of a declaration is", "annotations of declarations are") +
               " not written: Manchester syntax has no place for them");
-  if (exit == Exit::yes && !ambiguous.empty())
-    say_error(counted(ambiguous.size(), "property is", "properties are") +
+  if (!written.declared_subjects.empty())
+    say_error(
+        counted(written.declared_subjects.size(), "name that is", "names that are") +
+        " the subject of annotations alone " +
+        (written.declared_subjects.size() == 1 ? "is written as an individual" : "are written as individuals") +
+        ", because Manchester syntax has no other place for the annotations: " + first_of(written.declared_subjects));
+  if (!written.ambiguous_properties.empty())
+    say_error(counted(written.ambiguous_properties.size(), "property is", "properties are") +
               " both of objects and of data, which Manchester syntax does not tell apart; restrictions may be read as "
-              "those of the "
-              "other kind: <" +
-              ambiguous.front() + (ambiguous.size() == 1 ? ">" : ">, ..."));
+              "those of the other kind: " +
+              first_of(written.ambiguous_properties));
   return exit;
 }
 

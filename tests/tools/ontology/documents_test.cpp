@@ -54,6 +54,30 @@ TEST(Convert, WritesManchesterSyntaxWithAFrameForEachNameAsTheOwlApiNeedsIt) {
   EXPECT_THAT(text, HasSubstr("Annotations: :note <http://e/elsewhere>\n"));
 }
 
+TEST(Convert, WritesManchesterSyntaxThatDeclaresNothingNewWithoutAWord) {
+  const Program program;
+  const std::string head = "Prefix(:=<http://e/>) Ontology(<http://e/> <http://e/1> ";
+  program.write("in.ofn", head +
+                              "Declaration(AnnotationProperty(:n)) AnnotationAssertion(:note :A \"x\") "
+                              "SubClassOf(Annotation(:k \"x\") :A :B) SubAnnotationPropertyOf(:n :m) "
+                              "AnnotationPropertyDomain(:o :A) AnnotationPropertyRange(:n :B) "
+                              "AnnotationAssertion(:note _:x \"x\"))");
+  const Outcome silent = program.run({"convert", "in.ofn", "-o", "out.omn"});
+  EXPECT_EQ(silent.err, "");
+  EXPECT_THAT(program.read("out.omn"),
+              testing::AllOf(Not(HasSubstr("AnnotationProperty: rdfs:")), Not(HasSubstr("AnnotationProperty: owl:")),
+                             HasSubstr("AnnotationProperty: :m\n")));
+  EXPECT_EQ(program.run({"diff", "in.ofn", "out.omn"}).out, "Both say the same.\n");
+
+  program.write("in.ofn", head + "AnnotationAssertion(owl:versionIRI :A \"x\") AnnotationAssertion(:note :A \"y\"))");
+  const Outcome outcome = program.run({"convert", "in.ofn", "-o", "out.omn"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("1 name that is the subject of annotations alone is written as an individual, because "
+                        "Manchester syntax has no other place for the annotations: <http://e/A>\n"));
+  EXPECT_EQ(program.run({"diff", "in.ofn", "out.omn"}).out, "Names: 0 removed, 1 added\n  + http://e/A\n");
+}
+
 TEST(Convert, WritesTriplesThatAreReadAsTheSameAxiomsWhereNothingIsDeclared) {
   const Program program;
   program.write("in.ofn",

@@ -9,6 +9,7 @@
 #include "reasoning/owl/annotation.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/print.hpp"
+#include "reasoning/syntax/rdf/reserved_words.hpp"
 
 namespace geminga::ontology {
 namespace {
@@ -63,17 +64,28 @@ std::vector<ExplainedAxiom> annotations_beyond(const std::map<std::string, std::
   return found;
 }
 
-/// The names that axioms use, declarations among them.
-std::set<std::string_view> names_of(const owl::Ontology& source) {
+/// The names that axioms use, declarations among them, and the properties of annotations. A declaration of a reserved
+/// word says nothing: OWL 2 has all of them (section 2.4).
+std::set<std::string_view> names_of(const rdf::Loaded& loaded) {
+  const owl::Ontology& source = loaded.source;
   std::vector<owl::TermId> roots;
   for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
-    const auto arguments = source.axiom(number).arguments;
+    const owl::Axiom axiom = source.axiom(number);
+    const auto arguments = axiom.arguments;
+    if (axiom.kind == owl::AxiomKind::declaration && rdf::is_reserved(source.name_of(arguments[0]))) continue;
     roots.insert(roots.end(), arguments.begin(), arguments.end());
   }
   std::set<std::string_view> names;
   for (const owl::TermId id : owl::terms_in(source, roots)) {
     const owl::TermKind kind = source.kind(id);
     if (kind <= owl::TermKind::individual) names.insert(source.name_of(id));
+  }
+  for (const owl::Annotation& one : loaded.annotations) {
+    if (!rdf::is_reserved(one.property)) names.insert(one.property);
+    const std::string_view word =
+        one.of == owl::Annotation::Of::name ? owl::annotation_axiom_of(one) : owl::annotation_assertion;
+    if (word != owl::annotation_assertion) names.insert(one.subject);
+    if (word == owl::sub_annotation_property_of) names.insert(one.value);
   }
   return names;
 }
@@ -99,8 +111,8 @@ ChangedStatements compare_statements(const rdf::Loaded& before, const rdf::Loade
   const owl::ShortName new_name = short_names(after.source);
   const auto old_annotations = annotations_of(before, old_name);
   const auto new_annotations = annotations_of(after, new_name);
-  const auto old_names = names_of(before.source);
-  const auto new_names = names_of(after.source);
+  const auto old_names = names_of(before);
+  const auto new_names = names_of(after);
   return {{axioms_beyond(before.source, old_name, Axioms(after.source)),
            axioms_beyond(after.source, new_name, Axioms(before.source))},
           {annotations_beyond(old_annotations, new_annotations), annotations_beyond(new_annotations, old_annotations)},

@@ -36,7 +36,7 @@ struct Changed {
 struct ChangedStatements {
   Changed axioms;                          ///< without declarations
   Changed annotations;                     ///< of names, sorted; they have no line
-  std::vector<std::string> names_removed;  ///< IRIs that no axiom uses any more, sorted
+  std::vector<std::string> names_removed;  ///< IRIs that no axiom and no annotation uses any more, sorted
   std::vector<std::string> names_added;
   [[nodiscard]] bool is_empty() const {
     return axioms.is_empty() && annotations.is_empty() && names_removed.empty() && names_added.empty();

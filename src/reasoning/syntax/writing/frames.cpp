@@ -192,11 +192,19 @@ class Frames {
     }
     roots_.clear();
     for (std::uint32_t number = 0; document_.has_annotations && number < document_.annotations.size(); ++number) {
-      const std::string_view property = document_.annotations.at(number).property;
-      if (std::ranges::find(built_in_annotations, property) != built_in_annotations.end()) continue;
-      if (!frame_of_name_.contains(property))
-        frame_of_name_[property] = frame_named(std::string(frame_word(TermKind::annotation_property)) + name(property));
+      const Annotation& annotation = document_.annotations.at(number);
+      if (annotation.of == Annotation::Of::ontology && annotation.property == version_property) continue;
+      const std::string_view word =
+          annotation.of == Annotation::Of::name ? owl::annotation_axiom_of(annotation) : owl::annotation_assertion;
+      if (word == owl::annotation_assertion) frame_property(annotation.property);
+      if (word == owl::sub_annotation_property_of) frame_property(annotation.value);
     }
+  }
+
+  void frame_property(std::string_view property) {
+    if (std::ranges::find(built_in_annotations, property) != built_in_annotations.end()) return;
+    if (!frame_of_name_.contains(property))
+      frame_of_name_[property] = frame_named(std::string(frame_word(TermKind::annotation_property)) + name(property));
   }
 
   std::uint32_t frame_of_annotation(const Annotation& annotation) {
@@ -204,7 +212,12 @@ class Frames {
       return frame_named(std::string(frame_word(TermKind::annotation_property)) + name(annotation.subject));
     const auto found = frame_of_name_.find(annotation.subject);
     if (found != frame_of_name_.end()) return found->second;
-    return frame_named(std::string(frame_word(TermKind::individual)) + name_or_blank(annotation.subject));
+    const std::size_t before = heads_.size();
+    const std::uint32_t frame =
+        frame_named(std::string(frame_word(TermKind::individual)) + name_or_blank(annotation.subject));
+    if (heads_.size() > before && !annotation.subject.starts_with("_:"))
+      unsaid_.declared_subjects.push_back(annotation.subject);
+    return frame;
   }
 
   void write_head() {

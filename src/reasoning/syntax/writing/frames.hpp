@@ -15,6 +15,7 @@ namespace geminga::writing {
 /// The parts of a document that Manchester syntax cannot say.
 struct Unsaid {
   std::size_t annotations = 0;                    ///< of declarations
+  std::vector<std::string> declared_subjects;     ///< of annotations, that only this syntax makes individuals
   std::vector<std::string> ambiguous_properties;  ///< of objects and of data at once
 };
 

@@ -39,6 +39,7 @@ Written write(const Document& document, syntax::Syntax syntax, const Sink& sink,
   } else {
     Unsaid unsaid = write_frames(document, names, output);
     written.unsaid_annotations = unsaid.annotations;
+    written.declared_subjects = std::move(unsaid.declared_subjects);
     written.ambiguous_properties = std::move(unsaid.ambiguous_properties);
   }
   written.problem = output.finish();

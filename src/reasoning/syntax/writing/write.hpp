@@ -19,6 +19,8 @@ struct Written {
   std::optional<std::string> problem;
   /// Annotations of declarations, for which Manchester syntax has no place.
   std::size_t unsaid_annotations = 0;
+  /// Names that are nothing but the subject of an annotation. In Manchester syntax their frame makes them individuals.
+  std::vector<std::string> declared_subjects = {};
   /// Names that are an object property and a data property at once, which OWL 2 DL forbids and Manchester syntax does
   /// not tell apart: their restrictions may be read as those of the other kind.
   std::vector<std::string> ambiguous_properties = {};
