@@ -96,6 +96,21 @@ TEST(Convert, WritesTriplesThatAreReadAsTheSameAxiomsWhereNothingIsDeclared) {
   }
 }
 
+TEST(Convert, WritesTriplesThatAreReadAsTheSameAnnotationsWhereNothingIsDeclared) {
+  const Program program;
+  program.write(
+      "in.ofn",
+      "Prefix(:=<http://e/>) Ontology(<http://e/> Annotation(:h \"x\") SubAnnotationPropertyOf(:n :m) "
+      "AnnotationPropertyDomain(:o :A) AnnotationPropertyRange(:r :A) ClassAssertion(Annotation(:k \"x\") :A :i) "
+      "AnnotationAssertion(:note :i \"x\")SubObjectPropertyOf(:p :q))");
+  for (const std::string out : {"out.ttl", "out.nt", "out.owl"}) {
+    EXPECT_EQ(program.run({"convert", "in.ofn", "-o", out}).status, 0);
+    const Outcome outcome = program.run({"diff", "in.ofn", out});
+    EXPECT_EQ(outcome.out, "Both say the same.\n") << program.read(out);
+    EXPECT_THAT(program.run({"check", out, "--all"}).out, Not(HasSubstr("read as annotations"))) << out;
+  }
+}
+
 TEST(Convert, TakesNoCellOfAListForAFactWhereAFileDeclaresItsVocabulary) {
   const Program program;
   program.turtle("in.ttl",

@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reasoning/owl/loaded_file.hpp"
@@ -109,6 +110,32 @@ class OtherFiles {
                                  kind == owl::TermKind::datatype;
       if (is_told_apart && !declared.contains(id) && !is_of_w3c(source.name_of(id)))
         triples_.add({.kind = owl::AxiomKind::declaration, .arguments = std::span(&id, 1)});
+    }
+    declare_annotation_properties();
+  }
+
+  /// Without a declaration rdfs:subPropertyOf, rdfs:domain and rdfs:range say something of another property, and a fact
+  /// of an individual might be meant. A name that is another property as well stays that one.
+  void declare_annotation_properties() {
+    const owl::Ontology& source = loaded_.source;
+    std::set<std::string_view> known;
+    for (std::uint32_t number = 0; number < source.term_count(); ++number) {
+      const owl::TermKind kind = source.kind(owl::TermId{number});
+      if (kind == owl::TermKind::object_property || kind == owl::TermKind::data_property)
+        known.insert(source.name_of(owl::TermId{number}));
+    }
+    const auto declare = [&](std::string_view name) {
+      if (is_of_w3c(name) || !known.insert(name).second) return;
+      graph_.add(graph::iri(std::string(name)), graph::iri(graph::rdf_type),
+                 graph::type_of_entity(owl::TermKind::annotation_property));
+    };
+    for (std::uint32_t number = 0; number < annotations_.size() && !graph_.problem(); ++number) {
+      const owl::Annotation& annotation = annotations_.at(number);
+      declare(annotation.property);
+      if (annotation.of != owl::Annotation::Of::name) continue;
+      const std::string_view word = owl::annotation_axiom_of(annotation);
+      if (word != owl::annotation_assertion) declare(annotation.subject);
+      if (word == owl::sub_annotation_property_of) declare(annotation.value);
     }
   }
 

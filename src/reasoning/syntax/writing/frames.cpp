@@ -258,8 +258,7 @@ class Frames {
   [[nodiscard]] std::string members_of(const owl::Axiom& axiom, bool is_alone) const {
     const auto arguments = axiom.arguments;
     switch (axiom.kind) {
-      case AxiomKind::has_key:
-        return joined(arguments.subspan(1), ", ");  // the OWL API reads no list without commas
+      case AxiomKind::has_key:  // the OWL API reads no list without commas
       case AxiomKind::disjoint_union:
         return joined(arguments.subspan(1), ", ");
       case AxiomKind::object_property_assertion:
