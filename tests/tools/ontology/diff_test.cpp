@@ -85,6 +85,40 @@ TEST_F(Diff, SeesNoDifferenceBetweenFormsOfOneLiteral) {
   EXPECT_EQ(program_.run({"diff", "old.ttl", "new.ofn"}).out, "Both say the same.\n");
 }
 
+TEST_F(Diff, SeesNoDifferenceBetweenFormsOfOneAxiom) {
+  program_.write("old.ofn",
+                 "Prefix(:=<http://e/>) Ontology(EquivalentClasses(:A :B ObjectSomeValuesFrom(:p :C)) "
+                 "SameIndividual(:i :j :k) EquivalentObjectProperties(:p :q :r) "
+                 "ObjectPropertyAssertion(ObjectInverseOf(:p) :i :j) "
+                 "InverseObjectProperties(ObjectInverseOf(:p) ObjectInverseOf(:s)))");
+  EXPECT_EQ(program_.run({"convert", "old.ofn", "-o", "new.ttl"}).status, 0);
+  EXPECT_EQ(program_.run({"diff", "old.ofn", "new.ttl"}).out, "Both say the same.\n");
+}
+
+TEST_F(Diff, SeesWhichOfSeveralEquivalencesIsLost) {
+  const auto differences = [&](std::string_view before, std::string_view after) {
+    const std::string head = "Prefix(:=<http://e/>) Ontology(Declaration(Class(:A)) ";
+    program_.write("old.ofn", head + std::string(before) + ")");
+    program_.write("new.ofn", head + std::string(after) + ")");
+    const std::string text = program_.run({"diff", "old.ofn", "new.ofn"}).out;
+    return text.substr(0, text.find('\n'));
+  };
+  EXPECT_EQ(differences("EquivalentClasses(:A :B :C)", "EquivalentClasses(:B :A)"), "Axioms: 1 removed, 0 added");
+  EXPECT_EQ(differences("EquivalentClasses(:A :B :C)", "EquivalentClasses(:B :C) EquivalentClasses(:A :C)"),
+            "Both say the same.");
+  EXPECT_EQ(differences("EquivalentClasses(:A :B) EquivalentClasses(:B :C)",
+                        "EquivalentClasses(:A :B) EquivalentClasses(:B :C) EquivalentClasses(:A :C)"),
+            "Axioms: 0 removed, 1 added")
+      << "what is stated, and not what follows";
+  EXPECT_EQ(differences("SameIndividual(:i _:x) SameIndividual(:j _:y)", "SameIndividual(:i :j :k)"),
+            "Axioms: 2 removed, 1 added");
+  EXPECT_EQ(
+      differences("SameIndividual(:i _:x) SameIndividual(:j _:y) SameIndividual(:k _:z)",
+                  "SameIndividual(:i _:x) SameIndividual(:j _:y) SameIndividual(:k _:z) SameIndividual(:i :j :k)"),
+      "Axioms: 0 removed, 1 added")
+      << "anonymous individuals are alike and not the same";
+}
+
 TEST_F(Diff, TellsWhichClassesCanHaveNoInstanceAndWhereAnOntologyContradictsItself) {
   program_.turtle("old.ttl", ":A rdfs:subClassOf :B . :B owl:disjointWith :C .");
   program_.turtle("new.ttl", ":A rdfs:subClassOf :B, :C .\n:B owl:disjointWith :C .");

@@ -63,10 +63,10 @@ class Reasons {
     const auto set = explainer.find_one();
     if (!set) return {};
     const owl::Ontology& source = explainer.module().source();
-    const owl::ContentHashes hashes(source, owl::BlankNodes::all_alike);
+    const Contents contents(source);
     std::vector<ReasonAxiom> reason;
     for (const std::uint32_t axiom : explainer.module().in_order_of_argument(*set, explainer.sub()))
-      reason.push_back({explainer.module().explained(axiom), !other_.has(hashes, source.axiom(axiom))});
+      reason.push_back({explainer.module().explained(axiom), !other_.has(contents, source.axiom(axiom))});
     return reason;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -19,13 +20,13 @@ using explanation::ExplainedAxiom;
 /// The axioms of a source that are not among others.
 std::vector<ExplainedAxiom> axioms_beyond(const owl::Ontology& source, const owl::ShortName& short_name,
                                           const Axioms& others) {
-  const owl::ContentHashes hashes(source, owl::BlankNodes::all_alike);
+  const Contents contents(source);
   std::vector<ExplainedAxiom> found;
-  std::set<owl::ContentHashes::Hash> seen;
+  std::set<Contents::Hash> seen;
   for (std::uint32_t number = 0; number < source.axiom_count(); ++number) {
     const owl::Axiom axiom = source.axiom(number);
-    if (axiom.kind == owl::AxiomKind::declaration || others.has(hashes, axiom)) continue;
-    if (!seen.insert(hashes.hash_of(axiom)).second) continue;
+    if (axiom.kind == owl::AxiomKind::declaration || others.has(contents, axiom)) continue;
+    if (!seen.insert(contents.hash_of(axiom)).second) continue;
     found.push_back(
         {owl::print(source, axiom, short_name), source.files()[static_cast<std::size_t>(axiom.file)].path, axiom.line});
   }
@@ -99,12 +100,6 @@ std::vector<std::string> names_beyond(const std::set<std::string_view>& all, con
 }
 
 }  // namespace
-
-Axioms::Axioms(const owl::Ontology& source) {
-  const owl::ContentHashes hashes(source, owl::BlankNodes::all_alike);
-  for (std::uint32_t number = 0; number < source.axiom_count(); ++number)
-    known_.insert(hashes.hash_of(source.axiom(number)));
-}
 
 ChangedStatements compare_statements(const rdf::Loaded& before, const rdf::Loaded& after) {
   const owl::ShortName old_name = short_names(before.source);

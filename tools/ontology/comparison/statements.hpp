@@ -2,29 +2,14 @@
 #ifndef GEMINGA_ONTOLOGY_COMPARISON_STATEMENTS_HPP
 #define GEMINGA_ONTOLOGY_COMPARISON_STATEMENTS_HPP
 
-#include <set>
 #include <string>
 #include <vector>
 
+#include "ontology/comparison/axioms.hpp"
 #include "reasoning/explanation/explain_module.hpp"
-#include "reasoning/owl/canonical.hpp"
 #include "reasoning/syntax/rdf/load.hpp"
 
 namespace geminga::ontology {
-
-/// Hashes of axioms by what they say. Anonymous individuals count as alike, because their labels are those of a file:
-/// two axioms that differ in nothing else are one.
-class Axioms {
- public:
-  explicit Axioms(const owl::Ontology& source);
-  /// Whether an axiom of another source is among them. `hashes` are those of that source, with blank nodes alike.
-  [[nodiscard]] bool has(const owl::ContentHashes& hashes, const owl::Axiom& axiom) const {
-    return known_.contains(hashes.hash_of(axiom));
-  }
-
- private:
-  std::set<owl::ContentHashes::Hash> known_;
-};
 
 /// Statements that the old ontology has and the new one has not, and the other way round.
 struct Changed {
