@@ -8,6 +8,7 @@
 
 #include "ontology/loading/classified_files.hpp"
 #include "reasoning/owl/annotation.hpp"
+#include "reasoning/owl/datatypes.hpp"
 #include "reasoning/owl/loaded_file.hpp"
 #include "reasoning/owl/print.hpp"
 #include "reasoning/syntax/rdf/reserved_words.hpp"
