@@ -178,6 +178,10 @@ TEST(ExplainIndividuals, SaysWhatIsNotSoOfIndividualsAndExpressions) {
   const Outcome unknown = program.run({"explain", "a.ofn", "--individual", ":bobb", "--super", ":Tired"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_THAT(unknown.err, HasSubstr("did you mean :bob?"));
+  for (const std::string words : {":bob, :eve", ":bob} or {:eve", ":bob} and {:eve", ""}) {
+    const Outcome odd = program.run({"explain", "a.ofn", "--individual", words, "--super", ":Tired"});
+    EXPECT_EQ(odd.status, 2) << words;
+  }
   EXPECT_EQ(program.run({"explain", "a.ofn", "--individual", ":bob", "--sub", ":Robot", "--super", ":Tired"}).status,
             2);
   EXPECT_EQ(program.run({"compile", "a.ofn", "-o", "a.geminga"}).status, 0);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.hpp"
 #include "ontology/command/words.hpp"
 #include "ontology/loading/class_expressions.hpp"
 #include "reasoning/compiled/compile.hpp"
@@ -38,6 +39,12 @@ QuestionSide side_of(const compiled::Ontology& ontology, const manchester::Expre
   return side;
 }
 
+/// Whether an expression is the enumeration of one individual. Words with brackets or commas of their own make others.
+bool is_one_individual(const manchester::Expression& expression) {
+  return expression.source.kind(expression.term) == owl::TermKind::object_one_of &&
+         expression.source.term(expression.term).arguments.size() == 1;
+}
+
 /// An individual as it is written, from its enumeration.
 QuestionSide individual_of(const compiled::Ontology& ontology, const manchester::Expression& enumeration) {
   QuestionSide side = side_of(ontology, enumeration);
@@ -63,6 +70,10 @@ std::optional<Question> open_question(const std::vector<std::string>& files, con
   const auto sub = read(is_about_individual ? '{' + words.individual + '}' : words.sub);
   const auto super = sub ? read(words.super) : std::nullopt;
   if (!sub || !super) return std::nullopt;
+  if (is_about_individual && !is_one_individual(*sub)) {
+    say_failure('\'' + base::printable(words.individual) + "' is no name of an individual", options.as_json);
+    return std::nullopt;
+  }
   QuestionSide below = is_about_individual ? individual_of(opened->ontology, *sub) : side_of(opened->ontology, *sub);
   QuestionSide above = side_of(opened->ontology, *super);
   if (below.is_defined || above.is_defined) {
