@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "reasoning/dl/hypertableau/rules.hpp"
+#include "reasoning/owl/loaded_file.hpp"
 
 namespace geminga::hypertableau {
 
@@ -115,6 +116,9 @@ void Rules::note_open(const Match& match) {
   const bool is_kept = !match.rule->heads.empty() && std::ranges::all_of(match.rule->heads, holds);
   if (is_kept) return;
   open_ = match.rule->problem.empty() ? "values in a swrl:Imp that are not known" : std::string(match.rule->problem);
+  const owl::Axiom axiom = source_.axiom(match.rule->axiom);
+  const std::string& file = source_.files()[static_cast<std::size_t>(axiom.file)].path;
+  if (axiom.line != 0) open_ += " (" + file + ':' + std::to_string(axiom.line) + ')';
 }
 
 }  // namespace geminga::hypertableau

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/text.hpp"
+#include "base/letter_case.hpp"
 #include "base/utf8.hpp"
 #include "reasoning/dl/hypertableau/rules/patterns.hpp"
 
@@ -21,10 +21,6 @@ using owl::DataFamily;
 
 bool is_text(const Value& value) { return value.family == DataFamily::text; }
 
-bool is_ascii(std::string_view text) {
-  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-}
-
 Computed text_value(std::string_view text) {
   if (text.size() > max_text_octets) return {Holds::unknown, std::nullopt};
   bool is_ill_formed = false;
@@ -35,12 +31,18 @@ Computed text_value(std::string_view text) {
   return {Holds::yes, std::move(value)};
 }
 
-std::string in_upper_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return result;
+Computed text_in_case(std::string_view text, base::LetterCase wanted) {
+  const auto changed = base::in_case(text, wanted);
+  return changed ? text_value(*changed) : Computed{Holds::unknown, std::nullopt};
+}
+
+/// Whether something holds of two texts in lower case.
+template <typename Compare>
+Holds same_but_for_case(std::string_view text, std::string_view part, const Compare& compare) {
+  const auto whole = base::in_case(text, base::LetterCase::lower);
+  const auto other = base::in_case(part, base::LetterCase::lower);
+  if (!whole || !other) return Holds::unknown;
+  return compare(*whole, *other) ? Holds::yes : Holds::no;
 }
 
 /// A number rounded as fn:round() does, as the double that fn:substring() takes.
@@ -143,9 +145,9 @@ Computed make_text(BuiltIn built_in, std::span<const Value> operands) {
     case BuiltIn::normalize_space:
       return text_value(without_surplus_space(text));
     case BuiltIn::upper_case:
-      return is_ascii(text) ? text_value(in_upper_case(text)) : Computed{Holds::unknown, std::nullopt};
+      return text_in_case(text, base::LetterCase::upper);
     case BuiltIn::lower_case:
-      return is_ascii(text) ? text_value(base::in_lower_case(text)) : Computed{Holds::unknown, std::nullopt};
+      return text_in_case(text, base::LetterCase::lower);
     case BuiltIn::substring_before:
     case BuiltIn::substring_after: {
       if (!is_text(operands[1])) return {};
@@ -183,12 +185,11 @@ Holds compare_texts(BuiltIn built_in, const Value& first, const Value& second) {
       return answer(text.ends_with(part));
     case BuiltIn::string_equal_ignore_case:
       if (text == part) return Holds::yes;
-      if (!is_ascii(text) || !is_ascii(part)) return Holds::unknown;
-      return answer(base::in_lower_case(text) == base::in_lower_case(part));
+      return same_but_for_case(text, part, [](const auto& whole, const auto& other) { return whole == other; });
     case BuiltIn::contains_ignore_case:
       if (text.find(part) != std::string_view::npos) return Holds::yes;
-      if (!is_ascii(text) || !is_ascii(part)) return Holds::unknown;
-      return answer(base::in_lower_case(text).find(base::in_lower_case(part)) != std::string::npos);
+      return same_but_for_case(
+          text, part, [](const auto& whole, const auto& other) { return whole.find(other) != std::string::npos; });
     case BuiltIn::matches: {
       const auto is_match = has_match(text, part);
       return is_match ? answer(*is_match) : Holds::unknown;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/letter_case.hpp"
 #include "base/utf8.hpp"
 
 namespace geminga::graph {
@@ -49,16 +50,6 @@ std::unique_ptr<re2::RE2> pattern_of(const Scalar& pattern, const Scalar* flags)
   }
   auto compiled = std::make_unique<re2::RE2>(before + pattern->text, options);
   return compiled->ok() ? std::move(compiled) : nullptr;
-}
-
-/// A letter of ASCII or Latin-1 in the other case; nothing for other letters that may have one.
-std::optional<char32_t> in_case(char32_t letter, bool is_upper) {
-  constexpr char32_t between = 0x20;
-  const auto is_small = [](char32_t c) { return (c >= U'a' && c <= U'z') || (c >= 0xe0 && c <= 0xfe && c != 0xf7); };
-  // The capitals of the first two are not in Latin-1.
-  if ((is_upper && (letter == 0xb5 || letter == 0xdf)) || letter >= 0xff) return std::nullopt;
-  if (is_upper) return is_small(letter) ? letter - between : letter;
-  return is_small(letter + between) ? letter + between : letter;
 }
 
 }  // namespace
@@ -131,14 +122,9 @@ Scalar joined(const std::vector<Scalar>& given) {
 
 Scalar text_in_case(const Scalar& value, bool is_upper) {
   if (!is_string(value)) return std::nullopt;
-  std::string changed;
-  const std::string& before = value->text;
-  for (std::size_t at = 0; at < before.size(); at += base::character_bytes(static_cast<unsigned char>(before[at]))) {
-    const auto other = in_case(base::character_at(before.data() + at), is_upper);
-    if (!other) return std::nullopt;
-    base::append_character(*other, changed);
-  }
-  return with_language_of(*value, std::move(changed));
+  auto changed = base::in_case(value->text, is_upper ? base::LetterCase::upper : base::LetterCase::lower);
+  if (!changed) return std::nullopt;
+  return with_language_of(*value, std::move(*changed));
 }
 
 Scalar compare_texts(rasqal_op op, const Scalar& first, const Scalar& second) {
