@@ -129,8 +129,7 @@ void add_explain(CLI::App& program, Choice& choice) {
       "  geminga-ontology explain team/ --sub soccer:BallInfo --super geminga:TrackedObject\n"
       "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --proof\n"
       "  geminga-ontology explain team/ --sub soccer:SharedBallInfo --super soccer:TrackedObject --laconic\n"
-      "  geminga-ontology explain team/ --individual soccer:keeper --super 'soccer:Robot and (soccer:sees some "
-      "soccer:Ball)'\n"
+      "  geminga-ontology explain ontology/ robot.ttl --individual geminga:self --super 'hasPart some Gripper'\n"
       "  geminga-ontology explain team/ --inconsistent --all --limit 3");
   command->callback([request, &choice] {
     if (!request->is_about_contradiction &&
