@@ -36,7 +36,8 @@ std::expected<void, Finding> Player::start(const std::optional<Moment>& from) {
   if (at != nullptr && next_) last_ = std::max(last_, *at);
   begin_ = now_ = last_;
   state_.stand_at(now_);
-  if (!from || next_) return {};
+  const bool is_last_moment = at != nullptr && *at <= last_;
+  if (!from || next_ || is_last_moment) return {};
   return std::unexpected(Finding{0, 0, "the recording ends before that moment, after " + span_words(last_)});
 }
 

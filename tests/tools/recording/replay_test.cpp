@@ -185,6 +185,7 @@ TEST_F(APlayer, BeginsAtAMoment) {
   EXPECT_EQ(player->next_due(), 1500ms);
   EXPECT_THAT(begin(1, "5")->state().of("services"), IsEmpty());
   EXPECT_THAT(begin(1, "0")->state().of("participants"), SizeIs(2));
+  EXPECT_TRUE(begin(1, "15")) << "the moment of its last line";
   const auto late = begin(1, "16");
   ASSERT_FALSE(late);
   EXPECT_THAT(late.error().text, HasSubstr("ends before that moment, after 15.0 s"));
