@@ -59,7 +59,8 @@ struct Classified : taxonomy::Classification {
 };
 
 /// Classifies with all engines. `unused` of the result lists the axioms that no engine uses in full. Where a limit or
-/// memory ended the work before the engines beyond EL, it lists those that el does not use. An EL ontology costs what el::classify() costs.
+/// memory ended the work before the engines beyond EL, it lists those that el does not use. An EL ontology costs what
+/// el::classify() costs.
 [[nodiscard]] std::expected<Classified, el::ClassifyError> classify(const owl::Ontology& source,
                                                                     const Options& options = {});
 

@@ -77,7 +77,8 @@ bool Parser::literal() {
   lexical_ = token.text;
   if (token.has_escapes) {
     lexical_buffer_.clear();
-    if (append_unescaped_text(lexical_buffer_, token.text)) source_.remark(document::odd_backslash, file_, tokens_.line());
+    if (append_unescaped_text(lexical_buffer_, token.text))
+      source_.remark(document::odd_backslash, file_, tokens_.line());
     lexical_ = lexical_buffer_;
   }
   language_ = {};
