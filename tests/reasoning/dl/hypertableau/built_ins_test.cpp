@@ -12,8 +12,6 @@
 namespace geminga::hypertableau {
 namespace {
 
-using clauses::BuiltIn;
-
 /// Values as they are written: `5`, `2.5`, `true`, `1e0` for a double, `f1` for a float, `@2020-01-01T00:00:00` for a
 /// time, `?` for an argument that is missing, anything else for a text.
 std::optional<Value> value(const std::string& text) {
