@@ -3,6 +3,7 @@
 
 #include "reasoning/explanation/why_not.hpp"
 #include "reasoning/owl/axiom.hpp"
+#include "reasoning/owl/left_out.hpp"
 
 namespace geminga::explanation {
 namespace {
