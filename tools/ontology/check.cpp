@@ -269,9 +269,8 @@ void add_check(CLI::App& program, Choice& choice) {
   add_work_limits(*command, choice.limits);
   command->footer(
       std::string(
-          "\nExit status 1: a file is wrong (in a folder the others are still used); the ontology contradicts itself; "
-          "a\n"
-          "class can have no instance; two names have the same hash; a name is not one that RDF, RDFS, OWL or XSD\n"
+          "\nExit status 1: a file is wrong (in a folder the others are still used); the ontology contradicts itself;\n"
+          "a class can have no instance; two names have the same hash; a name is not one that RDF, RDFS, OWL or XSD\n"
           "define in their namespaces; or nothing declares a name although the files declare others of its namespace.\n"
           "Namespaces of which the files declare nothing are listed, and are no problem.\n"
           "Exit status 2: a file cannot be read: it is not there, its compression is damaged, or it is in no known\n"

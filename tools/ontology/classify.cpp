@@ -182,14 +182,12 @@ void add_classify(CLI::App& program, Choice& choice) {
                     "print the taxonomies of object and of data properties instead (with --json: too)");
   command->footer(
       std::string(
-          "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class "
-          "is\n"
-          "everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. What is printed\n"
-          "follows. Standard error says what could not be decided (so do `undecided` and `gaps` of the document of\n"
-          "--json). Where that is for a limit of the command line, the exit status is 4. A file of a folder that "
-          "cannot\n"
-          "be read is left out and named, and the exit status is 1.\n") +
-      consistency_of_json +
+          "\nThe closure has equivalents in both directions, owl:Thing never as SUPER, and as SUB only where a class\n"
+          "is everything; a class that can have no instance has the one line CLASS<TAB>owl:Nothing. What is printed\n"
+          "follows. Standard error says what was left out or could not be decided (`undecided` and `gaps` of the\n"
+          "document of --json say the latter). Where that is for a limit of the command line, the exit status is "
+          "4.\n") +
+      refused_of_list + consistency_of_json +
       "\nExamples:\n  geminga-ontology classify team/ --closure --stats run.json\n"
       "  geminga-ontology classify team/ --properties");
   command->callback([request, &choice] {

@@ -47,7 +47,7 @@ Exit consistent(const ConsistentRequest& request, const WorkLimits& limits) {
   const Answer answer = consistency_of(*loaded, reasoner::is_consistent(loaded->source, &budget), &budget);
   progress.clear();
   say_unresolved(*loaded);
-  // Of other omissions the answer is not yes.
+  // Where anything else was left out, the answer is not yes.
   const auto ill_typed = find_unread(loaded->source, {}, true);
   if (answer.verdict == Verdict::yes && ill_typed)
     say_error(*ill_typed + "; there can be a world whatever value of the datatype is meant");

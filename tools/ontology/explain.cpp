@@ -67,7 +67,7 @@ Exit explain(const ExplainRequest& request, const WorkLimits& limits) {
         explained.laconic.push_back(explanation::find_laconic(*explainer, set));
     }
   } else if (explained.answer.verdict == reasoner::Verdict::no && !question->is_about_contradiction() &&
-             !question->sub.is_defined && !question->super.is_defined) {
+             !question->has_definitions()) {
     explained.why_not = explanation::why_not(question->ontology(), sub, super);
     explained.why_not->may_be_incomplete = !question->ontology().left_out().empty();
   }
@@ -119,9 +119,9 @@ void add_explain(CLI::App& program, Choice& choice) {
   add_strict(*command, request->is_strict);
   add_work_limits(*command, choice.limits);
   command->footer(
-      "\nA class expression is written in Manchester syntax, with the names of the files. For it, and for an "
-      "individual,\n"
-      "a class is defined (about:sub, about:super, about:individual), which only the steps of --proof name.\n"
+      "\nA class expression is written in Manchester syntax, with the names of the files. For it, and for an\n"
+      "individual, a class is defined (about:sub, about:super, about:individual), which only the steps of --proof\n"
+      "name.\n"
       "\nExit status 0: it is subsumed; 1: it is not, or is not known to be; 4: a limit was reached before it was\n"
       "decided. In the document of --json `entailed` is null and has a `reason` where it is not known.\n"
       "A file of a folder that cannot be read is left out and named; then only yes can be decided.\n"

@@ -346,9 +346,8 @@ void add_query(CLI::App& program, Choice& choice) {
   command->footer(
       "\nSELECT, ASK, CONSTRUCT and DESCRIBE (the statements about a resource, with those of its blank nodes) are\n"
       "answered; a query may stand in a file whose name ends in .rq. Prefixes of the files, and those of the names\n"
-      "that are printed, need no declaration. Nothing is fetched from a network. FROM, SERVICE, property paths (write "
-      "a triple for each\n"
-      "step) and EXISTS within an expression (write it as a filter of its own) are refused.\n"
+      "that are printed, need no declaration. Nothing is fetched from a network. FROM, SERVICE, property paths\n"
+      "(write a triple for each step) and EXISTS within an expression (write it as a filter of its own) are refused.\n"
       "The inferred graph has what the files state; which named classes and properties are below or equal to\n"
       "which, but for what holds of each (itself, owl:Thing, owl:Nothing); and all types and facts of named\n"
       "individuals. A class expression as OWL writes it in RDF (?x a [ a owl:Restriction ; owl:onProperty\n"

@@ -97,6 +97,12 @@ std::string_view Ontology::name(NameId id) const {
   return {name_bytes_.data() + begin, name_ends_[index] - begin};
 }
 
+std::string Ontology::unused_name(std::string_view name) const {
+  std::string unused(name);
+  while (find_name(unused)) unused += '-';
+  return unused;
+}
+
 std::optional<NameId> Ontology::find_name(std::string_view name) const {
   const std::uint32_t found =
       name_table_.find(base::hash64(name), [&](std::uint32_t number) { return this->name(NameId{number}) == name; });

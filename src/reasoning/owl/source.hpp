@@ -160,6 +160,8 @@ class Ontology {
 
   [[nodiscard]] std::string_view name(NameId id) const;
   [[nodiscard]] std::optional<NameId> find_name(std::string_view name) const;
+  /// A name that nothing has: this one, with hyphens behind it where that is taken.
+  [[nodiscard]] std::string unused_name(std::string_view name) const;
   [[nodiscard]] Term term(TermId id) const;
   /// Whether no literal in it is ill-typed, and no facet foreign to its datatype.
   [[nodiscard]] bool is_well_typed(TermId id) const { return !is_ill_typed(terms_[static_cast<std::size_t>(id)].form); }

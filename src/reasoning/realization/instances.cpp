@@ -16,9 +16,7 @@ using hypertableau::Verdict;
 
 /// A class above the expression. Individuals outside of it in some model are not in the expression there.
 owl::TermId add_class_above(owl::Ontology& source, owl::TermId expression) {
-  std::string name = "about:instances";
-  while (source.find_name(name)) name += '-';
-  const owl::TermId above = source.named_class(name);
+  const owl::TermId above = source.named_class(source.unused_name("about:instances"));
   source.add(owl::AxiomKind::sub_class_of, {expression, above}, owl::FileId{0}, 0);
   return above;
 }

@@ -1,12 +1,12 @@
 #include "reasoning/realization/told.hpp"
 
-#include <algorithm>
 #include <map>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "reasoning/realization/facts.hpp"
+#include "reasoning/realization/type_sets.hpp"
 
 namespace geminga::realization {
 

@@ -6,7 +6,6 @@
 
 #include "reasoning/owl/source.hpp"
 #include "reasoning/realization/realization.hpp"
-#include "reasoning/realization/type_sets.hpp"
 
 namespace geminga::realization {
 

@@ -128,6 +128,9 @@ TEST(LeftOutByTheReader, IsToldByEachCommandWhoseAnswerItMayChange) {
   const Outcome subsumed = program.run({"subsumes", "a.ofn", "--sub", ":A", "--super", ":B"});
   EXPECT_EQ(subsumed.status, 1);
   EXPECT_EQ(subsumed.out, ":A is not known to be subsumed by :B: " + what + "\n");
+  const Outcome explained = program.run({"explain", "a.ofn", "--individual", ":a", "--super", ":B"});
+  EXPECT_EQ(explained.status, 1);
+  EXPECT_EQ(explained.out, ":a is not known to be in :B: " + what + "\n");
 }
 
 TEST(LeftOutByTheReader, OfLiteralsIsNamedBesideConsistent) {

@@ -37,6 +37,8 @@ struct Question {
   bool is_about_individual = false;
 
   [[nodiscard]] const compiled::Ontology& ontology() const { return opened.ontology; }
+  /// Whether a side is none of the classes of the files.
+  [[nodiscard]] bool has_definitions() const { return sub.is_defined || super.is_defined; }
   /// Whether it asks if the ontology contradicts itself: if owl:Thing is below owl:Nothing.
   [[nodiscard]] bool is_about_contradiction() const;
 };

@@ -9,6 +9,7 @@
 #include "base/harmless.hpp"
 #include "base/text.hpp"
 #include "ontology/individuals/realized_files.hpp"
+#include "ontology/loading/class_expressions.hpp"
 #include "ontology/loading/hierarchy.hpp"
 #include "reasoning/realization/realization.hpp"
 #include "reasoning/reasoner/reasoner.hpp"
@@ -142,9 +143,7 @@ std::optional<std::string> AskedNames::find_instances(owl::TermId expression, gr
 /// Classifies the files with a class that is equivalent to the expression.
 std::optional<std::string> AskedNames::find_classes(owl::TermId expression, graph::FoundNames& found) {
   owl::Ontology& source = classified_.loaded.source;
-  std::string name = "about:expression";
-  while (source.find_name(name)) name += '-';
-  source.add(owl::AxiomKind::equivalent_classes, {source.named_class(name), expression}, owl::FileId{0}, 0);
+  const std::string name = define_class(source, "about:expression", expression, owl::FileId{0});
   if (source.problem()) return source.problem();
   reasoner::Options options{.budget = &budget_};
   options.progress = [&](std::string_view phase, double done) { progress_.show(phase, done); };

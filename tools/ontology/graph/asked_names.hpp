@@ -25,8 +25,8 @@ class AskedNames {
 
   /// The IRIs of what the expression asks for: the named individuals that are in it in every model; the named classes
   /// below it, with those that can have no instance; and those above it, without owl:Thing. owl:Nothing is among them
-  /// where the expression can have no instance. An error says in one line why the triples are no
-  /// class expression, or names an entity that the files do not have.
+  /// where the expression can have no instance. An error says in one line why the triples are no class expression, or
+  /// names an entity that the files do not have.
   [[nodiscard]] std::expected<graph::FoundNames, std::string> find(const graph::AskedExpression& asked);
   /// The reason why names may be missing, in one line; nothing where everything was decided.
   [[nodiscard]] const std::optional<std::string>& open() const { return open_; }

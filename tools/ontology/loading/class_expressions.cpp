@@ -1,6 +1,5 @@
 #include "ontology/loading/class_expressions.hpp"
 
-#include <string_view>
 #include <utility>
 
 #include "base/text.hpp"
@@ -31,6 +30,12 @@ std::optional<taxonomy::ClassNumber> class_of(const compiled::Ontology& ontology
                                               const manchester::Expression& expression) {
   if (expression.source.kind(expression.term) != owl::TermKind::named_class) return std::nullopt;
   return ontology.find_iri(expression.source.name_of(expression.term));
+}
+
+std::string define_class(owl::Ontology& source, std::string_view name, owl::TermId expression, owl::FileId file) {
+  std::string iri = source.unused_name(name);
+  source.add(owl::AxiomKind::equivalent_classes, {source.named_class(iri), expression}, file, 0);
+  return iri;
 }
 
 std::string words_of(const compiled::Ontology& ontology, const manchester::Expression& expression) {

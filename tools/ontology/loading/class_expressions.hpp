@@ -4,9 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "reasoning/compiled/ontology.hpp"
 #include "reasoning/owl/names.hpp"
+#include "reasoning/owl/source.hpp"
 #include "reasoning/syntax/manchester/parse.hpp"
 #include "reasoning/taxonomy/class_number.hpp"
 
@@ -21,6 +23,10 @@ namespace geminga::ontology {
 /// The class that an expression is; nothing where it is more than a name.
 [[nodiscard]] std::optional<taxonomy::ClassNumber> class_of(const compiled::Ontology& ontology,
                                                             const manchester::Expression& expression);
+
+/// Adds a class that is equivalent to an expression of the source, with this name or one that begins with it. Returns
+/// its IRI, which nothing else has.
+std::string define_class(owl::Ontology& source, std::string_view name, owl::TermId expression, owl::FileId file);
 
 /// The expression with short names.
 [[nodiscard]] std::string words_of(const compiled::Ontology& ontology, const manchester::Expression& expression);

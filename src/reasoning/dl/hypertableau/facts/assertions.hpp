@@ -28,8 +28,7 @@ class Assertions {
   // Nodes.
   NodeId add_node(NodeKind kind, NodeId parent, DependencySet dependency);
   NodeId add_value(NodeId parent) { return graph_.add_node(NodeKind::value, parent); }
-  /// The node of the next individual of the set.
-  /// The nodes of so many individuals. The first ones are of those that are `apart`: they differ from each other.
+  /// Adds the nodes of so many individuals. The first ones are of those that are `apart`: they differ from each other.
   void add_individuals(std::size_t count, std::span<const clauses::IndividualId> apart);
   /// The node of each individual, as it was added. After merges Graph::current() gives the node that stands for it.
   [[nodiscard]] std::span<const NodeId> individuals() const { return individuals_; }

@@ -83,8 +83,9 @@ struct Node {
   std::uint64_t edge_hash = 0;
 };
 
-/// Nodes that were made together for one at-least, with consecutive numbers. Each differs from each. It is known of
-/// them as a group, because the pairs are as many as the square of their number.
+/// Nodes with consecutive numbers, each of which differs from each: those that were made together for one at-least, or
+/// the individuals of clauses::ClauseSet::apart. It is known of them as a group, because the pairs are as many as the
+/// square of their number.
 struct Siblings {
   NodeId first = 0;
   NodeId end = 0;
